@@ -1,0 +1,266 @@
+use std::str::Chars;
+use std::sync::OnceLock;
+
+use kurbo::Rect;
+use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
+use ttf_parser::gsub::{Ligature, LigatureSubstitution, SubstitutionSubtable};
+use ttf_parser::{GlyphId, Tag};
+
+/// The upright face: Libertinus Serif Regular, subset, SIL Open Font License 1.1 (see
+/// `fonts/OFL-1.1.txt`).
+pub static REGULAR: &[u8] = include_bytes!("fonts/LibertinusSerif-Regular.sub.otf");
+
+/// The slanted face: Libertinus Serif Italic, subset, under the same licence.
+pub static ITALIC: &[u8] = include_bytes!("fonts/LibertinusSerif-Italic.sub.otf");
+
+/// Width and ink of a stretch of text, in em, y down, from the left end of its baseline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Extent {
+    /// How far the text moves the pen.
+    pub(super) advance: f64,
+    /// The box around the ink; none for spaces.
+    pub(super) ink: Option<Rect>,
+}
+
+/// What a letter that neither face has is taken to fill: about a capital, so that labels keep off
+/// whatever a viewer puts there.
+const UNKNOWN: Extent = Extent {
+    advance: 0.6,
+    ink: Some(Rect::new(0.0, -0.75, 0.6, 0.15)),
+};
+
+/// A face of the bundled fonts, ready to measure.
+pub(super) struct Face {
+    face: ttf_parser::Face<'static>,
+    em: f64,
+    /// The glyphs measured so far, by number: reading an outline takes far longer than looking it
+    /// up.
+    glyphs: Vec<OnceLock<Extent>>,
+    /// Kerning lookups by script, in the order in which they apply; the first subtable that answers
+    /// ends its lookup.
+    kerning: [Vec<Vec<PairAdjustment<'static>>>; 3],
+    ligatures: Vec<LigatureSubstitution<'static>>,
+}
+
+/// The scripts whose letters are kerned by rules of their own.
+#[derive(Clone, Copy, PartialEq)]
+enum Script {
+    Latin,
+    Greek,
+    Cyrillic,
+}
+
+/// The slanted or the upright face, parsed on first use.
+pub(super) fn face(italic: bool) -> &'static Face {
+    static UPRIGHT_FACE: OnceLock<Face> = OnceLock::new();
+    static ITALIC_FACE: OnceLock<Face> = OnceLock::new();
+    if italic {
+        ITALIC_FACE.get_or_init(|| Face::parse(ITALIC))
+    } else {
+        UPRIGHT_FACE.get_or_init(|| Face::parse(REGULAR))
+    }
+}
+
+impl Face {
+    fn parse(data: &'static [u8]) -> Self {
+        let face = ttf_parser::Face::parse(data, 0).expect("the bundled fonts are sound");
+        let kerning =
+            [b"latn", b"grek", b"cyrl"].map(|script| kerning(&face, Tag::from_bytes(script)));
+        let glyphs = (0..face.number_of_glyphs())
+            .map(|_| OnceLock::new())
+            .collect();
+        Self {
+            em: f64::from(face.units_per_em()),
+            glyphs,
+            kerning,
+            ligatures: ligatures(&face),
+            face,
+        }
+    }
+
+    /// Whether the face can draw a letter.
+    pub(super) fn has(&self, letter: char) -> bool {
+        self.face.glyph_index(letter).is_some()
+    }
+
+    /// Width and ink of a text set as the renderers set it: with the font's kerning and its
+    /// ligatures.
+    pub(super) fn measure(&self, text: &str) -> Extent {
+        let mut total = Extent {
+            advance: 0.0,
+            ink: None,
+        };
+        let mut previous: Option<GlyphId> = None;
+        let mut script = Script::Latin;
+        let mut letters = text.chars();
+        while let Some(letter) = letters.next() {
+            let Some(mut glyph) = self.face.glyph_index(letter) else {
+                total = total.then(UNKNOWN);
+                previous = None;
+                continue;
+            };
+            // A run is shaped script by script; signs and digits go with the letters before them.
+            if let Some(own) = script_of(letter)
+                && own != script
+            {
+                script = own;
+                previous = None;
+            }
+            if let Some((joined, more)) = self.ligature(glyph, &letters) {
+                glyph = joined;
+                letters.by_ref().take(more).for_each(drop);
+            }
+            if let Some(before) = previous {
+                total.advance += self.kern(script, before, glyph);
+            }
+            total = total.then(self.glyph(glyph));
+            previous = Some(glyph);
+        }
+        total
+    }
+
+    fn glyph(&self, glyph: GlyphId) -> Extent {
+        self.glyphs
+            .get(usize::from(glyph.0))
+            .map_or(UNKNOWN, |known| {
+                *known.get_or_init(|| self.measure_glyph(glyph))
+            })
+    }
+
+    fn measure_glyph(&self, glyph: GlyphId) -> Extent {
+        let advance = f64::from(self.face.glyph_hor_advance(glyph).unwrap_or(0)) / self.em;
+        let ink = self.face.glyph_bounding_box(glyph).map(|ink| {
+            let [left, low, right, high] =
+                [ink.x_min, ink.y_min, ink.x_max, ink.y_max].map(|side| f64::from(side) / self.em);
+            Rect::new(left, -high, right, -low)
+        });
+        Extent { advance, ink }
+    }
+
+    fn kern(&self, script: Script, left: GlyphId, right: GlyphId) -> f64 {
+        let units: i32 = self.kerning[script as usize]
+            .iter()
+            .filter_map(|lookup| {
+                lookup
+                    .iter()
+                    .find_map(|subtable| pair(subtable, left, right))
+            })
+            .sum();
+        f64::from(units) / self.em
+    }
+
+    /// The glyph that a glyph and the letters after it melt into, as f and i do, and how many
+    /// letters those are.
+    fn ligature(&self, first: GlyphId, next: &Chars<'_>) -> Option<(GlyphId, usize)> {
+        let melts = |ligature: &Ligature<'_>| {
+            let mut letters = next.clone();
+            let mut parts = ligature.components.into_iter();
+            parts.all(|part| {
+                letters
+                    .next()
+                    .and_then(|letter| self.face.glyph_index(letter))
+                    == Some(part)
+            })
+        };
+        self.ligatures.iter().find_map(|table| {
+            let set = table.ligature_sets.get(table.coverage.get(first)?)?;
+            let found = set.into_iter().find(melts)?;
+            Some((found.glyph, usize::from(found.components.len())))
+        })
+    }
+}
+
+impl Extent {
+    /// This extent with another one set after it.
+    pub(super) fn then(self, next: Self) -> Self {
+        let moved = next
+            .ink
+            .map(|ink| ink + kurbo::Vec2::new(self.advance, 0.0));
+        let ink = match (self.ink, moved) {
+            (Some(here), Some(there)) => Some(here.union(there)),
+            (here, there) => here.or(there),
+        };
+        Self {
+            advance: self.advance + next.advance,
+            ink,
+        }
+    }
+}
+
+fn script_of(letter: char) -> Option<Script> {
+    match letter {
+        'A'..='Z' | 'a'..='z' | '\u{C0}'..='\u{24F}' => Some(Script::Latin),
+        '\u{370}'..='\u{3FF}' | '\u{1F00}'..='\u{1FFF}' => Some(Script::Greek),
+        '\u{400}'..='\u{52F}' => Some(Script::Cyrillic),
+        _ => None,
+    }
+}
+
+/// The kerning lookups of a script (OpenType GPOS, lookup type 2).
+fn kerning(face: &ttf_parser::Face<'static>, script: Tag) -> Vec<Vec<PairAdjustment<'static>>> {
+    let Some(table) = face.tables().gpos else {
+        return Vec::new();
+    };
+    let Some(language) = table
+        .scripts
+        .find(script)
+        .and_then(|script| script.default_language)
+    else {
+        return Vec::new();
+    };
+    let features = language
+        .feature_indices
+        .into_iter()
+        .filter_map(|index| table.features.get(index));
+    features
+        .filter(|feature| feature.tag == Tag::from_bytes(b"kern"))
+        .flat_map(|feature| feature.lookup_indices)
+        .filter_map(|index| table.lookups.get(index))
+        .map(|lookup| {
+            let subtables = lookup.subtables.into_iter::<PositioningSubtable<'static>>();
+            subtables
+                .filter_map(|subtable| match subtable {
+                    PositioningSubtable::Pair(pair) => Some(pair),
+                    _ => None,
+                })
+                .collect()
+        })
+        .collect()
+}
+
+/// The standard ligatures of the face (OpenType GSUB, lookup type 4); they are the same for all
+/// scripts of the bundled fonts.
+fn ligatures(face: &ttf_parser::Face<'static>) -> Vec<LigatureSubstitution<'static>> {
+    let Some(table) = face.tables().gsub else {
+        return Vec::new();
+    };
+    table
+        .features
+        .into_iter()
+        .filter(|feature| feature.tag == Tag::from_bytes(b"liga"))
+        .flat_map(|feature| feature.lookup_indices)
+        .filter_map(|index| table.lookups.get(index))
+        .flat_map(|lookup| {
+            lookup
+                .subtables
+                .into_iter::<SubstitutionSubtable<'static>>()
+        })
+        .filter_map(|subtable| match subtable {
+            SubstitutionSubtable::Ligature(ligature) => Some(ligature),
+            _ => None,
+        })
+        .collect()
+}
+
+/// By how much a subtable moves the second of two glyphs, in font units; none where it has no rule
+/// for them.
+fn pair(table: &PairAdjustment<'static>, left: GlyphId, right: GlyphId) -> Option<i32> {
+    let covered = table.coverage().get(left)?;
+    let (first, _) = match table {
+        PairAdjustment::Format1 { sets, .. } => sets.get(covered)?.get(right)?,
+        PairAdjustment::Format2 {
+            classes, matrix, ..
+        } => matrix.get((classes.0.get(left), classes.1.get(right)))?,
+    };
+    Some(i32::from(first.x_advance))
+}

@@ -1,0 +1,25 @@
+//! Drawing: what goes on the sheet, in millimetres of paper, y down.
+//!
+//! In comes the geometry of a figure already brought to scale; out goes a [`Drawing`], a flat list
+//! of marks in drawing order with every text measured and every label placed. The formats write
+//! that list and decide nothing.
+
+// In reading order: the list, the looks of its pens, its texts, where labels go.
+mod fonts;
+mod labels;
+mod look;
+mod sheet;
+mod text;
+
+pub use fonts::{ITALIC, REGULAR};
+pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
+pub use look::{Cap, Colour, Look, look};
+pub use sheet::{Drawing, Mark, Pen, Shape, arrow_head};
+pub use text::{PlacedRun, PlacedText, RichText, Run};
+
+/// A point of the sheet: millimetres from its upper left corner, y down.
+pub use kurbo::Point;
+/// A box on the sheet, in millimetres, sides parallel to the sheet's.
+pub use kurbo::Rect;
+/// A displacement on the sheet, in millimetres, y down.
+pub use kurbo::Vec2;

@@ -1,0 +1,540 @@
+use kurbo::{Point, Rect, Vec2};
+
+use super::fonts::{self, Extent};
+
+/// A line of text with subscripts and superscripts, measured.
+///
+/// Markup: `_x` or `_{...}` sets a subscript, `^x` or `^{...}` a superscript; one after the other
+/// on the same base they stand one above the other. Without braces one letter is taken. All else is
+/// literal, an unclosed brace too. Control characters are dropped, other white space becomes a
+/// space.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RichText {
+    runs: Vec<Run>,
+    advance: f64,
+    ink: Rect,
+}
+
+/// A stretch of a text in one face, size and height. Lengths are in em of the whole text, y down.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The letters; neither starts nor ends with a space, nor has two in a row, because viewers
+    /// drop such spaces.
+    pub content: String,
+    /// Whether the face is the slanted one.
+    pub italic: bool,
+    /// Size of the run over that of the text: 1 on the baseline, less in subscripts and
+    /// superscripts.
+    pub scale: f64,
+    /// Left end of the run, from that of the text.
+    pub x: f64,
+    /// Baseline of the run, from that of the text; positive in subscripts.
+    pub y: f64,
+}
+
+impl RichText {
+    /// A mathematical label: Latin and Greek letters slanted, digits, brackets and signs upright;
+    /// `'` becomes a prime and `-` a minus.
+    pub fn math(source: &str) -> Self {
+        Self::set(source, Style::Math, true)
+    }
+
+    /// Upright text with the same markup.
+    pub fn plain(source: &str) -> Self {
+        Self::set(source, Style::Plain, true)
+    }
+
+    /// Upright text taken letter by letter, without markup: for titles and names from outside.
+    pub fn verbatim(source: &str) -> Self {
+        Self::set(source, Style::Plain, false)
+    }
+
+    fn set(source: &str, style: Style, markup: bool) -> Self {
+        let letters: Vec<char> = source.chars().filter_map(printable).collect();
+        let mut setter = Setter::new(style);
+        let deepest = if markup { DEEPEST } else { 0 };
+        setter.line(&letters, deepest);
+        Self {
+            runs: setter.runs,
+            advance: setter.pen.x,
+            ink: setter.ink.unwrap_or(Rect::ZERO),
+        }
+    }
+
+    /// The runs in reading order.
+    pub fn runs(&self) -> &[Run] {
+        &self.runs
+    }
+
+    /// How far the text moves the pen, in mm at a size (mm of one em).
+    pub fn width(&self, size: f64) -> f64 {
+        self.advance * size
+    }
+
+    /// The tight box around the ink in mm at a size (mm of one em), from the left end of the
+    /// baseline, y down; empty at the origin for a text without ink.
+    pub fn ink_box(&self, size: f64) -> Rect {
+        Rect::new(
+            self.ink.x0 * size,
+            self.ink.y0 * size,
+            self.ink.x1 * size,
+            self.ink.y1 * size,
+        )
+    }
+
+    /// Whether there is nothing to draw.
+    pub fn is_empty(&self) -> bool {
+        self.runs.is_empty()
+    }
+
+    /// The letters alone, without spaces around runs: for searches and logs.
+    pub fn content(&self) -> String {
+        self.runs.iter().map(|run| run.content.as_str()).collect()
+    }
+}
+
+/// A text at its place on the sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedText {
+    /// What it says.
+    pub text: RichText,
+    /// Its size: mm of one em.
+    pub size: f64,
+    /// The left end of its baseline.
+    pub origin: Point,
+}
+
+/// A run at its place on the sheet, in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedRun<'a> {
+    /// The letters.
+    pub content: &'a str,
+    /// Whether the face is the slanted one.
+    pub italic: bool,
+    /// The size of the letters: mm of one em.
+    pub size: f64,
+    /// The left end of the run's baseline.
+    pub origin: Point,
+}
+
+impl PlacedText {
+    /// A text whose baseline starts at `origin`.
+    pub fn new(text: RichText, size: f64, origin: Point) -> Self {
+        Self { text, size, origin }
+    }
+
+    /// A text whose ink is centred at `center`, left to right and top to bottom.
+    pub fn centered(text: RichText, size: f64, center: Point) -> Self {
+        let ink = text.ink_box(size);
+        Self {
+            origin: center - ink.center().to_vec2(),
+            text,
+            size,
+        }
+    }
+
+    /// A text that ends at `end` on its baseline.
+    pub fn ending_at(text: RichText, size: f64, end: Point) -> Self {
+        Self {
+            origin: Point::new(end.x - text.width(size), end.y),
+            text,
+            size,
+        }
+    }
+
+    /// The tight box around the ink on the sheet, in mm.
+    pub fn ink_box(&self) -> Rect {
+        self.text.ink_box(self.size) + self.origin.to_vec2()
+    }
+
+    /// The runs at their places on the sheet.
+    pub fn runs(&self) -> impl Iterator<Item = PlacedRun<'_>> {
+        self.text.runs().iter().map(|run| PlacedRun {
+            content: &run.content,
+            italic: run.italic,
+            size: run.scale * self.size,
+            origin: self.origin + Vec2::new(run.x, run.y) * self.size,
+        })
+    }
+}
+
+// Proportions of scripts, in em of what they hang on; near those of TeX for a serif of this
+// x-height.
+const SCRIPT_SCALE: f64 = 0.7;
+const SMALLEST_SCALE: f64 = 0.5;
+const SUBSCRIPT_DROP: f64 = 0.2;
+/// Deeper where a superscript stands above, so that the two keep apart.
+const SUBSCRIPT_DROP_BELOW_SUPERSCRIPT: f64 = 0.27;
+const SUPERSCRIPT_RISE: f64 = 0.38;
+/// White before and after scripts, and after a slanted letter that leans towards an upright one.
+const SCRIPT_GAP: f64 = 0.03;
+/// Scripts of scripts of scripts are as deep as any label goes; beyond, markup is taken literally.
+const DEEPEST: usize = 3;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Style {
+    Math,
+    Plain,
+}
+
+/// Which face a letter takes and whether it must stand in a run of its own.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Italic,
+    Upright,
+    /// A sign that only some fonts have. One missing glyph makes some viewers take another font for
+    /// the whole run, so such signs stand alone.
+    Sign,
+}
+
+/// A letter as it will be drawn, or none for one that must not reach a file.
+fn printable(letter: char) -> Option<char> {
+    match letter {
+        letter if letter.is_whitespace() => Some(' '),
+        letter if letter.is_control() => None,
+        // Not allowed in XML.
+        '\u{FFFE}' | '\u{FFFF}' => None,
+        letter => Some(letter),
+    }
+}
+
+/// Sets letters one after another and keeps the runs, the pen and the ink.
+struct Setter {
+    style: Style,
+    runs: Vec<Run>,
+    ink: Option<Rect>,
+    pen: Point,
+    scale: f64,
+    /// The run being gathered.
+    content: String,
+    kind: Kind,
+    /// By how much the last run leans over the pen.
+    lean: f64,
+}
+
+impl Setter {
+    fn new(style: Style) -> Self {
+        let (pen, kind) = (Point::ORIGIN, Kind::Upright);
+        Self {
+            style,
+            runs: Vec::new(),
+            ink: None,
+            pen,
+            scale: 1.0,
+            content: String::new(),
+            kind,
+            lean: 0.0,
+        }
+    }
+
+    /// Sets letters with scripts up to a depth, and ends the last run.
+    fn line(&mut self, letters: &[char], depth: usize) {
+        let mut rest = letters;
+        while let Some((&letter, after)) = rest.split_first() {
+            if depth > 0 && script(rest).is_some() {
+                rest = self.scripts(rest, depth);
+            } else {
+                self.letter(letter);
+                rest = after;
+            }
+        }
+        self.end_run();
+    }
+
+    /// Sets the one or two scripts that `letters` starts with; returns what follows.
+    fn scripts<'a>(&mut self, letters: &'a [char], depth: usize) -> &'a [char] {
+        self.end_run();
+        let (base, scale, lean) = (self.pen, self.scale, self.lean);
+        let (mut subscript, mut superscript, mut rest) = (None, None, letters);
+        while let Some((mark, body, after)) = script(rest) {
+            let place = if mark == '_' {
+                &mut subscript
+            } else {
+                &mut superscript
+            };
+            if place.is_some() {
+                break;
+            }
+            *place = Some(body);
+            rest = after;
+        }
+        let drop = if superscript.is_some() {
+            SUBSCRIPT_DROP_BELOW_SUPERSCRIPT
+        } else {
+            SUBSCRIPT_DROP
+        };
+        let mut end: f64 = base.x;
+        for (body, lean, shift) in [
+            (subscript, 0.0, drop),
+            (superscript, lean, -SUPERSCRIPT_RISE),
+        ] {
+            let Some(body) = body else { continue };
+            self.pen = Point::new(base.x + lean + SCRIPT_GAP * scale, base.y + shift * scale);
+            self.scale = (scale * SCRIPT_SCALE).max(SMALLEST_SCALE);
+            self.lean = 0.0;
+            self.line(body, depth - 1);
+            end = end.max(self.pen.x + self.lean);
+        }
+        self.pen = Point::new(end + SCRIPT_GAP * scale, base.y);
+        self.scale = scale;
+        self.lean = 0.0;
+        rest
+    }
+
+    fn letter(&mut self, letter: char) {
+        if letter == ' ' {
+            return self.space();
+        }
+        let letter = match (self.style, letter) {
+            (Style::Math, '\'') => '′',
+            (Style::Math, '-') => '−',
+            _ => letter,
+        };
+        // Two primes are one sign of their own, closer together.
+        if letter == '′' && self.content == "′" {
+            self.content.clear();
+            self.content.push('″');
+            return;
+        }
+        let kind = self.kind_of(letter);
+        if kind != self.kind || kind == Kind::Sign {
+            self.end_run();
+        }
+        if self.content.is_empty()
+            && kind != Kind::Italic
+            && !matches!(letter, '.' | ',' | ';' | ':')
+        {
+            self.pen.x += self.lean;
+        }
+        self.kind = kind;
+        self.content.push(letter);
+    }
+
+    /// A space joins the run it stands in; where a run cannot keep it, the pen moves instead.
+    fn space(&mut self) {
+        if self.content.is_empty() || self.content.ends_with(' ') {
+            self.end_run();
+            self.pen.x += self.scale * fonts::face(false).measure(" ").advance;
+            self.lean = 0.0;
+        } else {
+            self.content.push(' ');
+        }
+    }
+
+    fn kind_of(&self, letter: char) -> Kind {
+        let slanted =
+            self.style == Style::Math && letter.is_alphabetic() && fonts::face(true).has(letter);
+        // Latin, Greek, Cyrillic and the marks of Western texts are in every serif font.
+        let common = matches!(letter, ' '..='~' | '\u{A0}'..='\u{4FF}' | '–' | '—' | '‘' | '’' | '“' | '”' | '…')
+            && fonts::face(false).has(letter);
+        match (slanted, common) {
+            (true, _) => Kind::Italic,
+            (false, true) => Kind::Upright,
+            (false, false) => Kind::Sign,
+        }
+    }
+
+    /// Measures the run gathered so far and moves the pen past it.
+    fn end_run(&mut self) {
+        let content = std::mem::take(&mut self.content);
+        let letters = content.trim_end();
+        if letters.is_empty() {
+            return;
+        }
+        let italic = self.kind == Kind::Italic;
+        let face = fonts::face(italic);
+        let Extent { advance, ink } = face.measure(letters);
+        let spaces =
+            (content.len() - letters.len()) as f64 * fonts::face(false).measure(" ").advance;
+        self.runs.push(Run {
+            content: letters.to_owned(),
+            italic,
+            scale: self.scale,
+            x: self.pen.x,
+            y: self.pen.y,
+        });
+        if let Some(ink) = ink {
+            let scale = self.scale;
+            let here = Rect::new(
+                ink.x0 * scale,
+                ink.y0 * scale,
+                ink.x1 * scale,
+                ink.y1 * scale,
+            ) + self.pen.to_vec2();
+            self.ink = Some(self.ink.map_or(here, |all| all.union(here)));
+        }
+        let over = ink.map_or(0.0, |ink| ink.x1 - advance).max(0.0);
+        let leans = italic && spaces == 0.0 && over > 0.0;
+        self.lean = if leans {
+            (over + SCRIPT_GAP) * self.scale
+        } else {
+            0.0
+        };
+        self.pen.x += (advance + spaces) * self.scale;
+    }
+}
+
+/// The script that letters start with: its mark, its body, what follows; none where the mark is
+/// literal.
+fn script(letters: &[char]) -> Option<(char, &[char], &[char])> {
+    let (&mark, after) = letters.split_first()?;
+    if !matches!(mark, '_' | '^') {
+        return None;
+    }
+    let (&first, rest) = after.split_first()?;
+    match first {
+        '{' => {
+            let mut open = 1;
+            let close = rest.iter().position(|&letter| {
+                open += match letter {
+                    '{' => 1,
+                    '}' => -1,
+                    _ => 0,
+                };
+                open == 0
+            })?;
+            Some((mark, &rest[..close], &rest[close + 1..]))
+        }
+        '_' | '^' | ' ' => None,
+        _ => Some((mark, &after[..1], rest)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn contents(text: &RichText) -> Vec<(&str, bool)> {
+        text.runs()
+            .iter()
+            .map(|run| (run.content.as_str(), run.italic))
+            .collect()
+    }
+
+    #[test]
+    fn letters_slant_and_signs_stand_alone() {
+        let text = RichText::math("v_{CB} ⊥ (B'C) 2ω");
+        let expected = [
+            ("v", true),
+            ("CB", true),
+            ("⊥", false),
+            ("(", false),
+            ("B", true),
+            ("′", false),
+            ("C", true),
+            (") 2", false),
+            ("ω", true),
+        ];
+        assert_eq!(contents(&text), expected);
+        assert_eq!(
+            contents(&RichText::plain("v = 2 mm")),
+            [("v = 2 mm", false)]
+        );
+        assert_eq!(
+            contents(&RichText::verbatim("a_b^{c}")),
+            [("a_b^{c}", false)]
+        );
+        assert_eq!(
+            contents(&RichText::math("d''")),
+            [("d", true), ("″", false)]
+        );
+    }
+
+    #[test]
+    fn scripts_of_one_base_stand_one_above_the_other() {
+        for source in ["a^{n}_{CB}", "a_{CB}^n"] {
+            let text = RichText::math(source);
+            let find = |content: &str| {
+                text.runs()
+                    .iter()
+                    .find(|run| run.content == content)
+                    .expect("it was set")
+            };
+            let (above, below) = (find("n"), find("CB"));
+            assert!(above.y < 0.0 && below.y > 0.0 && above.scale == 0.7);
+            assert!((above.x - below.x).abs() < 0.15);
+        }
+    }
+
+    #[test]
+    fn odd_markup_is_literal() {
+        for (source, content) in [
+            ("a_", "a_"),
+            ("a_{b", "a_{b"),
+            ("_", "_"),
+            ("a__b", "a_b"),
+            ("a_{}", "a"),
+            ("", ""),
+            ("a}", "a}"),
+        ] {
+            assert_eq!(RichText::plain(source).content(), content, "{source}");
+        }
+        let deep = RichText::plain(&"a_{".repeat(40));
+        assert!(deep.width(1.0).is_finite());
+        assert_eq!(RichText::plain("a\u{0}\u{7}b\tc").content(), "ab c");
+        assert_eq!(RichText::plain("   ").ink_box(4.0), Rect::ZERO);
+    }
+
+    #[test]
+    fn spaces_widen_a_text_wherever_they_stand() {
+        let width = |source| RichText::plain(source).width(1.0);
+        let space = width("a b") - width("ab");
+        assert!(space > 0.15);
+        for source in [" ab", "ab ", "a  b"] {
+            let spaces = source.matches(' ').count() as f64;
+            assert!(
+                (width(source) - width("ab") - spaces * space).abs() < 0.03,
+                "{source}"
+            );
+        }
+        assert!(
+            RichText::plain(" a  b ")
+                .runs()
+                .iter()
+                .all(|run| run.content.trim() == run.content)
+        );
+    }
+
+    /// The renderer's own box around the ink is the judge.
+    #[cfg(feature = "png")]
+    #[test]
+    fn boxes_are_where_the_renderer_puts_the_ink() {
+        use crate::drawing::{Drawing, Pen, Shape};
+        let mut worst: f64 = 0.0;
+        let texts = [
+            "A",
+            "S_3",
+            "n_{s3b}",
+            "a^{n}_{CB}",
+            "v_{CB} ⊥ BC",
+            "ω_2×v_r",
+            "π",
+            "B''",
+            "−ω_2^2(BS_3 + 1)",
+            "AVATAR To Wy",
+            "μ_v = 2.5 mm/s",
+            "v_{S_{3b}}^t ∥ ∠ABC",
+            "first official affine flow",
+            "Скорость Гул",
+            "αβ, ΔΑ Vω",
+        ];
+        for source in texts {
+            for text in [RichText::math(source), RichText::plain(source)] {
+                let placed = PlacedText::new(text, 4.0, Point::new(20.0, 20.0));
+                let mut drawing = Drawing::new(120.0, 40.0);
+                drawing.draw(Pen::Caption, Shape::Text(placed.clone()));
+                let drawn = crate::format::ink_of_texts(&crate::format::svg(&drawing));
+                let ink = placed.ink_box();
+                for (drawn, ours) in drawn.into_iter().zip([ink.x0, ink.y0, ink.x1, ink.y1]) {
+                    worst = worst.max((drawn - ours).abs());
+                    assert!(
+                        (drawn - ours).abs() < 0.1,
+                        "{source}: drawn at {drawn}, expected {ours}"
+                    );
+                }
+            }
+        }
+        // Kerning and ligatures are followed: what remains is rounding.
+        assert!(worst < 0.02, "{worst} mm");
+    }
+}

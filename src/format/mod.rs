@@ -1,0 +1,3 @@
+//! formats
+mod result;
+pub use result::*;

@@ -1,0 +1,290 @@
+use crate::geometry::{Place, Vector, degrees_of};
+use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
+use crate::motion::{Motion, Order};
+use crate::plan::{Construction, coincident_name};
+use crate::position::Pose;
+use crate::scene::Units;
+use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// The result of `kinegon solve`: every number at full precision, in the scene's units.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ResultFile {
+    /// Version of this format.
+    pub kinegon: u32,
+    /// The scene's units; rates are in rad per unit of time, angles in degrees.
+    pub units: ResultUnits,
+    /// By link name.
+    pub links: IndexMap<String, LinkResult>,
+    /// By point name; also special points (`S3`) and the points of guides under sliders (`D_2`).
+    pub points: IndexMap<String, PointResult>,
+    /// By slider name, as in `3/2`.
+    pub sliders: IndexMap<String, SliderResult>,
+    /// The Assur groups in solving order.
+    pub groups: Vec<GroupResult>,
+    /// The quantities that the scene's `want` asks for.
+    pub quantities: IndexMap<String, QuantityResult>,
+    /// What the reader should know of these numbers.
+    pub warnings: Vec<String>,
+}
+
+/// Units of the numbers.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ResultUnits {
+    /// Unit of length.
+    pub length: &'static str,
+    /// Unit of time.
+    pub time: &'static str,
+}
+
+/// The motion of a link.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct LinkResult {
+    /// Angle of its axis from +x in degrees, in (−180, 180].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle: Option<f64>,
+    /// Angular velocity, counter-clockwise positive.
+    pub omega: f64,
+    /// Bound on the error of `omega`; zero where it is given.
+    pub omega_error: f64,
+    /// Angular acceleration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alpha: Option<f64>,
+    /// Bound on the error of `alpha`; zero where it is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alpha_error: Option<f64>,
+}
+
+/// The motion of a point.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PointResult {
+    /// Where it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position: Option<[f64; 2]>,
+    /// The direction in which it lies at infinity, in place of a position.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at_infinity: Option<[f64; 2]>,
+    /// Its velocity.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub velocity: Option<[f64; 2]>,
+    /// Its acceleration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub acceleration: Option<[f64; 2]>,
+    /// The link of which it is a point, where its name does not say so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub on: Option<String>,
+}
+
+/// The motion of a slider along its guide, seen from the body that carries the guide.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct SliderResult {
+    /// The body that carries the guide.
+    pub on: String,
+    /// Its position along the guide, counted from the guide's `through`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position: Option<f64>,
+    /// Sliding velocity, positive along the guide.
+    pub velocity: f64,
+    /// Bound on the error of `velocity`.
+    pub velocity_error: f64,
+    /// Sliding acceleration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub acceleration: Option<f64>,
+    /// Bound on the error of `acceleration`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub acceleration_error: Option<f64>,
+    /// Coriolis acceleration 2 ω ẑ × v_r, a vector.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coriolis: Option<[f64; 2]>,
+}
+
+/// An Assur group and how well its motion is determined.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct GroupResult {
+    /// Its links.
+    pub links: Vec<String>,
+    /// Its class, a Roman numeral.
+    pub class: &'static str,
+    /// Kinds of its joints B C D E F G: R revolute, P prismatic.
+    pub joints: String,
+    /// Its special points.
+    pub special_points: Vec<String>,
+    /// Condition number of its loop equations, at least 1: input errors grow by up to this factor.
+    pub condition: f64,
+    /// The largest difference between the two routes to its rates, relative to the largest rate; none where a
+    /// special point at infinity leaves only one route.
+    pub disagreement: Option<f64>,
+    /// The difference that rounding and the crossings' angles allow.
+    pub disagreement_allowed: Option<f64>,
+    /// Number of this assembly mode; none in a drawn configuration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mode: Option<usize>,
+    /// How many assembly modes there are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub modes: Option<usize>,
+}
+
+/// The value of a quantity: a number, or a vector.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum QuantityResult {
+    /// A number.
+    Number(f64),
+    /// Components along x and y.
+    Vector([f64; 2]),
+}
+
+/// The JSON Schema (draft 2020-12) of the result file.
+#[must_use]
+pub fn result_schema() -> serde_json::Value {
+    schemars::schema_for!(ResultFile).to_value()
+}
+
+/// What a result is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct Solved<'a> {
+    /// The scene's units.
+    pub units: Units,
+    /// The mechanism.
+    pub mechanism: &'a Mechanism,
+    /// Its pose.
+    pub pose: &'a Pose,
+    /// Its motion.
+    pub motion: &'a Motion,
+    /// Its plans.
+    pub construction: &'a Construction,
+}
+
+/// The result file's content, without `quantities`.
+#[must_use]
+pub fn result(solved: Solved<'_>) -> ResultFile {
+    let Solved {
+        mechanism,
+        pose,
+        motion,
+        construction,
+        ..
+    } = solved;
+    let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
+    let links = mechanism
+        .links()
+        .filter(|(_, body)| body.role != Role::Stub)
+        .map(|(id, body)| {
+            let (rates, errors) = (motion.body(id), motion.errors[id.0]);
+            let link = LinkResult {
+                angle: pose.axes[id.0].map(degrees_of),
+                omega: rates.omega,
+                omega_error: errors.omega,
+                alpha: second(rates.alpha),
+                alpha_error: second(errors.alpha),
+            };
+            (body.name.clone(), link)
+        });
+    let sliders = (0..mechanism.sliders.len()).map(|index| {
+        let id = SliderId(index);
+        let (slider, slide) = (mechanism.slider(id), motion.slide(id));
+        let result = SliderResult {
+            on: mechanism.body(slider.on).name.clone(),
+            position: pose.slides[index],
+            velocity: slide.velocity,
+            velocity_error: slide.velocity_error,
+            acceleration: second(slide.acceleration),
+            acceleration_error: second(slide.acceleration_error),
+            coriolis: second(0.0).map(|_| pair(motion.coriolis(pose, id, slider.on))),
+        };
+        (mechanism.slider_name(id), result)
+    });
+    let groups = mechanism.groups.iter().enumerate().map(|(index, group)| {
+        let name = |&b: &BodyId| mechanism.body(b).name.clone();
+        let agreement = construction.agreement[index];
+        GroupResult {
+            links: group.links.iter().map(name).collect(),
+            class: group.class.numeral(),
+            joints: group.pattern(mechanism),
+            special_points: group.special.iter().map(|s| s.name.clone()).collect(),
+            condition: motion.groups[index].condition,
+            disagreement: agreement.map(|a| a.difference),
+            disagreement_allowed: agreement.map(|a| a.allowed),
+            mode: pose.assemblies[index].map(|a| a.mode),
+            modes: pose.assemblies[index].map(|a| a.modes),
+        }
+    });
+    let warnings = [
+        &mechanism.warnings,
+        &pose.warnings,
+        &motion.warnings,
+        &construction.warnings,
+    ];
+    ResultFile {
+        kinegon: 1,
+        units: ResultUnits {
+            length: solved.units.length.as_str(),
+            time: solved.units.time.as_str(),
+        },
+        links: links.collect(),
+        points: points(solved),
+        sliders: sliders.collect(),
+        groups: groups.collect(),
+        quantities: IndexMap::new(),
+        warnings: warnings.into_iter().flatten().cloned().collect(),
+    }
+}
+
+/// All points: joints, points of guides under sliders, special points.
+fn points(solved: Solved<'_>) -> IndexMap<String, PointResult> {
+    let Solved {
+        mechanism,
+        pose,
+        motion,
+        construction,
+        ..
+    } = solved;
+    let mut points = IndexMap::new();
+    let moving = |body: BodyId, place: crate::geometry::Point, on: Option<BodyId>| PointResult {
+        position: Some([place.x, place.y]),
+        at_infinity: None,
+        velocity: Some(pair(motion.body(body).velocity_at(place))),
+        acceleration: (motion.order == Order::Acceleration)
+            .then(|| pair(motion.body(body).acceleration_at(place))),
+        on: on.map(|b| mechanism.body(b).name.clone()),
+    };
+    for point in (0..mechanism.points.len()).map(PointId) {
+        // A known body first: it has the point's motion exactly.
+        let bodies = || (0..mechanism.bodies.len()).map(BodyId);
+        let holds = |b: &BodyId| mechanism.body(*b).points.contains(&point);
+        let known = bodies()
+            .filter(holds)
+            .find(|&b| mechanism.body(b).role.is_known());
+        if let Some(body) = known.or_else(|| bodies().find(holds)) {
+            let name = mechanism.point_name(point).to_owned();
+            points.insert(name, moving(body, pose.point(point), None));
+        }
+    }
+    for slider in &mechanism.sliders {
+        let name = coincident_name(
+            mechanism.point_name(slider.at),
+            &mechanism.body(slider.on).name,
+        );
+        let under = moving(slider.on, pose.point(slider.at), Some(slider.on));
+        points.entry(name).or_insert(under);
+    }
+    for special in construction.special.iter().flatten() {
+        let result = match special.place {
+            Place::At(place) => moving(special.link, place, Some(special.link)),
+            Place::AtInfinity(direction) => PointResult {
+                position: None,
+                at_infinity: Some(pair(direction)),
+                velocity: None,
+                acceleration: None,
+                on: Some(mechanism.body(special.link).name.clone()),
+            },
+        };
+        points.insert(special.name.clone(), result);
+    }
+    points
+}
+
+fn pair(v: Vector) -> [f64; 2] {
+    [v.x, v.y]
+}

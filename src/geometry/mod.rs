@@ -1,0 +1,66 @@
+//! Plane geometry that every later stage shares: points, vectors, angles, lines, their crossings, small linear systems.
+//! In: coordinates in the scene's own length unit, x right, y up. Out: the same, never an angle in degrees.
+//! Nothing here knows what a mechanism is.
+
+mod angle;
+mod line;
+mod system;
+
+pub use angle::{degrees_of, direction_of_degrees, turn_of_degrees};
+pub use line::{Crossing, Line, PARALLEL, Place};
+pub use system::LinearSystem;
+
+/// A place in the plane, in the scene's length unit. Points cannot be added to each other.
+pub type Point = nalgebra::Point2<f64>;
+
+/// A difference of places, a velocity or an acceleration.
+pub type Vector = nalgebra::Vector2<f64>;
+
+/// A rigid placement: rotation, then translation.
+pub type Placement = nalgebra::Isometry2<f64>;
+
+/// A rotation, held as cosine and sine.
+pub type Turn = nalgebra::UnitComplex<f64>;
+
+/// Half the distance from 1 to the next larger f64: the relative error of one rounding.
+pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
+/// `v` turned by +90° (counter-clockwise): J(x, y) = (−y, x).
+#[inline]
+#[must_use]
+pub fn quarter_turn(v: Vector) -> Vector {
+    Vector::new(-v.y, v.x)
+}
+
+/// The scalar cross product a × b, positive when b lies counter-clockwise of a.
+#[inline]
+#[must_use]
+pub fn cross(a: Vector, b: Vector) -> f64 {
+    a.x * b.y - a.y * b.x
+}
+
+/// The largest distance between any two of the points, zero for fewer than two.
+///
+/// The bounding box's diagonal, which is at most √2 times the true span: good enough to call a
+/// distance large or small.
+#[must_use]
+pub fn span(points: impl IntoIterator<Item = Point>) -> f64 {
+    let mut corners: Option<(Point, Point)> = None;
+    for p in points {
+        let (low, high) = corners.get_or_insert((p, p));
+        *low = low.inf(&p);
+        *high = high.sup(&p);
+    }
+    corners.map_or(0.0, |(low, high)| (high - low).norm())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quarter_turn_is_counter_clockwise() {
+        assert_eq!(quarter_turn(Vector::new(1.0, 0.0)), Vector::new(0.0, 1.0));
+        assert_eq!(cross(Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)), 1.0);
+    }
+}

@@ -1,0 +1,8 @@
+//! Kinegon
+pub mod format;
+pub mod geometry;
+pub mod mechanism;
+pub mod motion;
+pub mod plan;
+pub mod position;
+pub mod scene;

@@ -1,0 +1,277 @@
+use super::group::fourth_class;
+use super::shape::local_points;
+use super::{
+    Body, BodyId, GROUND, Guide, Joint, JointKind, Mechanism, PointId, Role, Slider, SliderId,
+    StructureError,
+};
+use crate::geometry::{Point, Vector, direction_of_degrees};
+use crate::scene::{self, Along, At, Form, On, Scene};
+
+/// The mechanism that a scene describes.
+///
+/// # Errors
+/// Where the scene asks for something that is no mechanism or that cannot be solved here, with its place.
+pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
+    let mut builder = Builder::new(scene);
+    builder.add_bodies()?;
+    builder.add_sliders()?;
+    builder.add_pins();
+    let mut mechanism = builder.mechanism;
+    let group = fourth_class(scene, &mechanism)?;
+    mechanism.groups.push(group);
+    Ok(mechanism)
+}
+
+struct Builder<'a> {
+    scene: &'a Scene,
+    mechanism: Mechanism,
+}
+
+impl<'a> Builder<'a> {
+    fn new(scene: &'a Scene) -> Self {
+        let mechanism = Mechanism {
+            form: scene.form,
+            points: Vec::new(),
+            given: Vec::new(),
+            bodies: Vec::new(),
+            sliders: Vec::new(),
+            joints: Vec::new(),
+            groups: Vec::new(),
+            warnings: Vec::new(),
+        };
+        Self { scene, mechanism }
+    }
+
+    fn point(&mut self, name: &str) -> PointId {
+        if let Some(id) = self.mechanism.point(name) {
+            return id;
+        }
+        self.mechanism.points.push(name.to_owned());
+        let given = self.scene.coordinates.get(name);
+        self.mechanism.given.push(given.map(|&p| p.into()));
+        PointId(self.mechanism.points.len() - 1)
+    }
+
+    fn add_body(&mut self, name: &str, points: &[String], role: Role, local: Vec<Point>) {
+        let points = points.iter().map(|p| self.point(p)).collect();
+        self.mechanism.bodies.push(Body {
+            name: name.to_owned(),
+            points,
+            local,
+            role,
+        });
+    }
+
+    fn add_bodies(&mut self) -> Result<(), StructureError> {
+        let scene = self.scene;
+        let drawn = scene.form == Form::Drawn;
+        let ground_places: Vec<Point> = scene
+            .ground
+            .iter()
+            .filter_map(|name| scene.coordinates.get(name).map(|&p| p.into()))
+            .collect();
+        self.add_body("ground", &scene.ground, Role::Ground, ground_places);
+        for (name, link) in &scene.links {
+            let role = self.role(name, link)?;
+            let local = if drawn {
+                Vec::new()
+            } else {
+                let (local, unsettled) = local_points(link, |p| {
+                    let known = scene.coordinates.get(p).or(scene.near.points.get(p));
+                    known.map(|&p| p.into())
+                });
+                if unsettled {
+                    self.mechanism.warnings.push(format!(
+                        "link {name}: its lengths fit a triangle and its mirror image; the counter-clockwise one {} is taken. \
+                         Give rough places of its points in `near` to choose",
+                        link.points.join("-"),
+                    ));
+                }
+                local
+            };
+            self.add_body(name, &link.points, role, local);
+        }
+        for (name, motion) in &scene.known {
+            let role = Role::Carrier {
+                velocity: motion.velocity.into(),
+                acceleration: motion.acceleration.into(),
+            };
+            self.add_body(name, std::slice::from_ref(name), role, Vec::new());
+        }
+        Ok(())
+    }
+
+    /// What makes a link move.
+    fn role(&self, name: &str, link: &scene::Link) -> Result<Role, StructureError> {
+        let scene = self.scene;
+        if let Some(motion) = &link.motion {
+            let at: Point = match &motion.at {
+                At::Place(p) => (*p).into(),
+                At::Point(p) => scene
+                    .coordinates
+                    .get(p)
+                    .map_or_else(Point::origin, |&p| p.into()),
+            };
+            return Ok(Role::Moving {
+                at,
+                velocity: motion.velocity.into(),
+                acceleration: motion.acceleration.into(),
+                omega: motion.omega,
+                alpha: motion.alpha,
+            });
+        }
+        let Some(drive) = &link.drive else {
+            if link.angle_deg.is_some() {
+                let message = format!(
+                    "link {name} gives an angle without a drive, which is not available in this version"
+                );
+                let hint =
+                    "give the angle in the drive of the link that turns about a ground point";
+                return Err(scene
+                    .error_at(&["links", name, "angle"], message, Some(hint.into()))
+                    .into());
+            }
+            let known = |p: &String| scene.known.contains_key(p);
+            let slides = |s: &scene::Slider| {
+                s.link.as_deref() == Some(name) || s.on == On::Link(name.to_owned())
+            };
+            let stub = !link.points.is_empty()
+                && link.points.iter().all(known)
+                && !scene.sliders.iter().any(slides);
+            return Ok(if stub { Role::Stub } else { Role::Member });
+        };
+        let pivots: Vec<&String> = link
+            .points
+            .iter()
+            .filter(|p| scene.ground.contains(p))
+            .collect();
+        let [pivot] = pivots.as_slice() else {
+            let message = format!(
+                "link {name} is driven, so it must have one point on the ground; it has {}",
+                pivots.len()
+            );
+            let hint =
+                "list the point about which it turns in `ground` and among the link's points";
+            return Err(scene
+                .error_at(&["links", name, "drive"], message, Some(hint.into()))
+                .into());
+        };
+        if scene.form == Form::Lengths && drive.angle_deg.is_none() {
+            let message = format!("the drive of link {name} gives no `angle`");
+            let hint = "add \"angle\": degrees from +x to the link's axis";
+            return Err(scene
+                .error_at(&["links", name, "drive"], message, Some(hint.into()))
+                .into());
+        }
+        let pivot = self
+            .mechanism
+            .point(pivot)
+            .expect("the ground's points were added first");
+        Ok(Role::Driver {
+            pivot,
+            angle: drive.angle_deg,
+            omega: drive.omega,
+            alpha: drive.alpha,
+        })
+    }
+
+    fn add_sliders(&mut self) -> Result<(), StructureError> {
+        for (index, slider) in self.scene.sliders.iter().enumerate() {
+            let place = index.to_string();
+            let missing = |key: &str, what: &str| -> StructureError {
+                let message = format!("{what} is not available in this version");
+                let hint =
+                    "name the sliding `link` and its point `at`, and drive a link that turns";
+                self.scene
+                    .error_at(&["sliders", &place, key], message, Some(hint.into()))
+                    .into()
+            };
+            if slider.drive.is_some() {
+                return Err(missing("drive", "a driven slider"));
+            }
+            let (Some(link), Some(at)) = (&slider.link, &slider.at) else {
+                return Err(missing("pin", "a pin that rides in a slot without a block"));
+            };
+            let on = match &slider.on {
+                On::Ground => GROUND,
+                On::Link(name) => self.mechanism.link(name).expect("checked by the scene"),
+            };
+            let link = self.mechanism.link(link).expect("checked by the scene");
+            let at = self.point(at);
+            let guide = self.guide(slider, on);
+            self.mechanism.sliders.push(Slider {
+                link,
+                at,
+                on,
+                guide,
+                turned: slider.turned_deg,
+            });
+            let id = SliderId(self.mechanism.sliders.len() - 1);
+            self.mechanism.joints.push(Joint {
+                kind: JointKind::Prismatic(id),
+                bodies: [on, link],
+            });
+        }
+        Ok(())
+    }
+
+    fn guide(&self, slider: &scene::Slider, on: BodyId) -> Guide {
+        let body = self.mechanism.body(on);
+        let id = |name: &String| self.mechanism.point(name).expect("checked by the scene");
+        if self.scene.form == Form::Drawn {
+            return match &slider.along {
+                Along::Points(a, b) => Guide::DrawnBetween(id(a), id(b)),
+                Along::Direction(d) => Guide::Drawn(Vector::from(*d).normalize()),
+                // Degrees count from the axis of the guide's body.
+                Along::Degrees(angle) => {
+                    let axis = match body.points.as_slice() {
+                        [a, b, ..] if on != GROUND => {
+                            let place = |p: &PointId| self.mechanism.given[p.0];
+                            place(b).zip(place(a)).map(|(b, a)| (b - a).normalize())
+                        }
+                        _ => None,
+                    };
+                    let (turn, axis) =
+                        (direction_of_degrees(*angle), axis.unwrap_or_else(Vector::x));
+                    Guide::Drawn(Vector::new(
+                        axis.x * turn.x - axis.y * turn.y,
+                        axis.x * turn.y + axis.y * turn.x,
+                    ))
+                }
+            };
+        }
+        let local = |name: &String| body.local_of(id(name)).unwrap_or_else(Point::origin);
+        let direction = match &slider.along {
+            Along::Points(a, b) => (local(b) - local(a)).normalize(),
+            Along::Direction(d) => Vector::from(*d).normalize(),
+            Along::Degrees(angle) => direction_of_degrees(*angle),
+        };
+        let through = match (&slider.through, &slider.along) {
+            (Some(At::Place(p)), _) => (*p).into(),
+            (Some(At::Point(p)), _) => local(p),
+            (None, Along::Points(a, _)) => local(a),
+            (None, _) => body.local.first().copied().unwrap_or_else(Point::origin),
+        };
+        Guide::Local { through, direction }
+    }
+
+    /// One revolute joint for every further body at a point, from the first known one where there is one.
+    fn add_pins(&mut self) {
+        for point in (0..self.mechanism.points.len()).map(PointId) {
+            let mut bodies: Vec<BodyId> = (0..self.mechanism.bodies.len())
+                .map(BodyId)
+                .filter(|&b| self.mechanism.body(b).points.contains(&point))
+                .collect();
+            bodies.sort_by_key(|&b| !self.mechanism.body(b).role.is_known());
+            let Some((&first, others)) = bodies.split_first() else {
+                continue;
+            };
+            for &other in others {
+                self.mechanism.joints.push(Joint {
+                    kind: JointKind::Revolute(point),
+                    bodies: [first, other],
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! In: a checked [`Scene`](crate::scene::Scene). Out: a [`Mechanism`]: bodies, joints and Assur groups in solving order.
+//! Names have become indices, shared points have become revolute joints, lengths have become local coordinates.
+//! No position is computed here: a mechanism is the same at every crank angle.
+
+mod build;
+mod error;
+mod group;
+mod loops;
+mod shape;
+
+pub use build::mechanism;
+pub use error::StructureError;
+pub use group::{Class, Group, Leg, Loop, SpecialPoint};
+pub use loops::{Arm, LoopEquations, LoopTerms, Slide, Spin, UNKNOWNS};
+
+use crate::geometry::{Point, Vector};
+use crate::scene::Form;
+
+/// Index of a named point in [`Mechanism::points`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct PointId(pub usize);
+
+/// Index of a body in [`Mechanism::bodies`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct BodyId(pub usize);
+
+/// Index of a joint in [`Mechanism::joints`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct JointId(pub usize);
+
+/// Index of a slider in [`Mechanism::sliders`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct SliderId(pub usize);
+
+/// A scene taken apart: what hangs on what, and in which order it can be solved.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    /// Whether positions come from lengths or stand in the scene.
+    pub form: Form,
+    /// Names of the points, in order of appearance.
+    pub points: Vec<String>,
+    /// The places that the scene gives, by point: the frame's, or all of them in a drawn configuration.
+    pub given: Vec<Option<Point>>,
+    /// The ground first, then the links in scene order, then one carrier for each point of known motion.
+    pub bodies: Vec<Body>,
+    /// The sliders, in scene order.
+    pub sliders: Vec<Slider>,
+    /// The joints between bodies; a pin through n bodies is n − 1 of them.
+    pub joints: Vec<Joint>,
+    /// The Assur groups in the order in which they can be solved.
+    pub groups: Vec<Group>,
+    /// What the reader of the scene should hear of, though it does not stop the work.
+    pub warnings: Vec<String>,
+}
+
+/// The body that does not move; always the first.
+pub const GROUND: BodyId = BodyId(0);
+
+/// The ground, a link, or the unnamed carrier of a point whose motion is known.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// The link's name; `"ground"`; for a carrier the name of its point.
+    pub name: String,
+    /// Its points in scene order; the axis runs from the first to the second.
+    pub points: Vec<PointId>,
+    /// Coordinates of `points` in the link's own frame (origin and x axis: its axis); empty in a drawn configuration.
+    pub local: Vec<Point>,
+    /// What makes it move.
+    pub role: Role,
+}
+
+/// Where a body's motion comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Role {
+    /// It does not move.
+    Ground,
+    /// It turns about a point of the ground as the scene says. Angles in degrees, rates in rad per unit of time.
+    Driver {
+        /// The ground point it turns about.
+        pivot: PointId,
+        /// Angle of its axis from +x in degrees; none in a drawn configuration.
+        angle: Option<f64>,
+        /// Angular velocity.
+        omega: f64,
+        /// Angular acceleration.
+        alpha: f64,
+    },
+    /// Its whole motion is given: that of one of its places, and its rotation.
+    Moving {
+        /// The place whose motion is given.
+        at: Point,
+        /// Velocity there.
+        velocity: Vector,
+        /// Acceleration there.
+        acceleration: Vector,
+        /// Angular velocity.
+        omega: f64,
+        /// Angular acceleration.
+        alpha: f64,
+    },
+    /// It carries one point whose motion is given; how it turns is neither known nor asked.
+    Carrier {
+        /// Velocity of the point.
+        velocity: Vector,
+        /// Acceleration of the point.
+        acceleration: Vector,
+    },
+    /// A link of the neighbouring mechanism, shown but not solved: it ends at a point of known motion.
+    Stub,
+    /// A link of an Assur group: its motion is what is looked for.
+    Member,
+}
+
+impl Role {
+    /// Whether the body's motion (or at least its carried point's) is known before any group is solved.
+    #[must_use]
+    pub fn is_known(&self) -> bool {
+        !matches!(self, Role::Member | Role::Stub)
+    }
+}
+
+/// A link that slides along a straight guide of another body and keeps its angle to it.
+#[derive(Clone, Debug)]
+pub struct Slider {
+    /// The sliding link.
+    pub link: BodyId,
+    /// Its point that stands on the guide's line.
+    pub at: PointId,
+    /// The body that carries the guide.
+    pub on: BodyId,
+    /// The guide.
+    pub guide: Guide,
+    /// Degrees from the guide to the sliding link's axis.
+    pub turned: f64,
+}
+
+/// A straight guide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Guide {
+    /// In the frame of its body: a point of it, and its unit direction.
+    Local {
+        /// A point of the guide, from which the slider's position counts.
+        through: Point,
+        /// Unit direction.
+        direction: Vector,
+    },
+    /// As drawn, through the slider's `at`: between two points of its body, from the first to the second.
+    DrawnBetween(PointId, PointId),
+    /// As drawn, through the slider's `at`: in this direction.
+    Drawn(Vector),
+}
+
+/// A joint between two bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// Revolute or prismatic, and where.
+    pub kind: JointKind,
+    /// The bodies that it joins; of a slider: guide body, then sliding link.
+    pub bodies: [BodyId; 2],
+}
+
+/// The kind of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointKind {
+    /// A pin at a point of both bodies.
+    Revolute(PointId),
+    /// A slider on its guide.
+    Prismatic(SliderId),
+}
+
+impl Joint {
+    /// The body on the other side of `body`.
+    #[must_use]
+    pub fn other(&self, body: BodyId) -> BodyId {
+        if self.bodies[0] == body {
+            self.bodies[1]
+        } else {
+            self.bodies[0]
+        }
+    }
+}
+
+impl Mechanism {
+    /// The body of that index.
+    #[must_use]
+    pub fn body(&self, id: BodyId) -> &Body {
+        &self.bodies[id.0]
+    }
+
+    /// The slider of that index.
+    #[must_use]
+    pub fn slider(&self, id: SliderId) -> &Slider {
+        &self.sliders[id.0]
+    }
+
+    /// The joint of that index.
+    #[must_use]
+    pub fn joint(&self, id: JointId) -> &Joint {
+        &self.joints[id.0]
+    }
+
+    /// The name of a point.
+    #[must_use]
+    pub fn point_name(&self, id: PointId) -> &str {
+        &self.points[id.0]
+    }
+
+    /// The name of a slider in results: sliding link / guide body, as in `3/2`.
+    #[must_use]
+    pub fn slider_name(&self, id: SliderId) -> String {
+        let slider = self.slider(id);
+        format!(
+            "{}/{}",
+            self.body(slider.link).name,
+            self.body(slider.on).name
+        )
+    }
+
+    /// The point of that name.
+    #[must_use]
+    pub fn point(&self, name: &str) -> Option<PointId> {
+        self.points.iter().position(|p| p == name).map(PointId)
+    }
+
+    /// The link of that name (or `ground`).
+    #[must_use]
+    pub fn link(&self, name: &str) -> Option<BodyId> {
+        let links = self
+            .bodies
+            .iter()
+            .filter(|b| !matches!(b.role, Role::Carrier { .. }));
+        links.clone().position(|b| b.name == name).map(BodyId)
+    }
+
+    /// The links with names of their own: all bodies but ground and carriers.
+    pub fn links(&self) -> impl Iterator<Item = (BodyId, &Body)> {
+        self.bodies
+            .iter()
+            .enumerate()
+            .map(|(i, b)| (BodyId(i), b))
+            .filter(|(_, b)| !matches!(b.role, Role::Ground | Role::Carrier { .. }))
+    }
+
+    /// The point where a joint is: the pin, or the slider's point on the guide.
+    #[must_use]
+    pub fn joint_point(&self, id: JointId) -> PointId {
+        match self.joint(id).kind {
+            JointKind::Revolute(point) => point,
+            JointKind::Prismatic(slider) => self.slider(slider).at,
+        }
+    }
+
+    /// Whether a joint is prismatic.
+    #[must_use]
+    pub fn is_prismatic(&self, id: JointId) -> bool {
+        matches!(self.joint(id).kind, JointKind::Prismatic(_))
+    }
+}
+
+impl Body {
+    /// The local coordinates of one of its points; `None` in a drawn configuration or for a foreign point.
+    #[must_use]
+    pub fn local_of(&self, point: PointId) -> Option<Point> {
+        let index = self.points.iter().position(|&p| p == point)?;
+        self.local.get(index).copied()
+    }
+}

@@ -1,0 +1,31 @@
+/// Why a pose has no definite motion.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MotionError {
+    /// The group is in a singular position.
+    #[error(
+        "links {links} are in a singular position: the lines {} {meeting} (condition {condition:.1e})\n  \
+         try: {hint}",
+        .lines.join(", ")
+    )]
+    Singular {
+        /// The group's links.
+        links: String,
+        /// The three lines that meet in one point.
+        lines: [String; 3],
+        /// How they meet, in words.
+        meeting: String,
+        /// Condition number of the loop equations; infinite where a pivot vanishes.
+        condition: f64,
+        /// What to change.
+        hint: String,
+    },
+    /// A number left the range of f64.
+    #[error(
+        "links {links}: a velocity or an acceleration is too large to be represented\n  \
+         try: larger units of length, or slower drives"
+    )]
+    Overflow {
+        /// The group's links.
+        links: String,
+    },
+}

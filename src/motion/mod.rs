@@ -1,0 +1,150 @@
+//! In: a mechanism and its [`Pose`]. Out: a [`Motion`]: velocities and accelerations of every body, each with its accuracy.
+//! Numbers come from the loop equations alone, never through a special point (those are for drawing, see `plan`).
+//! One matrix serves velocity and acceleration; near-singular groups are reported, singular ones refused.
+
+mod closed_form;
+mod error;
+mod known;
+mod sides;
+mod solve;
+
+pub use closed_form::ClosedForm;
+pub use error::MotionError;
+pub use sides::RightSide;
+pub use solve::motion;
+
+use crate::geometry::{Point, Vector, quarter_turn};
+use crate::mechanism::{BodyId, SliderId};
+use crate::position::Pose;
+
+/// How far the analysis goes: an acceleration that nobody asks for is not computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Order {
+    /// Velocities only.
+    Velocity,
+    /// Velocities and accelerations.
+    Acceleration,
+}
+
+/// The motion of a rigid body: that of one of its places, and its rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyMotion {
+    /// The place.
+    pub at: Point,
+    /// Velocity of the body there.
+    pub velocity: Vector,
+    /// Acceleration of the body there; zero when only velocities were asked for.
+    pub acceleration: Vector,
+    /// Angular velocity, counter-clockwise positive, rad per unit of time.
+    pub omega: f64,
+    /// Angular acceleration; zero when only velocities were asked for.
+    pub alpha: f64,
+}
+
+impl BodyMotion {
+    /// A body at rest.
+    pub const REST: BodyMotion = BodyMotion {
+        at: Point::new(0.0, 0.0),
+        velocity: Vector::new(0.0, 0.0),
+        acceleration: Vector::new(0.0, 0.0),
+        omega: 0.0,
+        alpha: 0.0,
+    };
+
+    /// Velocity of the body's point at `p`: v + ω × (p − at).
+    #[must_use]
+    pub fn velocity_at(&self, p: Point) -> Vector {
+        self.velocity + self.swing(p)
+    }
+
+    /// Acceleration of the body's point at `p`: a + α × (p − at) − ω² (p − at).
+    #[must_use]
+    pub fn acceleration_at(&self, p: Point) -> Vector {
+        self.acceleration + self.tangential(p) + self.normal(p)
+    }
+
+    /// Velocity of the point at `p` relative to that at [`Self::at`].
+    #[must_use]
+    pub fn swing(&self, p: Point) -> Vector {
+        quarter_turn(p - self.at) * self.omega
+    }
+
+    /// Tangential acceleration of the point at `p` relative to that at [`Self::at`].
+    #[must_use]
+    pub fn tangential(&self, p: Point) -> Vector {
+        quarter_turn(p - self.at) * self.alpha
+    }
+
+    /// Normal acceleration of the point at `p` relative to that at [`Self::at`].
+    #[must_use]
+    pub fn normal(&self, p: Point) -> Vector {
+        (p - self.at) * -(self.omega * self.omega)
+    }
+}
+
+/// The motion of a slider along its guide, seen from the guide's body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SlideMotion {
+    /// Sliding velocity v_r, positive along the guide.
+    pub velocity: f64,
+    /// Sliding acceleration a_r.
+    pub acceleration: f64,
+    /// Bound on the error of `velocity`.
+    pub velocity_error: f64,
+    /// Bound on the error of `acceleration`.
+    pub acceleration_error: f64,
+}
+
+/// Bounds on the errors of a body's rates.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RateErrors {
+    /// Bound on the error of ω.
+    pub omega: f64,
+    /// Bound on the error of α.
+    pub alpha: f64,
+}
+
+/// How well an Assur group's motion is determined.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GroupAccuracy {
+    /// Condition number of the scaled loop equations, at least 1.
+    pub condition: f64,
+}
+
+/// Velocities and accelerations of a mechanism at a pose.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// How far it was computed.
+    pub order: Order,
+    /// By body. Of a stub and a carrier only the carried point's motion means anything.
+    pub bodies: Vec<BodyMotion>,
+    /// By body: bounds on the errors of the rates; zero for given ones.
+    pub errors: Vec<RateErrors>,
+    /// By slider.
+    pub slides: Vec<SlideMotion>,
+    /// By group.
+    pub groups: Vec<GroupAccuracy>,
+    /// What a reader should know of these numbers.
+    pub warnings: Vec<String>,
+}
+
+impl Motion {
+    /// The motion of a body.
+    #[must_use]
+    pub fn body(&self, id: BodyId) -> &BodyMotion {
+        &self.bodies[id.0]
+    }
+
+    /// The motion of a slider along its guide.
+    #[must_use]
+    pub fn slide(&self, id: SliderId) -> &SlideMotion {
+        &self.slides[id.0]
+    }
+
+    /// The Coriolis acceleration 2 ω ẑ × v_r of a slider, ω that of its guide.
+    #[must_use]
+    pub fn coriolis(&self, pose: &Pose, id: SliderId, on: BodyId) -> Vector {
+        let sliding = pose.guide(id) * self.slide(id).velocity;
+        quarter_turn(sliding) * (2.0 * self.body(on).omega)
+    }
+}

@@ -1,0 +1,126 @@
+use super::name::{coincident_name, image_name};
+use super::step::{Action, Arrow, Part, Plan, PlanPoint, PointRole, Step};
+use super::words;
+use crate::geometry::Vector;
+use crate::mechanism::{Group, JointKind, Leg, Mechanism, SliderId};
+use crate::motion::Motion;
+use crate::position::Pose;
+
+/// Adds to the velocity plan the images of a group's inner joints, from the images of its outer ones.
+///
+/// With the rates known every point of a carrying link follows from its outer joint; at a prismatic joint
+/// the point of the guide's body under the slider comes first, then the sliding velocity.
+pub(super) fn images(
+    mechanism: &Mechanism,
+    pose: &Pose,
+    motion: &Motion,
+    group: &Group,
+    plan: &mut Plan,
+) {
+    let mut board = Images {
+        mechanism,
+        pose,
+        motion,
+        plan,
+    };
+    let mut legs: Vec<Leg> = group.special.iter().flat_map(|s| s.legs).collect();
+    // Pins first, so that a slider's point has its image before the point under it is joined to it.
+    legs.sort_by_key(|leg| mechanism.is_prismatic(leg.inner));
+    for leg in &legs {
+        board.leg(leg);
+    }
+}
+
+struct Images<'a> {
+    mechanism: &'a Mechanism,
+    pose: &'a Pose,
+    motion: &'a Motion,
+    plan: &'a mut Plan,
+}
+
+impl Images<'_> {
+    fn leg(&mut self, leg: &Leg) {
+        let outer = self.mechanism.joint_point(leg.outer);
+        let carrier = &self.mechanism.body(leg.carrier).name;
+        let outer_name = self.mechanism.point_name(outer);
+        let mut from = image_name(outer_name);
+        if let JointKind::Prismatic(slider) = self.mechanism.joint(leg.outer).kind {
+            let (under, image) = self.slide(slider);
+            let guide_on_carrier = self.mechanism.slider(slider).on == leg.carrier;
+            from = if guide_on_carrier { under } else { image };
+        }
+        match self.mechanism.joint(leg.inner).kind {
+            JointKind::Revolute(point) => {
+                let name = self.mechanism.point_name(point);
+                let velocity = self
+                    .motion
+                    .body(leg.carrier)
+                    .velocity_at(self.pose.point(point));
+                let words = words::image(carrier, outer_name, name);
+                self.lay_off(&from, image_name(name), velocity, Part::Relative, words);
+            }
+            JointKind::Prismatic(id) => {
+                let slider = self.mechanism.slider(id);
+                let at = self.mechanism.point_name(slider.at);
+                let under = coincident_name(at, &self.mechanism.body(slider.on).name);
+                let own = if slider.on == leg.carrier {
+                    under
+                } else {
+                    at.to_owned()
+                };
+                let velocity = self
+                    .motion
+                    .body(leg.carrier)
+                    .velocity_at(self.pose.point(slider.at));
+                let words = words::image(carrier, outer_name, &own);
+                self.lay_off(&from, image_name(&own), velocity, Part::Relative, words);
+                self.slide(id);
+            }
+        }
+    }
+
+    /// The sliding velocity at a slider, from the image of the guide's point to that of the slider's; returns both names.
+    fn slide(&mut self, id: SliderId) -> (String, String) {
+        let slider = self.mechanism.slider(id);
+        let at = self.mechanism.point_name(slider.at);
+        let place = self.pose.point(slider.at);
+        let image = image_name(at);
+        let under = coincident_name(at, &self.mechanism.body(slider.on).name);
+        let under_image = image_name(&under);
+        let on = self.motion.body(slider.on).velocity_at(place);
+        let own = self.motion.body(slider.link).velocity_at(place);
+        let role = PointRole::Image;
+        for (name, vector) in [(&under_image, on), (&image, own)] {
+            let point = PlanPoint { vector, role };
+            self.plan.points.entry(name.clone()).or_insert(point);
+        }
+        let words = words::sliding(&self.mechanism.slider_name(id), &under, at);
+        self.lay_off(&under_image, image.clone(), own, Part::Sliding, words);
+        (under_image, image)
+    }
+
+    fn lay_off(
+        &mut self,
+        from: &str,
+        to: String,
+        vector: Vector,
+        part: Part,
+        (equation, caption): (String, String),
+    ) {
+        let point = PlanPoint {
+            vector,
+            role: PointRole::Image,
+        };
+        self.plan.points.entry(to.clone()).or_insert(point);
+        let arrow = Arrow {
+            from: from.to_owned(),
+            to,
+            part,
+        };
+        self.plan.steps.push(Step {
+            action: Action::LayOff(arrow),
+            equation,
+            caption,
+        });
+    }
+}

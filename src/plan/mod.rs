@@ -1,0 +1,19 @@
+//! In: a mechanism, its pose and its motion. Out: a [`Construction`]: the velocity and acceleration plans as lists of [`Step`]s.
+//! It is the second route to every rate: cut lines, special points, rays, crossings and the source paper's four equations,
+//! solved apart from the loop equations and compared with them. Drawings, texts and checks read the steps and cross nothing again.
+
+mod cut;
+mod equations;
+mod images;
+mod name;
+mod quantity;
+mod step;
+mod words;
+mod write;
+
+pub use cut::{CutLine, LegKind, Special, special_points};
+pub use equations::{Agreement, Construct, LegMeasure};
+pub use name::{coincident_name, display, image_name, normal_name};
+pub use quantity::{Quantity, QuantityError, Scales, quantity};
+pub use step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};
+pub use write::{Construction, construction};

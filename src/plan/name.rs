@@ -1,0 +1,55 @@
+//! Names of plan points and how they are written.
+
+/// The image of a point: its name in lower case, but for a link's name after `_`, as in `d_2` for `D_2`.
+#[must_use]
+pub fn image_name(point: &str) -> String {
+    match point.split_once('_') {
+        Some((point, link)) => format!("{}_{link}", point.to_lowercase()),
+        None => point.to_lowercase(),
+    }
+}
+
+/// The end of the normal part laid off from the image of `start` on the way to special point `special`, as in `n_b3`.
+#[must_use]
+pub fn normal_name(start: &str, special: &str) -> String {
+    let link = special.strip_prefix('S').unwrap_or(special);
+    format!("n_{}{link}", image_name(start))
+}
+
+/// The point of `body` that lies under `point`, as in `D_2`.
+#[must_use]
+pub fn coincident_name(point: &str, body: &str) -> String {
+    format!("{point}_{body}")
+}
+
+/// A name as it is written: what follows the first `_` and trailing digits are set low, as in `n_{b3}`, `S_{3}`.
+#[must_use]
+pub fn display(name: &str) -> String {
+    let (base, low) = match name.split_once('_') {
+        Some((base, low)) => (base, low),
+        None => {
+            let digits = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+            name.split_at(digits)
+        }
+    };
+    if low.is_empty() || base.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{base}_{{{low}}}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_as_on_the_blackboard() {
+        assert_eq!(image_name("S3"), "s3");
+        assert_eq!(normal_name("B", "S3"), "n_b3");
+        assert_eq!(display("n_b3"), "n_{b3}");
+        assert_eq!(display("S3"), "S_{3}");
+        assert_eq!(display("B"), "B");
+        assert_eq!(display("12"), "12");
+    }
+}

@@ -1,0 +1,208 @@
+use crate::geometry::Vector;
+use indexmap::IndexMap;
+
+/// Which plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlanKind {
+    /// Of velocities, from the pole p.
+    Velocity,
+    /// Of accelerations, from the pole π.
+    Acceleration,
+}
+
+impl PlanKind {
+    /// The name of the pole.
+    #[must_use]
+    pub fn pole(self) -> &'static str {
+        match self {
+            PlanKind::Velocity => "p",
+            PlanKind::Acceleration => "π",
+        }
+    }
+
+    /// Name of the scale factor, as written.
+    #[must_use]
+    pub fn scale_name(self) -> &'static str {
+        match self {
+            PlanKind::Velocity => "μ_v",
+            PlanKind::Acceleration => "μ_a",
+        }
+    }
+}
+
+/// A velocity or acceleration plan: its points and the steps by which it is drawn.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// Which plan.
+    pub kind: PlanKind,
+    /// Its points by name, in order of construction; vectors from the pole, in units of the plan.
+    pub points: IndexMap<String, PlanPoint>,
+    /// How it is drawn, in order.
+    pub steps: Vec<Step>,
+}
+
+/// A point of a plan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanPoint {
+    /// From the pole, in units of velocity or acceleration.
+    pub vector: Vector,
+    /// What it is.
+    pub role: PointRole,
+}
+
+/// What a plan point is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PointRole {
+    /// The pole, or the image of a point at rest.
+    Pole,
+    /// The end of a known vector.
+    Known,
+    /// The end of a normal part.
+    Normal,
+    /// The image of a special point.
+    Special,
+    /// The image of another point.
+    Image,
+}
+
+/// One thing that a teacher does at the board.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// What is done.
+    pub action: Action,
+    /// The equation that belongs to it, in markup (`v_{S3} = v_B + v_{S3B}`); may be empty.
+    pub equation: String,
+    /// What to do, in one line of plain words and markup.
+    pub caption: String,
+}
+
+/// What a step does.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// Choose a pole; these points at rest have their images there.
+    Pole {
+        /// Images that coincide with the pole.
+        images: Vec<String>,
+    },
+    /// Find a special point on the mechanism: cut lines cross there.
+    SpecialPoint {
+        /// Its name.
+        point: String,
+        /// The cut lines' names.
+        cuts: [String; 2],
+        /// Sine of the angle of crossing.
+        sine: f64,
+    },
+    /// Lay off a vector.
+    LayOff(Arrow),
+    /// Draw a line of known direction.
+    Ray(Ray),
+    /// Mark where two rays cross.
+    Cross {
+        /// The point found.
+        point: String,
+        /// The points from which the two rays were drawn.
+        from: [String; 2],
+        /// Sine of the angle of crossing.
+        sine: f64,
+    },
+    /// Measure a segment.
+    Measure {
+        /// From this plan point …
+        from: String,
+        /// … to this one.
+        to: String,
+        /// Its length in units of the plan.
+        value: f64,
+    },
+    /// Measure a length on the mechanism.
+    MeasureLength {
+        /// From this point …
+        from: String,
+        /// … to this one.
+        to: String,
+        /// Its length.
+        value: f64,
+    },
+    /// Solve equations for unknowns.
+    Solve {
+        /// The equations, in markup.
+        equations: Vec<String>,
+        /// The unknowns' quantity names and values.
+        unknowns: Vec<(String, f64)>,
+    },
+    /// Say something that cannot be drawn.
+    Note,
+}
+
+/// A vector of a plan, from one of its points to another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arrow {
+    /// From this plan point …
+    pub from: String,
+    /// … to this one.
+    pub to: String,
+    /// What kind of vector it is.
+    pub part: Part,
+}
+
+/// What kind of vector an arrow stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A whole velocity or acceleration, from the pole.
+    Whole,
+    /// A normal part.
+    Normal,
+    /// A relative velocity of two points of one link.
+    Relative,
+    /// A sliding velocity.
+    Sliding,
+}
+
+/// A line of known direction through a plan point, on which a crossing will lie.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ray {
+    /// The plan point.
+    pub through: String,
+    /// The point that it will lead to.
+    pub to: String,
+    /// Unit direction.
+    pub direction: Vector,
+    /// How it lies to `line`.
+    pub relation: Relation,
+    /// The line of the mechanism that gives the direction, by name.
+    pub line: String,
+}
+
+/// How a ray lies to a line of the mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// Normal to it.
+    Perpendicular,
+    /// Parallel to it.
+    Parallel,
+}
+
+impl Plan {
+    /// The vector from one plan point to another; `None` for a name that the plan does not have.
+    #[must_use]
+    pub fn segment(&self, from: &str, to: &str) -> Option<Vector> {
+        Some(self.points.get(to)?.vector - self.points.get(from)?.vector)
+    }
+
+    /// The vectors that the steps lay off, in order.
+    pub fn arrows(&self) -> impl Iterator<Item = &Arrow> {
+        self.steps.iter().filter_map(|s| match &s.action {
+            Action::LayOff(arrow) => Some(arrow),
+            _ => None,
+        })
+    }
+
+    /// The rays that the steps draw, in order.
+    pub fn rays(&self) -> impl Iterator<Item = &Ray> {
+        self.steps.iter().filter_map(|s| match &s.action {
+            Action::Ray(ray) => Some(ray),
+            _ => None,
+        })
+    }
+}

@@ -1,0 +1,330 @@
+//! Captions and equations of the steps, in the markup of labels: `_{…}` low, `^{…}` high.
+
+use super::cut::{CutLine, LegKind, Special};
+use super::name::display;
+use super::step::{PlanKind, Relation};
+use crate::geometry::{Place, degrees_of};
+use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
+use crate::position::Pose;
+
+/// A name as written.
+pub(super) fn written(name: &str) -> String {
+    display(name)
+}
+
+/// Markup without its braces, for plain text.
+pub(super) fn plain(markup: &str) -> String {
+    markup.replace("_{", "").replace(['{', '}'], "")
+}
+
+/// A subscript made of several names, as in `S3B`.
+fn low(names: &[&str]) -> String {
+    format!("_{{{}}}", names.concat())
+}
+
+pub(super) fn pole(kind: PlanKind, images: &[String]) -> String {
+    let (pole, scale) = (kind.pole(), kind.scale_name());
+    if images.is_empty() {
+        format!("Choose the pole {pole} and the scale {scale}.")
+    } else {
+        let images: Vec<String> = images.iter().map(|i| written(i)).collect();
+        let images = images.join(", ");
+        format!(
+            "Choose the pole {pole} and the scale {scale}; points at rest have their images there: {images}."
+        )
+    }
+}
+
+pub(super) fn special_point(name: &str, link: &str, cuts: &[String; 2], place: &Place) -> String {
+    let name = written(name);
+    match place {
+        Place::At(_) => format!(
+            "{name}, special point of link {link}: where {} meets {}.",
+            cuts[0], cuts[1]
+        ),
+        Place::AtInfinity(direction) => format!(
+            "{name}, special point of link {link}, lies at infinity (direction {:.2}°): {} and {} are parallel.",
+            degrees_of(*direction),
+            cuts[0],
+            cuts[1]
+        ),
+    }
+}
+
+pub(super) fn length(from: &str, to: &str) -> String {
+    format!("L{}", low(&[from, to]))
+}
+
+pub(super) fn measure_length(from: &str, to: &str) -> String {
+    format!(
+        "Measure the length from {} to {}.",
+        written(from),
+        written(to)
+    )
+}
+
+/// Equation and caption of a known vector.
+pub(super) fn known(
+    mechanism: &Mechanism,
+    base: BodyId,
+    point: PointId,
+    kind: PlanKind,
+) -> (String, String) {
+    let name = mechanism.point_name(point);
+    let body = mechanism.body(base);
+    let letter = match kind {
+        PlanKind::Velocity => "v",
+        PlanKind::Acceleration => "a",
+    };
+    match &body.role {
+        Role::Driver { pivot, alpha, .. } => {
+            let (k, link) = (mechanism.point_name(*pivot), &body.name);
+            let arm = format!("L{}", low(&[k, name]));
+            match kind {
+                PlanKind::Velocity => (
+                    format!("v_{name} = ω_{link} {arm}"),
+                    format!(
+                        "Lay off the velocity of {name}, normal to {k}{name}, in the sense of ω_{link}."
+                    ),
+                ),
+                PlanKind::Acceleration if *alpha == 0.0 => (
+                    format!("a_{name} = a^n{} = ω_{link}^2 {arm}", low(&[name, k])),
+                    format!(
+                        "Lay off the acceleration of {name}, from {name} towards {k}: link {link} turns uniformly."
+                    ),
+                ),
+                PlanKind::Acceleration => (
+                    format!(
+                        "a_{name} = a^n{0} + a^t{0}, a^n{0} = ω_{link}^2 {arm}, a^t{0} = α_{link} {arm}",
+                        low(&[name, k])
+                    ),
+                    format!(
+                        "Lay off the acceleration of {name}: normal part from {name} towards {k}, tangential part normal to {k}{name}."
+                    ),
+                ),
+            }
+        }
+        Role::Carrier { .. } => (
+            format!("{letter}_{name} given"),
+            format!("Lay off the given vector {letter}_{name} from the pole."),
+        ),
+        _ => (
+            format!("{letter}{}", low(&[name, &body.name])),
+            format!(
+                "Lay off the known vector of the point of {} under {}.",
+                body.name,
+                written(name)
+            ),
+        ),
+    }
+}
+
+pub(super) fn ray(through: &str, relation: Relation, line: &str, to: &str) -> String {
+    let relation = match relation {
+        Relation::Perpendicular => "normal to",
+        Relation::Parallel => "parallel to the",
+    };
+    format!(
+        "Draw the ray through {} {relation} {line}; {} lies on it.",
+        written(through),
+        written(to)
+    )
+}
+
+pub(super) fn relative_velocity(special: &str, start: &str) -> String {
+    format!(
+        "v{} = v_{} + v{}",
+        low(&[special]),
+        start,
+        low(&[special, start])
+    )
+}
+
+pub(super) fn relative_acceleration(special: &str, start: &str) -> String {
+    let both = low(&[special, start]);
+    format!("a{} = a_{start} + a^n{both} + a^t{both}", low(&[special]))
+}
+
+pub(super) fn cross(image: &str) -> String {
+    format!("Mark {} where the two rays cross.", written(image))
+}
+
+pub(super) fn measure(from: &str, to: &str) -> String {
+    format!(
+        "Measure the segment from {} to {}.",
+        written(from),
+        written(to)
+    )
+}
+
+pub(super) fn measured(kind: PlanKind, from: &str, to: &str) -> String {
+    format!("{} ({} {})", kind.scale_name(), written(from), written(to))
+}
+
+/// Equation and caption of a normal part.
+pub(super) fn normal(
+    mechanism: &Mechanism,
+    cut: &CutLine,
+    point: &Special,
+    from: &str,
+    to: &str,
+) -> (String, String) {
+    let name = |p: PointId| mechanism.point_name(p);
+    let carrier = &mechanism.body(cut.leg.carrier).name;
+    let link = &mechanism.body(point.link).name;
+    let s = &point.name;
+    let sliding = |slider: SliderId, omega: &str| {
+        format!("2 ω_{omega} v_{{r {}}}", mechanism.slider_name(slider))
+    };
+    let (start, parts, what) = match cut.kind {
+        LegKind::Pins { outer, inner } => (
+            name(outer),
+            format!(
+                "ω_{carrier}^2 L{} and ω_{link}^2 L{}",
+                low(&[name(inner), name(outer)]),
+                low(&[s, name(inner)])
+            ),
+            "the normal parts of both links",
+        ),
+        LegKind::PinThenSlider { outer, inner } => (
+            name(outer),
+            format!(
+                "ω_{carrier}^2 L{} and Coriolis {}",
+                low(&[s, name(outer)]),
+                sliding(inner, carrier)
+            ),
+            "the normal and the Coriolis part",
+        ),
+        LegKind::SliderThenPin { outer, inner } => (
+            name(inner),
+            format!(
+                "ω_{link}^2 L{} and Coriolis {}",
+                low(&[s, name(inner)]),
+                sliding(outer, &mechanism.body(cut.leg.base).name)
+            ),
+            "the normal and the Coriolis part",
+        ),
+        LegKind::Sliders => ("", String::new(), "nothing"),
+    };
+    (
+        format!("a^n{} from {parts}", low(&[s, start])),
+        format!(
+            "Lay off {what} along {} from {} to {}.",
+            cut.name(mechanism),
+            written(from),
+            written(to)
+        ),
+    )
+}
+
+/// The equation of a leg, with the signs that its lengths have along the cut line: counter-clockwise rates positive,
+/// segments positive a quarter turn counter-clockwise from the way the line runs.
+pub(super) fn leg_equation(
+    mechanism: &Mechanism,
+    pose: &Pose,
+    cut: &CutLine,
+    point: &Special,
+    from: &str,
+    kind: PlanKind,
+) -> String {
+    let (rate, slide) = match kind {
+        PlanKind::Velocity => ("ω", "v"),
+        PlanKind::Acceleration => ("α", "a"),
+    };
+    let direction = cut.line.direction();
+    let place = point.place.finite();
+    let sign = |to: Option<crate::geometry::Point>, from: PointId| {
+        let along = to
+            .zip(direction)
+            .map(|(to, e)| (to - pose.point(from)).dot(&e));
+        if along.is_some_and(|a| a < 0.0) {
+            "−"
+        } else {
+            "+"
+        }
+    };
+    let name = |p: PointId| mechanism.point_name(p);
+    let link = &mechanism.body(point.link).name;
+    let carrier = &mechanism.body(cut.leg.carrier).name;
+    let sliding = |slider: SliderId, from: BodyId| {
+        let along = direction.map(crate::geometry::quarter_turn);
+        let forward = mechanism.slider(slider).on == from;
+        let u = pose.guide(slider) * if forward { 1.0 } else { -1.0 };
+        let sign = if along.is_some_and(|e| e.dot(&u) < 0.0) {
+            "−"
+        } else {
+            "+"
+        };
+        format!("{sign} {slide}_{{r {}}}", mechanism.slider_name(slider))
+    };
+    let left = match cut.kind {
+        LegKind::Pins { outer, inner } => format!(
+            "{rate}_{carrier} L{} {} {rate}_{link} L{}",
+            low(&[name(inner), name(outer)]),
+            sign(place, inner),
+            low(&[&point.name, name(inner)])
+        ),
+        LegKind::PinThenSlider { outer, inner } => format!(
+            "{} {rate}_{carrier} L{} {}",
+            sign(place, outer),
+            low(&[&point.name, name(outer)]),
+            sliding(inner, cut.leg.carrier)
+        ),
+        LegKind::SliderThenPin { outer, inner } => format!(
+            "{} {} {rate}_{link} L{}",
+            sliding(outer, cut.leg.base),
+            sign(place, inner),
+            low(&[&point.name, name(inner)])
+        ),
+        LegKind::Sliders => String::new(),
+    };
+    let left = left.trim_start_matches("+ ").to_owned();
+    format!(
+        "{left} = {}",
+        measured(kind, from, &super::name::image_name(&point.name))
+    )
+}
+
+pub(super) fn solve(unknowns: &[(String, f64)]) -> String {
+    let names: Vec<&str> = unknowns.iter().map(|u| u.0.as_str()).collect();
+    format!(
+        "Solve the equations of the measured segments for {}.",
+        names.join(", ")
+    )
+}
+
+pub(super) fn no_construction(far: &[String]) -> String {
+    if far.is_empty() {
+        "The four equations of the measured segments have no definite solution here; the rates come from the loop equations alone."
+            .to_owned()
+    } else {
+        format!(
+            "{} at infinity: its rays are parallel, so the construction stops and the rates come from the loop equations alone.",
+            far.join(" and ")
+        )
+    }
+}
+
+/// Equation and caption of a relative velocity, for the image of an inner joint.
+pub(super) fn image(link: &str, from: &str, to: &str) -> (String, String) {
+    (
+        format!("v{0} = ω_{link} L{0}", low(&[to, from])),
+        format!(
+            "From ω_{link}: lay off the velocity of {} relative to {}, normal to {from}{to}.",
+            written(to),
+            written(from)
+        ),
+    )
+}
+
+/// Equation and caption of a sliding velocity.
+pub(super) fn sliding(slider: &str, from: &str, to: &str) -> (String, String) {
+    (
+        format!("v_{{r {slider}}}"),
+        format!(
+            "Lay off the sliding velocity of {slider} along its guide, from {} to {}.",
+            written(from),
+            written(to)
+        ),
+    )
+}

@@ -1,0 +1,463 @@
+use super::cut::{CutLine, LegKind, Special, special_points};
+use super::equations::{Agreement, Construct, construct};
+use super::images::images;
+use super::name::{coincident_name, image_name, normal_name};
+use super::step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};
+use super::words::{self, written};
+use crate::geometry::Vector;
+use crate::mechanism::{BodyId, Group, LoopEquations, Mechanism, PointId, Role, SliderId};
+use crate::motion::{Motion, Order};
+use crate::position::Pose;
+use indexmap::IndexMap;
+
+/// Everything that is drawn on the board for a mechanism: special points, then the plans, step by step.
+#[derive(Clone, Debug)]
+pub struct Construction {
+    /// By group: its special points.
+    pub special: Vec<Vec<Special>>,
+    /// By group: how the construction's rates compare with the loop equations'; none where a special point lies at infinity.
+    pub agreement: Vec<Option<Agreement>>,
+    /// Steps on the mechanism itself.
+    pub scheme: Vec<Step>,
+    /// The velocity plan.
+    pub velocity: Plan,
+    /// The acceleration plan, if accelerations were asked for.
+    pub acceleration: Option<Plan>,
+    /// What the reader should know, as text.
+    pub warnings: Vec<String>,
+}
+
+impl Construction {
+    /// A special point by name.
+    #[must_use]
+    pub fn special_point(&self, name: &str) -> Option<&Special> {
+        self.special.iter().flatten().find(|s| s.name == name)
+    }
+
+    /// The plans that there are.
+    pub fn plans(&self) -> impl Iterator<Item = &Plan> {
+        std::iter::once(&self.velocity).chain(&self.acceleration)
+    }
+}
+
+/// The graphical construction for every group of `mechanism`, as steps for both plans from one pole each.
+#[must_use]
+pub fn construction(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Construction {
+    let mut writer = Writer {
+        mechanism,
+        pose,
+        motion,
+        scheme: Vec::new(),
+        velocity: Writer::plan(PlanKind::Velocity),
+        acceleration: (motion.order == Order::Acceleration)
+            .then(|| Writer::plan(PlanKind::Acceleration)),
+        warnings: Vec::new(),
+    };
+    writer.poles();
+    let mut special = Vec::new();
+    let mut agreement = Vec::new();
+    for group in &mechanism.groups {
+        let points = special_points(mechanism, pose, group);
+        let construct = construct(mechanism, group, pose, motion, &points);
+        writer.group(group, &points, construct.as_ref());
+        agreement.push(construct.map(|c| c.agreement));
+        special.push(points);
+    }
+    Construction {
+        special,
+        agreement,
+        scheme: writer.scheme,
+        velocity: writer.velocity,
+        acceleration: writer.acceleration,
+        warnings: writer.warnings,
+    }
+}
+
+struct Writer<'a> {
+    mechanism: &'a Mechanism,
+    pose: &'a Pose,
+    motion: &'a Motion,
+    scheme: Vec<Step>,
+    velocity: Plan,
+    acceleration: Option<Plan>,
+    warnings: Vec<String>,
+}
+
+fn step(action: Action, equation: String, caption: String) -> Step {
+    Step {
+        action,
+        equation,
+        caption,
+    }
+}
+
+impl Writer<'_> {
+    fn plan(kind: PlanKind) -> Plan {
+        Plan {
+            kind,
+            points: IndexMap::new(),
+            steps: Vec::new(),
+        }
+    }
+
+    fn plans(&mut self) -> impl Iterator<Item = &mut Plan> {
+        std::iter::once(&mut self.velocity).chain(&mut self.acceleration)
+    }
+
+    /// The poles, with the images of the points at rest.
+    fn poles(&mut self) {
+        let grounded = self.mechanism.bodies[0].points.iter();
+        let images: Vec<String> = grounded
+            .map(|&p| image_name(self.mechanism.point_name(p)))
+            .collect();
+        for plan in self.plans() {
+            let pole = PlanPoint {
+                vector: Vector::zeros(),
+                role: PointRole::Pole,
+            };
+            let name = plan.kind.pole();
+            plan.points.insert(name.to_owned(), pole);
+            for image in &images {
+                plan.points.insert(image.clone(), pole);
+            }
+            let caption = words::pole(plan.kind, &images);
+            plan.steps.push(step(
+                Action::Pole {
+                    images: images.clone(),
+                },
+                String::new(),
+                caption,
+            ));
+        }
+    }
+
+    fn group(&mut self, group: &Group, special: &[Special], construct: Option<&Construct>) {
+        for point in special {
+            self.special_point(point);
+        }
+        let starts = self.starts(special);
+        for &(base, point) in &starts {
+            self.known_vector(base, point);
+        }
+        let Some(construct) = construct else {
+            self.without_construction(special);
+            images(
+                self.mechanism,
+                self.pose,
+                self.motion,
+                group,
+                &mut self.velocity,
+            );
+            return;
+        };
+        for (index, point) in special.iter().enumerate() {
+            self.velocity_of(point, construct, index);
+        }
+        self.solve(group, special, Order::Velocity);
+        images(
+            self.mechanism,
+            self.pose,
+            self.motion,
+            group,
+            &mut self.velocity,
+        );
+        if self.acceleration.is_some() {
+            for (index, point) in special.iter().enumerate() {
+                self.acceleration_of(point, construct, index);
+            }
+            self.solve(group, special, Order::Acceleration);
+        }
+    }
+
+    /// Where the rays start: outer pins, or inner pins on sliding carriers as points of the known body.
+    fn starts(&self, special: &[Special]) -> Vec<(BodyId, PointId)> {
+        let mut starts = Vec::new();
+        for cut in special.iter().flat_map(|s| &s.cuts) {
+            if let Some(point) = cut.start() {
+                let entry = (cut.leg.base, point);
+                if !starts.contains(&entry) {
+                    starts.push(entry);
+                }
+            }
+        }
+        starts
+    }
+
+    /// The plan name of a ray's start: `b`, or `c_iB` for the known body's point under C.
+    fn start_name(&self, base: BodyId, point: PointId) -> String {
+        let name = self.mechanism.point_name(point);
+        let body = self.mechanism.body(base);
+        if body.points.contains(&point) {
+            image_name(name)
+        } else {
+            image_name(&coincident_name(name, &body.name))
+        }
+    }
+
+    fn special_point(&mut self, point: &Special) {
+        let names = [0, 1].map(|i| point.cuts[i].name(self.mechanism));
+        let action = Action::SpecialPoint {
+            point: point.name.clone(),
+            cuts: names.clone(),
+            sine: point.crossing.sine(),
+        };
+        let link = &self.mechanism.body(point.link).name;
+        let caption = words::special_point(&point.name, link, &names, &point.place);
+        self.scheme.push(step(action, String::new(), caption));
+        let Some(place) = point.place.finite() else {
+            return;
+        };
+        for cut in &point.cuts {
+            if let Some(end) = measured_end(cut) {
+                let value = (place - self.pose.point(end)).norm();
+                let from = self.mechanism.point_name(end).to_owned();
+                let equation = words::length(&from, &point.name);
+                let caption = words::measure_length(&from, &point.name);
+                let action = Action::MeasureLength {
+                    from,
+                    to: point.name.clone(),
+                    value,
+                };
+                self.scheme.push(step(action, equation, caption));
+            }
+        }
+    }
+
+    /// Lays off the known vector of a start in both plans.
+    fn known_vector(&mut self, base: BodyId, point: PointId) {
+        let name = self.start_name(base, point);
+        let body = *self.motion.body(base);
+        let at = self.pose.point(point);
+        let vectors = [body.velocity_at(at), body.acceleration_at(at)];
+        let role = &self.mechanism.body(base).role;
+        if *role == Role::Ground {
+            return;
+        }
+        let captions = [PlanKind::Velocity, PlanKind::Acceleration]
+            .map(|kind| words::known(self.mechanism, base, point, kind));
+        for ((plan, vector), (equation, caption)) in self.plans().zip(vectors).zip(captions) {
+            let role = PointRole::Known;
+            plan.points.insert(name.clone(), PlanPoint { vector, role });
+            let arrow = Arrow {
+                from: plan.kind.pole().to_owned(),
+                to: name.clone(),
+                part: Part::Whole,
+            };
+            plan.steps
+                .push(step(Action::LayOff(arrow), equation, caption));
+        }
+    }
+
+    fn ray(&self, cut: &CutLine, point: &Special, through: String) -> Step {
+        let image = image_name(&point.name);
+        let (relation, line) = match cut.kind {
+            LegKind::Pins { .. } => (Relation::Perpendicular, cut.name(self.mechanism)),
+            LegKind::PinThenSlider { inner: slider, .. }
+            | LegKind::SliderThenPin { outer: slider, .. } => (
+                Relation::Parallel,
+                format!("guide of {}", self.mechanism.slider_name(slider)),
+            ),
+            LegKind::Sliders => (Relation::Parallel, cut.name(self.mechanism)),
+        };
+        let direction = cut.line.direction().unwrap_or_else(Vector::x);
+        let caption = words::ray(&through, relation, &line, &image);
+        let ray = Ray {
+            through,
+            to: image,
+            direction: crate::geometry::quarter_turn(direction),
+            relation,
+            line,
+        };
+        step(Action::Ray(ray), String::new(), caption)
+    }
+
+    fn velocity_of(&mut self, point: &Special, construct: &Construct, index: usize) {
+        let image = image_name(&point.name);
+        let mut through = Vec::new();
+        for cut in &point.cuts {
+            let Some(start) = cut.start() else { return };
+            let name = self.start_name(cut.leg.base, start);
+            let mut ray = self.ray(cut, point, name.clone());
+            ray.equation = words::relative_velocity(&point.name, self.mechanism.point_name(start));
+            self.velocity.steps.push(ray);
+            through.push(name);
+        }
+        let vector = construct.velocities[index];
+        let role = PointRole::Special;
+        let plan = &mut self.velocity;
+        plan.points
+            .insert(image.clone(), PlanPoint { vector, role });
+        plan.steps.push(cross_step(point, &image, &through));
+        for (name, leg) in through.into_iter().zip(&construct.legs[index]) {
+            plan.steps
+                .push(measure_step(PlanKind::Velocity, name, &image, leg.velocity));
+        }
+    }
+
+    fn acceleration_of(&mut self, point: &Special, construct: &Construct, index: usize) {
+        let image = image_name(&point.name);
+        let mut steps = Vec::new();
+        let mut through = Vec::new();
+        for (cut, leg) in point.cuts.iter().zip(&construct.legs[index]) {
+            let Some(start) = cut.start() else { return };
+            let from = self.start_name(cut.leg.base, start);
+            let normal = normal_name(self.mechanism.point_name(start), &point.name);
+            let (equation, caption) = words::normal(self.mechanism, cut, point, &from, &normal);
+            let arrow = Arrow {
+                from,
+                to: normal.clone(),
+                part: Part::Normal,
+            };
+            steps.push(step(Action::LayOff(arrow), equation, caption));
+            let mut ray = self.ray(cut, point, normal.clone());
+            ray.equation =
+                words::relative_acceleration(&point.name, self.mechanism.point_name(start));
+            steps.push(ray);
+            through.push((
+                normal,
+                leg.acceleration_start + leg.normal,
+                leg.acceleration,
+            ));
+        }
+        let Some(plan) = &mut self.acceleration else {
+            return;
+        };
+        for (name, vector, _) in &through {
+            let role = PointRole::Normal;
+            let vector = *vector;
+            plan.points.insert(name.clone(), PlanPoint { vector, role });
+        }
+        plan.steps.extend(steps);
+        let vector = construct.accelerations[index];
+        let role = PointRole::Special;
+        plan.points
+            .insert(image.clone(), PlanPoint { vector, role });
+        let names: Vec<String> = through.iter().map(|t| t.0.clone()).collect();
+        plan.steps.push(cross_step(point, &image, &names));
+        for (name, _, segment) in through {
+            plan.steps
+                .push(measure_step(PlanKind::Acceleration, name, &image, segment));
+        }
+    }
+
+    /// The four equations and what they give.
+    fn solve(&mut self, group: &Group, special: &[Special], order: Order) {
+        let kind = match order {
+            Order::Velocity => PlanKind::Velocity,
+            Order::Acceleration => PlanKind::Acceleration,
+        };
+        let equations = special
+            .iter()
+            .flat_map(|point| point.cuts.iter().map(move |cut| (point, cut)))
+            .filter_map(|(point, cut)| {
+                let start = cut.start()?;
+                let from = match order {
+                    Order::Velocity => self.start_name(cut.leg.base, start),
+                    Order::Acceleration => {
+                        normal_name(self.mechanism.point_name(start), &point.name)
+                    }
+                };
+                Some(words::leg_equation(
+                    self.mechanism,
+                    self.pose,
+                    cut,
+                    point,
+                    &from,
+                    kind,
+                ))
+            })
+            .collect();
+        let unknowns = self.unknowns(group, order);
+        let caption = words::solve(&unknowns);
+        let action = Action::Solve {
+            equations,
+            unknowns,
+        };
+        let solved = step(action, String::new(), caption);
+        match order {
+            Order::Velocity => self.velocity.steps.push(solved),
+            Order::Acceleration => {
+                if let Some(plan) = &mut self.acceleration {
+                    plan.steps.push(solved);
+                }
+            }
+        }
+    }
+
+    /// Names and values of the rates that the equations give.
+    fn unknowns(&self, group: &Group, order: Order) -> Vec<(String, f64)> {
+        let equations = LoopEquations::new(self.mechanism, group);
+        let second = order == Order::Acceleration;
+        let mut unknowns = Vec::new();
+        for &link in &group.links {
+            if equations.spin_unknown(link).is_some() {
+                let (body, name) = (self.motion.body(link), &self.mechanism.body(link).name);
+                unknowns.push(if second {
+                    (format!("alpha({name})"), body.alpha)
+                } else {
+                    (format!("omega({name})"), body.omega)
+                });
+            }
+        }
+        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
+            if equations.slide_unknown(slider).is_some() {
+                let (slide, name) = (
+                    self.motion.slide(slider),
+                    self.mechanism.slider_name(slider),
+                );
+                unknowns.push(if second {
+                    (format!("a_r({name})"), slide.acceleration)
+                } else {
+                    (format!("v_r({name})"), slide.velocity)
+                });
+            }
+        }
+        unknowns
+    }
+
+    /// Says why there is no construction.
+    fn without_construction(&mut self, special: &[Special]) {
+        let far: Vec<String> = special
+            .iter()
+            .filter(|s| s.place.finite().is_none())
+            .map(|s| written(&s.name))
+            .collect();
+        let caption = words::no_construction(&far);
+        self.warnings.push(words::plain(&caption));
+        for plan in self.plans() {
+            plan.steps
+                .push(step(Action::Note, String::new(), caption.clone()));
+        }
+    }
+}
+
+/// The joint of a leg from which the length to the special point enters an equation.
+fn measured_end(cut: &CutLine) -> Option<PointId> {
+    match cut.kind {
+        LegKind::Pins { inner, .. } | LegKind::SliderThenPin { inner, .. } => Some(inner),
+        LegKind::PinThenSlider { outer, .. } => Some(outer),
+        LegKind::Sliders => None,
+    }
+}
+
+fn cross_step(point: &Special, image: &str, from: &[String]) -> Step {
+    let from = [0, 1].map(|i| from.get(i).cloned().unwrap_or_default());
+    let caption = words::cross(image);
+    let action = Action::Cross {
+        point: image.to_owned(),
+        from,
+        sine: point.crossing.sine(),
+    };
+    step(action, String::new(), caption)
+}
+
+fn measure_step(kind: PlanKind, from: String, to: &str, signed: f64) -> Step {
+    let equation = words::measured(kind, &from, to);
+    let caption = words::measure(&from, to);
+    let action = Action::Measure {
+        from,
+        to: to.to_owned(),
+        value: signed.abs(),
+    };
+    step(action, equation, caption)
+}

@@ -1,0 +1,42 @@
+use super::Pose;
+use crate::geometry::{Point, Vector};
+use crate::mechanism::{Body, Guide, Mechanism, Role};
+
+/// The pose of a drawn configuration: the scene's own coordinates, untouched.
+pub(super) fn drawn_pose(mechanism: &Mechanism) -> Pose {
+    // A scene in this form has been checked to place every point.
+    let places = mechanism.given.iter();
+    let points: Vec<Point> = places.map(|p| p.unwrap_or_else(Point::origin)).collect();
+    let guides: Vec<Vector> = mechanism
+        .sliders
+        .iter()
+        .map(|slider| match slider.guide {
+            Guide::DrawnBetween(a, b) => (points[b.0] - points[a.0]).normalize(),
+            Guide::Drawn(direction) | Guide::Local { direction, .. } => direction,
+        })
+        .collect();
+    let axes = mechanism.bodies.iter().enumerate();
+    let axes = axes.map(|(index, body)| match body.points.as_slice() {
+        _ if is_nameless(body) => None,
+        [a, b, ..] => Some(points[b.0] - points[a.0]),
+        // A link without a second point takes its guide for its axis.
+        _ => {
+            let mut sliders = mechanism.sliders.iter().zip(&guides);
+            let own = sliders.find(|(s, _)| s.on.0 == index || s.link.0 == index);
+            own.map(|(_, direction)| *direction)
+        }
+    });
+    Pose {
+        axes: axes.collect(),
+        slides: vec![None; mechanism.sliders.len()],
+        assemblies: vec![None; mechanism.groups.len()],
+        points,
+        guides,
+        warnings: Vec::new(),
+    }
+}
+
+/// Whether a body is no link of the scene.
+fn is_nameless(body: &Body) -> bool {
+    matches!(body.role, Role::Ground | Role::Carrier { .. })
+}

@@ -1,0 +1,16 @@
+/// Why a mechanism cannot be put together.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum AssemblyError {
+    /// No real assembly mode exists.
+    #[error(
+        "links {links} cannot be assembled{at}: {miss}\n  try: another drive angle, or other lengths"
+    )]
+    NoMode {
+        /// The group's links.
+        links: String,
+        /// The drive angles, in words, as in ` at angle(1) = 150°`.
+        at: String,
+        /// By how much it fails, in words.
+        miss: String,
+    },
+}

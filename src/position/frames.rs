@@ -1,0 +1,135 @@
+use crate::geometry::{Placement, Point, Turn, Vector, quarter_turn, turn_of_degrees};
+use crate::mechanism::{Body, BodyId, Guide, JointId, JointKind, Mechanism, PointId, Role, Slider};
+
+/// Where bodies are: the placement of each body's own frame in the fixed frame, as far as known.
+#[derive(Clone, Debug)]
+pub(super) struct Frames(Vec<Option<Placement>>);
+
+impl Frames {
+    /// The frames of the ground and the drivers.
+    pub(super) fn known(mechanism: &Mechanism) -> Frames {
+        let frame = |body: &Body| match &body.role {
+            Role::Ground => Some(Placement::identity()),
+            Role::Driver { pivot, angle, .. } => {
+                let turn = turn_of_degrees((*angle)?);
+                let at = mechanism.given[pivot.0]?;
+                Some(pinned(turn, body.local_of(*pivot)?, at))
+            }
+            _ => None,
+        };
+        Frames(mechanism.bodies.iter().map(frame).collect())
+    }
+
+    pub(super) fn of(&self, body: BodyId) -> Option<&Placement> {
+        self.0[body.0].as_ref()
+    }
+
+    pub(super) fn set(&mut self, body: BodyId, frame: Placement) {
+        self.0[body.0] = Some(frame);
+    }
+
+    /// Where a body holds one of its points; `None` while the body has no place.
+    pub(super) fn place(
+        &self,
+        mechanism: &Mechanism,
+        body: BodyId,
+        point: PointId,
+    ) -> Option<Point> {
+        let local = mechanism.body(body).local_of(point)?;
+        Some(self.of(body)? * local)
+    }
+}
+
+/// The placement with this turn that brings the local point to a place.
+pub(super) fn pinned(turn: Turn, local: Point, place: Point) -> Placement {
+    Placement::from_parts((place - turn * local).into(), turn)
+}
+
+/// A local point of a body; the origin for a body that gives none.
+pub(super) fn local(mechanism: &Mechanism, body: BodyId, point: PointId) -> Point {
+    let local = mechanism.body(body).local_of(point);
+    local.unwrap_or_else(Point::origin)
+}
+
+/// A guide in the frame of its body; the x axis where it is not local.
+pub(super) fn local_guide(slider: &Slider) -> (Point, Vector) {
+    match slider.guide {
+        Guide::Local { through, direction } => (through, direction),
+        Guide::Drawn(direction) => (Point::origin(), direction),
+        Guide::DrawnBetween(..) => (Point::origin(), Vector::x()),
+    }
+}
+
+/// The sliding link's placement in the frame of the guide's body, at slider position `s`.
+pub(super) fn slid(mechanism: &Mechanism, slider: &Slider, s: f64) -> Placement {
+    let (through, direction) = local_guide(slider);
+    let turn =
+        Turn::from_cos_sin_unchecked(direction.x, direction.y) * turn_of_degrees(slider.turned);
+    let at = local(mechanism, slider.link, slider.at);
+    pinned(turn, at, through + direction * s)
+}
+
+/// The placement of `to` in the frame of `from`, across a prismatic joint at slider position `s`.
+pub(super) fn across(mechanism: &Mechanism, slider: &Slider, from: BodyId, s: f64) -> Placement {
+    let forward = slid(mechanism, slider, s);
+    if slider.on == from {
+        forward
+    } else {
+        forward.inverse()
+    }
+}
+
+/// How body `a` or `b` of a two-body problem is held by the middle body of a leg, in the middle body's frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Hold {
+    /// By a pin: its local point stands at this place.
+    Pin { local: Point, place: Point },
+    /// By a slider: with this placement at slider position zero, free along a direction.
+    Slide { frame: Placement, along: Vector },
+}
+
+impl Hold {
+    /// How `body` is held at `joint` by a middle body, whose other side stands at `other` (a placement of that side's body
+    /// in the middle frame: the identity for a link, the fixed frame's placement of a known body).
+    pub(super) fn new(
+        mechanism: &Mechanism,
+        joint: JointId,
+        body: BodyId,
+        other: &Placement,
+    ) -> Hold {
+        let j = mechanism.joint(joint);
+        let holder = j.other(body);
+        match j.kind {
+            JointKind::Revolute(point) => Hold::Pin {
+                local: local(mechanism, body, point),
+                place: other * local(mechanism, holder, point),
+            },
+            JointKind::Prismatic(id) => {
+                let slider = mechanism.slider(id);
+                let frame = other * across(mechanism, slider, holder, 0.0);
+                let moved = other * across(mechanism, slider, holder, 1.0);
+                // Directions are differences of placements one unit of slide apart: exact enough for a start.
+                let along = (moved.translation.vector - frame.translation.vector).normalize();
+                Hold::Slide { frame, along }
+            }
+        }
+    }
+}
+
+/// The placement (in the middle frame) of a body held by a pin, when a second place of it is known.
+pub(super) fn turned_towards(
+    local_from: Point,
+    local_to: Point,
+    from: Point,
+    to: Point,
+) -> Placement {
+    let (l, w) = (local_to - local_from, to - from);
+    let (cosine, sine) = (l.dot(&w), quarter_turn(l).dot(&w));
+    let size = libm::hypot(cosine, sine);
+    let turn = if size > 0.0 {
+        Turn::from_cos_sin_unchecked(cosine / size, sine / size)
+    } else {
+        Turn::identity()
+    };
+    pinned(turn, local_from, from)
+}

@@ -1,0 +1,16 @@
+//! In: a mechanism. Out: a [`Pose`]: where every point is and how every guide points.
+//! A drawn configuration is taken as it stands; from lengths every real assembly mode is found and the nearest chosen.
+//! No velocity is known here.
+
+mod assemble;
+mod closing;
+mod drawn;
+mod error;
+mod frames;
+mod legs;
+mod pose;
+mod roots;
+
+pub use assemble::pose;
+pub use error::AssemblyError;
+pub use pose::{Assembly, Pose};

@@ -1,0 +1,46 @@
+//! What is wrong with a scene, where, and what to try.
+
+use std::fmt;
+use std::ops::Range;
+
+/// The first thing that is wrong with a scene.
+///
+/// Displayed as `line:column: path: message; hint: what to try`, with the parts that are known.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub struct SceneError {
+    /// Where in the JSON: `links.4.lengths.GD`, `sliders[0].at`; empty for the scene as a whole.
+    pub path: String,
+    /// Where in the text; `None` where the text as a whole is meant.
+    pub place: Option<Place>,
+    /// What is wrong.
+    pub message: String,
+    /// What to try.
+    pub hint: Option<String>,
+}
+
+/// A place in the scene's text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    /// Line, counted from 1.
+    pub line: usize,
+    /// Column in characters, counted from 1.
+    pub column: usize,
+    /// The bytes of the text that are meant.
+    pub span: Range<usize>,
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(place) = &self.place {
+            write!(f, "{}:{}: ", place.line, place.column)?;
+        }
+        if !self.path.is_empty() {
+            write!(f, "{}: ", self.path)?;
+        }
+        f.write_str(&self.message)?;
+        match &self.hint {
+            Some(hint) => write!(f, "; hint: {hint}"),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! What a scene asks of its figure.
+
+use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// What the figure shows, and how large.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// The panels, in order; at least one, none twice.
+    pub panels: Vec<Panel>,
+    /// Scale of the scheme, in units of length per millimetre of paper, positive; `None`: whichever fits.
+    pub mu_l: Option<f64>,
+    /// Scale of the velocity plan, in units of velocity per millimetre of paper, positive; `None`: whichever fits.
+    pub mu_v: Option<f64>,
+    /// Scale of the acceleration plan, in units of acceleration per millimetre of paper, positive; `None`: whichever fits.
+    pub mu_a: Option<f64>,
+    /// The sheet.
+    pub page: Page,
+    /// Text to show for a joint, a link or a plan point, in place of the standard one, by its name.
+    pub labels: IndexMap<String, String>,
+    /// Whether special points are shown.
+    pub special_points: bool,
+    /// Whether construction lines are shown.
+    pub construction: bool,
+}
+
+impl Default for Figure {
+    /// All three panels with everything on them, on A4 landscape, at scales that fit.
+    fn default() -> Self {
+        Figure {
+            panels: vec![Panel::Scheme, Panel::Velocity, Panel::Acceleration],
+            mu_l: None,
+            mu_v: None,
+            mu_a: None,
+            page: Page::default(),
+            labels: IndexMap::new(),
+            special_points: true,
+            construction: true,
+        }
+    }
+}
+
+/// A part of the figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Panel {
+    /// The mechanism itself.
+    Scheme,
+    /// The velocity plan.
+    Velocity,
+    /// The acceleration plan.
+    Acceleration,
+}
+
+/// A sheet of paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Page {
+    /// Its size.
+    pub size: PageSize,
+    /// Whether its longer side lies horizontally.
+    pub landscape: bool,
+}
+
+/// A standard size of paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PageSize {
+    /// 210 mm × 297 mm
+    A4,
+    /// 297 mm × 420 mm
+    A3,
+    /// 8.5 in × 11 in
+    Letter,
+}
+
+impl Default for Page {
+    /// A4 landscape.
+    fn default() -> Self {
+        Page {
+            size: PageSize::A4,
+            landscape: true,
+        }
+    }
+}
+
+impl Page {
+    /// Every way to write a page in a scene file.
+    pub(super) const NAMES: [&str; 9] = [
+        "a4",
+        "a4-landscape",
+        "a4-portrait",
+        "a3",
+        "a3-landscape",
+        "a3-portrait",
+        "letter",
+        "letter-landscape",
+        "letter-portrait",
+    ];
+
+    /// The page of this name, or `None` if there is none; without a suffix it is landscape.
+    pub(super) fn from_name(name: &str) -> Option<Page> {
+        let (size, landscape) = match name.split_once('-') {
+            None => (name, true),
+            Some((size, "landscape")) => (size, true),
+            Some((size, "portrait")) => (size, false),
+            Some(_) => return None,
+        };
+        let size = match size {
+            "a4" => PageSize::A4,
+            "a3" => PageSize::A3,
+            "letter" => PageSize::Letter,
+            _ => return None,
+        };
+        Some(Page { size, landscape })
+    }
+
+    /// Width and height, in millimetres.
+    pub fn size_mm(self) -> [f64; 2] {
+        let [short, long] = match self.size {
+            PageSize::A4 => [210.0, 297.0],
+            PageSize::A3 => [297.0, 420.0],
+            PageSize::Letter => [215.9, 279.4],
+        };
+        if self.landscape {
+            [long, short]
+        } else {
+            [short, long]
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The JSON Schema of the scene file.
+
+use schemars::Schema;
+use schemars::generate::SchemaSettings;
+use schemars::transform::{RecursiveTransform, Transform};
+use serde_json::{Value as Json, json};
+
+use super::file::SceneFile;
+
+/// The JSON Schema (draft 2020-12) of the scene file.
+pub(super) fn schema() -> Json {
+    let mut schema = SchemaSettings::draft2020_12()
+        .into_generator()
+        .into_root_schema_for::<SceneFile>();
+    RecursiveTransform(forbid_null).transform(&mut schema);
+    RecursiveTransform(allow_note).transform(&mut schema);
+    if let Some(properties) = schema.get_mut("properties").and_then(Json::as_object_mut) {
+        let description = "Where an editor finds this schema; ignored";
+        properties.insert(
+            "$schema".into(),
+            json!({ "type": "string", "description": description }),
+        );
+    }
+    schema.insert("title".into(), "Kinegon scene, version 1".into());
+    schema.to_value()
+}
+
+/// A key that may be left out is not `null`: that is refused.
+fn forbid_null(schema: &mut Schema) {
+    let null = |value: &Json| *value == json!("null") || *value == json!({ "type": "null" });
+    let Some(object) = schema.as_object_mut() else {
+        return;
+    };
+    if let Some(types) = object.get_mut("type")
+        && let Some([only, other]) = types.as_array().map(Vec::as_slice)
+        && null(other)
+    {
+        *types = only.clone();
+    }
+    if let Some([only, other]) = object
+        .get("anyOf")
+        .and_then(Json::as_array)
+        .map(Vec::as_slice)
+        && null(other)
+        && let Some(only) = only.as_object().cloned()
+    {
+        object.shift_remove("anyOf");
+        for (key, value) in only {
+            object.entry(key).or_insert(value);
+        }
+    }
+}
+
+/// Lets every object have a `note`.
+fn allow_note(schema: &mut Schema) {
+    if schema.get("type").and_then(Json::as_str) != Some("object") {
+        return;
+    }
+    let properties = schema
+        .ensure_object()
+        .entry("properties")
+        .or_insert_with(|| json!({}));
+    if let Some(properties) = properties.as_object_mut() {
+        properties.insert(
+            "note".into(),
+            json!({ "description": "For people; ignored" }),
+        );
+    }
+}
