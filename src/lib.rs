@@ -1,4 +1,5 @@
 //! Kinegon
+pub mod drawing;
 pub mod format;
 pub mod geometry;
 pub mod mechanism;

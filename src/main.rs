@@ -19,6 +19,12 @@ fn main() {
         let p = pose(&m, &scene.near)?;
         let mo = motion(&m, &p, Order::Acceleration)?;
         let c = construction(&m, &p, &mo);
+        if std::env::args().nth(1).unwrap() == "draw" {
+            let d = kinegon::drawing::figure(&scene, &m, &p, &c);
+            let s = format::svg(&d);
+            std::fs::write("/tmp/fig.png", format::png(&s, 150.0)?)?;
+            return Ok(s);
+        }
         let r = format::result(format::Solved {
             units: scene.units,
             mechanism: &m,

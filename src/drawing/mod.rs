@@ -4,18 +4,27 @@
 //! of marks in drawing order with every text measured and every label placed. The formats write
 //! that list and decide nothing.
 
-// In reading order: the list, the looks of its pens, its texts, where labels go.
+// In reading order: the figure, its layout and panels; then the display list, the looks of its pens, its texts, where labels go.
+mod canvas;
+mod figure;
 mod fonts;
 mod labels;
+mod layout;
+mod legend;
 mod look;
+mod plan_panel;
+mod scheme;
 mod sheet;
 mod text;
+mod view;
 
+pub use figure::{figure, scales};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Look, look};
 pub use sheet::{Drawing, Mark, Pen, Shape, arrow_head};
 pub use text::{PlacedRun, PlacedText, RichText, Run};
+pub use view::{Extent, View, fitting_scale, next_scale};
 
 /// A point of the sheet: millimetres from its upper left corner, y down.
 pub use kurbo::Point;

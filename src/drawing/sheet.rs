@@ -379,8 +379,8 @@ impl Shape {
             | Shape::Arc { center, radius, .. }
             | Shape::ArcArrow { center, radius, .. } => {
                 let nearest = Point::new(
-                    center.x.clamp(area.x0, area.x1),
-                    center.y.clamp(area.y0, area.y1),
+                    center.x.max(area.x0).min(area.x1),
+                    center.y.max(area.y0).min(area.y1),
                 );
                 let farthest = Vec2::new(
                     (center.x - area.x0).abs().max((center.x - area.x1).abs()),
@@ -549,5 +549,35 @@ mod tests {
             drawing.halos()[3..9],
             [true, false, false, true, false, false]
         );
+    }
+
+    #[test]
+    fn numbers_that_are_not_finite_do_no_harm() {
+        let mut drawing = Drawing::new(f64::NAN, -1.0);
+        for wrong in [f64::NAN, f64::INFINITY, -3.0] {
+            let (center, radius) = (Point::new(wrong, 1.0), wrong);
+            drawing.draw(Pen::Joint, Shape::Circle { center, radius });
+            drawing.draw(
+                Pen::Turning,
+                Shape::ArcArrow {
+                    center,
+                    radius,
+                    start: wrong,
+                    sweep: wrong,
+                },
+            );
+            drawing.draw(
+                Pen::Velocity,
+                Shape::Arrow {
+                    from: center,
+                    to: Point::ORIGIN,
+                },
+            );
+            drawing.draw(Pen::Link, Shape::Polygon(vec![]));
+            let text = PlacedText::new(RichText::math("S_3"), wrong, center);
+            drawing.draw(Pen::Label, Shape::Text(text));
+        }
+        assert_eq!(drawing.halos().len(), drawing.marks.len());
+        assert!(!crate::format::svg(&drawing).contains("NaN"));
     }
 }

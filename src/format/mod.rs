@@ -1,3 +1,19 @@
-//! formats
+//! In: what the other stages have decided: results, steps, a [`Drawing`](crate::drawing::Drawing).
+//! Out: the bytes of a file in a form that people or other programs read.
+//! Nothing is decided or computed here; the same input gives the same bytes everywhere.
+
+#[cfg(feature = "png")]
+mod png;
 mod result;
-pub use result::*;
+mod svg;
+
+#[cfg(feature = "png")]
+pub use self::png::{PngError, png};
+pub use self::result::{
+    GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult,
+    Solved, result, result_schema,
+};
+pub use self::svg::svg;
+
+#[cfg(all(test, feature = "png"))]
+pub(crate) use self::png::ink_of_texts;

@@ -41,15 +41,15 @@ pub enum QuantityError {
     NoValue(String, &'static str),
 }
 
-/// The scales of a figure: units of the scene per millimetre of paper.
+/// The scales of a figure: units of the scene per millimetre of paper; none for a panel that it does not have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
     /// Length per mm.
-    pub length: f64,
+    pub length: Option<f64>,
     /// Velocity per mm.
-    pub velocity: f64,
+    pub velocity: Option<f64>,
     /// Acceleration per mm.
-    pub acceleration: f64,
+    pub acceleration: Option<f64>,
 }
 
 /// The value of the quantity of that name, as in `omega(2)`, `a_n(D/G)` or `vplan(b,s3)/mu`.
@@ -135,13 +135,13 @@ impl Looker<'_> {
                 Ok(Vector(if head == "a_n" { normal } else { tangential }))
             }
             "vplan" => {
-                let mu = on_paper.then_some(self.scales.map(|s| s.velocity));
+                let mu = on_paper.then_some(self.scales.and_then(|s| s.velocity));
                 self.segment(&self.construction.velocity, pair(',')?, mu)
             }
             "aplan" => {
                 let plan = self.construction.acceleration.as_ref();
                 let plan = plan.ok_or_else(|| self.none("there is no acceleration plan"))?;
-                let mu = on_paper.then_some(self.scales.map(|s| s.acceleration));
+                let mu = on_paper.then_some(self.scales.and_then(|s| s.acceleration));
                 self.segment(plan, pair(',')?, mu)
             }
             _ => Err(form()),

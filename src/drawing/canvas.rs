@@ -1,0 +1,196 @@
+use super::labels::{LabelRequest, Obstacles, place};
+use super::sheet::{Drawing, Pen, Shape};
+use super::text::RichText;
+use indexmap::IndexMap;
+use kurbo::{Point, Rect, Vec2};
+
+/// Size of labels: mm of one em.
+pub(super) const LABEL: f64 = 4.2;
+/// Size of captions.
+pub(super) const CAPTION: f64 = 3.4;
+
+/// A panel being drawn: what is drawn is remembered as an obstacle, labels are placed when all is drawn.
+pub(super) struct Canvas<'a> {
+    pub drawing: &'a mut Drawing,
+    /// Prefix of the marks' ids, one for each panel.
+    prefix: &'static str,
+    obstacles: Obstacles,
+    requests: Vec<(LabelRequest, String)>,
+    renamed: &'a IndexMap<String, String>,
+}
+
+impl<'a> Canvas<'a> {
+    pub(super) fn new(
+        drawing: &'a mut Drawing,
+        prefix: &'static str,
+        frame: Rect,
+        renamed: &'a IndexMap<String, String>,
+    ) -> Self {
+        Self {
+            drawing,
+            prefix,
+            obstacles: Obstacles {
+                boxes: Vec::new(),
+                lines: Vec::new(),
+                bounds: frame.inset(-1.2),
+            },
+            requests: Vec::new(),
+            renamed,
+        }
+    }
+
+    /// The panel without its border.
+    pub(super) fn bounds(&self) -> Rect {
+        self.obstacles.bounds
+    }
+
+    /// Draws a mark and remembers it as something that labels keep off: joints and arrowheads entirely, lines where they can.
+    pub(super) fn draw(&mut self, pen: Pen, shape: Shape) {
+        self.remember(pen, &shape);
+        self.drawing.draw(pen, shape);
+    }
+
+    /// The same, findable by a name such as `velocity-ray-b-s3`.
+    pub(super) fn draw_named(&mut self, name: &str, pen: Pen, shape: Shape) {
+        self.remember(pen, &shape);
+        let id = format!("{}-{}", self.prefix, ascii(name));
+        self.drawing.draw_named(id, pen, shape);
+    }
+
+    fn remember(&mut self, pen: Pen, shape: &Shape) {
+        match shape {
+            Shape::Circle { .. } => self.obstacles.boxes.push(shape.bounds()),
+            Shape::Text(text) => self.obstacles.boxes.push(text.ink_box()),
+            Shape::Line(a, b) => self.obstacles.lines.push((*a, *b)),
+            Shape::Arrow { from, to } => self.obstacles.lines.push((*from, *to)),
+            Shape::Polygon(points) if pen == Pen::Slider => {
+                self.obstacles.boxes.push(shape.bounds());
+                debug_assert!(points.len() > 2);
+            }
+            Shape::Polygon(points) if !matches!(pen, Pen::LinkFill(_) | Pen::ImageFill) => {
+                self.lines(points);
+                if let (Some(a), Some(b)) = (points.last(), points.first()) {
+                    self.obstacles.lines.push((*a, *b));
+                }
+            }
+            Shape::Polyline(points) => self.lines(points),
+            Shape::Arc {
+                center,
+                radius,
+                start,
+                sweep,
+            }
+            | Shape::ArcArrow {
+                center,
+                radius,
+                start,
+                sweep,
+            } => {
+                let on = |k: u8| {
+                    let angle = start + sweep * f64::from(k) / 8.0;
+                    *center + Vec2::new(libm::cos(angle), libm::sin(angle)) * *radius
+                };
+                self.lines(&(0..=8).map(on).collect::<Vec<_>>());
+            }
+            Shape::Polygon(_) => {}
+        }
+        self.obstacles.boxes.extend(shape.head_box());
+    }
+
+    fn lines(&mut self, points: &[Point]) {
+        let pairs = points.windows(2).map(|p| (p[0], p[1]));
+        self.obstacles.lines.extend(pairs);
+    }
+
+    /// Keeps labels off a box.
+    pub(super) fn keep_off(&mut self, area: Rect) {
+        self.obstacles.boxes.push(area);
+    }
+
+    /// Asks for a label beside `anchor`, at least `clearance` away; `name` is its text unless the scene renames it.
+    pub(super) fn label(
+        &mut self,
+        name: &str,
+        standard: &str,
+        anchor: Point,
+        clearance: f64,
+        prefer: Option<Vec2>,
+        priority: u8,
+    ) {
+        let markup = self.renamed.get(name).map_or(standard, String::as_str);
+        let request = LabelRequest {
+            text: RichText::math(markup),
+            size: LABEL,
+            anchor,
+            clearance,
+            prefer,
+            priority,
+        };
+        self.requests.push((request, name.to_owned()));
+    }
+
+    /// The text that a name is shown by.
+    pub(super) fn shown(&self, name: &str, standard: &str) -> String {
+        let renamed = self.renamed.get(name);
+        renamed.map_or_else(|| standard.to_owned(), Clone::clone)
+    }
+
+    /// Places and draws the labels.
+    pub(super) fn finish(self) {
+        let (requests, names): (Vec<LabelRequest>, Vec<String>) = self.requests.into_iter().unzip();
+        for (label, name) in place(&requests, &self.obstacles).into_iter().zip(names) {
+            if let Some((a, b)) = label.leader {
+                self.drawing.draw(Pen::Leader, Shape::Line(a, b));
+            }
+            let id = format!("{}-label-{}", self.prefix, ascii(&name));
+            self.drawing
+                .draw_named(id, Pen::Label, Shape::Text(label.text));
+        }
+    }
+}
+
+/// A name fit for an XML id: other letters than ASCII ones by their code, so that names stay different.
+fn ascii(name: &str) -> String {
+    let mut id = String::new();
+    for c in name.chars() {
+        match c {
+            'a'..='z' | 'A'..='Z' | '0'..='9' | '-' | '_' => id.push(c),
+            'π' => id.push_str("pi"),
+            '\'' => id.push_str("prime"),
+            ' ' | ',' => id.push('-'),
+            other => id.push_str(&format!("u{:x}", other as u32)),
+        }
+    }
+    id
+}
+
+/// The part of the line through `p` along `d` that lies in `area`, from the first to the last crossing of its border; `None` where
+/// it misses.
+pub(super) fn clipped(area: Rect, p: Point, d: Vec2) -> Option<(Point, Point)> {
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    for (start, step, near, far) in [(p.x, d.x, area.x0, area.x1), (p.y, d.y, area.y0, area.y1)] {
+        if step == 0.0 {
+            if start < near || start > far {
+                return None;
+            }
+        } else {
+            let (a, b) = ((near - start) / step, (far - start) / step);
+            low = low.max(a.min(b));
+            high = high.min(a.max(b));
+        }
+    }
+    (low < high && low.is_finite() && high.is_finite()).then(|| (p + d * low, p + d * high))
+}
+
+/// The part of the segment between two points that lies in `area`.
+pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
+    let d = b - a;
+    let (p, q) = clipped(area, a, d)?;
+    let size = d.hypot2();
+    if size == 0.0 {
+        return None;
+    }
+    let share = |x: Point| ((x - a).dot(d) / size).clamp(0.0, 1.0);
+    let (from, to) = (share(p), share(q));
+    (from < to).then(|| (a + d * from, a + d * to))
+}

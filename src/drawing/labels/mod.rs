@@ -1,0 +1,276 @@
+//! Where labels go: beside what they name, on nothing else.
+//!
+//! Every label has the same kinds of places around its anchor: its ink box touching a circle about
+//! the anchor, in 24 directions and at a few distances. A place is *free* if it is inside the panel
+//! and off every obstacle box; a free place has a *cost* in millimetres for standing away, on the
+//! wrong side, on lines, or nearer to another label's anchor than to its own. Labels with the
+//! fewest free places choose first, then labels move, alone or in pairs, as long as the sum of the
+//! costs falls. Christensen, Marks and Shieber, "An Empirical Study of Algorithms for Point-Feature
+//! Label Placement" (ACM Trans. Graphics 14(3), 1995), compare such searches; this one uses no
+//! chance and visits everything in order, so the same labels always get the same places.
+
+use kurbo::{Point, Rect, Vec2};
+
+mod boxes;
+mod places;
+mod search;
+
+use super::text::{PlacedText, RichText};
+use places::Place;
+use search::Search;
+
+/// A label that wants a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LabelRequest {
+    /// What it says.
+    pub text: RichText,
+    /// Its size: mm of one em.
+    pub size: f64,
+    /// The point that it names.
+    pub anchor: Point,
+    /// How far its ink must stay from the anchor, in mm: the radius of a joint and a gap.
+    pub clearance: f64,
+    /// The direction from the anchor that it likes best, y down; none for wherever there is most
+    /// room.
+    pub prefer: Option<Vec2>,
+    /// Greater goes first where room is short.
+    pub priority: u8,
+}
+
+/// What labels must or should keep off.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Obstacles {
+    /// Joints, arrowheads, boxes: never touched.
+    pub boxes: Vec<Rect>,
+    /// Lines: crossing one costs by the length inside the label's box.
+    pub lines: Vec<(Point, Point)>,
+    /// The panel: no label leaves it.
+    pub bounds: Rect,
+}
+
+/// A label at its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedLabel {
+    /// The text on the sheet.
+    pub text: PlacedText,
+    /// A thin line from near the anchor to near the text, where the text had to stand apart.
+    pub leader: Option<(Point, Point)>,
+    /// Whether the panel holds no free place, so that this label touches something.
+    pub crowded: bool,
+}
+
+/// The places of the labels, in the order of the requests.
+///
+/// No label touches another, an obstacle box or the edge of the panel, unless it says `crowded`:
+/// then the panel has no room for it, and it stands where it hides least. The same input gives the
+/// same places on every platform.
+pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabel> {
+    let mut search = Search::new(requests, obstacles);
+    search.choose_first(requests);
+    search.make_room();
+    search.improve();
+    search.look_everywhere();
+    let found = search
+        .labels
+        .iter()
+        .map(|label| label.chosen.map(|chosen| label.places[chosen]));
+    let found: Vec<Option<Place>> = found.collect();
+    let placed = requests
+        .iter()
+        .zip(found)
+        .enumerate()
+        .map(|(index, (request, found))| {
+            let crowded = found.is_none();
+            let place = found.unwrap_or_else(|| search.least_bad(index));
+            let ink = request.text.ink_box(request.size);
+            let origin = Point::ORIGIN + (place.ink.origin() - ink.origin());
+            let text = PlacedText::new(request.text.clone(), request.size, origin);
+            PlacedLabel {
+                text,
+                leader: place.leader,
+                crowded: crowded && !request.text.is_empty(),
+            }
+        });
+    placed.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::boxes::{gap, touch};
+    use super::*;
+
+    /// Numbers between 0 and 1 from a seed (Steele, Lea and Flood, "Fast Splittable Pseudorandom
+    /// Number Generators", 2014).
+    fn random(seed: &mut u64) -> f64 {
+        *seed = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut mixed = *seed;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn crowd(
+        seed: u64,
+        labels: usize,
+        lines: usize,
+        size: (f64, f64),
+    ) -> (Vec<LabelRequest>, Obstacles) {
+        let mut seed = seed;
+        let bounds = Rect::new(10.0, 10.0, 10.0 + size.0, 10.0 + size.1);
+        let at = |seed: &mut u64| {
+            let (x, y) = (random(seed), random(seed));
+            Point::new(
+                bounds.x0 + 2.0 + (size.0 - 4.0) * x,
+                bounds.y0 + 2.0 + (size.1 - 4.0) * y,
+            )
+        };
+        let names = [
+            "A",
+            "S_3",
+            "n_{s3b}",
+            "v_{CB} ⊥ CB",
+            "a^n_{DG}",
+            "ω_2",
+            "b'",
+        ];
+        let anchors: Vec<Point> = (0..labels).map(|_| at(&mut seed)).collect();
+        let request = |(index, &anchor): (usize, &Point)| LabelRequest {
+            text: RichText::math(names[index % names.len()]),
+            size: 3.5,
+            anchor,
+            clearance: 1.6,
+            prefer: (index % 3 == 0).then_some(Vec2::new(1.0, -0.2)),
+            priority: 0,
+        };
+        let requests = anchors.iter().enumerate().map(request).collect();
+        let boxes = anchors
+            .iter()
+            .map(|&anchor| Rect::from_center_size(anchor, (2.2, 2.2)))
+            .collect();
+        let lines = (0..lines).map(|_| (at(&mut seed), at(&mut seed))).collect();
+        (
+            requests,
+            Obstacles {
+                boxes,
+                lines,
+                bounds,
+            },
+        )
+    }
+
+    fn check(placed: &[PlacedLabel], obstacles: &Obstacles) {
+        for (index, label) in placed.iter().enumerate() {
+            let ink = label.text.ink_box();
+            assert!(!label.crowded, "label {index} found no place");
+            assert_eq!(
+                ink.union(obstacles.bounds),
+                obstacles.bounds,
+                "label {index} leaves the panel"
+            );
+            assert!(
+                !obstacles.boxes.iter().any(|&other| touch(ink, other, 0.0)),
+                "label {index} touches an obstacle"
+            );
+            for (other_index, other) in placed[..index].iter().enumerate() {
+                assert!(
+                    !touch(ink, other.text.ink_box(), 0.0),
+                    "labels {other_index} and {index} touch"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn labels_keep_apart_in_crowds() {
+        for seed in 0..60 {
+            let (requests, obstacles) = crowd(seed, 40, 100, (140.0, 100.0));
+            check(&place(&requests, &obstacles), &obstacles);
+            let (requests, obstacles) = crowd(1000 + seed, 24, 20, (60.0, 50.0));
+            check(&place(&requests, &obstacles), &obstacles);
+        }
+    }
+
+    #[test]
+    fn the_same_labels_get_the_same_places() {
+        let (requests, obstacles) = crowd(7, 40, 100, (140.0, 100.0));
+        assert_eq!(place(&requests, &obstacles), place(&requests, &obstacles));
+    }
+
+    #[test]
+    fn a_lone_label_stands_where_it_likes() {
+        let obstacles = Obstacles {
+            boxes: vec![],
+            lines: vec![],
+            bounds: Rect::new(0.0, 0.0, 100.0, 100.0),
+        };
+        for (x, y) in [
+            (1.0, 0.0),
+            (-1.0, 0.0),
+            (0.0, 1.0),
+            (0.0, -1.0),
+            (1.0, 1.0),
+            (-1.0, -1.0),
+        ] {
+            let wish = Vec2::new(x, y);
+            let anchor = Point::new(50.0, 50.0);
+            let request = LabelRequest {
+                text: RichText::math("S_3"),
+                size: 4.0,
+                anchor,
+                clearance: 1.5,
+                prefer: Some(wish),
+                priority: 0,
+            };
+            let placed = place(&[request], &obstacles);
+            let away = placed[0].text.ink_box().center() - anchor;
+            assert!(
+                away.dot(wish) > 0.7 * away.hypot2().sqrt() * wish.hypot2().sqrt(),
+                "{away:?} for {wish:?}"
+            );
+            assert!((gap(placed[0].text.ink_box(), anchor) - 1.5).abs() < 1e-9);
+            assert_eq!(placed[0].leader, None);
+        }
+    }
+
+    #[test]
+    fn a_label_without_room_beside_its_point_gets_a_leader() {
+        let anchor = Point::new(50.0, 50.0);
+        let boxes = vec![Rect::from_center_size(anchor, (14.0, 14.0))];
+        let obstacles = Obstacles {
+            boxes,
+            lines: vec![],
+            bounds: Rect::new(0.0, 0.0, 100.0, 100.0),
+        };
+        let request = LabelRequest {
+            text: RichText::math("S_3"),
+            size: 4.0,
+            anchor,
+            clearance: 1.5,
+            prefer: None,
+            priority: 0,
+        };
+        let placed = place(&[request], &obstacles);
+        check(&placed, &obstacles);
+        assert!(placed[0].leader.is_some());
+    }
+
+    #[test]
+    fn a_panel_without_room_says_so() {
+        let obstacles = Obstacles {
+            boxes: vec![],
+            lines: vec![],
+            bounds: Rect::new(0.0, 0.0, 4.0, 4.0),
+        };
+        let request = |x| LabelRequest {
+            text: RichText::math("v_{CB} ⊥ CB"),
+            size: 4.0,
+            anchor: Point::new(x, 2.0),
+            clearance: 1.0,
+            prefer: None,
+            priority: 0,
+        };
+        let placed = place(&[request(1.0), request(f64::NAN)], &obstacles);
+        assert!(placed.iter().all(|label| label.crowded));
+        assert!(place(&[], &obstacles).is_empty());
+    }
+}

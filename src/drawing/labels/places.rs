@@ -1,0 +1,224 @@
+//! The places that a label could take and what each costs by itself.
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::LabelRequest;
+use super::boxes::{Clipped, cross, touch, unit};
+
+/// Distances beyond the clearance, in mm, at which a label still clearly belongs to its anchor.
+pub(super) const NEAR: [f64; 4] = [0.0, 0.6, 1.3, 2.2];
+/// Distances that need a leader; tried only where nothing near is free.
+pub(super) const FAR: [f64; 6] = [3.5, 5.0, 7.0, 9.5, 12.5, 16.0];
+/// Least white between the ink of two labels, in mm.
+pub(super) const LABEL_GAP: f64 = 0.4;
+/// Least white between a label's ink and an obstacle box, in mm.
+pub(super) const OBSTACLE_GAP: f64 = 0.1;
+/// White around a label's ink that a line should not enter, in mm.
+pub(super) const LINE_GAP: f64 = 0.3;
+/// White between a leader and the ink it leads to, in mm.
+pub(super) const LEADER_GAP: f64 = 0.4;
+
+// Costs, in mm of distance from the anchor; what lies near a place is counted by the search.
+/// Of standing at a right angle to the preferred direction; opposite costs twice that.
+const DEVIATION: f64 = 1.2;
+/// The same for labels without a preference: a slight liking for the upper right, where readers
+/// look first.
+const HABIT: f64 = 0.25;
+/// Where such labels like to stand.
+const HABITUAL: Vec2 = Vec2::new(0.6, -0.8);
+/// Of having a leader at all.
+const LEADER: f64 = 3.0;
+/// A direction in which a box stands beside a point.
+pub(super) struct Side {
+    /// Which point of the box faces the point, in half sizes from the box's centre, turned round.
+    align: Vec2,
+    /// The unit vector along which the box is moved off.
+    shift: Vec2,
+    /// The unit vector in which a reader sees the box, as if it were a square: a box as wide as a
+    /// word is "to the upper right" long before its centre is.
+    pub(super) toward: Vec2,
+}
+
+/// Beside a side of the box, at its middle or a quarter of its length from a corner.
+pub(super) const fn beside(align: (f64, f64), shift: (f64, f64)) -> Side {
+    // A quarter off the middle is seen at atan(1/2).
+    const MAIN: f64 = 0.894_427_190_999_915_9;
+    let straight = align.0 == shift.0 && align.1 == shift.1;
+    let scale = if straight { 1.0 } else { MAIN };
+    let toward = Vec2::new(align.0 * scale, align.1 * scale);
+    Side {
+        align: Vec2::new(align.0, align.1),
+        shift: Vec2::new(shift.0, shift.1),
+        toward,
+    }
+}
+
+/// Off a corner of the box.
+pub(super) const fn corner(align: (f64, f64), shift: (f64, f64)) -> Side {
+    let shift = Vec2::new(shift.0, shift.1);
+    Side {
+        align: Vec2::new(align.0, align.1),
+        shift,
+        toward: shift,
+    }
+}
+
+pub(super) const HALF_ROOT_2: f64 = std::f64::consts::FRAC_1_SQRT_2;
+pub(super) const HALF_ROOT_3: f64 = 0.866_025_403_784_438_6;
+
+/// Three places along each side of the box and three about each corner; beside a side the box is
+/// moved off square to it, so its distance from the point is the same in all.
+pub(super) static SIDES: [Side; 24] = [
+    beside((1.0, 0.0), (1.0, 0.0)),
+    beside((1.0, -0.5), (1.0, 0.0)),
+    beside((1.0, 0.5), (1.0, 0.0)),
+    beside((-1.0, 0.0), (-1.0, 0.0)),
+    beside((-1.0, -0.5), (-1.0, 0.0)),
+    beside((-1.0, 0.5), (-1.0, 0.0)),
+    beside((0.0, -1.0), (0.0, -1.0)),
+    beside((0.5, -1.0), (0.0, -1.0)),
+    beside((-0.5, -1.0), (0.0, -1.0)),
+    beside((0.0, 1.0), (0.0, 1.0)),
+    beside((0.5, 1.0), (0.0, 1.0)),
+    beside((-0.5, 1.0), (0.0, 1.0)),
+    corner((1.0, -1.0), (HALF_ROOT_3, -0.5)),
+    corner((1.0, -1.0), (HALF_ROOT_2, -HALF_ROOT_2)),
+    corner((1.0, -1.0), (0.5, -HALF_ROOT_3)),
+    corner((1.0, 1.0), (HALF_ROOT_3, 0.5)),
+    corner((1.0, 1.0), (HALF_ROOT_2, HALF_ROOT_2)),
+    corner((1.0, 1.0), (0.5, HALF_ROOT_3)),
+    corner((-1.0, -1.0), (-HALF_ROOT_3, -0.5)),
+    corner((-1.0, -1.0), (-HALF_ROOT_2, -HALF_ROOT_2)),
+    corner((-1.0, -1.0), (-0.5, -HALF_ROOT_3)),
+    corner((-1.0, 1.0), (-HALF_ROOT_3, 0.5)),
+    corner((-1.0, 1.0), (-HALF_ROOT_2, HALF_ROOT_2)),
+    corner((-1.0, 1.0), (-0.5, HALF_ROOT_3)),
+];
+
+/// A place that a label could take.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub(super) ink: Rect,
+    /// What the place costs at least: at first for distance and direction, in the end for all. Most
+    /// places are ruled out before.
+    pub(super) least: f64,
+    /// Whether `least` is the whole cost.
+    pub(super) known: bool,
+    pub(super) leader: Option<(Point, Point)>,
+}
+
+/// A label in search of a place.
+pub(super) struct Label {
+    pub(super) anchor: Point,
+    pub(super) clearance: f64,
+    /// The ink box of the text set at the origin.
+    pub(super) ink: Rect,
+    pub(super) prefer: Option<Vec2>,
+    /// Its free places and the one it has.
+    pub(super) places: Vec<Place>,
+    pub(super) chosen: Option<usize>,
+    /// Everything that any of its places could touch.
+    pub(super) lines: Vec<Clipped>,
+    pub(super) anchors: Vec<Point>,
+    pub(super) neighbours: Vec<usize>,
+    pub(super) reach: Rect,
+    pub(super) has_far: bool,
+}
+
+impl Label {
+    pub(super) fn new(request: &LabelRequest) -> Self {
+        let mut label = Self {
+            anchor: request.anchor,
+            clearance: request.clearance.max(0.0),
+            ink: request.text.ink_box(request.size),
+            prefer: request.prefer.and_then(unit),
+            places: Vec::new(),
+            chosen: None,
+            lines: Vec::new(),
+            anchors: Vec::new(),
+            neighbours: Vec::new(),
+            reach: Rect::ZERO,
+            has_far: false,
+        };
+        label.reach = label.reach_at(NEAR[NEAR.len() - 1]);
+        label
+    }
+
+    pub(super) fn is_blank(&self) -> bool {
+        self.ink.width() <= 0.0
+    }
+
+    /// The box around all places up to a distance.
+    pub(super) fn reach_at(&self, distance: f64) -> Rect {
+        let most = self.clearance + distance;
+        Rect::from_center_size(
+            self.anchor,
+            (
+                2.0 * (most + self.ink.width()),
+                2.0 * (most + self.ink.height()),
+            ),
+        )
+    }
+
+    /// The ink box beside the anchor at a distance.
+    pub(super) fn ink_beside(&self, side: &Side, distance: f64) -> Rect {
+        let (width, height) = (self.ink.width(), self.ink.height());
+        let center = self.anchor
+            + side.shift * distance
+            + Vec2::new(side.align.x * 0.5 * width, side.align.y * 0.5 * height);
+        Rect::from_center_size(center, (width, height))
+    }
+
+    /// What it costs to stand in each direction.
+    pub(super) fn dislikes(&self) -> [f64; SIDES.len()] {
+        let (wanted, weight) = self
+            .prefer
+            .map_or((HABITUAL, HABIT), |prefer| (prefer, DEVIATION));
+        std::array::from_fn(|side| weight * (1.0 - SIDES[side].toward.dot(wanted)))
+    }
+
+    /// A place for the ink, `distance` beyond the clearance and in a direction of that cost.
+    #[inline]
+    pub(super) fn place_at(&self, ink: Rect, distance: f64, dislike: f64) -> Place {
+        let leader = if distance < FAR[0] {
+            None
+        } else {
+            self.leader_to(ink)
+        };
+        let apart = if leader.is_some() { LEADER } else { 0.0 };
+        Place {
+            ink,
+            least: distance + dislike + apart,
+            known: false,
+            leader,
+        }
+    }
+
+    /// The line from the edge of the anchor's clearance to just before the ink.
+    pub(super) fn leader_to(&self, ink: Rect) -> Option<(Point, Point)> {
+        let foot = Point::new(
+            self.anchor.x.max(ink.x0).min(ink.x1),
+            self.anchor.y.max(ink.y0).min(ink.y1),
+        );
+        let direction = unit(foot - self.anchor)?;
+        Some((
+            self.anchor + direction * self.clearance,
+            foot - direction * LEADER_GAP,
+        ))
+    }
+}
+
+impl Place {
+    /// Whether two labels cannot have these places at once.
+    pub(super) fn conflicts(&self, other: &Self) -> bool {
+        let strikes = |leader: Option<(Point, Point)>, ink: Rect| {
+            leader.is_some_and(|leader| {
+                Clipped::new(leader).share_inside(ink.inflate(LINE_GAP, LINE_GAP)) > 0.0
+            })
+        };
+        touch(self.ink, other.ink, LABEL_GAP)
+            || strikes(self.leader, other.ink)
+            || strikes(other.leader, self.ink)
+            || matches!((self.leader, other.leader), (Some(one), Some(two)) if cross(one, two))
+    }
+}

@@ -1,0 +1,115 @@
+use super::canvas::CAPTION;
+use super::layout::Placed;
+use super::sheet::{Drawing, Pen, Shape};
+use super::text::{PlacedText, RichText};
+use crate::plan::Construction;
+use crate::scene::{Panel, Units};
+use kurbo::{Point, Rect};
+
+/// The box with the scales, each with a bar of a round value, and how the two routes agree.
+pub(super) fn draw(
+    drawing: &mut Drawing,
+    area: Rect,
+    units: Units,
+    panels: &[Placed],
+    construction: &Construction,
+) {
+    drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
+    let column = area.width() / 3.0;
+    let (length, time) = (units.length.as_str(), units.time.as_str());
+    for (index, placed) in panels.iter().enumerate() {
+        let (name, unit) = match placed.panel {
+            Panel::Scheme => ("μ_l", length.to_owned()),
+            Panel::Velocity => ("μ_v", format!("{length}/{time}")),
+            Panel::Acceleration => ("μ_a", format!("{length}/{time}²")),
+        };
+        let x = area.x0 + 4.0 + column * index as f64;
+        let per_mm = if unit.contains('/') {
+            format!("({unit})/mm")
+        } else {
+            format!("{unit}/mm")
+        };
+        let baseline = area.y0 + 5.6;
+        let symbol = PlacedText::new(
+            RichText::math(name),
+            CAPTION * 1.15,
+            Point::new(x, baseline),
+        );
+        let after = x + symbol.text.width(symbol.size) + 1.2;
+        drawing.draw(Pen::Caption, Shape::Text(symbol));
+        let value = format!("= {} {per_mm}", short(placed.mu));
+        let value = PlacedText::new(
+            RichText::plain(&value),
+            CAPTION,
+            Point::new(after, baseline),
+        );
+        let bar_from = after + value.text.width(CAPTION) + 4.0;
+        drawing.draw(Pen::Caption, Shape::Text(value));
+        // A bar of ten millimetres of paper.
+        let y = baseline - 1.0;
+        let (a, b) = (Point::new(bar_from, y), Point::new(bar_from + 10.0, y));
+        drawing.draw(Pen::Ground, Shape::Line(a, b));
+        for end in [a, b] {
+            let tick = Shape::Line(Point::new(end.x, y - 0.9), Point::new(end.x, y + 0.9));
+            drawing.draw(Pen::Ground, tick);
+        }
+        let bar = format!("{} {unit}", short(10.0 * placed.mu));
+        let bar = PlacedText::new(
+            RichText::plain(&bar),
+            0.9 * CAPTION,
+            Point::new(b.x + 1.4, baseline),
+        );
+        drawing.draw(Pen::Caption, Shape::Text(bar));
+    }
+    let text = PlacedText::new(
+        RichText::plain(&agreement(construction)),
+        0.95 * CAPTION,
+        Point::new(area.x0 + 4.0, area.y0 + 12.6),
+    );
+    drawing.draw(Pen::Caption, Shape::Text(text));
+}
+
+/// How the construction and the loop equations agree, in words.
+fn agreement(construction: &Construction) -> String {
+    let known = construction.agreement.iter().flatten();
+    let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
+    match worst {
+        Some(worst) if construction.agreement.iter().all(Option::is_some) => format!(
+            "Construction and loop equations agree: rates differ by {} of the largest (crossings allow {}). Printed at 100 %, mm × μ is the value.",
+            power(worst.difference),
+            power(worst.allowed)
+        ),
+        _ => "A special point lies at infinity: rates are from the loop equations alone. Printed at 100 %, mm × μ is the value.".to_owned(),
+    }
+}
+
+/// A small number as a digit and a power of ten, rounded up.
+fn power(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let mut exponent = libm::floor(libm::log10(x)) as i32;
+    let mut digit = (x / libm::pow(10.0, f64::from(exponent))).ceil();
+    if digit >= 10.0 {
+        (digit, exponent) = (1.0, exponent + 1);
+    }
+    format!("{digit}·10^{{{}}}", exponent.to_string().replace('-', "−"))
+}
+
+/// A scale value without superfluous digits.
+fn short(x: f64) -> String {
+    if x != 0.0 && !(1e-4..1e6).contains(&x.abs()) {
+        return format!("{x:e}");
+    }
+    let text = format!("{x:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+pub(super) fn corners(r: Rect) -> Vec<Point> {
+    vec![
+        Point::new(r.x0, r.y0),
+        Point::new(r.x1, r.y0),
+        Point::new(r.x1, r.y1),
+        Point::new(r.x0, r.y1),
+    ]
+}

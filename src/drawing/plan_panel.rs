@@ -1,0 +1,155 @@
+use super::canvas::{Canvas, clipped_segment};
+use super::sheet::{Pen, Shape};
+use super::view::{Extent, View, on_sheet};
+use crate::geometry;
+use crate::mechanism::Mechanism;
+use crate::plan::{Part, Plan, PlanKind, PointRole, coincident_name, display, image_name};
+use crate::scene::Figure;
+use kurbo::{Point, Vec2};
+
+/// Plan points closer than this on paper (mm) share one label.
+const SHARED: f64 = 0.35;
+/// How far a ray runs beyond the crossing, in mm.
+const BEYOND: f64 = 5.0;
+
+/// What must find room: all points of the plan.
+pub(super) fn extent(plan: &Plan) -> Extent {
+    Extent::of(plan.points.values().map(|p| p.vector.into()))
+}
+
+/// Draws a plan from its steps.
+pub(super) fn draw(
+    canvas: &mut Canvas<'_>,
+    view: &View,
+    figure: &Figure,
+    mechanism: &Mechanism,
+    plan: &Plan,
+) {
+    let at = |name: &str| {
+        let point = plan.points.get(name);
+        point.map(|p| view.at(p.vector.into()))
+    };
+    let hidden = |name: &str| {
+        let role = plan.points.get(name).map(|p| p.role);
+        let special = matches!(role, Some(PointRole::Special | PointRole::Normal));
+        special && !figure.special_points
+    };
+    image_areas(canvas, view, mechanism, plan);
+    if figure.construction && figure.special_points {
+        for ray in plan.rays() {
+            let (Some(from), Some(to)) = (at(&ray.through), at(&ray.to)) else {
+                continue;
+            };
+            let along = on_sheet(ray.direction);
+            let along = if (to - from).dot(along) < 0.0 {
+                -along
+            } else {
+                along
+            };
+            let ends = (from - along * (0.5 * BEYOND), to + along * BEYOND);
+            if let Some((a, b)) = clipped_segment(canvas.bounds(), ends.0, ends.1) {
+                let name = format!("ray-{}-{}", ray.through, ray.to);
+                canvas.draw_named(&name, Pen::Ray, Shape::Line(a, b));
+            }
+        }
+    }
+    let whole = match plan.kind {
+        PlanKind::Velocity => Pen::Velocity,
+        PlanKind::Acceleration => Pen::Acceleration,
+    };
+    let pole = plan.kind.pole();
+    for (name, point) in &plan.points {
+        if point.role == PointRole::Special && !hidden(name) {
+            arrow(canvas, at(pole), at(name), whole, &format!("{pole}-{name}"));
+        }
+    }
+    for laid in plan.arrows() {
+        if hidden(&laid.to) {
+            continue;
+        }
+        let pen = match laid.part {
+            Part::Whole => whole,
+            Part::Normal => Pen::Normal,
+            Part::Relative => Pen::Image,
+            Part::Sliding => Pen::Vector,
+        };
+        let name = format!("{}-{}", laid.from, laid.to);
+        arrow(canvas, at(&laid.from), at(&laid.to), pen, &name);
+    }
+    points(canvas, view, plan, &hidden);
+}
+
+fn arrow(canvas: &mut Canvas<'_>, from: Option<Point>, to: Option<Point>, pen: Pen, name: &str) {
+    if let (Some(from), Some(to)) = (from, to)
+        && (to - from).hypot() > 1e-3
+    {
+        canvas.draw_named(&format!("vector-{name}"), pen, Shape::Arrow { from, to });
+    }
+}
+
+/// The images of links: the link turned and scaled.
+fn image_areas(canvas: &mut Canvas<'_>, view: &View, mechanism: &Mechanism, plan: &Plan) {
+    for (_, body) in mechanism.links() {
+        let own = body
+            .points
+            .iter()
+            .map(|&p| mechanism.point_name(p).to_owned());
+        let under = mechanism
+            .sliders
+            .iter()
+            .filter(|s| mechanism.body(s.on).name == body.name);
+        let under = under.map(|s| coincident_name(mechanism.point_name(s.at), &body.name));
+        let corners: Vec<Point> = own
+            .chain(under)
+            .filter_map(|name| plan.points.get(&image_name(&name)))
+            .map(|p| view.at(p.vector.into()))
+            .collect();
+        match corners.as_slice() {
+            [] | [_] => {}
+            [a, b] => canvas.draw(Pen::Image, Shape::Line(*a, *b)),
+            [_, _, _] => {
+                canvas.draw(Pen::ImageFill, Shape::Polygon(corners.clone()));
+                canvas.draw(Pen::Image, Shape::Polygon(corners));
+            }
+            _ => canvas.draw(Pen::ImageFill, Shape::Polygon(corners)),
+        }
+    }
+}
+
+/// Dots and names of the plan points; points in one place share a label.
+fn points(canvas: &mut Canvas<'_>, view: &View, plan: &Plan, hidden: &dyn Fn(&str) -> bool) {
+    let middle = view.at(nalgebra::center(&extent(plan).low, &extent(plan).high));
+    let mut places: Vec<(Point, Vec<&str>, PointRole)> = Vec::new();
+    for (name, point) in &plan.points {
+        if hidden(name) {
+            continue;
+        }
+        let place = view.at(geometry::Point::from(point.vector));
+        let shared = places
+            .iter_mut()
+            .find(|(p, ..)| (*p - place).hypot() < SHARED);
+        match shared {
+            Some((_, names, _)) => names.push(name),
+            None => places.push((place, vec![name], point.role)),
+        }
+    }
+    for (place, names, role) in places {
+        let (pen, radius) = match role {
+            PointRole::Pole => (Pen::Pole, 0.9),
+            PointRole::Special => (Pen::Special, 0.8),
+            _ => (Pen::ImagePoint, 0.45),
+        };
+        let center = place;
+        let id = format!("point-{}", names[0]);
+        canvas.draw_named(&id, pen, Shape::Circle { center, radius });
+        let shown: Vec<String> = names
+            .iter()
+            .map(|name| canvas.shown(name, &display(name)))
+            .collect();
+        let away = place - middle;
+        let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
+        // The renamed names are joined already; the joint label goes by the first one's id.
+        let joined = format!("{} ", names[0]);
+        canvas.label(&joined, &shown.join(", "), place, radius + 0.6, prefer, 2);
+    }
+}

@@ -1,0 +1,122 @@
+use crate::geometry;
+use kurbo::{Point, Rect, Vec2};
+
+/// Where a panel's content lies in its own units, x right, y up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// Lower left corner.
+    pub low: geometry::Point,
+    /// Upper right corner.
+    pub high: geometry::Point,
+}
+
+impl Extent {
+    /// The extent of some points; a lone place at the origin for none.
+    #[must_use]
+    pub fn of(points: impl IntoIterator<Item = geometry::Point>) -> Extent {
+        let mut extent: Option<Extent> = None;
+        for p in points {
+            let e = extent.get_or_insert(Extent { low: p, high: p });
+            e.low = e.low.inf(&p);
+            e.high = e.high.sup(&p);
+        }
+        extent.unwrap_or(Extent {
+            low: geometry::Point::origin(),
+            high: geometry::Point::origin(),
+        })
+    }
+
+    /// Width and height.
+    #[must_use]
+    pub fn size(&self) -> geometry::Vector {
+        self.high - self.low
+    }
+}
+
+/// The bridge from mechanism or plan (own units, y up) to the sheet (mm, y down): a scale and a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    mu: f64,
+    origin: geometry::Point,
+    centre: Point,
+}
+
+impl View {
+    /// Shows the middle of `extent` in the middle of `area`, at `mu` units per millimetre.
+    #[must_use]
+    pub fn new(mu: f64, extent: &Extent, area: Rect) -> View {
+        View {
+            mu,
+            origin: nalgebra::center(&extent.low, &extent.high),
+            centre: area.center(),
+        }
+    }
+
+    /// Where a place comes to lie on the sheet.
+    #[must_use]
+    pub fn at(&self, p: geometry::Point) -> Point {
+        self.centre + self.along(p - self.origin)
+    }
+
+    /// A difference of places on the sheet.
+    #[must_use]
+    pub fn along(&self, v: geometry::Vector) -> Vec2 {
+        Vec2::new(v.x / self.mu, -v.y / self.mu)
+    }
+}
+
+/// A direction of the mechanism on the sheet: y turned down, length kept.
+#[must_use]
+pub fn on_sheet(direction: geometry::Vector) -> Vec2 {
+    Vec2::new(direction.x, -direction.y)
+}
+
+/// The smallest scale of the series 1, 2, 2.5, 5 × 10^k (units per mm) at which `extent` fits into `area`.
+#[must_use]
+pub fn fitting_scale(extent: &Extent, area: Rect) -> f64 {
+    let size = extent.size();
+    let least = (size.x / area.width()).max(size.y / area.height());
+    if least > 0.0 && least.is_finite() {
+        next_scale(least)
+    } else {
+        1.0
+    }
+}
+
+/// The smallest scale of the series 1, 2, 2.5, 5 × 10^k that is not below `least`, which must be positive.
+#[must_use]
+pub fn next_scale(least: f64) -> f64 {
+    let decade = libm::floor(libm::log10(least)) as i32;
+    for exponent in [decade - 1, decade, decade + 1] {
+        for step in [1.0, 2.0, 2.5, 5.0] {
+            // Division by a whole power of ten keeps 0.25 and the like exact to the last digit.
+            let scale = if exponent < 0 {
+                step / libm::pow(10.0, f64::from(-exponent))
+            } else {
+                step * libm::pow(10.0, f64::from(exponent))
+            };
+            if scale >= least {
+                return scale;
+            }
+        }
+    }
+    least
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scale(size: f64, paper: f64) -> f64 {
+        let extent = Extent::of([geometry::Point::origin(), geometry::Point::new(size, 0.0)]);
+        fitting_scale(&extent, Rect::new(0.0, 0.0, paper, paper))
+    }
+
+    #[test]
+    fn scales_are_round() {
+        assert_eq!(scale(100.0, 100.0), 1.0);
+        assert_eq!(scale(101.0, 100.0), 2.0);
+        assert_eq!(scale(2.3, 100.0), 0.025);
+        assert_eq!(scale(3e7, 100.0), 5e5);
+    }
+}

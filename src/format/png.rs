@@ -1,0 +1,231 @@
+use std::sync::{Arc, OnceLock};
+
+use resvg::tiny_skia::{Color, Pixmap, Transform};
+use resvg::usvg::fontdb::{Database, Source};
+use resvg::usvg::{Options, Tree};
+
+use crate::drawing::{ITALIC, REGULAR};
+
+/// Most pixels on a side; more is a slip of the pen in the resolution.
+const MOST_PIXELS: f64 = 20_000.0;
+/// Most pixels in all: four bytes of memory each.
+const MOST_AREA: f64 = 2e8;
+/// Millimetres in an inch.
+const INCH: f64 = 25.4;
+/// Pixels per inch in SVG and CSS.
+const CSS_DPI: f64 = 96.0;
+
+/// Why a picture could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum PngError {
+    /// The picture would be too large.
+    #[error(
+        "the picture would have {width} x {height} pixels; a side may have {MOST_PIXELS} and the whole {MOST_AREA}: take fewer dots per inch"
+    )]
+    TooLarge {
+        /// Pixels across.
+        width: f64,
+        /// Pixels down.
+        height: f64,
+    },
+    /// The dots per inch are not a positive number.
+    #[error(
+        "{dpi} dots per inch: must be greater than 0, for instance 150 for a screen and 300 for paper"
+    )]
+    Resolution {
+        /// What was asked for.
+        dpi: f64,
+    },
+    /// The SVG could not be read.
+    #[error("the drawing cannot be read as SVG: {0}")]
+    Svg(#[from] resvg::usvg::Error),
+    /// The pixels could not be encoded.
+    #[error("the pixels cannot be encoded: {0}")]
+    Encoding(#[from] ::png::EncodingError),
+}
+
+/// The bytes of a PNG file: the SVG on white at `dpi` dots per inch, 24-bit colour, its resolution
+/// written in.
+///
+/// Text is drawn with the bundled font alone, so that the picture is the same on every machine.
+pub fn png(svg: &str, dpi: f64) -> Result<Vec<u8>, PngError> {
+    if !(dpi > 0.0 && dpi.is_finite()) {
+        return Err(PngError::Resolution { dpi });
+    }
+    let tree = Tree::from_str(svg, &options())?;
+    let scale = dpi / CSS_DPI;
+    let pixels = |size: f32| (f64::from(size) * scale).round().max(1.0);
+    let (width, height) = (pixels(tree.size().width()), pixels(tree.size().height()));
+    let too_large = PngError::TooLarge { width, height };
+    if width > MOST_PIXELS || height > MOST_PIXELS || width * height > MOST_AREA {
+        return Err(too_large);
+    }
+    // Both fit: they are at most 20 000.
+    let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or(too_large)?;
+    pixmap.fill(Color::WHITE);
+    let (across, down) = (
+        width as f32 / tree.size().width(),
+        height as f32 / tree.size().height(),
+    );
+    resvg::render(
+        &tree,
+        Transform::from_scale(across, down),
+        &mut pixmap.as_mut(),
+    );
+    encode(&pixmap, dpi)
+}
+
+/// The reader's options: the bundled font for every family.
+fn options() -> Options<'static> {
+    static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
+    let fonts = FONTS.get_or_init(|| {
+        let mut fonts = Database::new();
+        for face in [REGULAR, ITALIC] {
+            fonts.load_font_source(Source::Binary(Arc::new(face)));
+        }
+        fonts.set_serif_family(FAMILY);
+        Arc::new(fonts)
+    });
+    Options {
+        fontdb: Arc::clone(fonts),
+        font_family: FAMILY.into(),
+        ..Options::default()
+    }
+}
+
+const FAMILY: &str = "Libertinus Serif";
+
+/// The pixels as a PNG file.
+fn encode(pixmap: &Pixmap, dpi: f64) -> Result<Vec<u8>, PngError> {
+    // On a white ground every pixel is opaque: alpha says nothing, and a quarter of the bytes is
+    // saved.
+    let mut colours = vec![0; pixmap.data().len() / 4 * 3];
+    for (colour, pixel) in colours
+        .chunks_exact_mut(3)
+        .zip(pixmap.data().chunks_exact(4))
+    {
+        colour.copy_from_slice(&pixel[..3]);
+    }
+    let mut file = Vec::with_capacity(colours.len() / 16);
+    let mut encoder = ::png::Encoder::new(&mut file, pixmap.width(), pixmap.height());
+    encoder.set_color(::png::ColorType::Rgb);
+    encoder.set_depth(::png::BitDepth::Eight);
+    encoder.set_compression(::png::Compression::Fast);
+    encoder.set_filter(::png::Filter::Up);
+    let per_metre = (dpi * 1000.0 / INCH).round() as u32;
+    encoder.set_pixel_dims(Some(::png::PixelDimensions {
+        xppu: per_metre,
+        yppu: per_metre,
+        unit: ::png::Unit::Meter,
+    }));
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&colours)?;
+    writer.finish()?;
+    Ok(file)
+}
+
+/// The box around the ink of all texts of an SVG file, in mm of its sheet: left, top, right,
+/// bottom.
+#[cfg(test)]
+pub(crate) fn ink_of_texts(svg: &str) -> [f64; 4] {
+    use resvg::usvg::{Group, Node};
+    fn gather(group: &Group, ink: &mut [f64; 4]) {
+        for node in group.children() {
+            match node {
+                Node::Group(inner) => gather(inner, ink),
+                Node::Text(text) => {
+                    let own = text.flattened().abs_bounding_box();
+                    let own = [own.left(), own.top(), own.right(), own.bottom()]
+                        .map(|side| f64::from(side) * INCH / CSS_DPI);
+                    *ink = [
+                        ink[0].min(own[0]),
+                        ink[1].min(own[1]),
+                        ink[2].max(own[2]),
+                        ink[3].max(own[3]),
+                    ];
+                }
+                _ => {}
+            }
+        }
+    }
+    let tree = Tree::from_str(svg, &options()).unwrap();
+    let mut ink = [
+        f64::INFINITY,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NEG_INFINITY,
+    ];
+    gather(tree.root(), &mut ink);
+    ink
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Drawing, Pen, PlacedText, Point, RichText, Shape};
+
+    fn sheet() -> Drawing {
+        let mut drawing = Drawing::new(101.6, 50.8);
+        drawing.draw(
+            Pen::Link,
+            Shape::Line(Point::new(0.0, 25.4), Point::new(101.6, 25.4)),
+        );
+        drawing.draw(
+            Pen::Label,
+            Shape::Text(PlacedText::new(
+                RichText::math("S_3"),
+                8.0,
+                Point::new(40.0, 15.0),
+            )),
+        );
+        drawing
+    }
+
+    #[test]
+    fn pixels_and_resolution_follow_the_sheet() {
+        let file = png(&crate::format::svg(&sheet()), 150.0).unwrap();
+        let mut reader = ::png::Decoder::new(std::io::Cursor::new(&file))
+            .read_info()
+            .unwrap();
+        let info = reader.info();
+        assert_eq!(
+            (info.width, info.height, info.color_type),
+            (600, 300, ::png::ColorType::Rgb)
+        );
+        let size = info.pixel_dims.unwrap();
+        assert_eq!(
+            (size.xppu, size.yppu, size.unit),
+            (5906, 5906, ::png::Unit::Meter)
+        );
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        let pixel = |x: usize, y: usize| &pixels[3 * (600 * y + x)..][..3];
+        assert_eq!(pixel(5, 5), [255, 255, 255]);
+        assert_eq!(pixel(300, 150), [0x1a, 0x1a, 0x1a]);
+        // Ink of the label, from the bundled font.
+        let dark = (60..95)
+            .flat_map(|y| (230..275).map(move |x| (x, y)))
+            .filter(|&(x, y)| pixel(x, y)[0] < 128)
+            .count();
+        assert!(dark > 50, "{dark} dark pixels");
+    }
+
+    #[test]
+    fn impossible_pictures_are_refused() {
+        let svg = crate::format::svg(&sheet());
+        assert!(matches!(
+            png(&svg, 6000.0),
+            Err(PngError::TooLarge { width: 24000.0, .. })
+        ));
+        assert!(
+            png(&svg, 6000.0)
+                .unwrap_err()
+                .to_string()
+                .contains("24000 x 12000 pixels; a side may have 20000")
+        );
+        for dpi in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(png(&svg, dpi), Err(PngError::Resolution { .. })));
+        }
+        assert!(matches!(png("<svg", 96.0), Err(PngError::Svg(_))));
+    }
+}

@@ -1,0 +1,485 @@
+use svg::Node;
+use svg::node::element::Element;
+use svg::node::{Blob, Text};
+
+use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Point, Shape, look};
+
+/// The drawing as the text of an SVG file: true to scale in mm, one group for each stretch of marks
+/// of one pen.
+///
+/// Looks are attributes of groups, because some programs ignore style sheets. Texts name the
+/// bundled font first and are set run by run at measured places, so that they stand the same
+/// wherever that font is, and nearly so where it is not. Marks whose numbers are not finite are
+/// left out.
+pub fn svg(drawing: &Drawing) -> String {
+    let (width, height) = (number(drawing.width), number(drawing.height));
+    let mut root = element(
+        "svg",
+        [
+            ("xmlns", "http://www.w3.org/2000/svg".into()),
+            ("width", format!("{width}mm")),
+            ("height", format!("{height}mm")),
+            ("viewBox", format!("0 0 {width} {height}")),
+            ("font-family", FONTS.into()),
+            ("text-rendering", "geometricPrecision".into()),
+            ("fill", "none".into()),
+            ("role", "img".into()),
+        ],
+    );
+    root.append(text_element("title", &drawing.title));
+    if !drawing.description.is_empty() {
+        root.append(text_element("desc", &drawing.description));
+    }
+    root.append(element(
+        "rect",
+        [
+            ("width", width),
+            ("height", height),
+            ("fill", colour(WHITE)),
+        ],
+    ));
+    root.append(Blob::new(body(drawing)));
+    let mut file = root.to_string();
+    file.push('\n');
+    file
+}
+
+/// All marks, written straight into one string: an element of the tree for each would take many
+/// times as long.
+fn body(drawing: &Drawing) -> String {
+    let halos = drawing.halos();
+    let drawn: Vec<(&Mark, bool)> = drawing
+        .marks
+        .iter()
+        .zip(halos)
+        .filter(|(mark, _)| mark.shape.is_finite())
+        .collect();
+    let same_group =
+        |a: &(&Mark, bool), b: &(&Mark, bool)| a.0.pen == b.0.pen && is_text(a.0) == is_text(b.0);
+    let mut written = String::with_capacity(160 * drawn.len());
+    for marks in drawn.chunk_by(same_group) {
+        let first = marks[0].0;
+        let look = look(first.pen);
+        if is_text(first) {
+            write_texts(&mut written, &look, marks);
+        } else {
+            open_line_group(&mut written, &look);
+            for (mark, _) in marks {
+                written.push('\n');
+                write_shape(&mut written, &look, &mark.shape, mark.id.as_deref());
+            }
+            written.push_str("\n</g>\n");
+        }
+    }
+    written.truncate(written.trim_end().len());
+    written
+}
+
+/// The bundled font, then faces of much the same width where it is not installed.
+const FONTS: &str = "Libertinus Serif, Cambria, Times New Roman, serif";
+const WHITE: Colour = Colour::new(0xffffff);
+
+fn is_text(mark: &Mark) -> bool {
+    matches!(mark.shape, Shape::Text(_))
+}
+
+/// Starts the group of marks that are not texts.
+fn open_line_group(written: &mut String, look: &Look) {
+    written.push_str("<g");
+    if let Some(stroke) = look.stroke {
+        attribute(written, "stroke", &colour(stroke));
+        length(written, "stroke-width", look.width);
+        if !look.dash.is_empty() {
+            let lengths: Vec<String> = look.dash.iter().copied().map(number).collect();
+            attribute(written, "stroke-dasharray", &lengths.join(" "));
+        }
+        if look.cap == Cap::Round {
+            attribute(written, "stroke-linecap", "round");
+        }
+        attribute(written, "stroke-linejoin", "round");
+    }
+    if let Some(fill) = look.fill {
+        attribute(written, "fill", &colour(fill));
+    }
+    written.push('>');
+}
+
+/// Texts of one pen, those with a halo (marked true) twice: white and outlined first. The attribute
+/// that would put a stroke behind its letters is not understood everywhere. All halos come before
+/// all letters, so that none covers a neighbour.
+fn write_texts(written: &mut String, look: &Look, marks: &[(&Mark, bool)]) {
+    if marks.iter().any(|mark| mark.1) {
+        written.push_str("<g");
+        attribute(written, "fill", &colour(WHITE));
+        attribute(written, "stroke", &colour(WHITE));
+        length(written, "stroke-width", look.halo);
+        attribute(written, "stroke-linejoin", "round");
+        attribute(written, "aria-hidden", "true");
+        written.push('>');
+        for (mark, _) in marks.iter().filter(|mark| mark.1) {
+            written.push('\n');
+            write_shape(written, look, &mark.shape, None);
+        }
+        written.push_str("\n</g>\n");
+    }
+    written.push_str("<g");
+    attribute(written, "fill", &colour(look.ink));
+    written.push('>');
+    for (mark, _) in marks {
+        written.push('\n');
+        write_shape(written, look, &mark.shape, mark.id.as_deref());
+    }
+    written.push_str("\n</g>\n");
+}
+
+/// One shape in the group of its pen.
+fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: Option<&str>) {
+    // An open line stays clear inside whatever its pen does to areas.
+    let open = if look.fill.is_some() {
+        " fill=\"none\""
+    } else {
+        ""
+    };
+    match shape {
+        Shape::Line(from, to) => {
+            write_path(written, id, "", |data| chain(data, &[*from, *to], false))
+        }
+        Shape::Polyline(points) => write_path(written, id, open, |data| chain(data, points, false)),
+        Shape::Polygon(points) => write_path(written, id, "", |data| chain(data, points, true)),
+        Shape::Circle { center, radius } => {
+            written.push_str("<circle");
+            write_id(written, id);
+            for (name, value) in [("cx", center.x), ("cy", center.y), ("r", radius.abs())] {
+                length(written, name, value);
+            }
+            written.push_str("/>");
+        }
+        Shape::Arc {
+            center,
+            radius,
+            start,
+            sweep,
+        } => {
+            write_path(written, id, open, |data| {
+                arc(data, *center, *radius, *start, *sweep)
+            });
+        }
+        Shape::Arrow { .. } | Shape::ArcArrow { .. } => {
+            // Shaft and head, together under one name.
+            written.push_str("<g");
+            write_id(written, id);
+            written.push('>');
+            if let Some(shaft) = shape.shaft() {
+                write_shape(written, look, &shaft, None);
+            }
+            if let Some(head) = shape.head() {
+                // Without stroke, so that the tip is where the vector ends.
+                let ink = format!(
+                    " fill=\"{}\" stroke=\"none\"",
+                    colour(look.stroke.unwrap_or(look.ink))
+                );
+                write_path(written, None, &ink, |data| chain(data, &head, true));
+            }
+            written.push_str("</g>");
+        }
+        Shape::Text(text) => write_text(written, text, id),
+    }
+}
+
+fn write_path(
+    written: &mut String,
+    id: Option<&str>,
+    attributes: &str,
+    data: impl Fn(&mut String),
+) {
+    written.push_str("<path");
+    write_id(written, id);
+    written.push_str(attributes);
+    written.push_str(" d=\"");
+    data(written);
+    written.push_str("\"/>");
+}
+
+fn write_id(written: &mut String, id: Option<&str>) {
+    if let Some(id) = id {
+        attribute(written, "id", &escape(&clean(id)));
+    }
+}
+
+fn length(written: &mut String, name: &str, value: f64) {
+    for part in [" ", name, "=\""] {
+        written.push_str(part);
+    }
+    push_number(written, value);
+    written.push('"');
+}
+
+/// Path data of straight lines through points.
+fn chain(data: &mut String, points: &[Point], closed: bool) {
+    for (index, &point) in points.iter().enumerate() {
+        data.push(if index == 0 { 'M' } else { 'L' });
+        push_point(data, point);
+    }
+    if closed && !points.is_empty() {
+        data.push('Z');
+    }
+}
+
+/// Path data of part of a circle.
+fn arc(data: &mut String, center: Point, radius: f64, start: f64, sweep: f64) {
+    // One arc command cannot say a full turn, and is badly conditioned near one and near a half:
+    // thirds of a turn are safe.
+    let sweep = sweep.clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
+    let parts = (sweep.abs() / 2.1).ceil().max(1.0);
+    let at = |angle: f64| {
+        Point::new(
+            center.x + radius * libm::cos(angle),
+            center.y + radius * libm::sin(angle),
+        )
+    };
+    data.push('M');
+    push_point(data, at(start));
+    let (size, turning) = (number(radius.abs()), if sweep > 0.0 { "1" } else { "0" });
+    for part in 1..=parts as u32 {
+        for piece in ["A", &size, " ", &size, " 0 0 ", turning, " "] {
+            data.push_str(piece);
+        }
+        push_point(data, at(start + sweep * f64::from(part) / parts));
+    }
+}
+
+/// One text: each run at its own measured place, without white space between the elements, which
+/// would be drawn.
+fn write_text(written: &mut String, text: &PlacedText, id: Option<&str>) {
+    let several = text.text.runs().len() > 1;
+    written.push_str("<text");
+    write_id(written, id);
+    // A text of one run needs no inner element.
+    if several {
+        length(written, "font-size", text.size);
+        written.push('>');
+    }
+    for run in text.runs() {
+        if several {
+            written.push_str("<tspan");
+        }
+        if !several || run.size != text.size {
+            length(written, "font-size", run.size);
+        }
+        if run.italic {
+            attribute(written, "font-style", "italic");
+        }
+        length(written, "x", run.origin.x);
+        length(written, "y", run.origin.y);
+        written.push('>');
+        written.push_str(&escape(run.content));
+        if several {
+            written.push_str("</tspan>");
+        }
+    }
+    written.push_str("</text>");
+}
+
+fn attribute(written: &mut String, name: &str, value: &str) {
+    for part in [" ", name, "=\"", value, "\""] {
+        written.push_str(part);
+    }
+}
+
+fn element<const N: usize>(name: &str, attributes: [(&str, String); N]) -> Element {
+    let mut element = Element::new(name);
+    for (name, value) in attributes {
+        element.assign(name, value);
+    }
+    element
+}
+
+/// An element around text from outside.
+fn text_element(name: &str, content: &str) -> Element {
+    let mut element = Element::new(name);
+    element.append(Text::new(clean(content)));
+    element
+}
+
+/// The text without the characters that XML cannot hold.
+fn clean(text: &str) -> String {
+    text.chars()
+        .filter_map(|letter| match letter {
+            '\t' | '\n' | '\r' => Some(' '),
+            '\u{FFFE}' | '\u{FFFF}' => None,
+            letter if letter.is_control() => None,
+            letter => Some(letter),
+        })
+        .collect()
+}
+
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            letter => escaped.push(letter),
+        }
+    }
+    escaped
+}
+
+fn colour(Colour { red, green, blue }: Colour) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+fn push_point(data: &mut String, point: Point) {
+    push_number(data, point.x);
+    data.push(' ');
+    push_number(data, point.y);
+}
+
+/// A length in mm, rounded to a micrometre: the shortest text for it. Not a number gives 0.
+fn number(value: f64) -> String {
+    let mut text = String::with_capacity(8);
+    push_number(&mut text, value);
+    text
+}
+
+/// Appends what [`number`] says.
+fn push_number(text: &mut String, value: f64) {
+    // The cast takes what is out of range to the ends of the range, and NaN to 0.
+    let thousandths = (value * 1000.0).round() as i64;
+    if thousandths < 0 {
+        text.push('-');
+    }
+    let (whole, mut rest) = (
+        thousandths.unsigned_abs() / 1000,
+        thousandths.unsigned_abs() % 1000,
+    );
+    push_digits(text, whole);
+    if rest == 0 {
+        return;
+    }
+    text.push('.');
+    let mut place = 100;
+    while rest > 0 {
+        push_digits(text, rest / place);
+        rest %= place;
+        place /= 10;
+    }
+}
+
+fn push_digits(text: &mut String, mut whole: u64) {
+    let mut digits = [0u8; 20];
+    let mut start = digits.len();
+    loop {
+        start -= 1;
+        digits[start] = b'0' + (whole % 10) as u8;
+        whole /= 10;
+        if whole == 0 {
+            break;
+        }
+    }
+    text.extend(digits[start..].iter().map(|&digit| char::from(digit)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Pen, RichText};
+
+    #[test]
+    fn numbers_are_short_and_rounded_to_a_micrometre() {
+        let cases = [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (-0.0004, "0"),
+            (0.0005, "0.001"),
+            (1.0, "1"),
+            (-1.5, "-1.5"),
+            (12.3456, "12.346"),
+            (0.05, "0.05"),
+            (0.1 + 0.2, "0.3"),
+            (210.0, "210"),
+            (-0.001, "-0.001"),
+            (1.02, "1.02"),
+            (f64::NAN, "0"),
+            (1e6, "1000000"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(number(value), text);
+        }
+        assert_eq!(number(f64::INFINITY), "9223372036854775.807");
+    }
+
+    #[test]
+    fn hostile_texts_are_escaped() {
+        let mut drawing = Drawing::new(10.0, 10.0);
+        drawing.title = "a < b & \"c\" \u{1}".into();
+        let text = PlacedText::new(
+            RichText::verbatim("<tspan>&\u{0}"),
+            4.0,
+            Point::new(1.0, 5.0),
+        );
+        drawing.draw_named("x\"><script>", Pen::Label, Shape::Text(text));
+        let file = svg(&drawing);
+        assert!(
+            file.contains("<title>a &lt; b &amp; \"c\" </title>")
+                || file.contains("a &lt; b &amp; \"c\" \n"),
+            "{file}"
+        );
+        assert!(file.contains("&lt;tspan&gt;&amp;</text>"), "{file}");
+        assert!(file.contains("id=\"x&quot;&gt;&lt;script&gt;\""), "{file}");
+        assert!(!file.contains('\u{0}') && !file.contains('\u{1}'));
+    }
+
+    #[test]
+    fn marks_that_are_not_finite_are_left_out() {
+        let mut drawing = Drawing::new(10.0, 10.0);
+        drawing.draw(
+            Pen::Link,
+            Shape::Line(Point::new(f64::NAN, 0.0), Point::new(1.0, 1.0)),
+        );
+        drawing.draw(
+            Pen::Link,
+            Shape::Circle {
+                center: Point::ORIGIN,
+                radius: f64::INFINITY,
+            },
+        );
+        let file = svg(&drawing);
+        assert!(!file.contains("<path") && !file.contains("<circle"));
+    }
+
+    #[test]
+    fn arrows_are_one_named_group() {
+        let mut drawing = Drawing::new(50.0, 50.0);
+        drawing.draw_named(
+            "vector-v",
+            Pen::Velocity,
+            Shape::Arrow {
+                from: Point::new(0.0, 10.0),
+                to: Point::new(20.0, 10.0),
+            },
+        );
+        let file = svg(&drawing);
+        let arrow = "<g id=\"vector-v\"><path d=\"M0 10L18.18 10\"/><path fill=\"#0b4f8a\" stroke=\"none\" \
+                     d=\"M20 10L17.4 10.442L17.816 10L17.4 9.558Z\"/></g>";
+        assert!(file.contains(arrow), "{file}");
+    }
+
+    #[test]
+    fn a_full_turn_is_drawn() {
+        let mut data = String::new();
+        arc(
+            &mut data,
+            Point::new(5.0, 5.0),
+            2.0,
+            0.0,
+            std::f64::consts::TAU,
+        );
+        assert_eq!(
+            data,
+            "M7 5A2 2 0 0 1 4 6.732A2 2 0 0 1 4 3.268A2 2 0 0 1 7 5"
+        );
+    }
+}
