@@ -121,9 +121,8 @@ fn arrangements(room: Rect, wanted: &[Wanted]) -> Vec<Vec<Rect>> {
     ways
 }
 
-/// Ways to cut `room` in two: at some round shares, and where the content on either side just fits at a round scale.
+/// Ways to cut `room` in two: in the middle, and where the content on either side just fits at a round scale.
 fn splits(room: Rect, down: bool, first: &[Wanted], second: &[Wanted]) -> Vec<(Rect, Rect)> {
-    const SHARES: [f64; 5] = [0.5, 0.42, 0.58, 0.35, 0.65];
     let whole = if down { room.height() } else { room.width() } - GAP;
     let needs = |w: &Wanted| {
         let size = w.extent.size();
@@ -135,7 +134,7 @@ fn splits(room: Rect, down: bool, first: &[Wanted], second: &[Wanted]) -> Vec<(R
         let at = move |mu: f64| size / mu + 2.0 * PADDING + extra + 1e-6;
         // The scale that fits the whole room, and the next coarser ones.
         let mut mu = w.mu.unwrap_or_else(|| place(w, room).mu);
-        std::array::from_fn::<f64, 3, _>(|_| {
+        std::array::from_fn::<f64, 2, _>(|_| {
             let need = at(mu);
             if w.mu.is_none() {
                 mu = next_scale(1.01 * mu);
@@ -143,7 +142,7 @@ fn splits(room: Rect, down: bool, first: &[Wanted], second: &[Wanted]) -> Vec<(R
             need
         })
     };
-    let mut cuts: Vec<f64> = SHARES.iter().map(|s| s * whole).collect();
+    let mut cuts = vec![0.5 * whole];
     cuts.extend(first.iter().flat_map(needs));
     cuts.extend(second.iter().flat_map(needs).map(|need| whole - need));
     cuts.retain(|cut| (0.2..=0.8).contains(&(cut / whole)));

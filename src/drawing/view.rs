@@ -86,14 +86,16 @@ pub fn fitting_scale(extent: &Extent, area: Rect) -> f64 {
 /// The smallest scale of the series 1, 2, 2.5, 5 × 10^k that is not below `least`, which must be positive.
 #[must_use]
 pub fn next_scale(least: f64) -> f64 {
-    let decade = libm::floor(libm::log10(least)) as i32;
-    for exponent in [decade - 1, decade, decade + 1] {
+    // The decade from the binary exponent, which is quick and at most one too low.
+    let binary = (least.to_bits() >> 52) as i32 - 1023;
+    let decade = (f64::from(binary) * std::f64::consts::LOG10_2).floor() as i32;
+    for exponent in [decade, decade + 1] {
         for step in [1.0, 2.0, 2.5, 5.0] {
             // Division by a whole power of ten keeps 0.25 and the like exact to the last digit.
             let scale = if exponent < 0 {
-                step / libm::pow(10.0, f64::from(-exponent))
+                step / power_of_ten(-exponent)
             } else {
-                step * libm::pow(10.0, f64::from(exponent))
+                step * power_of_ten(exponent)
             };
             if scale >= least {
                 return scale;
@@ -101,6 +103,15 @@ pub fn next_scale(least: f64) -> f64 {
         }
     }
     least
+}
+
+/// 10 to a whole power, exact as far as f64 goes.
+fn power_of_ten(exponent: i32) -> f64 {
+    if exponent <= 22 {
+        (0..exponent).fold(1.0, |power, _| power * 10.0)
+    } else {
+        libm::pow(10.0, f64::from(exponent))
+    }
 }
 
 #[cfg(test)]

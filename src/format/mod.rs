@@ -2,17 +2,21 @@
 //! Out: the bytes of a file in a form that people or other programs read.
 //! Nothing is decided or computed here; the same input gives the same bytes everywhere.
 
+mod json;
 #[cfg(feature = "png")]
 mod png;
 mod result;
+mod steps;
 mod svg;
 
+pub use self::json::json;
 #[cfg(feature = "png")]
 pub use self::png::{PngError, png};
 pub use self::result::{
     GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult,
     Solved, result, result_schema,
 };
+pub use self::steps::steps;
 pub use self::svg::svg;
 
 #[cfg(all(test, feature = "png"))]

@@ -1,4 +1,4 @@
-use super::{Point, UNIT_ROUNDOFF, Vector, cross};
+use super::{Point, UNIT_ROUNDOFF, Vector, cross, unit};
 
 /// Sine of the angle below which two directions that each carry one rounding cannot be told from
 /// parallel ones.
@@ -22,12 +22,7 @@ impl Line {
     /// The line through `point` along `along`, which need not be of length 1; `None` if `along` is zero.
     #[must_use]
     pub fn new(point: Point, along: Vector) -> Option<Line> {
-        // Scaling by the larger component first keeps extreme lengths from overflowing.
-        let largest = along.amax();
-        if !(largest > 0.0 && largest.is_finite()) {
-            return None;
-        }
-        let direction = (along / largest).normalize();
+        let direction = unit(along)?;
         Some(Line::Through { point, direction })
     }
 

@@ -39,6 +39,14 @@ pub fn cross(a: Vector, b: Vector) -> f64 {
     a.x * b.y - a.y * b.x
 }
 
+/// The unit vector along `v`, `None` for the zero vector or one that is not finite; also for lengths whose squares
+/// leave the range of f64.
+#[must_use]
+pub fn unit(v: Vector) -> Option<Vector> {
+    let largest = v.amax();
+    (largest > 0.0 && largest.is_finite()).then(|| (v / largest).normalize())
+}
+
 /// The largest distance between any two of the points, zero for fewer than two.
 ///
 /// The bounding box's diagonal, which is at most √2 times the true span: good enough to call a

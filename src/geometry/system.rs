@@ -1,124 +1,77 @@
 use super::UNIT_ROUNDOFF;
+use nalgebra::{Const, DimMin, LU, SMatrix, SVector, ToTypenum};
 
 /// A square linear system, scaled and factored once, to be solved for several right sides.
 ///
-/// Columns, then rows, are scaled to a largest element in [1, 2) by powers of two (no rounding), and
-/// rows are pivoted. Units of length or time therefore change nothing but exponents.
+/// Columns, then rows, are scaled to a largest element in [1, 2) by powers of two (no rounding); the factors are nalgebra's,
+/// with partial pivoting. Units of length or time therefore change nothing but exponents.
 /// Accuracy: backward stable in practice for these sizes; see [`Self::error_bound`] for the proof of
 /// each single number (Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, §7.1, §9.3).
 #[derive(Clone, Debug)]
-pub struct LinearSystem<const N: usize> {
-    scaled: [[f64; N]; N],
-    factors: [[f64; N]; N],
-    order: [usize; N],
+pub struct LinearSystem<const N: usize>
+where
+    Const<N>: ToTypenum + DimMin<Const<N>, Output = Const<N>>,
+{
+    scaled: SMatrix<f64, N, N>,
+    factors: LU<f64, Const<N>, Const<N>>,
     column_scale: [f64; N],
     row_scale: [f64; N],
 }
 
-impl<const N: usize> LinearSystem<N> {
-    /// The factored system, or `None` where a pivot is exactly zero or an element not finite.
+impl<const N: usize> LinearSystem<N>
+where
+    Const<N>: ToTypenum + DimMin<Const<N>, Output = Const<N>>,
+{
+    /// The factored system, or `None` where it is exactly singular or an element is not finite.
     ///
     /// A matrix that is only nearly singular is factored; ask [`Self::condition`].
     #[must_use]
-    pub fn new(mut matrix: [[f64; N]; N]) -> Option<Self> {
+    pub fn new(matrix: [[f64; N]; N]) -> Option<Self> {
+        let mut scaled = SMatrix::<f64, N, N>::from_fn(|r, c| matrix[r][c]);
         let mut column_scale = [1.0; N];
-        for (c, scale) in column_scale.iter_mut().enumerate() {
-            let largest = (0..N).fold(0.0, |m: f64, r| m.max(matrix[r][c].abs()));
-            *scale = power_of_two_below_inverse(largest)?;
-            (0..N).for_each(|r| matrix[r][c] *= *scale);
+        for (mut column, scale) in scaled.column_iter_mut().zip(&mut column_scale) {
+            *scale = power_of_two_below_inverse(column.amax())?;
+            column *= *scale;
         }
         let mut row_scale = [1.0; N];
-        for (row, scale) in matrix.iter_mut().zip(&mut row_scale) {
-            let largest = row.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-            *scale = power_of_two_below_inverse(largest)?;
-            row.iter_mut().for_each(|x| *x *= *scale);
+        for (mut row, scale) in scaled.row_iter_mut().zip(&mut row_scale) {
+            *scale = power_of_two_below_inverse(row.amax())?;
+            row *= *scale;
         }
-        let scaled = matrix;
-        let mut order = [0; N];
-        order.iter_mut().enumerate().for_each(|(i, o)| *o = i);
-        for k in 0..N {
-            let pivot = (k..N).fold(k, |best, r| {
-                if matrix[r][k].abs() > matrix[best][k].abs() {
-                    r
-                } else {
-                    best
-                }
-            });
-            matrix.swap(k, pivot);
-            order.swap(k, pivot);
-            let pivot_row = matrix[k];
-            if pivot_row[k] == 0.0 {
-                return None;
-            }
-            for row in &mut matrix[k + 1..] {
-                row[k] /= pivot_row[k];
-                for c in k + 1..N {
-                    row[c] -= row[k] * pivot_row[c];
-                }
-            }
-        }
-        Some(Self {
-            scaled,
-            factors: matrix,
-            order,
-            column_scale,
-            row_scale,
-        })
+        let factors = scaled.lu();
+        let pivots = factors.lu_internal().diagonal();
+        pivots
+            .iter()
+            .all(|p| p.is_finite() && *p != 0.0)
+            .then_some(Self {
+                scaled,
+                factors,
+                column_scale,
+                row_scale,
+            })
     }
 
     /// The solution for the right side `b`.
     #[must_use]
     pub fn solve(&self, b: &[f64; N]) -> [f64; N] {
-        let mut x = [0.0; N];
-        for (xi, &o) in x.iter_mut().zip(&self.order) {
-            *xi = b[o] * self.row_scale[o];
-        }
-        self.substitute(&mut x);
-        for (xi, scale) in x.iter_mut().zip(&self.column_scale) {
-            *xi *= scale;
-        }
-        x
-    }
-
-    /// Forward and back substitution with the factors alone.
-    fn substitute(&self, x: &mut [f64; N]) {
-        for i in 1..N {
-            for k in 0..i {
-                x[i] -= self.factors[i][k] * x[k];
-            }
-        }
-        for i in (0..N).rev() {
-            for k in i + 1..N {
-                x[i] -= self.factors[i][k] * x[k];
-            }
-            x[i] /= self.factors[i][i];
-        }
+        let mut x = SVector::<f64, N>::from_fn(|r, _| b[r] * self.row_scale[r]);
+        // No pivot is zero, so there is a solution; one that leaves the range of f64 shows in its elements.
+        self.factors.solve_mut(&mut x);
+        std::array::from_fn(|c| x[c] * self.column_scale[c])
     }
 
     /// The magnitudes of the scaled matrix's inverse.
-    #[must_use]
-    fn inverse_magnitudes(&self) -> [[f64; N]; N] {
-        let mut inverse = [[0.0; N]; N];
-        for (k, &source) in self.order.iter().enumerate() {
-            let mut column = [0.0; N];
-            column[k] = 1.0;
-            self.substitute(&mut column);
-            for r in 0..N {
-                inverse[r][source] = column[r].abs();
-            }
-        }
-        inverse
+    fn inverse_magnitudes(&self) -> SMatrix<f64, N, N> {
+        let mut inverse = SMatrix::identity();
+        self.factors.solve_mut(&mut inverse);
+        inverse.abs()
     }
 
     /// The condition number of the scaled matrix in the largest-row-sum norm, at least 1.
     #[must_use]
     pub fn condition(&self) -> f64 {
-        let row_sum = |m: &[[f64; N]; N]| {
-            m.iter()
-                .map(|row| row.iter().map(|x| x.abs()).sum::<f64>())
-                .fold(0.0, f64::max)
-        };
-        (row_sum(&self.scaled) * row_sum(&self.inverse_magnitudes())).max(1.0)
+        let norm = |m: SMatrix<f64, N, N>| m.row_iter().map(|r| r.sum()).fold(0.0, f64::max);
+        (norm(self.scaled.abs()) * norm(self.inverse_magnitudes())).max(1.0)
     }
 
     /// A bound on the error of each element of the solution `x` of the right side `b`.
@@ -129,24 +82,13 @@ impl<const N: usize> LinearSystem<N> {
     #[must_use]
     pub fn error_bound(&self, x: &[f64; N], b: &[f64; N], uncertain: &[f64; N]) -> [f64; N] {
         let rounding = (N + 4) as f64 * UNIT_ROUNDOFF;
-        let mut doubt = [0.0; N];
-        for r in 0..N {
-            let right = b[r] * self.row_scale[r];
-            let (mut residual, mut size) = (right, right.abs());
-            for c in 0..N {
-                let term = self.scaled[r][c] * (x[c] / self.column_scale[c]);
-                residual -= term;
-                size += term.abs();
-            }
-            doubt[r] = residual.abs() + uncertain[r] * self.row_scale[r] + rounding * size;
-        }
-        let inverse = self.inverse_magnitudes();
-        let mut bound = [0.0; N];
-        for r in 0..N {
-            let sum: f64 = (0..N).map(|c| inverse[r][c] * doubt[c]).sum();
-            bound[r] = sum * self.column_scale[r];
-        }
-        bound
+        let x = SVector::<f64, N>::from_fn(|c, _| x[c] / self.column_scale[c]);
+        let right = SVector::<f64, N>::from_fn(|r, _| b[r] * self.row_scale[r]);
+        let uncertain = SVector::<f64, N>::from_fn(|r, _| uncertain[r] * self.row_scale[r]);
+        let residual = (right - self.scaled * x).abs();
+        let size = self.scaled.abs() * x.abs() + right.abs();
+        let bound = self.inverse_magnitudes() * (residual + uncertain + size * rounding);
+        std::array::from_fn(|c| bound[c] * self.column_scale[c])
     }
 }
 

@@ -4,7 +4,7 @@ use super::{
     Body, BodyId, GROUND, Guide, Joint, JointKind, Mechanism, PointId, Role, Slider, SliderId,
     StructureError,
 };
-use crate::geometry::{Point, Vector, direction_of_degrees};
+use crate::geometry::{Point, Vector, direction_of_degrees, unit};
 use crate::scene::{self, Along, At, Form, On, Scene};
 
 /// The mechanism that a scene describes.
@@ -221,13 +221,13 @@ impl<'a> Builder<'a> {
         if self.scene.form == Form::Drawn {
             return match &slider.along {
                 Along::Points(a, b) => Guide::DrawnBetween(id(a), id(b)),
-                Along::Direction(d) => Guide::Drawn(Vector::from(*d).normalize()),
+                Along::Direction(d) => Guide::Drawn(direction(Vector::from(*d))),
                 // Degrees count from the axis of the guide's body.
                 Along::Degrees(angle) => {
                     let axis = match body.points.as_slice() {
                         [a, b, ..] if on != GROUND => {
                             let place = |p: &PointId| self.mechanism.given[p.0];
-                            place(b).zip(place(a)).map(|(b, a)| (b - a).normalize())
+                            place(b).zip(place(a)).map(|(b, a)| direction(b - a))
                         }
                         _ => None,
                     };
@@ -241,9 +241,9 @@ impl<'a> Builder<'a> {
             };
         }
         let local = |name: &String| body.local_of(id(name)).unwrap_or_else(Point::origin);
-        let direction = match &slider.along {
-            Along::Points(a, b) => (local(b) - local(a)).normalize(),
-            Along::Direction(d) => Vector::from(*d).normalize(),
+        let along = match &slider.along {
+            Along::Points(a, b) => direction(local(b) - local(a)),
+            Along::Direction(d) => direction(Vector::from(*d)),
             Along::Degrees(angle) => direction_of_degrees(*angle),
         };
         let through = match (&slider.through, &slider.along) {
@@ -252,7 +252,10 @@ impl<'a> Builder<'a> {
             (None, Along::Points(a, _)) => local(a),
             (None, _) => body.local.first().copied().unwrap_or_else(Point::origin),
         };
-        Guide::Local { through, direction }
+        Guide::Local {
+            through,
+            direction: along,
+        }
     }
 
     /// One revolute joint for every further body at a point, from the first known one where there is one.
@@ -274,4 +277,9 @@ impl<'a> Builder<'a> {
             }
         }
     }
+}
+
+/// The unit vector along `v`, which the scene has been checked not to let vanish.
+fn direction(v: Vector) -> Vector {
+    unit(v).unwrap_or_else(Vector::x)
 }

@@ -17,8 +17,19 @@ pub const UNKNOWNS: usize = 4;
 pub struct LoopEquations {
     /// One entry for each loop of the group.
     pub loops: [LoopTerms; 2],
+    /// Where both loops share two rates and have one of their own each: which ones.
+    pub reduction: Option<Reduction>,
     spins: Vec<(BodyId, Spin)>,
     slides: Vec<(SliderId, usize)>,
+}
+
+/// The rates that both loops share, and the one that each has alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reduction {
+    /// The unknowns in both loops.
+    pub shared: [usize; 2],
+    /// The unknown in the first loop alone, and in the second alone.
+    pub own: [usize; 2],
 }
 
 /// The rotation of a body: an unknown of the system, or that of a known body.
@@ -137,6 +148,7 @@ impl LoopEquations {
         };
         let loops = [terms(&group.loops[0]), terms(&group.loops[1])];
         Self {
+            reduction: reduction(&loops),
             loops,
             spins,
             slides,
@@ -195,6 +207,29 @@ impl LoopEquations {
     #[must_use]
     pub fn factored(&self, points: &[Point], guides: &[Vector]) -> Option<LinearSystem<UNKNOWNS>> {
         LinearSystem::new(self.matrix(points, guides))
+    }
+}
+
+/// The split of the unknowns into shared ones and those of one loop; `None` where a closure link has two sliders.
+fn reduction(loops: &[LoopTerms; 2]) -> Option<Reduction> {
+    let within = |terms: &LoopTerms, unknown: usize| {
+        let arms = terms.arms.iter().any(|a| a.spin == Spin::Unknown(unknown));
+        arms || terms.slides.iter().any(|s| s.unknown == unknown)
+    };
+    let of = |first: bool, second: bool| -> Vec<usize> {
+        let wanted = |u: &usize| within(&loops[0], *u) == first && within(&loops[1], *u) == second;
+        (0..UNKNOWNS).filter(wanted).collect()
+    };
+    match (
+        of(true, true).as_slice(),
+        of(true, false).as_slice(),
+        of(false, true).as_slice(),
+    ) {
+        (&[a, b], &[c], &[d]) => Some(Reduction {
+            shared: [a, b],
+            own: [c, d],
+        }),
+        _ => None,
     }
 }
 

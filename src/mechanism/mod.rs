@@ -11,7 +11,7 @@ mod shape;
 pub use build::mechanism;
 pub use error::StructureError;
 pub use group::{Class, Group, Leg, Loop, SpecialPoint};
-pub use loops::{Arm, LoopEquations, LoopTerms, Slide, Spin, UNKNOWNS};
+pub use loops::{Arm, LoopEquations, LoopTerms, Reduction, Slide, Spin, UNKNOWNS};
 
 use crate::geometry::{Point, Vector};
 use crate::scene::Form;

@@ -11,7 +11,7 @@ pub enum MotionError {
         /// The group's links.
         links: String,
         /// The three lines that meet in one point.
-        lines: [String; 3],
+        lines: Box<[String; 3]>,
         /// How they meet, in words.
         meeting: String,
         /// Condition number of the loop equations; infinite where a pivot vanishes.

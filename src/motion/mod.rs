@@ -11,7 +11,7 @@ mod solve;
 pub use closed_form::ClosedForm;
 pub use error::MotionError;
 pub use sides::RightSide;
-pub use solve::motion;
+pub use solve::{motion, rates};
 
 use crate::geometry::{Point, Vector, quarter_turn};
 use crate::mechanism::{BodyId, SliderId};

@@ -3,20 +3,21 @@ use crate::geometry::{UNIT_ROUNDOFF, Vector, quarter_turn};
 use crate::mechanism::{LoopEquations, Spin, UNKNOWNS};
 use crate::position::Pose;
 
-/// One right side of the loop equations, and how uncertain rounding has left each element.
+/// One right side of the loop equations, and (if `BOUNDED`) how uncertain rounding has left each element.
 #[derive(Clone, Copy, Debug)]
-pub struct RightSide {
+pub struct RightSide<const BOUNDED: bool> {
     /// The two components for each loop.
     pub value: [f64; UNKNOWNS],
-    /// Bounds of their errors.
+    /// Bounds of their errors; zero where they were not asked for.
     pub uncertain: [f64; UNKNOWNS],
 }
 
-impl RightSide {
+impl<const BOUNDED: bool> RightSide<BOUNDED> {
     /// The right side of the velocity equations.
+    #[inline]
     #[must_use]
-    pub fn velocity(equations: &LoopEquations, pose: &Pose, known: &[BodyMotion]) -> RightSide {
-        let mut side = RightSide::zero();
+    pub fn velocity(equations: &LoopEquations, pose: &Pose, known: &[BodyMotion]) -> Self {
+        let mut side = Self::zero();
         for (index, terms) in equations.loops.iter().enumerate() {
             let (start, end) = (&known[terms.start.0], &known[terms.end.0]);
             let (first, last) = (pose.point(terms.first), pose.point(terms.last));
@@ -36,6 +37,7 @@ impl RightSide {
     /// The right side of the acceleration equations, with the solution `rates` of the velocity equations.
     ///
     /// `rate_errors` bounds the errors of `rates`; they make this side uncertain.
+    #[inline]
     #[must_use]
     pub fn acceleration(
         equations: &LoopEquations,
@@ -43,8 +45,8 @@ impl RightSide {
         known: &[BodyMotion],
         rates: &[f64; UNKNOWNS],
         rate_errors: &[f64; UNKNOWNS],
-    ) -> RightSide {
-        let mut side = RightSide::zero();
+    ) -> Self {
+        let mut side = Self::zero();
         for (index, terms) in equations.loops.iter().enumerate() {
             let (start, end) = (&known[terms.start.0], &known[terms.end.0]);
             let (first, last) = (pose.point(terms.first), pose.point(terms.last));
@@ -59,7 +61,9 @@ impl RightSide {
                     Spin::Unknown(unknown) => {
                         let omega = rates[unknown];
                         side.add(index, r * (omega * omega), 3.0);
-                        side.doubt(index, r * (2.0 * omega.abs() * rate_errors[unknown]));
+                        if BOUNDED {
+                            side.doubt(index, r * (2.0 * omega.abs() * rate_errors[unknown]));
+                        }
                     }
                     Spin::Known(body) => {
                         let body = &known[body.0];
@@ -76,9 +80,11 @@ impl RightSide {
                 };
                 let rate = rates[slide.unknown];
                 side.add(index, -u * (2.0 * omega * rate), 4.0);
-                let doubt =
-                    2.0 * (omega.abs() * rate_errors[slide.unknown] + rate.abs() * omega_error);
-                side.doubt(index, u * doubt);
+                if BOUNDED {
+                    let rate_error = rate_errors[slide.unknown];
+                    let doubt = 2.0 * (omega.abs() * rate_error + rate.abs() * omega_error);
+                    side.doubt(index, u * doubt);
+                }
             }
         }
         side
@@ -95,8 +101,10 @@ impl RightSide {
     fn add(&mut self, index: usize, term: Vector, roundings: f64) {
         self.value[2 * index] += term.x;
         self.value[2 * index + 1] += term.y;
-        // Four more for the additions that it goes through.
-        self.doubt(index, term * ((roundings + 4.0) * UNIT_ROUNDOFF));
+        if BOUNDED {
+            // Four more for the additions that it goes through.
+            self.doubt(index, term * ((roundings + 4.0) * UNIT_ROUNDOFF));
+        }
     }
 
     fn doubt(&mut self, index: usize, error: Vector) {

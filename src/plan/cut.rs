@@ -89,7 +89,7 @@ impl CutLine {
         }
     }
 
-    /// Name of the line, as in `BC`, or `normal to the guide through B`.
+    /// Name of the line, as in `BC`, or `the normal to the guide of 3/2 through B`.
     #[must_use]
     pub fn name(&self, mechanism: &Mechanism) -> String {
         let name = |p: PointId| mechanism.point_name(p);
@@ -104,9 +104,9 @@ impl CutLine {
                 inner: pin,
             } => {
                 let guide = mechanism.slider_name(slider);
-                format!("normal to the guide of {guide} through {}", name(pin))
+                format!("the normal to the guide of {guide} through {}", name(pin))
             }
-            LegKind::Sliders => "line at infinity".to_owned(),
+            LegKind::Sliders => "the line at infinity".to_owned(),
         }
     }
 }

@@ -14,6 +14,7 @@ mod write;
 pub use cut::{CutLine, LegKind, Special, special_points};
 pub use equations::{Agreement, Construct, LegMeasure};
 pub use name::{coincident_name, display, image_name, normal_name};
-pub use quantity::{Quantity, QuantityError, Scales, quantity};
+pub use quantity::{Quantity, QuantityError, Scales, is_acceleration, measured_names, quantity};
 pub use step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};
+pub use words::plain_text;
 pub use write::{Construction, construction};

@@ -1,5 +1,5 @@
 use super::name::normal_name;
-use super::step::Plan;
+use super::step::{Action, Plan, PlanKind};
 use super::write::Construction;
 use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, Mechanism, SliderId};
@@ -78,6 +78,33 @@ pub fn quantity(
     looker.value()
 }
 
+/// Whether a quantity of that name needs accelerations.
+#[must_use]
+pub fn is_acceleration(name: &str) -> bool {
+    let head = name.split('(').next().unwrap_or_default().trim();
+    head.starts_with('a') && head != "angle"
+}
+
+/// Names of everything that the construction measures, in its order.
+#[must_use]
+pub fn measured_names(construction: &Construction) -> Vec<String> {
+    let lengths = construction.scheme.iter().filter_map(|s| match &s.action {
+        Action::MeasureLength { from, to, .. } => Some(format!("L({from},{to})")),
+        _ => None,
+    });
+    let segments = construction.plans().flat_map(|plan| {
+        let head = match plan.kind {
+            PlanKind::Velocity => "vplan",
+            PlanKind::Acceleration => "aplan",
+        };
+        plan.steps.iter().filter_map(move |s| match &s.action {
+            Action::Measure { from, to, .. } => Some(format!("{head}({from},{to})")),
+            _ => None,
+        })
+    });
+    lengths.chain(segments).collect()
+}
+
 struct Looker<'a> {
     name: &'a str,
     mechanism: &'a Mechanism,
@@ -99,8 +126,7 @@ impl Looker<'_> {
             "/mu" if head.ends_with("plan") => true,
             _ => return Err(form()),
         };
-        let second = head == "alpha" || head.starts_with('a') && head != "angle";
-        if second && self.motion.order == Order::Velocity {
+        if is_acceleration(head) && self.motion.order == Order::Velocity {
             return Err(self.none("accelerations were not asked for"));
         }
         let pair = |by: char| argument.split_once(by).ok_or_else(form);

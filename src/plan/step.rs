@@ -72,7 +72,7 @@ pub struct Step {
     pub action: Action,
     /// The equation that belongs to it, in markup (`v_{S3} = v_B + v_{S3B}`); may be empty.
     pub equation: String,
-    /// What to do, in one line of plain words and markup.
+    /// What to do, in one line of words; names of points between backticks, the rest in markup.
     pub caption: String,
 }
 

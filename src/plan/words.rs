@@ -1,20 +1,21 @@
-//! Captions and equations of the steps, in the markup of labels: `_{…}` low, `^{…}` high.
+//! Captions and equations of the steps. Names of points stand between backticks in captions; `_{…}` is low, `^{…}` high.
 
 use super::cut::{CutLine, LegKind, Special};
-use super::name::display;
+use super::name::image_name;
 use super::step::{PlanKind, Relation};
-use crate::geometry::{Place, degrees_of};
+use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
 
-/// A name as written.
+/// A name within a caption.
 pub(super) fn written(name: &str) -> String {
-    display(name)
+    format!("`{name}`")
 }
 
-/// Markup without its braces, for plain text.
-pub(super) fn plain(markup: &str) -> String {
-    markup.replace("_{", "").replace(['{', '}'], "")
+/// A caption or an equation as plain text: names as they are, subscripts after `_`.
+#[must_use]
+pub fn plain_text(markup: &str) -> String {
+    markup.replace("^2", "²").replace(['{', '}', '`'], "")
 }
 
 /// A subscript made of several names, as in `S3B`.
@@ -158,7 +159,7 @@ pub(super) fn measure(from: &str, to: &str) -> String {
 }
 
 pub(super) fn measured(kind: PlanKind, from: &str, to: &str) -> String {
-    format!("{} ({} {})", kind.scale_name(), written(from), written(to))
+    format!("{} ({from} {to})", kind.scale_name())
 }
 
 /// Equation and caption of a normal part.
@@ -174,7 +175,7 @@ pub(super) fn normal(
     let link = &mechanism.body(point.link).name;
     let s = &point.name;
     let sliding = |slider: SliderId, omega: &str| {
-        format!("2 ω_{omega} v_{{r {}}}", mechanism.slider_name(slider))
+        format!("2 ω_{omega} v_r({})", mechanism.slider_name(slider))
     };
     let (start, parts, what) = match cut.kind {
         LegKind::Pins { outer, inner } => (
@@ -217,71 +218,73 @@ pub(super) fn normal(
     )
 }
 
-/// The equation of a leg, with the signs that its lengths have along the cut line: counter-clockwise rates positive,
-/// segments positive a quarter turn counter-clockwise from the way the line runs.
+/// The equation of a leg: its rates, counter-clockwise positive, times lengths make up the measured segment `signed`.
+///
+/// Every term has the sign that it takes along the segment from its start to the special point's image.
 pub(super) fn leg_equation(
     mechanism: &Mechanism,
     pose: &Pose,
     cut: &CutLine,
     point: &Special,
     from: &str,
-    kind: PlanKind,
+    (kind, signed): (PlanKind, f64),
 ) -> String {
     let (rate, slide) = match kind {
         PlanKind::Velocity => ("ω", "v"),
         PlanKind::Acceleration => ("α", "a"),
     };
-    let direction = cut.line.direction();
-    let place = point.place.finite();
-    let sign = |to: Option<crate::geometry::Point>, from: PointId| {
-        let along = to
-            .zip(direction)
-            .map(|(to, e)| (to - pose.point(from)).dot(&e));
-        if along.is_some_and(|a| a < 0.0) {
-            "−"
-        } else {
-            "+"
-        }
-    };
+    let direction = cut.line.direction().unwrap_or_else(Vector::zeros);
     let name = |p: PointId| mechanism.point_name(p);
     let link = &mechanism.body(point.link).name;
     let carrier = &mechanism.body(cut.leg.carrier).name;
+    let turning = |link: &str, from: PointId, to: &str, arm: Vector| {
+        (
+            arm.dot(&direction),
+            format!("{rate}_{{{link}}} L{}", low(&[to, name(from)])),
+        )
+    };
+    let to_special = |from: PointId| {
+        let arm = point.crossing.vector_from(pose.point(from));
+        arm.unwrap_or_else(Vector::zeros)
+    };
     let sliding = |slider: SliderId, from: BodyId| {
-        let along = direction.map(crate::geometry::quarter_turn);
         let forward = mechanism.slider(slider).on == from;
         let u = pose.guide(slider) * if forward { 1.0 } else { -1.0 };
-        let sign = if along.is_some_and(|e| e.dot(&u) < 0.0) {
-            "−"
-        } else {
-            "+"
-        };
-        format!("{sign} {slide}_{{r {}}}", mechanism.slider_name(slider))
+        let along = u.dot(&quarter_turn(direction));
+        (
+            along,
+            format!("{slide}_r({})", mechanism.slider_name(slider)),
+        )
     };
-    let left = match cut.kind {
-        LegKind::Pins { outer, inner } => format!(
-            "{rate}_{carrier} L{} {} {rate}_{link} L{}",
-            low(&[name(inner), name(outer)]),
-            sign(place, inner),
-            low(&[&point.name, name(inner)])
-        ),
-        LegKind::PinThenSlider { outer, inner } => format!(
-            "{} {rate}_{carrier} L{} {}",
-            sign(place, outer),
-            low(&[&point.name, name(outer)]),
-            sliding(inner, cut.leg.carrier)
-        ),
-        LegKind::SliderThenPin { outer, inner } => format!(
-            "{} {} {rate}_{link} L{}",
+    let terms = match cut.kind {
+        LegKind::Pins { outer, inner } => vec![
+            turning(carrier, outer, name(inner), pose.arm(outer, inner)),
+            turning(link, inner, &point.name, to_special(inner)),
+        ],
+        LegKind::PinThenSlider { outer, inner } => vec![
+            turning(carrier, outer, &point.name, to_special(outer)),
+            sliding(inner, cut.leg.carrier),
+        ],
+        LegKind::SliderThenPin { outer, inner } => vec![
             sliding(outer, cut.leg.base),
-            sign(place, inner),
-            low(&[&point.name, name(inner)])
-        ),
-        LegKind::Sliders => String::new(),
+            turning(link, inner, &point.name, to_special(inner)),
+        ],
+        LegKind::Sliders => Vec::new(),
     };
-    let left = left.trim_start_matches("+ ").to_owned();
+    let mut left = String::new();
+    for (along, term) in terms {
+        let minus = (along < 0.0) != (signed < 0.0);
+        left.push_str(match (left.is_empty(), minus) {
+            (true, false) => "",
+            (true, true) => "−",
+            (false, false) => " + ",
+            (false, true) => " − ",
+        });
+        left.push_str(&term);
+    }
     format!(
         "{left} = {}",
-        measured(kind, from, &super::name::image_name(&point.name))
+        measured(kind, from, &image_name(&point.name))
     )
 }
 
@@ -320,7 +323,7 @@ pub(super) fn image(link: &str, from: &str, to: &str) -> (String, String) {
 /// Equation and caption of a sliding velocity.
 pub(super) fn sliding(slider: &str, from: &str, to: &str) -> (String, String) {
     (
-        format!("v_{{r {slider}}}"),
+        format!("v_r({slider})"),
         format!(
             "Lay off the sliding velocity of {slider} along its guide, from {} to {}.",
             written(from),

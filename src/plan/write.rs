@@ -153,7 +153,7 @@ impl Writer<'_> {
         for (index, point) in special.iter().enumerate() {
             self.velocity_of(point, construct, index);
         }
-        self.solve(group, special, Order::Velocity);
+        self.solve(group, special, construct, Order::Velocity);
         images(
             self.mechanism,
             self.pose,
@@ -165,7 +165,7 @@ impl Writer<'_> {
             for (index, point) in special.iter().enumerate() {
                 self.acceleration_of(point, construct, index);
             }
-            self.solve(group, special, Order::Acceleration);
+            self.solve(group, special, construct, Order::Acceleration);
         }
     }
 
@@ -341,32 +341,33 @@ impl Writer<'_> {
     }
 
     /// The four equations and what they give.
-    fn solve(&mut self, group: &Group, special: &[Special], order: Order) {
+    fn solve(&mut self, group: &Group, special: &[Special], construct: &Construct, order: Order) {
         let kind = match order {
             Order::Velocity => PlanKind::Velocity,
             Order::Acceleration => PlanKind::Acceleration,
         };
-        let equations = special
-            .iter()
-            .flat_map(|point| point.cuts.iter().map(move |cut| (point, cut)))
-            .filter_map(|(point, cut)| {
-                let start = cut.start()?;
-                let from = match order {
-                    Order::Velocity => self.start_name(cut.leg.base, start),
-                    Order::Acceleration => {
-                        normal_name(self.mechanism.point_name(start), &point.name)
-                    }
+        let mut equations = Vec::new();
+        for (point, legs) in special.iter().zip(&construct.legs) {
+            for (cut, leg) in point.cuts.iter().zip(legs) {
+                let Some(start) = cut.start() else { continue };
+                let (from, signed) = match order {
+                    Order::Velocity => (self.start_name(cut.leg.base, start), leg.velocity),
+                    Order::Acceleration => (
+                        normal_name(self.mechanism.point_name(start), &point.name),
+                        leg.acceleration,
+                    ),
                 };
-                Some(words::leg_equation(
+                let what = (kind, signed);
+                equations.push(words::leg_equation(
                     self.mechanism,
                     self.pose,
                     cut,
                     point,
                     &from,
-                    kind,
-                ))
-            })
-            .collect();
+                    what,
+                ));
+            }
+        }
         let unknowns = self.unknowns(group, order);
         let caption = words::solve(&unknowns);
         let action = Action::Solve {
@@ -423,7 +424,7 @@ impl Writer<'_> {
             .map(|s| written(&s.name))
             .collect();
         let caption = words::no_construction(&far);
-        self.warnings.push(words::plain(&caption));
+        self.warnings.push(words::plain_text(&caption));
         for plan in self.plans() {
             plan.steps
                 .push(step(Action::Note, String::new(), caption.clone()));

@@ -1,5 +1,5 @@
 use super::Pose;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Vector, unit};
 use crate::mechanism::{Body, Guide, Mechanism, Role};
 
 /// The pose of a drawn configuration: the scene's own coordinates, untouched.
@@ -11,7 +11,7 @@ pub(super) fn drawn_pose(mechanism: &Mechanism) -> Pose {
         .sliders
         .iter()
         .map(|slider| match slider.guide {
-            Guide::DrawnBetween(a, b) => (points[b.0] - points[a.0]).normalize(),
+            Guide::DrawnBetween(a, b) => unit(points[b.0] - points[a.0]).unwrap_or_else(Vector::x),
             Guide::Drawn(direction) | Guide::Local { direction, .. } => direction,
         })
         .collect();

@@ -264,6 +264,6 @@ mod tests {
             (p.translation.vector - planted.translation.vector).norm() < 1e-9
                 && p.rotation.angle_to(&planted.rotation).abs() < 1e-9
         }));
-        assert!(found.len() % 2 == 0 && found.len() <= 6);
+        assert!(found.len().is_multiple_of(2) && found.len() <= 6);
     }
 }

@@ -1,0 +1,180 @@
+use super::files::{self, Source};
+use super::message::Failure;
+use super::work::work;
+use crate::drawing::figure;
+use crate::format;
+use crate::motion::Order;
+use crate::scene::{Panel, Scene};
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
+
+/// The two figures of Quintero et al. (2011), drawn when no scene is named.
+const PAPER: [(&str, &str); 2] = [
+    ("figure-1", include_str!("../../examples/figure-1.json")),
+    ("figure-2", include_str!("../../examples/figure-2.json")),
+];
+
+/// Draw the figure of a scene.
+#[derive(Debug, Args)]
+pub(super) struct Draw {
+    /// Scene file, `-` for stdin; without one the two figures of Quintero et al. (2011).
+    scene: Option<PathBuf>,
+    /// Folder to write to, or a file whose ending gives the format, or `-` for SVG on stdout.
+    #[arg(short, long, default_value = "out/")]
+    output: PathBuf,
+    /// Formats to write into a folder.
+    #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::all())]
+    format: Vec<Form>,
+    /// Resolution of PNG in dots per inch.
+    #[arg(long, default_value_t = 150.0, value_parser = dots_per_inch)]
+    dpi: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Form {
+    Svg,
+    #[cfg(feature = "png")]
+    Png,
+}
+
+impl Form {
+    fn all() -> Vec<Form> {
+        Form::value_variants().to_vec()
+    }
+
+    fn ending(self) -> &'static str {
+        match self {
+            Form::Svg => "svg",
+            #[cfg(feature = "png")]
+            Form::Png => "png",
+        }
+    }
+}
+
+fn dots_per_inch(text: &str) -> Result<f64, String> {
+    let dpi: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
+    if (10.0..=2400.0).contains(&dpi) {
+        Ok(dpi)
+    } else {
+        Err("must be from 10 to 2400".to_owned())
+    }
+}
+
+impl Draw {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let scenes = match &self.scene {
+            Some(path) => vec![(stem(path), files::read(path)?)],
+            None => PAPER
+                .map(|(name, text)| {
+                    let source = Source {
+                        name: format!("{name}.json"),
+                        text: text.to_owned(),
+                    };
+                    (name.to_owned(), source)
+                })
+                .to_vec(),
+        };
+        let mut written = Vec::new();
+        for (name, source) in &scenes {
+            let work = work(source, needed)?;
+            work.warn();
+            let drawing = figure(&work.scene, &work.mechanism, &work.pose, &work.construction);
+            let svg = format::svg(&drawing);
+            for (path, form) in self.targets(name, scenes.len())? {
+                let bytes = match form {
+                    Form::Svg => svg.clone().into_bytes(),
+                    #[cfg(feature = "png")]
+                    Form::Png => format::png(&svg, self.dpi)
+                        .map_err(|error| Failure::Misuse(error.to_string(), None))?,
+                };
+                written.push((path, bytes));
+            }
+        }
+        if self.output == Path::new("-") {
+            let [(_, bytes)] = written.as_slice() else {
+                return Err(Failure::Misuse(
+                    "only one figure fits on stdout".into(),
+                    Some("name one scene, or a folder to write to".into()),
+                ));
+            };
+            return files::print(bytes);
+        }
+        self.keep_input(&written)?;
+        files::write(&written)
+    }
+
+    /// The files to write for a scene.
+    fn targets(&self, name: &str, scenes: usize) -> Result<Vec<(PathBuf, Form)>, Failure> {
+        if self.output == Path::new("-") {
+            return Ok(vec![(self.output.clone(), Form::Svg)]);
+        }
+        let ending = self.output.extension().and_then(|e| e.to_str());
+        let is_folder = self.output.is_dir()
+            || ending.is_none()
+            || self.output.as_os_str().to_string_lossy().ends_with('/');
+        if is_folder {
+            let path = |form: &Form| self.output.join(format!("{name}.{}", form.ending()));
+            return Ok(self.format.iter().map(|f| (path(f), *f)).collect());
+        }
+        let form = Form::value_variants()
+            .iter()
+            .find(|f| Some(f.ending()) == ending);
+        match form {
+            Some(form) if scenes == 1 => Ok(vec![(self.output.clone(), *form)]),
+            Some(_) => Err(Failure::Misuse(
+                "two figures do not fit into one file".into(),
+                Some("name one scene, or a folder to write to".into()),
+            )),
+            None => {
+                let known: Vec<&str> = Form::value_variants().iter().map(|f| f.ending()).collect();
+                Err(Failure::Misuse(
+                    format!(
+                        "no format for files ending in `.{}`",
+                        ending.unwrap_or_default()
+                    ),
+                    Some(format!(
+                        "known endings: {}; a folder's name ends in `/`",
+                        known.join(", ")
+                    )),
+                ))
+            }
+        }
+    }
+
+    /// Refuses to write over the scene itself.
+    fn keep_input(&self, written: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
+        let same = |a: &Path, b: &Path| match (a.canonicalize(), b.canonicalize()) {
+            (Ok(a), Ok(b)) => a == b,
+            _ => false,
+        };
+        let input = self.scene.as_deref();
+        match written
+            .iter()
+            .find(|(path, _)| input.is_some_and(|input| same(input, path)))
+        {
+            Some((path, _)) => Err(Failure::Misuse(
+                format!(
+                    "{} is the scene itself and is not overwritten",
+                    path.display()
+                ),
+                Some("choose another output".into()),
+            )),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The name that a scene's figure goes by.
+fn stem(path: &Path) -> String {
+    let stem = path.file_stem().and_then(|s| s.to_str());
+    stem.filter(|s| *s != "-").unwrap_or("figure").to_owned()
+}
+
+/// Accelerations only for a figure that shows them.
+fn needed(scene: &Scene) -> Order {
+    if scene.figure.panels.contains(&Panel::Acceleration) {
+        Order::Acceleration
+    } else {
+        Order::Velocity
+    }
+}

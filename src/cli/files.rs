@@ -1,0 +1,85 @@
+use super::message::Failure;
+use crate::scene::MAX_BYTES;
+use std::fs;
+use std::io::{self, Read, Write};
+use std::path::Path;
+
+/// The text of a scene and where it came from.
+#[derive(Clone, Debug)]
+pub(super) struct Source {
+    /// The file's name, or `stdin`.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// Reads a scene's text from a file, or from stdin for `-`.
+pub(super) fn read(path: &Path) -> Result<Source, Failure> {
+    let from_stdin = path == Path::new("-");
+    let name = if from_stdin {
+        "stdin".to_owned()
+    } else {
+        path.display().to_string()
+    };
+    let refuse = |error: io::Error| {
+        let hint = "give the path of a scene file, or `-` to read one from stdin";
+        Failure::Misuse(format!("{name} cannot be read: {error}"), Some(hint.into()))
+    };
+    let mut bytes = Vec::new();
+    // One byte more than is allowed, so that a larger file is seen without reading it all.
+    let limit = MAX_BYTES as u64 + 1;
+    if from_stdin {
+        io::stdin().take(limit).read_to_end(&mut bytes)
+    } else {
+        fs::File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes))
+    }
+    .map_err(refuse)?;
+    if bytes.len() > MAX_BYTES {
+        return Err(Failure::Misuse(
+            format!(
+                "{name} is larger than {} MB, which no scene is",
+                MAX_BYTES >> 20
+            ),
+            Some("is this the right file?".into()),
+        ));
+    }
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        Failure::Misuse(
+            format!("{name} is not text in UTF-8: byte {at} does not belong"),
+            Some("save the scene as UTF-8 text".into()),
+        )
+    })?;
+    Ok(Source { name, text })
+}
+
+/// Writes bytes to stdout; a reader that has gone away is no failure.
+pub(super) fn print(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Outside(format!(
+            "stdout cannot be written: {error}"
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Writes files, each whole or not at all: beside its place first, then moved there.
+pub(super) fn write(files: &[(std::path::PathBuf, Vec<u8>)]) -> Result<(), Failure> {
+    for (path, bytes) in files {
+        let failed = |error: io::Error| {
+            Failure::Outside(format!("{} cannot be written: {error}", path.display()))
+        };
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder).map_err(failed)?;
+        }
+        let mut beside = path.clone().into_os_string();
+        beside.push(format!(".{}.part", std::process::id()));
+        let moved = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, path));
+        if let Err(error) = moved {
+            let _ = fs::remove_file(&beside);
+            return Err(failed(error));
+        }
+    }
+    Ok(())
+}

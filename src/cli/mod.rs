@@ -1,0 +1,52 @@
+//! In: the words of a command line. Out: files, text on stdout, messages on stderr, an exit code.
+//! Only here files are read and written. All of a command's work is done before the first byte is written.
+//! Exit codes: 0 done; 1 not assembled, singular, or not written; 2 a scene or a command that cannot be understood.
+
+mod draw;
+mod files;
+mod message;
+mod solve;
+mod steps;
+mod work;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Velocity and acceleration plans of planar mechanisms, true to scale.
+#[derive(Debug, Parser)]
+#[command(name = "kinegon", version, about, arg_required_else_help = true)]
+struct Command {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Debug, Subcommand)]
+enum Task {
+    /// Draw the figure of a scene: scheme, velocity plan, acceleration plan.
+    Draw(draw::Draw),
+    /// Print every position, velocity and acceleration of a scene as JSON.
+    Solve(solve::Solve),
+    /// Print the construction of the plans step by step, with lengths on paper.
+    Steps(steps::Steps),
+    /// Print the JSON Schema of scene or result files, for editors.
+    Schema(solve::Schema),
+}
+
+/// Runs the command line of this process.
+#[must_use]
+pub fn run() -> ExitCode {
+    let command = Command::parse();
+    let done = match &command.task {
+        Task::Draw(draw) => draw.run(),
+        Task::Solve(solve) => solve.run(),
+        Task::Steps(steps) => steps.run(),
+        Task::Schema(schema) => schema.run(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            message::show(&failure);
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}

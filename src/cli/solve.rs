@@ -1,0 +1,98 @@
+use super::files;
+use super::message::Failure;
+use super::work::{Work, work};
+use crate::drawing::scales;
+use crate::format::{self, QuantityResult, ResultFile, Solved};
+use crate::motion::Order;
+use crate::plan::{Quantity, is_acceleration, measured_names, quantity};
+use crate::scene::Scene;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// Print the result of a scene.
+#[derive(Debug, Args)]
+pub(super) struct Solve {
+    /// Scene file, `-` for stdin.
+    scene: PathBuf,
+}
+
+impl Solve {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let source = files::read(&self.scene)?;
+        let work = work(&source, needed)?;
+        let mut result = format::result(Solved {
+            units: work.scene.units,
+            mechanism: &work.mechanism,
+            pose: &work.pose,
+            motion: &work.motion,
+            construction: &work.construction,
+        });
+        add_quantities(&work, &mut result)
+            .map_err(|error| Failure::Scene(source, Box::new(error)))?;
+        work.warn();
+        files::print(format::json(&result).as_bytes())
+    }
+}
+
+/// Accelerations unless the scene's `want` names only quantities without them.
+fn needed(scene: &Scene) -> Order {
+    match &scene.want {
+        Some(want) if !want.iter().any(|name| is_acceleration(name)) => Order::Velocity,
+        _ => Order::Acceleration,
+    }
+}
+
+/// The quantities that the scene wants; all that the construction measures where it does not say.
+fn add_quantities(work: &Work, result: &mut ResultFile) -> Result<(), crate::Error> {
+    let names = match &work.scene.want {
+        Some(want) => want.clone(),
+        None => measured_names(&work.construction),
+    };
+    let on_paper = names.iter().any(|n| n.ends_with("/mu"));
+    let scales =
+        on_paper.then(|| scales(&work.scene, &work.mechanism, &work.pose, &work.construction));
+    for (index, name) in names.iter().enumerate() {
+        let value = quantity(
+            name,
+            &work.mechanism,
+            &work.pose,
+            &work.motion,
+            &work.construction,
+            scales.as_ref(),
+        );
+        let value = value.map_err(|error| {
+            let path = ["want", &index.to_string()];
+            work.scene.error_at(&path, error.to_string(), None)
+        })?;
+        let value = match value {
+            Quantity::Number(x) => QuantityResult::Number(x),
+            Quantity::Vector(v) => QuantityResult::Vector([v.x, v.y]),
+        };
+        result.quantities.insert(name.clone(), value);
+    }
+    Ok(())
+}
+
+/// Print a JSON Schema.
+#[derive(Debug, Args)]
+pub(super) struct Schema {
+    /// Of which kind of file.
+    #[arg(value_enum, default_value_t = Kind::Scene)]
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Kind {
+    Scene,
+    Result,
+}
+
+impl Schema {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let schema = match self.kind {
+            Kind::Scene => Scene::schema(),
+            Kind::Result => format::result_schema(),
+        };
+        files::print(format::json(&schema).as_bytes())
+    }
+}

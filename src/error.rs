@@ -1,0 +1,25 @@
+use crate::mechanism::StructureError;
+use crate::motion::MotionError;
+use crate::plan::QuantityError;
+use crate::position::AssemblyError;
+use crate::scene::SceneError;
+
+/// Why a scene gives no result: the error of the stage that found it.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The scene cannot be understood.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// It is no mechanism that can be solved.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// It cannot be assembled.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+    /// It is in a singular position.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// A quantity that was asked for has no value.
+    #[error(transparent)]
+    Quantity(#[from] QuantityError),
+}
