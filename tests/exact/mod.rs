@@ -148,7 +148,10 @@ fn differences_from_decimals_are_exact() {
     // 0.1 is 0.1000000000000000055511151231257827… in binary.
     let tenth = minus(0.1, "0.1");
     assert!((tenth / 5.551_115_123_125_783e-18 - 1.0).abs() < 1e-14);
-    assert_eq!(minus(-2.5e-300, "-2.5E-300").abs().log10().floor(), -317.0);
+    assert_eq!(
+        libm::log10(minus(-2.5e-300, "-2.5E-300").abs()).floor(),
+        -317.0
+    );
     assert_eq!(minus(3.0, "0"), 3.0);
     assert_eq!(minus(0.0, "-3.0"), 3.0);
     assert_eq!(minus(0.0, "0"), 0.0);

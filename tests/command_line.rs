@@ -1,0 +1,303 @@
+//! The program from outside: results on stdout, one clear message on stderr, the right exit code, nothing half-written.
+#![cfg(feature = "cli")]
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+const FIGURE_2: &str = include_str!("../examples/figure-2.json");
+
+fn kinegon() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_kinegon"));
+    command.env_remove("CLICOLOR_FORCE").stdin(Stdio::null());
+    command
+}
+
+/// Runs `kinegon ARGUMENTS -` with a scene on stdin.
+fn with_scene(arguments: &[&str], scene: &[u8]) -> Output {
+    let mut child = kinegon()
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut stdin = child.stdin.take().expect("it is piped");
+    // A program that refuses early need not read to the end.
+    let _ = stdin.write_all(scene);
+    drop(stdin);
+    child.wait_with_output().expect("the program ends")
+}
+
+fn scratch(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("the test's folder can be written");
+    folder
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// A scene that must be refused: exit code, words that the message must have, the scene.
+fn refused() -> Vec<(i32, Vec<&'static str>, Vec<u8>)> {
+    let changed = |from: &str, to: &str| {
+        assert!(FIGURE_2.contains(from), "{from}");
+        FIGURE_2.replacen(from, to, 1).into_bytes()
+    };
+    let drawn = |points: &str| {
+        format!(
+            r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "points": {{ {points} }},
+            "known": {{ "B": {{ "velocity": [1, 0] }}, "E": {{ "velocity": [0, 1] }} }},
+            "links": {{ "2": ["B", "C", "G"], "3": ["C", "D"], "4": ["E", "D", "F"], "5": ["G", "F"] }} }}"#
+        )
+        .into_bytes()
+    };
+    let mut huge = FIGURE_2.as_bytes().to_vec();
+    huge.resize(50 << 20, b' ');
+    vec![
+        (2, vec!["empty"], b"".to_vec()),
+        (2, vec!["empty"], b"  \n ".to_vec()),
+        (
+            2,
+            vec!["stdin:2:"],
+            b"{ \"kinegon\": 1,\n \"units\": }\n".to_vec(),
+        ),
+        (2, vec!["UTF-8", "byte 1"], b"{\xff}".to_vec()),
+        (
+            2,
+            vec!["version"],
+            changed("\"kinegon\": 1", "\"kinegon\": 2"),
+        ),
+        (
+            2,
+            vec![
+                "unknown key `lenghts`",
+                "did you mean `lengths`?",
+                "links.1.lenghts",
+            ],
+            changed("\"lengths\"", "\"lenghts\""),
+        ),
+        (
+            2,
+            vec!["link 3 has no point X"],
+            changed(
+                "\"link\": \"3\", \"at\": \"D\"",
+                "\"link\": \"3\", \"at\": \"X\"",
+            ),
+        ),
+        (2, vec!["9"], changed("\"link\": \"3\"", "\"link\": \"9\"")),
+        (
+            2,
+            vec!["link 4: lengths GD 300, FG 50, FD 180 cannot form a triangle: 50 + 180 < 300"],
+            changed("\"FG\": 150", "\"FG\": 50"),
+        ),
+        (2, vec!["AB", "0"], changed("\"AB\": 100", "\"AB\": 0")),
+        (
+            2,
+            vec!["text \"100\""],
+            changed("\"AB\": 100", "\"AB\": \"100\""),
+        ),
+        (2, vec!["1e400"], changed("\"AB\": 100", "\"AB\": 1e400")),
+        (2, vec!["larger than 4 MB"], huge),
+        (
+            2,
+            vec!["B", "C"],
+            drawn(
+                r#""B": [0,0], "C": [0,0], "D": [0,0], "E": [4,0.5], "F": [4.75,-1.5], "G": [1.5,-1.25]"#,
+            ),
+        ),
+        // Lines CD, GF and BE all vertical.
+        (
+            1,
+            vec!["singular position", "CD", "GF", "BE", "parallel"],
+            drawn(r#""B": [0,0], "C": [1,1], "D": [1,4], "E": [0,5], "F": [-2,3.5], "G": [-2,1]"#),
+        ),
+        // Link 5 is too short to reach.
+        (
+            1,
+            vec!["cannot be assembled", "EF", "longer", "angle(1) = 70"],
+            changed("\"EF\": 300", "\"EF\": 3"),
+        ),
+        (
+            2,
+            vec!["links 2, 3, 4", "degree"],
+            changed("\"5\": {", "\"note\": {"),
+        ),
+    ]
+}
+
+#[test]
+fn bad_scenes_get_one_message_and_the_right_exit_code() {
+    for (code, words, scene) in refused() {
+        let shown = String::from_utf8_lossy(&scene[..scene.len().min(2000)]).into_owned();
+        for task in ["solve", "draw", "steps"] {
+            let folder = scratch("refused");
+            let out = folder.join("figures");
+            let out = out.to_str().expect("a path in UTF-8");
+            let arguments = match task {
+                "draw" => vec!["draw", "-", "-o", out],
+                task => vec![task, "-"],
+            };
+            let output = with_scene(&arguments, &scene);
+            let message = stderr(&output);
+            assert_eq!(
+                output.status.code(),
+                Some(code),
+                "{task}: {message}\n{shown}"
+            );
+            assert!(output.stdout.is_empty(), "{task}\n{shown}");
+            assert!(!Path::new(out).exists(), "{task}\n{shown}");
+            assert_eq!(message.matches("error").count(), 1, "{message}");
+            for word in &words {
+                assert!(message.contains(word), "no `{word}` in: {message}\n{shown}");
+            }
+        }
+    }
+}
+
+#[test]
+fn near_far_from_every_mode_gives_a_warning() {
+    let scene = FIGURE_2.replace("[263, 300]", "[2630, 3000]");
+    let output = with_scene(&["solve", "-"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(0));
+    let message = stderr(&output);
+    assert!(
+        message.contains("warning") && message.contains("`near`"),
+        "{message}"
+    );
+    assert!(message.contains("away"), "{message}");
+    let calm = with_scene(&["solve", "-"], FIGURE_2.as_bytes());
+    assert!(calm.stderr.is_empty(), "{}", stderr(&calm));
+}
+
+#[test]
+fn without_near_the_modes_are_listed() {
+    let at = FIGURE_2.find("\"near\"").expect("the example has it");
+    let end = FIGURE_2[at..].find("},").expect("it ends") + at + 2;
+    // Without `near` the triangle's hand is open too, so it is given as a shape.
+    let shape =
+        r#""4": { "shape": { "G": [0, 0], "D": [300, 0], "F": [133.5, -68.39407869106799] } },"#;
+    let scene = format!("{}{}", &FIGURE_2[..at], &FIGURE_2[end..]);
+    let from = scene.find("\"4\"").expect("link 4");
+    let to = scene.find("\"5\"").expect("link 5");
+    let scene = format!("{}{shape}{}", &scene[..from], &scene[to..]);
+    let output = with_scene(&["solve", "-"], scene.as_bytes());
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    assert!(
+        message.contains("2 ways") && message.contains("mode 1"),
+        "{message}"
+    );
+    assert!(message.contains("E (405.96, 428.33)"), "{message}");
+}
+
+#[test]
+fn solve_answers_want() {
+    let want =
+        r#""want": ["omega(2)", "vplan(b,s3)", "vplan(b,s3)/mu", "v(D)", "a_n(S3/B)"], "figure""#;
+    let scene = FIGURE_2.replace("\"figure\"", want);
+    let output = with_scene(&["solve", "-"], scene.as_bytes());
+    let result: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let quantities = result["quantities"].as_object().expect("an object");
+    assert_eq!(quantities.len(), 5);
+    let near = |name: &str, value: f64| {
+        let got = quantities[name].as_f64().expect("a number");
+        assert!((got - value).abs() < 1e-9, "{name}: {got}");
+    };
+    near("omega(2)", -0.00860783887219);
+    near("vplan(b,s3)", 59.40764643033);
+    near("vplan(b,s3)/mu", 59.40764643033);
+
+    // Velocities only: nothing of accelerations is computed or printed.
+    let scene = FIGURE_2.replace("\"figure\"", r#""want": ["omega(2)"], "figure""#);
+    let output = with_scene(&["solve", "-"], scene.as_bytes());
+    assert!(!String::from_utf8_lossy(&output.stdout).contains("acceleration"));
+
+    let scene = FIGURE_2.replace("\"figure\"", r#""want": ["omega(22)"], "figure""#);
+    let output = with_scene(&["solve", "-"], scene.as_bytes());
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        message.contains("did you mean `2`?") && message.contains("want"),
+        "{message}"
+    );
+}
+
+#[test]
+fn draw_writes_both_paper_figures() {
+    let folder = scratch("draw");
+    let out = folder.join("new/folder");
+    let run = kinegon()
+        .arg("draw")
+        .arg("-o")
+        .arg(&out)
+        .arg("--format")
+        .arg("svg")
+        .output();
+    assert_eq!(run.expect("the program runs").status.code(), Some(0));
+    let mut names: Vec<String> = std::fs::read_dir(&out)
+        .expect("it was made")
+        .map(|e| {
+            e.expect("listed")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    names.sort();
+    assert_eq!(names, ["figure-1.svg", "figure-2.svg"]);
+}
+
+#[test]
+fn output_follows_the_ending_and_never_covers_the_scene() {
+    let folder = scratch("ending");
+    let scene = folder.join("scene.svg");
+    std::fs::write(&scene, FIGURE_2).expect("written");
+    let run = |out: &Path| {
+        let mut command = kinegon();
+        command.arg("draw").arg(&scene).arg("-o").arg(out);
+        command.output().expect("the program runs")
+    };
+    let refused = run(&scene);
+    assert_eq!(refused.status.code(), Some(2));
+    assert_eq!(std::fs::read_to_string(&scene).expect("read"), FIGURE_2);
+    let unknown = run(&folder.join("figure.bmp"));
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(stderr(&unknown).contains("known endings: svg"));
+    assert_eq!(run(&folder.join("figure.svg")).status.code(), Some(0));
+    assert!(
+        std::fs::read_to_string(folder.join("figure.svg"))
+            .expect("read")
+            .starts_with("<svg")
+    );
+    let stdout = run(Path::new("-"));
+    assert!(stdout.stdout.starts_with(b"<svg"));
+}
+
+#[test]
+fn a_missing_file_and_a_misspelt_task_are_misuse() {
+    let missing = kinegon().args(["solve", "no such file.json"]).output();
+    let missing = missing.expect("the program runs");
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(stderr(&missing).contains("no such file.json"));
+    let misspelt = kinegon().arg("slove").output().expect("the program runs");
+    assert_eq!(misspelt.status.code(), Some(2));
+}
+
+#[test]
+fn steps_are_numbered_and_measured_on_paper() {
+    let output = with_scene(&["steps", "-"], FIGURE_2.as_bytes());
+    let text = String::from_utf8(output.stdout).expect("UTF-8");
+    for line in [
+        "  1. S3, special point of link 3: where the normal to the guide of 3/2 through B meets GD.",
+        "L_BS3 = 370.9648 mm (74.19 mm on paper)",
+        "b s3 = 59.40765 mm/s (59.41 mm on paper)",
+        "ω_2 L_S3B + v_r(3/2) = μ_v (b s3)",
+        "omega(4) = -0.4746638 rad/s",
+        "a_r(3/2) = -58.41247 mm/s²",
+    ] {
+        assert!(text.contains(line), "no `{line}` in\n{text}");
+    }
+}
