@@ -129,7 +129,7 @@ impl Board {
         let segment = plan.segment(from, to).expect("the plan has both points");
         let (a, s) = (self.place(about), self.place(special));
         let arm = [s[0] - a[0], s[1] - a[1]];
-        (segment.x * arm[1] - segment.y * arm[0]) / arm[0].hypot(arm[1])
+        (segment.x * arm[1] - segment.y * arm[0]) / libm::hypot(arm[0], arm[1])
     }
 }
 
@@ -498,7 +498,7 @@ fn dyad(p: [f64; 2], r: f64, q: [f64; 2], s: f64, side: f64) -> [f64; 2] {
 #[test]
 fn the_papers_own_drawing_gives_the_printed_values() {
     let polar = |p: [f64; 2], r: f64, degrees: f64| {
-        let (sin, cos) = degrees.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(degrees.to_radians());
         [p[0] + r * cos, p[1] + r * sin]
     };
     let g = [275.0, 0.0];

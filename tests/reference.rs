@@ -570,7 +570,7 @@ impl<'a> Comparison<'a> {
         // The truth is signed along the turned guide; the result is a vector: sizes are compared.
         let coriolis = slider
             .coriolis
-            .map(|[x, y]| x.hypot(y).copysign(approximate(&truth["coriolis"])));
+            .map(|[x, y]| libm::hypot(x, y).copysign(approximate(&truth["coriolis"])));
         self.number(
             Kind::Acceleration,
             format!("coriolis of {name}"),
@@ -606,7 +606,7 @@ impl<'a> Comparison<'a> {
             };
             let [x, y] = read_pair(&truth["at_infinity"]);
             let across = x * direction[1].into() - y * direction[0].into();
-            let sizes = length([x, y]) * direction[0].hypot(direction[1]);
+            let sizes = length([x, y]) * libm::hypot(direction[0], direction[1]);
             let error = across.rounded().abs() / sizes;
             self.errors.push((error, format!("direction of {name}")));
             return;
@@ -682,5 +682,5 @@ fn differ(a: [Exact; 2], b: [Exact; 2]) -> [Exact; 2] {
 }
 
 fn length([x, y]: [Exact; 2]) -> f64 {
-    x.rounded().hypot(y.rounded())
+    libm::hypot(x.rounded(), y.rounded())
 }

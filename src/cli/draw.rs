@@ -2,7 +2,7 @@ use super::files::{self, Source};
 use super::message::Failure;
 use super::work::work;
 use crate::drawing::figure;
-use crate::format;
+use crate::format::{self, Text};
 use crate::motion::Order;
 use crate::scene::{Panel, Scene};
 use clap::{Args, ValueEnum};
@@ -25,8 +25,11 @@ pub(super) struct Draw {
     /// Formats to write into a folder.
     #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::all())]
     format: Vec<Form>,
+    /// Write the letters of SVG as outlines, for programs that lack the font.
+    #[arg(long)]
+    outlines: bool,
     /// Resolution of PNG in dots per inch.
-    #[arg(long, default_value_t = 150.0, value_parser = dots_per_inch)]
+    #[arg(long, default_value_t = 120.0, value_parser = dots_per_inch)]
     dpi: f64,
 }
 
@@ -79,12 +82,16 @@ impl Draw {
             let work = work(source, needed)?;
             work.warn();
             let drawing = figure(&work.scene, &work.mechanism, &work.pose, &work.construction);
-            let svg = format::svg(&drawing);
+            let text = if self.outlines {
+                Text::Outlines
+            } else {
+                Text::Letters
+            };
             for (path, form) in self.targets(name, scenes.len())? {
                 let bytes = match form {
-                    Form::Svg => svg.clone().into_bytes(),
+                    Form::Svg => format::svg_with(&drawing, text).into_bytes(),
                     #[cfg(feature = "png")]
-                    Form::Png => format::png(&svg, self.dpi)
+                    Form::Png => format::png(&drawing, self.dpi)
                         .map_err(|error| Failure::Misuse(error.to_string(), None))?,
                 };
                 written.push((path, bytes));

@@ -1,4 +1,5 @@
 use super::labels::{LabelRequest, Obstacles, place};
+use super::layout::HEADING;
 use super::sheet::{Drawing, Pen, Shape};
 use super::text::RichText;
 use indexmap::IndexMap;
@@ -42,6 +43,13 @@ impl<'a> Canvas<'a> {
     /// The panel without its border.
     pub(super) fn bounds(&self) -> Rect {
         self.obstacles.bounds
+    }
+
+    /// The panel without its border and heading: where lines may run.
+    pub(super) fn room(&self) -> Rect {
+        let mut room = self.bounds();
+        room.y0 += HEADING;
+        room
     }
 
     /// Draws a mark and remembers it as something that labels keep off: joints and arrowheads entirely, lines where they can.
@@ -125,6 +133,19 @@ impl<'a> Canvas<'a> {
             clearance,
             prefer,
             priority,
+        };
+        self.requests.push((request, name.to_owned()));
+    }
+
+    /// Asks for words beside `anchor`.
+    pub(super) fn words(&mut self, name: &str, words: &str, anchor: Point) {
+        let request = LabelRequest {
+            text: RichText::plain(words),
+            size: 0.9 * LABEL,
+            anchor,
+            clearance: 1.0,
+            prefer: None,
+            priority: 3,
         };
         self.requests.push((request, name.to_owned()));
     }

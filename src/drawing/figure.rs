@@ -36,7 +36,7 @@ pub fn figure(
     drawing.title = title.to_owned();
     drawing.description = description(mechanism, &layout);
     let heading = PlacedText::new(
-        RichText::plain(title),
+        RichText::verbatim(title),
         5.2,
         Point::new(layout.title.x0, layout.title.y0 + 5.6),
     );

@@ -1,10 +1,10 @@
 use std::str::Chars;
 use std::sync::OnceLock;
 
-use kurbo::Rect;
+use kurbo::{BezPath, Point, Rect, Shape};
 use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 use ttf_parser::gsub::{Ligature, LigatureSubstitution, SubstitutionSubtable};
-use ttf_parser::{GlyphId, Tag};
+use ttf_parser::{GlyphId, OutlineBuilder, Tag};
 
 /// The upright face: Libertinus Serif Regular, subset, SIL Open Font License 1.1 (see
 /// `fonts/OFL-1.1.txt`).
@@ -36,6 +36,8 @@ pub(super) struct Face {
     /// The glyphs measured so far, by number: reading an outline takes far longer than looking it
     /// up.
     glyphs: Vec<OnceLock<Extent>>,
+    /// The outlines drawn so far, by number.
+    outlines: Vec<OnceLock<BezPath>>,
     /// Kerning lookups by script, in the order in which they apply; the first subtable that answers
     /// ends its lookup.
     kerning: [Vec<Vec<PairAdjustment<'static>>>; 3],
@@ -66,12 +68,11 @@ impl Face {
         let face = ttf_parser::Face::parse(data, 0).expect("the bundled fonts are sound");
         let kerning =
             [b"latn", b"grek", b"cyrl"].map(|script| kerning(&face, Tag::from_bytes(script)));
-        let glyphs = (0..face.number_of_glyphs())
-            .map(|_| OnceLock::new())
-            .collect();
+        let glyphs = usize::from(face.number_of_glyphs());
         Self {
             em: f64::from(face.units_per_em()),
-            glyphs,
+            glyphs: vec![OnceLock::new(); glyphs],
+            outlines: vec![OnceLock::new(); glyphs],
             kerning,
             ligatures: ligatures(&face),
             face,
@@ -86,16 +87,34 @@ impl Face {
     /// Width and ink of a text set as the renderers set it: with the font's kerning and its
     /// ligatures.
     pub(super) fn measure(&self, text: &str) -> Extent {
-        let mut total = Extent {
-            advance: 0.0,
-            ink: None,
-        };
+        let mut ink: Option<Rect> = None;
+        let advance = self.set(text, |glyph, pen| {
+            if let Some(own) = self.extent(glyph).ink {
+                let own = own + kurbo::Vec2::new(pen, 0.0);
+                ink = Some(ink.map_or(own, |all| all.union(own)));
+            }
+        });
+        Extent { advance, ink }
+    }
+
+    /// Shows the outlines of a text's glyphs one by one, each with the place of its left end; in em,
+    /// y down, set as [`measure`](Face::measure) measures. A letter that the face lacks is an empty
+    /// box.
+    pub(super) fn outline(&'static self, text: &str, mut show: impl FnMut(&'static BezPath, f64)) {
+        self.set(text, |glyph, pen| show(self.outline_of(glyph), pen));
+    }
+
+    /// Sets a text glyph by glyph: `put` gets each, none for a letter that the face lacks, with the
+    /// place of its left end. Returns how far the text moves the pen.
+    fn set(&self, text: &str, mut put: impl FnMut(Option<GlyphId>, f64)) -> f64 {
+        let mut pen = 0.0;
         let mut previous: Option<GlyphId> = None;
         let mut script = Script::Latin;
         let mut letters = text.chars();
         while let Some(letter) = letters.next() {
             let Some(mut glyph) = self.face.glyph_index(letter) else {
-                total = total.then(UNKNOWN);
+                put(None, pen);
+                pen += UNKNOWN.advance;
                 previous = None;
                 continue;
             };
@@ -111,20 +130,35 @@ impl Face {
                 letters.by_ref().take(more).for_each(drop);
             }
             if let Some(before) = previous {
-                total.advance += self.kern(script, before, glyph);
+                pen += self.kern(script, before, glyph);
             }
-            total = total.then(self.glyph(glyph));
+            put(Some(glyph), pen);
+            pen += self.extent(Some(glyph)).advance;
             previous = Some(glyph);
         }
-        total
+        pen
     }
 
-    fn glyph(&self, glyph: GlyphId) -> Extent {
-        self.glyphs
-            .get(usize::from(glyph.0))
-            .map_or(UNKNOWN, |known| {
-                *known.get_or_init(|| self.measure_glyph(glyph))
-            })
+    fn extent(&self, glyph: Option<GlyphId>) -> Extent {
+        let known = glyph.and_then(|glyph| Some((glyph, self.glyphs.get(usize::from(glyph.0))?)));
+        known.map_or(UNKNOWN, |(glyph, known)| {
+            *known.get_or_init(|| self.measure_glyph(glyph))
+        })
+    }
+
+    fn outline_of(&'static self, glyph: Option<GlyphId>) -> &'static BezPath {
+        static EMPTY_BOX: OnceLock<BezPath> = OnceLock::new();
+        let known = glyph.and_then(|glyph| Some((glyph, self.outlines.get(usize::from(glyph.0))?)));
+        match known {
+            Some((glyph, known)) => known.get_or_init(|| {
+                let (path, em) = (BezPath::new(), self.em);
+                let mut pen = OutlinePen { path, em };
+                // None for a glyph without ink: the path stays empty.
+                let _ink = self.face.outline_glyph(glyph, &mut pen);
+                pen.path
+            }),
+            None => EMPTY_BOX.get_or_init(empty_box),
+        }
     }
 
     fn measure_glyph(&self, glyph: GlyphId) -> Extent {
@@ -170,20 +204,47 @@ impl Face {
     }
 }
 
-impl Extent {
-    /// This extent with another one set after it.
-    pub(super) fn then(self, next: Self) -> Self {
-        let moved = next
-            .ink
-            .map(|ink| ink + kurbo::Vec2::new(self.advance, 0.0));
-        let ink = match (self.ink, moved) {
-            (Some(here), Some(there)) => Some(here.union(there)),
-            (here, there) => here.or(there),
-        };
-        Self {
-            advance: self.advance + next.advance,
-            ink,
-        }
+/// Draws what stands for a letter that the face lacks: the sides of a box, on a capital's place.
+fn empty_box() -> BezPath {
+    let outer = Rect::new(0.06, -0.66, 0.54, 0.0);
+    let mut path = outer.to_path(0.0);
+    // Wound the other way, so that the inside stays clear.
+    path.extend(outer.inset(-0.05).to_path(0.0).reverse_subpaths());
+    path
+}
+
+/// Takes down an outline in em, y down.
+struct OutlinePen {
+    path: BezPath,
+    em: f64,
+}
+
+impl OutlinePen {
+    fn at(&self, x: f32, y: f32) -> Point {
+        Point::new(f64::from(x) / self.em, -f64::from(y) / self.em)
+    }
+}
+
+impl OutlineBuilder for OutlinePen {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.path.move_to(self.at(x, y));
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.path.line_to(self.at(x, y));
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        self.path.quad_to(self.at(x1, y1), self.at(x, y));
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        let (first, second) = (self.at(x1, y1), self.at(x2, y2));
+        self.path.curve_to(first, second, self.at(x, y));
+    }
+
+    fn close(&mut self) {
+        self.path.close_path();
     }
 }
 

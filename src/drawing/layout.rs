@@ -12,7 +12,8 @@ pub(super) const LEGEND: f64 = 16.0;
 const GAP: f64 = 4.0;
 /// Inside a panel, kept free for labels and its heading.
 const PADDING: f64 = 7.0;
-const HEADING: f64 = 6.0;
+/// Height of a panel's heading.
+pub(super) const HEADING: f64 = 6.0;
 /// No panel's content gets less than this, in mm, either way.
 const LEAST: f64 = 20.0;
 

@@ -32,3 +32,5 @@ pub use kurbo::Point;
 pub use kurbo::Rect;
 /// A displacement on the sheet, in millimetres, y down.
 pub use kurbo::Vec2;
+/// A path of lines and curves, and one of its parts.
+pub use kurbo::{BezPath as Outline, PathEl as OutlinePart};

@@ -47,7 +47,7 @@ pub(super) fn draw(
                 along
             };
             let ends = (from - along * (0.5 * BEYOND), to + along * BEYOND);
-            if let Some((a, b)) = clipped_segment(canvas.bounds(), ends.0, ends.1) {
+            if let Some((a, b)) = clipped_segment(canvas.room(), ends.0, ends.1) {
                 let name = format!("ray-{}-{}", ray.through, ray.to);
                 canvas.draw_named(&name, Pen::Ray, Shape::Line(a, b));
             }

@@ -12,6 +12,11 @@ use kurbo::{Point, Rect, Vec2};
 const JOINT: f64 = 1.15;
 /// Half length and half width of a slider block in mm.
 const BLOCK: Vec2 = Vec2::new(3.9, 2.2);
+/// Height of a pivot's triangle, and half the length of the ground line under it, in mm.
+const PIVOT: f64 = 4.4;
+const PIVOT_HALF: f64 = 4.2;
+/// How far the strokes under a ground line reach, in mm.
+const HATCH: f64 = 1.7;
 /// A special point that would make the scheme more than this many times larger is not drawn at its place.
 const REACH: f64 = 2.5;
 
@@ -148,7 +153,7 @@ impl Scheme<'_> {
         if !self.figure.construction {
             return;
         }
-        let bounds = canvas.bounds();
+        let bounds = canvas.room();
         for cut in &special.cuts {
             let (Some(start), Some(direction)) = (cut.start(), cut.line.direction()) else {
                 continue;
@@ -205,7 +210,7 @@ impl Scheme<'_> {
             return;
         }
         // The arrow lies on the first cut line that reaches the panel's edge.
-        let bounds = canvas.bounds().inset(-2.0);
+        let bounds = canvas.room().inset(-2.0);
         let start = special
             .cuts
             .iter()
@@ -240,46 +245,45 @@ impl Scheme<'_> {
                 to: edge,
             },
         );
-        canvas.label(&special.name, &distance, tail, 1.0, None, 3);
+        canvas.words(&special.name, &distance, tail);
     }
 
-    /// A guide that is no line between its body's points: a line, joined to those points.
+    /// A guide that is no line between its body's points: a line about the block, joined to those
+    /// points. It stays on the panel: an arm whose foot would lie far off goes to the guide's end.
     fn guide(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId) {
+        const HALF: f64 = 3.0 * BLOCK.x;
         let slider = self.mechanism.slider(id);
         let (at, along) = (self.at(view, slider.at), on_sheet(self.pose.guide(id)));
-        let body = self.mechanism.body(slider.on);
         let across = Vec2::new(-along.y, along.x);
-        let mut reach: (f64, f64) = (-3.0 * BLOCK.x, 3.0 * BLOCK.x);
-        let mut arms = Vec::new();
-        let mut on_line = 0;
-        if slider.on != GROUND {
-            for &point in &body.points {
-                let offset = self.at(view, point) - at;
-                let (along_guide, off) = (offset.dot(along), offset.dot(across));
-                if off.abs() > 0.3 {
-                    arms.push((self.at(view, point), at + along * along_guide));
-                } else {
-                    on_line += 1;
-                }
-                reach = (reach.0.min(along_guide), reach.1.max(along_guide));
-            }
-            if on_line >= 2 {
-                return;
-            }
-        }
-        for (a, b) in arms {
-            canvas.draw(Pen::Link, Shape::Line(a, b));
-        }
-        let (a, b) = (at + along * reach.0, at + along * reach.1);
+        // Room for the ground line and its hatching beside the block.
+        let bounds = canvas.bounds().inset(-(BLOCK.y + HATCH));
+        let Some((a, b)) = clipped_segment(bounds, at - along * HALF, at + along * HALF) else {
+            return;
+        };
         if slider.on == GROUND {
-            canvas.draw(
-                Pen::Ground,
-                Shape::Line(a + across * BLOCK.y, b + across * BLOCK.y),
-            );
-            hatch(canvas, a + across * BLOCK.y, b + across * BLOCK.y, across);
-        } else {
-            canvas.draw(Pen::Guide, Shape::Line(a, b));
+            let (a, b) = (a + across * BLOCK.y, b + across * BLOCK.y);
+            canvas.draw(Pen::Ground, Shape::Line(a, b));
+            hatch(canvas, a, b, across);
+            return;
         }
+        let (mut low, mut high) = ((a - at).dot(along), (b - at).dot(along));
+        let points = &self.mechanism.body(slider.on).points;
+        let offsets = points.iter().map(|&point| self.at(view, point) - at);
+        let (on_line, off_line): (Vec<Vec2>, Vec<Vec2>) =
+            offsets.partition(|offset| offset.dot(across).abs() <= 0.3);
+        if on_line.len() >= 2 {
+            return;
+        }
+        for offset in on_line {
+            let place = offset.dot(along);
+            (low, high) = (low.min(place), high.max(place));
+        }
+        for offset in off_line {
+            let foot = at + along * offset.dot(along).clamp(low, high);
+            canvas.draw(Pen::Link, Shape::Line(at + offset, foot));
+        }
+        let (a, b) = (at + along * low, at + along * high);
+        canvas.draw(Pen::Guide, Shape::Line(a, b));
     }
 
     fn block(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId) {
@@ -340,8 +344,7 @@ impl Scheme<'_> {
     /// A pivot on the ground.
     fn pivot(&self, canvas: &mut Canvas<'_>, apex: Point) {
         const HALF: f64 = 2.3;
-        const HEIGHT: f64 = 4.4;
-        let base = apex.y + HEIGHT;
+        let base = apex.y + PIVOT;
         let triangle = vec![
             apex,
             Point::new(apex.x - HALF, base),
@@ -349,12 +352,12 @@ impl Scheme<'_> {
         ];
         canvas.draw(Pen::Slider, Shape::Polygon(triangle));
         let (a, b) = (
-            Point::new(apex.x - 4.2, base),
-            Point::new(apex.x + 4.2, base),
+            Point::new(apex.x - PIVOT_HALF, base),
+            Point::new(apex.x + PIVOT_HALF, base),
         );
         canvas.draw(Pen::Ground, Shape::Line(a, b));
         hatch(canvas, a, b, Vec2::new(0.0, 1.0));
-        canvas.keep_off(Rect::new(a.x, a.y, b.x, b.y + 1.8));
+        canvas.keep_off(pivot_box(apex));
     }
 
     /// A link of the neighbouring mechanism: a piece of it, broken off.
@@ -395,6 +398,7 @@ impl Scheme<'_> {
         omega: f64,
     ) {
         const RADIUS: f64 = 7.5;
+        const SWEEP: f64 = 1.5;
         let Some(&tip) = points.iter().find(|&&p| p != pivot) else {
             return;
         };
@@ -405,19 +409,38 @@ impl Scheme<'_> {
         }
         // Counter-clockwise is against the sheet's own sense of angles.
         let sense = -omega.signum();
-        let start = libm::atan2(arm.y, arm.x) + sense * 0.35;
-        let sweep = sense * 1.5;
-        let shape = Shape::ArcArrow {
+        let arc = |radius: f64, lead: f64| Shape::ArcArrow {
             center,
-            radius: RADIUS,
-            start,
-            sweep,
+            radius,
+            start: libm::atan2(arm.y, arm.x) + sense * lead,
+            sweep: sense * SWEEP,
         };
+        // Off the panel's edge and, where that can be, off the pivot's hatching: ahead of the link,
+        // behind it, or smaller.
+        let (bounds, foot) = (canvas.bounds(), pivot_box(center));
+        let behind = -0.35 - SWEEP;
+        let tries = [
+            (RADIUS, 0.35),
+            (RADIUS, behind),
+            (0.8 * RADIUS, 0.35),
+            (0.8 * RADIUS, behind),
+        ];
+        let fits =
+            |&&(radius, lead): &&(f64, f64)| arc(radius, lead).drawn_box().union(bounds) == bounds;
+        let clear = |&&(radius, lead): &&(f64, f64)| {
+            let both = arc(radius, lead).drawn_box().intersect(foot);
+            both.area() <= 0.0
+        };
+        let best = tries.iter().filter(fits).find(clear);
+        let &(radius, lead) = best.or(tries.iter().find(fits)).unwrap_or(&tries[2]);
+        let start = libm::atan2(arm.y, arm.x) + sense * lead;
+        let sweep = sense * SWEEP;
+        let shape = arc(radius, lead);
         canvas.draw_named(&format!("omega-{name}"), Pen::Turning, shape);
         let middle = start + 0.6 * sweep;
         let direction = Vec2::new(libm::cos(middle), libm::sin(middle));
         let label = format!("ω_{{{}}}", canvas.shown(name, name));
-        let anchor = center + direction * RADIUS;
+        let anchor = center + direction * radius;
         canvas.label(
             &format!("omega({name})"),
             &label,
@@ -489,16 +512,21 @@ impl Scheme<'_> {
     }
 }
 
+/// The ground line under a pivot and its hatching.
+fn pivot_box(apex: Point) -> Rect {
+    let base = apex.y + PIVOT;
+    Rect::new(apex.x - PIVOT_HALF, base, apex.x + PIVOT_HALF, base + HATCH)
+}
+
 /// Short strokes along a ground line, on the side of `away`.
 fn hatch(canvas: &mut Canvas<'_>, a: Point, b: Point, away: Vec2) {
     const SPACING: f64 = 1.4;
-    const LENGTH: f64 = 1.7;
     let run = b - a;
     let count = (run.hypot() / SPACING).round().max(1.0);
     let along = run / run.hypot();
     for k in 0..count as usize {
         let from = a + run * ((k as f64 + 0.75) / count);
-        let to = from + away * LENGTH - along * LENGTH;
+        let to = from + away * HATCH - along * HATCH;
         canvas.drawing.draw(Pen::Hatch, Shape::Line(from, to));
     }
 }

@@ -362,6 +362,34 @@ impl Shape {
         }
     }
 
+    /// The box around what is drawn of the shape, in mm, without the width of its line: for an arc
+    /// that of its own stretch of the circle, to a hundredth of its radius.
+    pub fn drawn_box(&self) -> Rect {
+        const PARTS: u8 = 64;
+        match *self {
+            Self::Arc {
+                center,
+                radius,
+                start,
+                sweep,
+            }
+            | Self::ArcArrow {
+                center,
+                radius,
+                start,
+                sweep,
+            } => {
+                let on = |part: u8| {
+                    let share = f64::from(part) / f64::from(PARTS);
+                    on_circle(center, radius, start + sweep * share)
+                };
+                let line = around(&std::array::from_fn::<Point, 65, _>(|part| on(part as u8)));
+                self.head_box().map_or(line, |head| line.union(head))
+            }
+            _ => self.bounds(),
+        }
+    }
+
     /// Whether the lines of the shape come through a box; for an arc those of its whole circle, and
     /// no line of a text does.
     fn lines_cross(&self, area: Rect) -> bool {

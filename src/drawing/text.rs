@@ -1,4 +1,4 @@
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{BezPath, Point, Rect, Vec2};
 
 use super::fonts::{self, Extent};
 
@@ -115,6 +115,16 @@ pub struct PlacedRun<'a> {
     pub size: f64,
     /// The left end of the run's baseline.
     pub origin: Point,
+}
+
+impl PlacedRun<'_> {
+    /// Shows the outlines of the run's glyphs one by one, each in em, y down, with the left end of
+    /// its baseline on the sheet; they are filled by the nonzero rule.
+    pub fn outline(&self, mut show: impl FnMut(&'static BezPath, Point)) {
+        fonts::face(self.italic).outline(self.content, |glyph, pen| {
+            show(glyph, self.origin + Vec2::new(pen * self.size, 0.0));
+        });
+    }
 }
 
 impl PlacedText {
@@ -496,10 +506,10 @@ mod tests {
     }
 
     /// The renderer's own box around the ink is the judge.
-    #[cfg(feature = "png")]
     #[test]
     fn boxes_are_where_the_renderer_puts_the_ink() {
         use crate::drawing::{Drawing, Pen, Shape};
+        use crate::format::{Text, ink_in, svg_with};
         let mut worst: f64 = 0.0;
         let texts = [
             "A",
@@ -523,9 +533,12 @@ mod tests {
                 let placed = PlacedText::new(text, 4.0, Point::new(20.0, 20.0));
                 let mut drawing = Drawing::new(120.0, 40.0);
                 drawing.draw(Pen::Caption, Shape::Text(placed.clone()));
-                let drawn = crate::format::ink_of_texts(&crate::format::svg(&drawing));
                 let ink = placed.ink_box();
-                for (drawn, ours) in drawn.into_iter().zip([ink.x0, ink.y0, ink.x1, ink.y1]) {
+                let drawn = [Text::Letters, Text::Outlines]
+                    .map(|mode| ink_in(&svg_with(&drawing, mode)))
+                    .into_iter()
+                    .flat_map(|drawn| drawn.into_iter().zip([ink.x0, ink.y0, ink.x1, ink.y1]));
+                for (drawn, ours) in drawn {
                     worst = worst.max((drawn - ours).abs());
                     assert!(
                         (drawn - ours).abs() < 0.1,

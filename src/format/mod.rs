@@ -17,7 +17,7 @@ pub use self::result::{
     Solved, result, result_schema,
 };
 pub use self::steps::steps;
-pub use self::svg::svg;
+pub use self::svg::{Text, svg, svg_with};
 
-#[cfg(all(test, feature = "png"))]
-pub(crate) use self::png::ink_of_texts;
+#[cfg(test)]
+pub(crate) use self::svg::ink_in;

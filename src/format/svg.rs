@@ -1,17 +1,38 @@
 use svg::Node;
 use svg::node::element::Element;
-use svg::node::{Blob, Text};
+use svg::node::{Blob, Text as TextNode};
 
-use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Point, Shape, look};
+use crate::drawing::{
+    Cap, Colour, Drawing, Look, Mark, Outline, OutlinePart, PlacedText, Point, Shape, look,
+};
+
+/// How texts stand in an SVG file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Text {
+    /// As letters: small, searchable, and to be edited; drawn with the bundled font where it is
+    /// installed and with a like one elsewhere.
+    #[default]
+    Letters,
+    /// As the outlines of the bundled font's letters: the same to the last curve in every program,
+    /// whatever fonts it has.
+    Outlines,
+}
+
+/// The drawing as the text of an SVG file, with its texts as letters.
+///
+/// The same as [`svg_with`] for [`Text::Letters`].
+pub fn svg(drawing: &Drawing) -> String {
+    svg_with(drawing, Text::Letters)
+}
 
 /// The drawing as the text of an SVG file: true to scale in mm, one group for each stretch of marks
 /// of one pen.
 ///
-/// Looks are attributes of groups, because some programs ignore style sheets. Texts name the
-/// bundled font first and are set run by run at measured places, so that they stand the same
+/// Looks are attributes of groups, because some programs ignore style sheets. Texts as letters name
+/// the bundled font first and are set run by run at measured places, so that they stand the same
 /// wherever that font is, and nearly so where it is not. Marks whose numbers are not finite are
 /// left out.
-pub fn svg(drawing: &Drawing) -> String {
+pub fn svg_with(drawing: &Drawing, text: Text) -> String {
     let (width, height) = (number(drawing.width), number(drawing.height));
     let mut root = element(
         "svg",
@@ -20,12 +41,14 @@ pub fn svg(drawing: &Drawing) -> String {
             ("width", format!("{width}mm")),
             ("height", format!("{height}mm")),
             ("viewBox", format!("0 0 {width} {height}")),
-            ("font-family", FONTS.into()),
-            ("text-rendering", "geometricPrecision".into()),
             ("fill", "none".into()),
             ("role", "img".into()),
         ],
     );
+    if text == Text::Letters {
+        root.assign("font-family", FONTS);
+        root.assign("text-rendering", "geometricPrecision");
+    }
     root.append(text_element("title", &drawing.title));
     if !drawing.description.is_empty() {
         root.append(text_element("desc", &drawing.description));
@@ -38,7 +61,7 @@ pub fn svg(drawing: &Drawing) -> String {
             ("fill", colour(WHITE)),
         ],
     ));
-    root.append(Blob::new(body(drawing)));
+    root.append(Blob::new(body(drawing, text)));
     let mut file = root.to_string();
     file.push('\n');
     file
@@ -46,7 +69,7 @@ pub fn svg(drawing: &Drawing) -> String {
 
 /// All marks, written straight into one string: an element of the tree for each would take many
 /// times as long.
-fn body(drawing: &Drawing) -> String {
+fn body(drawing: &Drawing, text: Text) -> String {
     let halos = drawing.halos();
     let drawn: Vec<(&Mark, bool)> = drawing
         .marks
@@ -56,12 +79,13 @@ fn body(drawing: &Drawing) -> String {
         .collect();
     let same_group =
         |a: &(&Mark, bool), b: &(&Mark, bool)| a.0.pen == b.0.pen && is_text(a.0) == is_text(b.0);
-    let mut written = String::with_capacity(160 * drawn.len());
+    let each = if text == Text::Letters { 160 } else { 600 };
+    let mut written = String::with_capacity(each * drawn.len());
     for marks in drawn.chunk_by(same_group) {
         let first = marks[0].0;
         let look = look(first.pen);
         if is_text(first) {
-            write_texts(&mut written, &look, marks);
+            write_texts(&mut written, text, &look, marks);
         } else {
             open_line_group(&mut written, &look);
             for (mark, _) in marks {
@@ -107,29 +131,47 @@ fn open_line_group(written: &mut String, look: &Look) {
 /// Texts of one pen, those with a halo (marked true) twice: white and outlined first. The attribute
 /// that would put a stroke behind its letters is not understood everywhere. All halos come before
 /// all letters, so that none covers a neighbour.
-fn write_texts(written: &mut String, look: &Look, marks: &[(&Mark, bool)]) {
+fn write_texts(written: &mut String, text: Text, look: &Look, marks: &[(&Mark, bool)]) {
     if marks.iter().any(|mark| mark.1) {
         written.push_str("<g");
         attribute(written, "fill", &colour(WHITE));
         attribute(written, "stroke", &colour(WHITE));
-        length(written, "stroke-width", look.halo);
+        match text {
+            Text::Letters => length(written, "stroke-width", look.halo),
+            Text::Outlines => {
+                length(written, "stroke-width", look.halo / FINEST);
+                attribute(written, "transform", IN_FINEST);
+            }
+        }
         attribute(written, "stroke-linejoin", "round");
         attribute(written, "aria-hidden", "true");
         written.push('>');
         for (mark, _) in marks.iter().filter(|mark| mark.1) {
-            written.push('\n');
-            write_shape(written, look, &mark.shape, None);
+            write_label(written, text, mark, None);
         }
         written.push_str("\n</g>\n");
     }
     written.push_str("<g");
     attribute(written, "fill", &colour(look.ink));
+    if text == Text::Outlines {
+        attribute(written, "transform", IN_FINEST);
+    }
     written.push('>');
     for (mark, _) in marks {
-        written.push('\n');
-        write_shape(written, look, &mark.shape, mark.id.as_deref());
+        write_label(written, text, mark, mark.id.as_deref());
     }
     written.push_str("\n</g>\n");
+}
+
+/// One text on a line of its own.
+fn write_label(written: &mut String, text: Text, mark: &Mark, id: Option<&str>) {
+    if let Shape::Text(placed) = &mark.shape {
+        written.push('\n');
+        match text {
+            Text::Letters => write_text(written, placed, id),
+            Text::Outlines => write_outline(written, placed, id),
+        }
+    }
 }
 
 /// One shape in the group of its pen.
@@ -182,7 +224,8 @@ fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: Option<&str
             }
             written.push_str("</g>");
         }
-        Shape::Text(text) => write_text(written, text, id),
+        // Texts are written by themselves, in groups of their own.
+        Shape::Text(_) => {}
     }
 }
 
@@ -190,7 +233,7 @@ fn write_path(
     written: &mut String,
     id: Option<&str>,
     attributes: &str,
-    data: impl Fn(&mut String),
+    data: impl FnOnce(&mut String),
 ) {
     written.push_str("<path");
     write_id(written, id);
@@ -248,6 +291,90 @@ fn arc(data: &mut String, center: Point, radius: f64, start: f64, sweep: f64) {
     }
 }
 
+/// One text as one path, in hundredths of a mm.
+fn write_outline(written: &mut String, text: &PlacedText, id: Option<&str>) {
+    write_path(written, id, "", |data| {
+        let mut tracer = Tracer::new(data);
+        for run in text.runs() {
+            run.outline(|glyph, origin| tracer.trace(glyph, origin, run.size));
+        }
+    });
+}
+
+/// The unit of outlines in mm, and the group that measures in it: outlines are written in whole
+/// numbers. The error of rounding is a tenth of a pixel at 600 dots per inch.
+const FINEST: f64 = 0.01;
+const IN_FINEST: &str = "scale(.01)";
+
+/// Writes outlines as path data in whole hundredths of a mm, each point as its distance from the one
+/// before.
+struct Tracer<'a> {
+    data: &'a mut String,
+    at: [i64; 2],
+    /// Where the outline that is being drawn started.
+    start: [i64; 2],
+    /// The command that further numbers belong to.
+    command: char,
+}
+
+impl<'a> Tracer<'a> {
+    fn new(data: &'a mut String) -> Self {
+        Self {
+            data,
+            at: [0; 2],
+            start: [0; 2],
+            command: ' ',
+        }
+    }
+
+    /// Draws a glyph given in em at a size in mm.
+    fn trace(&mut self, glyph: &Outline, origin: Point, size: f64) {
+        let whole = |point: Point| {
+            let place = origin + point.to_vec2() * size;
+            // Each point is rounded by itself, so that rounding does not add up.
+            [place.x, place.y].map(|mm| (mm / FINEST).round() as i64)
+        };
+        for element in glyph {
+            match element {
+                OutlinePart::MoveTo(to) => {
+                    self.start = whole(to);
+                    self.go('m', [self.start]);
+                }
+                OutlinePart::LineTo(to) => self.go('l', [whole(to)]),
+                OutlinePart::QuadTo(by, to) => self.go('q', [by, to].map(whole)),
+                OutlinePart::CurveTo(first, second, to) => {
+                    self.go('c', [first, second, to].map(whole))
+                }
+                OutlinePart::ClosePath => {
+                    self.data.push('z');
+                    (self.at, self.command) = (self.start, 'z');
+                }
+            }
+        }
+    }
+
+    fn go<const N: usize>(&mut self, command: char, points: [[i64; 2]; N]) {
+        let mut apart = self.command == command;
+        if !apart {
+            self.data.push(command);
+            self.command = command;
+        }
+        for point in points {
+            for (to, from) in point.into_iter().zip(self.at) {
+                let step = to - from;
+                if step < 0 {
+                    self.data.push('-');
+                } else if apart {
+                    self.data.push(' ');
+                }
+                push_digits(self.data, step.unsigned_abs());
+                apart = true;
+            }
+        }
+        self.at = points[N - 1];
+    }
+}
+
 /// One text: each run at its own measured place, without white space between the elements, which
 /// would be drawn.
 fn write_text(written: &mut String, text: &PlacedText, id: Option<&str>) {
@@ -297,7 +424,7 @@ fn element<const N: usize>(name: &str, attributes: [(&str, String); N]) -> Eleme
 /// An element around text from outside.
 fn text_element(name: &str, content: &str) -> Element {
     let mut element = Element::new(name);
-    element.append(Text::new(clean(content)));
+    element.append(TextNode::new(clean(content)));
     element
 }
 
@@ -369,17 +496,79 @@ fn push_number(text: &mut String, value: f64) {
 }
 
 fn push_digits(text: &mut String, mut whole: u64) {
+    let digit = |value: u64| char::from(b'0' + value as u8);
+    // Most numbers are short.
+    match whole {
+        0..10 => return text.push(digit(whole)),
+        10..100 => return text.extend([digit(whole / 10), digit(whole % 10)]),
+        100..1000 => {
+            return text.extend([
+                digit(whole / 100),
+                digit(whole / 10 % 10),
+                digit(whole % 10),
+            ]);
+        }
+        _ => {}
+    }
     let mut digits = [0u8; 20];
     let mut start = digits.len();
-    loop {
+    while whole > 0 {
         start -= 1;
         digits[start] = b'0' + (whole % 10) as u8;
         whole /= 10;
-        if whole == 0 {
-            break;
-        }
     }
     text.extend(digits[start..].iter().map(|&digit| char::from(digit)));
+}
+
+/// The box around the ink of all marks but the white ones, in mm of the sheet: left, top, right,
+/// bottom. Another program's letters are the judge of our own.
+#[cfg(test)]
+pub(crate) fn ink_in(svg: &str) -> [f64; 4] {
+    use resvg::usvg::fontdb::{Database, Source};
+    use resvg::usvg::{self, Group, Node, Options, Paint, Tree};
+    use std::sync::Arc;
+    fn gather(group: &Group, ink: &mut [f64; 4]) {
+        for node in group.children() {
+            let own = match node {
+                Node::Group(inner) => {
+                    gather(inner, ink);
+                    continue;
+                }
+                Node::Text(text) => text.flattened().abs_bounding_box(),
+                Node::Path(path) => match path.fill().map(usvg::Fill::paint) {
+                    Some(Paint::Color(colour)) if *colour != usvg::Color::white() => {
+                        path.abs_bounding_box()
+                    }
+                    _ => continue,
+                },
+                Node::Image(_) => continue,
+            };
+            // 96 pixels in an inch.
+            let own = [own.left(), own.top(), own.right(), own.bottom()]
+                .map(|side| f64::from(side) * 25.4 / 96.0);
+            for (side, own) in own.into_iter().enumerate() {
+                ink[side] = if side < 2 {
+                    ink[side].min(own)
+                } else {
+                    ink[side].max(own)
+                };
+            }
+        }
+    }
+    let mut fonts = Database::new();
+    for face in [crate::drawing::REGULAR, crate::drawing::ITALIC] {
+        fonts.load_font_source(Source::Binary(Arc::new(face)));
+    }
+    let fontdb = Arc::new(fonts);
+    let options = Options {
+        fontdb,
+        ..Options::default()
+    };
+    let tree = Tree::from_str(svg, &options).expect("it is SVG");
+    let (least, most) = (f64::INFINITY, f64::NEG_INFINITY);
+    let mut ink = [least, least, most, most];
+    gather(tree.root(), &mut ink);
+    ink
 }
 
 #[cfg(test)]
@@ -430,6 +619,33 @@ mod tests {
         assert!(file.contains("&lt;tspan&gt;&amp;</text>"), "{file}");
         assert!(file.contains("id=\"x&quot;&gt;&lt;script&gt;\""), "{file}");
         assert!(!file.contains('\u{0}') && !file.contains('\u{1}'));
+    }
+
+    #[test]
+    fn outlines_need_no_font() {
+        let mut drawing = Drawing::new(60.0, 30.0);
+        let line = Shape::Line(Point::new(0.0, 10.0), Point::new(60.0, 10.0));
+        drawing.draw(Pen::Link, line);
+        let text = PlacedText::new(RichText::math("S_3"), 4.0, Point::new(5.0, 11.0));
+        drawing.draw_named("label-S3", Pen::Label, Shape::Text(text));
+        let text = PlacedText::new(RichText::verbatim("l漢"), 4.0, Point::new(30.0, 25.0));
+        drawing.draw(Pen::Caption, Shape::Text(text));
+        let file = svg_with(&drawing, Text::Outlines);
+        assert!(!file.contains("<text") && !file.contains("font"), "{file}");
+        assert!(file.contains("<path id=\"label-S3\" d=\"m"), "{file}");
+        // Halo and letters are the same outlines.
+        let data = |from: &str| {
+            let rest = &file[file.find(from).expect("it is there") + from.len()..];
+            rest[..rest.find('"').expect("it ends")].to_owned()
+        };
+        let halo = "aria-hidden=\"true\">\n<path d=\"";
+        assert_eq!(data(halo), data("id=\"label-S3\" d=\""));
+        assert!(file.contains("stroke-width=\"60\" transform=\"scale(.01)\""));
+        // A letter that the font lacks is an empty box: a path inside another.
+        assert!(
+            file.contains("m92-215l192 0 0 264-192 0zm20 244l152 0 0-224-152 0z"),
+            "{file}"
+        );
     }
 
     #[test]

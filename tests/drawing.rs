@@ -1,0 +1,372 @@
+//! Drawings as readers see them: nothing covers a label, nothing leaves its panel, lengths on paper are to scale.
+//!
+//! Drawn configurations are in `tests/drawn_scenes.jsonl`, one scene a line; a new case is a new line.
+
+use std::fs;
+use std::path::Path;
+
+use kinegon::drawing::{Drawing, Mark, Pen, Point, Rect, Shape, figure};
+use kinegon::format::{Text, svg, svg_with};
+use kinegon::mechanism::mechanism;
+use kinegon::motion::{Order, motion};
+use kinegon::plan::construction;
+use kinegon::position::pose;
+use kinegon::scene::Scene;
+
+/// Most bytes of a figure's SVG file.
+const MOST_BYTES: usize = 60_000;
+/// Rounding of coordinates on the sheet, in mm.
+const ROUNDING: f64 = 1e-9;
+
+/// Points by name and where they are.
+type Places = Vec<(String, [f64; 2])>;
+
+/// The drawing of a scene given as text, or why there is none; and where its points are.
+fn drawn(text: &str) -> Result<(Drawing, Places), Box<dyn std::error::Error>> {
+    let scene = Scene::read(text)?;
+    let mechanism = mechanism(&scene)?;
+    let pose = pose(&mechanism, &scene.near)?;
+    let motion = motion(&mechanism, &pose, Order::Acceleration)?;
+    let construction = construction(&mechanism, &pose, &motion);
+    let places = mechanism
+        .points
+        .iter()
+        .zip(&pose.points)
+        .map(|(name, place)| (name.clone(), [place.x, place.y]))
+        .collect();
+    Ok((figure(&scene, &mechanism, &pose, &construction), places))
+}
+
+fn file(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn example(number: u8) -> Drawing {
+    let text = file(&format!("examples/figure-{number}.json"));
+    drawn(&text).expect("the example can be drawn").0
+}
+
+/// Figure 2 at crank angles from 130° to −130°, each on the branch of its neighbour; angles that cannot be assembled are left out.
+fn turned() -> Vec<(String, Drawing)> {
+    let text = file("examples/figure-2.json");
+    let at = |angle: i32, near: &[(String, [f64; 2])]| {
+        let mut scene: serde_json::Value =
+            serde_json::from_str(&text).expect("the example is JSON");
+        scene["links"]["1"]["drive"]["angle"] = angle.into();
+        if !near.is_empty() {
+            let near = near
+                .iter()
+                .filter(|(name, _)| ["D", "E", "F"].contains(&name.as_str()));
+            let near = near.map(|(name, place)| (name.clone(), serde_json::json!(place)));
+            scene["near"] = serde_json::Value::Object(near.collect());
+        }
+        drawn(&scene.to_string())
+    };
+    let mut all = Vec::new();
+    for way in [1, -1] {
+        let mut near = Vec::new();
+        let mut angle: i32 = 70;
+        while angle.abs() <= 130 {
+            if let Ok((drawing, places)) = at(angle, &near) {
+                near = places;
+                if way == 1 || angle != 70 {
+                    all.push((format!("figure 2 at {angle}°"), drawing));
+                }
+            }
+            angle += 10 * way;
+        }
+    }
+    all
+}
+
+fn drawings() -> Vec<(String, Drawing)> {
+    let mut all: Vec<(String, Drawing)> = [1, 2]
+        .map(|number| (format!("figure {number}"), example(number)))
+        .into();
+    all.extend(turned());
+    for (index, line) in file("tests/drawn_scenes.jsonl").lines().enumerate() {
+        let name = format!("drawn scene {}", index + 1);
+        match drawn(line) {
+            Ok((drawing, _)) => all.push((name, drawing)),
+            Err(error) => panic!("{name}: {error}"),
+        }
+    }
+    all
+}
+
+fn id(mark: &Mark) -> &str {
+    mark.id.as_deref().unwrap_or("")
+}
+
+/// The boxes of the panels, in drawing order, and the marks drawn in each.
+fn panels(drawing: &Drawing) -> Vec<(Rect, &[Mark])> {
+    let is_frame = |mark: &Mark| {
+        mark.pen == Pen::Frame
+            && matches!(&mark.shape, Shape::Polygon(corners) if corners.len() == 4)
+    };
+    let starts: Vec<usize> = (0..drawing.marks.len())
+        .filter(|&index| is_frame(&drawing.marks[index]))
+        .collect();
+    let ends = starts.iter().skip(1).copied().chain([drawing.marks.len()]);
+    starts
+        .iter()
+        .zip(ends)
+        .map(|(&start, end)| {
+            (
+                drawing.marks[start].shape.bounds(),
+                &drawing.marks[start + 1..end],
+            )
+        })
+        .collect()
+}
+
+fn overlap(a: Rect, b: Rect) -> bool {
+    a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1
+}
+
+fn within(inner: Rect, outer: Rect) -> bool {
+    inner.x0 >= outer.x0 - ROUNDING
+        && inner.y0 >= outer.y0 - ROUNDING
+        && inner.x1 <= outer.x1 + ROUNDING
+        && inner.y1 <= outer.y1 + ROUNDING
+}
+
+/// What is wrong with a drawing, in words.
+fn faults(drawing: &Drawing) -> Vec<String> {
+    let mut faults = Vec::new();
+    let sheet = Rect::new(0.0, 0.0, drawing.width, drawing.height);
+    for mark in &drawing.marks {
+        if !mark.shape.is_finite() {
+            faults.push(format!("{mark:?} is not finite"));
+        }
+        if !within(mark.shape.drawn_box(), sheet) {
+            faults.push(format!("{} {:?} leaves the sheet", id(mark), mark.pen));
+        }
+        if let (Shape::Arrow { from, to }, Some(head)) = (&mark.shape, mark.shape.head()) {
+            let along = (*to - *from).normalize();
+            let longest = head.iter().map(|&corner| (*to - corner).dot(along));
+            let longest = longest.fold(0.0, f64::max);
+            if longest > (*to - *from).hypot() {
+                faults.push(format!("the head of {} is {longest} mm long", id(mark)));
+            }
+        }
+    }
+    for (frame, marks) in panels(drawing) {
+        let is_text = |mark: &&Mark| matches!(mark.shape, Shape::Text(_));
+        let texts: Vec<&Mark> = marks.iter().filter(is_text).collect();
+        for mark in marks {
+            if !within(mark.shape.drawn_box(), frame) {
+                faults.push(format!(
+                    "{} {:?} {:?} leaves its panel {frame:?}",
+                    id(mark),
+                    mark.pen,
+                    mark.shape.drawn_box()
+                ));
+            }
+        }
+        for (index, text) in texts.iter().enumerate() {
+            let ink = text.shape.bounds();
+            for other in &texts[..index] {
+                if overlap(ink, other.shape.bounds()) {
+                    faults.push(format!("{} touches {}", id(text), id(other)));
+                }
+            }
+            for mark in marks {
+                let heading = text.pen == Pen::Heading;
+                let taken = match &mark.shape {
+                    Shape::Line(a, b)
+                        if heading && matches!(mark.pen, Pen::Construction | Pen::Ray) =>
+                    {
+                        covers(&[*a, *b], ink).then_some(ink)
+                    }
+                    Shape::Circle { .. } => Some(mark.shape.drawn_box()),
+                    Shape::Line(..) if mark.pen == Pen::Hatch => Some(mark.shape.drawn_box()),
+                    Shape::Polygon(corners) if mark.pen == Pen::Slider && covers(corners, ink) => {
+                        Some(ink)
+                    }
+                    _ => mark.shape.head_box(),
+                };
+                if taken.is_some_and(|taken| overlap(ink, taken)) {
+                    faults.push(format!("{} lies on {} {:?}", id(text), id(mark), mark.pen));
+                }
+            }
+        }
+    }
+    let text = svg(drawing);
+    if text.len() > MOST_BYTES {
+        faults.push(format!("{} bytes", text.len()));
+    }
+    if text.contains("NaN") || text.contains("\"inf") {
+        faults.push("a number is not finite".to_owned());
+    }
+    faults
+}
+
+/// Whether a convex area and a box have a point in common: no side of either separates them.
+fn covers(corners: &[Point], area: Rect) -> bool {
+    let box_corners = [
+        Point::new(area.x0, area.y0),
+        Point::new(area.x1, area.y0),
+        Point::new(area.x1, area.y1),
+        Point::new(area.x0, area.y1),
+    ];
+    let separated = |sides: &[Point], one: &[Point], other: &[Point]| {
+        (0..sides.len()).any(|side| {
+            let run = sides[(side + 1) % sides.len()] - sides[side];
+            let along = |p: &Point| run.cross(*p - sides[side]);
+            let span = |of: &[Point]| {
+                of.iter()
+                    .map(along)
+                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+                        (low.min(x), high.max(x))
+                    })
+            };
+            let ((a, b), (c, d)) = (span(one), span(other));
+            b <= c || d <= a
+        })
+    };
+    !separated(corners, corners, &box_corners) && !separated(&box_corners, corners, &box_corners)
+}
+
+#[test]
+fn nothing_covers_a_label_and_nothing_leaves_its_panel() {
+    let drawings = drawings();
+    assert!(drawings.len() >= 62, "only {} drawings", drawings.len());
+    let mut wrong = Vec::new();
+    for (name, drawing) in &drawings {
+        for fault in faults(drawing) {
+            wrong.push(format!("{name}: {fault}"));
+        }
+    }
+    assert!(
+        wrong.is_empty(),
+        "{} faults\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
+}
+
+/// The value of an attribute in the element of an id.
+fn attribute(file: &str, id: &str, name: &str) -> f64 {
+    let id = format!("id=\"{id}\"");
+    let rest = &file[file.find(&id).unwrap_or_else(|| panic!("{id} is missing"))..];
+    let element = &rest[..rest.find('>').expect("the element ends")];
+    let name = format!(" {name}=\"");
+    let value = &element[element.find(&name).expect("the attribute is there") + name.len()..];
+    value[..value.find('"').expect("the value ends")]
+        .parse()
+        .expect("it is a number")
+}
+
+#[test]
+fn a_ruler_on_paper_reads_the_velocity() {
+    let drawing = example(2);
+    for mode in [Text::Letters, Text::Outlines] {
+        let file = svg_with(&drawing, mode);
+        let place = |id: &str| Point::new(attribute(&file, id, "cx"), attribute(&file, id, "cy"));
+        let apart = (place("velocity-point-s3") - place("velocity-point-b")).hypot();
+        // Speed of the special point of link 3 against B in mm/s, at 1 mm/s per mm.
+        assert!((apart / 59.41 - 1.0).abs() < 1e-3, "{apart} mm");
+        let (width, height) = (drawing.width, drawing.height);
+        let size = format!("width=\"{width}mm\" height=\"{height}mm\"");
+        let view = format!("viewBox=\"0 0 {width} {height}\"");
+        let root = &file[..file.find('>').expect("the root ends")];
+        let has = |attributes: &str| {
+            attributes
+                .split("\" ")
+                .all(|part| root.contains(part.trim_end_matches('"')))
+        };
+        assert!(has(&size) && has(&view), "{root}");
+    }
+}
+
+/// What the labels of a panel say, by their ids.
+fn labels<'a>(drawing: &'a Drawing, panel: &str) -> Vec<(&'a str, String)> {
+    let prefix = format!("{panel}-label-");
+    let label = |mark: &'a Mark| match &mark.shape {
+        Shape::Text(text) => Some((id(mark).strip_prefix(&prefix)?, text.text.content())),
+        _ => None,
+    };
+    drawing.marks.iter().filter_map(label).collect()
+}
+
+/// Checks that each name is among the labels of a panel, alone or with others of the same place.
+fn shows(drawing: &Drawing, panel: &str, names: &str) {
+    let labels = labels(drawing, panel);
+    for name in names.split(' ') {
+        let found = labels
+            .iter()
+            .any(|(_, shown)| shown.split(',').any(|one| one.trim() == name));
+        assert!(found, "no label {name} in the {panel} panel: {labels:?}");
+    }
+}
+
+/// Checks that marks of these ids are drawn with a pen.
+fn draws(drawing: &Drawing, pen: Pen, ids: &str) {
+    for wanted in ids.split(' ') {
+        let found = drawing.marks.iter().find(|mark| id(mark) == wanted);
+        assert_eq!(found.map(|mark| mark.pen), Some(pen), "{wanted}");
+    }
+}
+
+#[test]
+fn a_title_is_taken_letter_by_letter() {
+    let text =
+        file("examples/figure-2.json").replace("Quintero et al. (2011), Figure 2", "four_bar^2");
+    let (drawing, _) = drawn(&text).expect("it can be drawn");
+    let heading = drawing.marks.iter().find(|mark| mark.pen == Pen::Heading);
+    let Some(Shape::Text(heading)) = heading.map(|mark| &mark.shape) else {
+        panic!("no heading")
+    };
+    assert_eq!(heading.text.content(), "four_bar^2");
+}
+
+#[test]
+fn figure_1_shows_all_its_names() {
+    let drawing = example(1);
+    shows(&drawing, "scheme", "B C D E F G S3 S5 1 2 3 4 5 6");
+    for name in ["BC", "ED", "BG", "EF"] {
+        let (start, special) = (&name[..1], if "BC ED".contains(name) { "S3" } else { "S5" });
+        draws(
+            &drawing,
+            Pen::Construction,
+            &format!("scheme-cut-{special}-{start}"),
+        );
+    }
+    shows(&drawing, "velocity", "p b e s3 s5 c d g f");
+    draws(
+        &drawing,
+        Pen::Ray,
+        "velocity-ray-b-s3 velocity-ray-e-s3 velocity-ray-b-s5 velocity-ray-e-s5 \
+         acceleration-ray-n_b3-s3 acceleration-ray-n_e3-s3 acceleration-ray-n_b5-s5 acceleration-ray-n_e5-s5",
+    );
+    draws(
+        &drawing,
+        Pen::Normal,
+        "acceleration-vector-b-n_b3 acceleration-vector-e-n_e3 acceleration-vector-b-n_b5 acceleration-vector-e-n_e5",
+    );
+    shows(&drawing, "acceleration", "π b e nb3 ne3 nb5 ne5 s3 s5");
+}
+
+#[test]
+fn figure_2_shows_all_its_names() {
+    let drawing = example(2);
+    shows(&drawing, "scheme", "A B D E F G S3 S5 1 2 3 4 5 6");
+    shows(&drawing, "acceleration", "ns3b ns3g ns5b ns5g");
+    draws(&drawing, Pen::Slider, "scheme-slider-3");
+    let written: Vec<String> = drawing
+        .marks
+        .iter()
+        .filter_map(|mark| match &mark.shape {
+            Shape::Text(text) => Some(text.text.content()),
+            _ => None,
+        })
+        .collect();
+    for scale in ["μl", "μv", "μa"] {
+        assert!(
+            written.iter().any(|text| text == scale),
+            "no {scale}: {written:?}"
+        );
+    }
+}
