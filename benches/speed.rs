@@ -106,12 +106,12 @@ fn scene_to_svg(bencher: Bencher, which: &str) {
     });
 }
 
-/// A drawing to PNG at 120 dots per inch, 1403 by 992 pixels.
+/// A drawing to PNG at 100 dots per inch, 1169 by 827 pixels.
 #[cfg(feature = "png")]
 #[divan::bench]
 fn drawing_to_png(bencher: Bencher) {
     let (scene, mechanism, pose, motion) = solved(FIGURE_2);
     let plans = construction(&mechanism, &pose, &motion);
     let drawing = drawing::figure(&scene, &mechanism, &pose, &plans);
-    bencher.bench(|| format::png(black_box(&drawing), 120.0));
+    bencher.bench(|| format::png(black_box(&drawing), 100.0));
 }

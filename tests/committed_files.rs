@@ -90,7 +90,7 @@ fn pictures_are_redrawn_within_one_level_per_channel() {
     }
     for name in ["figure-1", "figure-2"] {
         let there = std::fs::read(committed(&format!("out/{name}.png"))).expect("it is there");
-        let now = format::png(&figure(name), 120.0).expect("a picture");
+        let now = format::png(&figure(name), 100.0).expect("a picture");
         let ((w, h, a), (x, y, b)) = (pixels(&there), pixels(&now));
         assert_eq!((w, h), (x, y), "{name}");
         let worst = a.iter().zip(&b).map(|(a, b)| a.abs_diff(*b)).max();

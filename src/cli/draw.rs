@@ -29,7 +29,7 @@ pub(super) struct Draw {
     #[arg(long)]
     outlines: bool,
     /// Resolution of PNG in dots per inch.
-    #[arg(long, default_value_t = 120.0, value_parser = dots_per_inch)]
+    #[arg(long, default_value_t = 100.0, value_parser = dots_per_inch)]
     dpi: f64,
 }
 

@@ -29,6 +29,9 @@ const UNKNOWN: Extent = Extent {
     ink: Some(Rect::new(0.0, -0.75, 0.6, 0.15)),
 };
 
+/// Letters before this code point (Latin, basic signs) have their glyphs looked up when a face is parsed.
+const COMMON: u32 = 0x80;
+
 /// A face of the bundled fonts, ready to measure.
 pub(super) struct Face {
     face: ttf_parser::Face<'static>,
@@ -36,6 +39,8 @@ pub(super) struct Face {
     /// The glyphs measured so far, by number: reading an outline takes far longer than looking it
     /// up.
     glyphs: Vec<OnceLock<Extent>>,
+    /// Which glyph draws each common letter, none where the face lacks it: looked up once for all.
+    indices: Vec<Option<GlyphId>>,
     /// The outlines drawn so far, by number.
     outlines: Vec<OnceLock<BezPath>>,
     /// Kerning lookups by script, in the order in which they apply; the first subtable that answers
@@ -69,7 +74,9 @@ impl Face {
         let kerning =
             [b"latn", b"grek", b"cyrl"].map(|script| kerning(&face, Tag::from_bytes(script)));
         let glyphs = usize::from(face.number_of_glyphs());
+        let common = (0..COMMON).map(|code| face.glyph_index(char::from_u32(code)?));
         Self {
+            indices: common.collect(),
             em: f64::from(face.units_per_em()),
             glyphs: vec![OnceLock::new(); glyphs],
             outlines: vec![OnceLock::new(); glyphs],
@@ -81,7 +88,14 @@ impl Face {
 
     /// Whether the face can draw a letter.
     pub(super) fn has(&self, letter: char) -> bool {
-        self.face.glyph_index(letter).is_some()
+        self.index(letter).is_some()
+    }
+
+    fn index(&self, letter: char) -> Option<GlyphId> {
+        match self.indices.get(letter as usize) {
+            Some(known) => *known,
+            None => self.face.glyph_index(letter),
+        }
     }
 
     /// Width and ink of a text set as the renderers set it: with the font's kerning and its
@@ -112,7 +126,7 @@ impl Face {
         let mut script = Script::Latin;
         let mut letters = text.chars();
         while let Some(letter) = letters.next() {
-            let Some(mut glyph) = self.face.glyph_index(letter) else {
+            let Some(mut glyph) = self.index(letter) else {
                 put(None, pen);
                 pen += UNKNOWN.advance;
                 previous = None;
@@ -189,12 +203,7 @@ impl Face {
         let melts = |ligature: &Ligature<'_>| {
             let mut letters = next.clone();
             let mut parts = ligature.components.into_iter();
-            parts.all(|part| {
-                letters
-                    .next()
-                    .and_then(|letter| self.face.glyph_index(letter))
-                    == Some(part)
-            })
+            parts.all(|part| letters.next().and_then(|letter| self.index(letter)) == Some(part))
         };
         self.ligatures.iter().find_map(|table| {
             let set = table.ligature_sets.get(table.coverage.get(first)?)?;

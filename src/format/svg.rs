@@ -244,7 +244,12 @@ fn write_path(
 }
 
 fn write_id(written: &mut String, id: Option<&str>) {
-    if let Some(id) = id {
+    let Some(id) = id else { return };
+    // Names are nearly always plain already.
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
+    if id.bytes().all(plain) {
+        attribute(written, "id", id);
+    } else {
         attribute(written, "id", &escape(&clean(id)));
     }
 }
