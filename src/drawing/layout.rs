@@ -45,8 +45,8 @@ pub(super) struct Layout {
 
 /// Divides a sheet so that the panels' contents come out largest at round scales.
 ///
-/// All of a few arrangements are tried: side by side, one beside two, one above two; the one in which the smallest content, and
-/// then all together, come out largest wins.
+/// All of a few arrangements are tried: side by side, one beside two, one above two; the one in which the
+/// contents come out largest, their sizes multiplied, wins.
 pub(super) fn layout([width, height]: [f64; 2], wanted: &[Wanted]) -> Layout {
     let sheet = Rect::new(MARGIN, MARGIN, width - MARGIN, height - MARGIN);
     let room = Rect::new(
@@ -68,9 +68,8 @@ pub(super) fn layout([width, height]: [f64; 2], wanted: &[Wanted]) -> Layout {
         if !placed.iter().all(roomy) && best.is_some() {
             continue;
         }
-        let sizes: Vec<f64> = wanted.iter().zip(&placed).map(drawn).collect();
-        let least = sizes.iter().copied().fold(f64::INFINITY, f64::min);
-        let fill = least + 0.2 * sizes.iter().sum::<f64>();
+        // Their product: no content is made large at a greater loss of another.
+        let fill: f64 = wanted.iter().zip(&placed).map(drawn).product();
         if best.as_ref().is_none_or(|(most, _)| fill > *most) {
             best = Some((fill, placed));
         }
