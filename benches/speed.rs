@@ -1,7 +1,6 @@
 //! Times of the stages: `cargo bench`. Times differ between machines; quote ratios of one run.
 
 use divan::{Bencher, black_box};
-use kinegon::geometry::LinearSystem;
 use kinegon::mechanism::{LoopEquations, Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion, rates};
 use kinegon::plan::construction;
@@ -38,28 +37,6 @@ fn solve(bencher: Bencher, which: &str) {
     let (_, mechanism, pose, motion) = solved(text(which));
     let equations = LoopEquations::new(&mechanism, &mechanism.groups[0]);
     bencher.bench(|| rates(black_box(&equations), black_box(&pose), &motion.bodies));
-}
-
-/// Factoring and two solutions of a 4 × 4 system: this library's, and nalgebra's for comparison.
-#[divan::bench(args = ["ours", "nalgebra"])]
-fn linear_system(bencher: Bencher, whose: &str) {
-    let (_, mechanism, pose, _) = solved(FIGURE_2);
-    let equations = LoopEquations::new(&mechanism, &mechanism.groups[0]);
-    let matrix = equations.matrix(&pose.points, &pose.guides);
-    let sides = [[1.0, 2.0, 3.0, 4.0], [-4.0, 3.0, 2.0, 1.0]];
-    if whose == "ours" {
-        bencher.bench(|| {
-            let system = LinearSystem::new(black_box(matrix)).expect("regular");
-            (system.solve(&sides[0]), system.solve(&sides[1]))
-        });
-    } else {
-        let matrix = nalgebra::Matrix4::from_fn(|r, c| matrix[r][c]);
-        let sides = sides.map(nalgebra::Vector4::from);
-        bencher.bench(|| {
-            let lu = black_box(matrix).lu();
-            (lu.solve(&sides[0]), lu.solve(&sides[1]))
-        });
-    }
 }
 
 /// All modes from lengths, and the choice among them.

@@ -122,7 +122,7 @@ fn refused() -> Vec<(i32, Vec<&'static str>, Vec<u8>)> {
         ),
         (
             2,
-            vec!["links 2, 3, 4", "degree"],
+            vec!["links 2, 3, 4 can still move", "add 1 drive"],
             changed("\"5\": {", "\"note\": {"),
         ),
     ]

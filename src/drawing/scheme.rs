@@ -43,7 +43,7 @@ impl Scheme<'_> {
             .special
             .iter()
             .flatten()
-            .filter(move |_| shown)
+            .filter(move |s| shown && s.is_assur)
     }
 
     /// Whether a special point can be drawn at its place without making the rest small.

@@ -106,7 +106,7 @@ pub struct GroupResult {
     pub links: Vec<String>,
     /// Its class, a Roman numeral.
     pub class: &'static str,
-    /// Kinds of its joints B C D E F G: R revolute, P prismatic.
+    /// Kinds of its joints, R revolute or P prismatic; of a fourth-class group B C D E F G.
     pub joints: String,
     /// Its special points.
     pub special_points: Vec<String>,
@@ -202,7 +202,11 @@ pub fn result(solved: Solved<'_>) -> ResultFile {
             links: group.links.iter().map(name).collect(),
             class: group.class.numeral(),
             joints: group.pattern(mechanism),
-            special_points: group.special.iter().map(|s| s.name.clone()).collect(),
+            special_points: construction.special[index]
+                .iter()
+                .filter(|s| s.is_assur)
+                .map(|s| s.name.clone())
+                .collect(),
             condition: motion.groups[index].condition,
             disagreement: agreement.map(|a| a.difference),
             disagreement_allowed: agreement.map(|a| a.allowed),
@@ -269,7 +273,7 @@ fn points(solved: Solved<'_>) -> IndexMap<String, PointResult> {
         let under = moving(slider.on, pose.point(slider.at), Some(slider.on));
         points.entry(name).or_insert(under);
     }
-    for special in construction.special.iter().flatten() {
+    for special in construction.special.iter().flatten().filter(|s| s.is_assur) {
         let result = match special.place {
             Place::At(place) => moving(special.link, place, Some(special.link)),
             Place::AtInfinity(direction) => PointResult {

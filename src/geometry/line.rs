@@ -85,6 +85,16 @@ pub struct Crossing {
 }
 
 impl Crossing {
+    /// The same angle of crossing at a place that is known beforehand.
+    #[must_use]
+    pub fn at(self, place: Point) -> Crossing {
+        Crossing {
+            base: place,
+            offset: Vector::zeros(),
+            ..self
+        }
+    }
+
     /// The sine of the angle from the first line to the second; zero when they are parallel.
     #[must_use]
     pub fn sine(&self) -> f64 {

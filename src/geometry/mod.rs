@@ -8,7 +8,7 @@ mod system;
 
 pub use angle::{degrees_of, direction_of_degrees, turn_of_degrees};
 pub use line::{Crossing, Line, PARALLEL, Place};
-pub use system::LinearSystem;
+pub use system::{LinearSystem, Numbers};
 
 /// A place in the plane, in the scene's length unit. Points cannot be added to each other.
 pub type Point = nalgebra::Point2<f64>;

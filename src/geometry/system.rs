@@ -1,5 +1,9 @@
 use super::UNIT_ROUNDOFF;
-use nalgebra::{Const, DimMin, LU, SMatrix, SVector, ToTypenum};
+use nalgebra::{DMatrix, DVector, Dyn, LU};
+use smallvec::SmallVec;
+
+/// As many numbers as a group has unknowns; up to four need no memory of their own.
+pub type Numbers = SmallVec<[f64; 4]>;
 
 /// A square linear system, scaled and factored once, to be solved for several right sides.
 ///
@@ -8,61 +12,57 @@ use nalgebra::{Const, DimMin, LU, SMatrix, SVector, ToTypenum};
 /// Accuracy: backward stable in practice for these sizes; see [`Self::error_bound`] for the proof of
 /// each single number (Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, §7.1, §9.3).
 #[derive(Clone, Debug)]
-pub struct LinearSystem<const N: usize>
-where
-    Const<N>: ToTypenum + DimMin<Const<N>, Output = Const<N>>,
-{
-    scaled: SMatrix<f64, N, N>,
-    factors: LU<f64, Const<N>, Const<N>>,
-    column_scale: [f64; N],
-    row_scale: [f64; N],
+pub struct LinearSystem {
+    scaled: DMatrix<f64>,
+    factors: LU<f64, Dyn, Dyn>,
+    column_scale: DVector<f64>,
+    row_scale: DVector<f64>,
 }
 
-impl<const N: usize> LinearSystem<N>
-where
-    Const<N>: ToTypenum + DimMin<Const<N>, Output = Const<N>>,
-{
+impl LinearSystem {
     /// The factored system, or `None` where it is exactly singular or an element is not finite.
     ///
     /// A matrix that is only nearly singular is factored; ask [`Self::condition`].
     #[must_use]
-    pub fn new(matrix: [[f64; N]; N]) -> Option<Self> {
-        let mut scaled = SMatrix::<f64, N, N>::from_fn(|r, c| matrix[r][c]);
-        let mut column_scale = [1.0; N];
-        for (mut column, scale) in scaled.column_iter_mut().zip(&mut column_scale) {
+    pub fn new(mut matrix: DMatrix<f64>) -> Option<Self> {
+        let size = matrix.nrows();
+        let mut column_scale = DVector::repeat(size, 1.0);
+        for (mut column, scale) in matrix.column_iter_mut().zip(column_scale.iter_mut()) {
             *scale = power_of_two_below_inverse(column.amax())?;
             column *= *scale;
         }
-        let mut row_scale = [1.0; N];
-        for (mut row, scale) in scaled.row_iter_mut().zip(&mut row_scale) {
+        let mut row_scale = DVector::repeat(size, 1.0);
+        for (mut row, scale) in matrix.row_iter_mut().zip(row_scale.iter_mut()) {
             *scale = power_of_two_below_inverse(row.amax())?;
             row *= *scale;
         }
-        let factors = scaled.lu();
+        let factors = matrix.clone().lu();
         let pivots = factors.lu_internal().diagonal();
-        pivots
-            .iter()
-            .all(|p| p.is_finite() && *p != 0.0)
-            .then_some(Self {
-                scaled,
-                factors,
-                column_scale,
-                row_scale,
-            })
+        let regular = pivots.iter().all(|p| p.is_finite() && *p != 0.0);
+        regular.then_some(Self {
+            scaled: matrix,
+            factors,
+            column_scale,
+            row_scale,
+        })
     }
 
     /// The solution for the right side `b`.
     #[must_use]
-    pub fn solve(&self, b: &[f64; N]) -> [f64; N] {
-        let mut x = SVector::<f64, N>::from_fn(|r, _| b[r] * self.row_scale[r]);
+    pub fn solve(&self, b: &[f64]) -> Numbers {
+        let mut x = DVector::from_column_slice(b).component_mul(&self.row_scale);
         // No pivot is zero, so there is a solution; one that leaves the range of f64 shows in its elements.
         self.factors.solve_mut(&mut x);
-        std::array::from_fn(|c| x[c] * self.column_scale[c])
+        x.component_mul(&self.column_scale)
+            .iter()
+            .copied()
+            .collect()
     }
 
     /// The magnitudes of the scaled matrix's inverse.
-    fn inverse_magnitudes(&self) -> SMatrix<f64, N, N> {
-        let mut inverse = SMatrix::identity();
+    fn inverse_magnitudes(&self) -> DMatrix<f64> {
+        let size = self.scaled.nrows();
+        let mut inverse = DMatrix::identity(size, size);
         self.factors.solve_mut(&mut inverse);
         inverse.abs()
     }
@@ -70,7 +70,7 @@ where
     /// The condition number of the scaled matrix in the largest-row-sum norm, at least 1.
     #[must_use]
     pub fn condition(&self) -> f64 {
-        let norm = |m: SMatrix<f64, N, N>| m.row_iter().map(|r| r.sum()).fold(0.0, f64::max);
+        let norm = |m: DMatrix<f64>| m.row_iter().map(|r| r.sum()).fold(0.0, f64::max);
         (norm(self.scaled.abs()) * norm(self.inverse_magnitudes())).max(1.0)
     }
 
@@ -80,15 +80,19 @@ where
     /// |A⁻¹| (|b − A x| + `uncertain` + (N + 4) u (|A| |x| + |b|)): the residual that is there, what the inputs
     /// bring, and the rounding of forming both.
     #[must_use]
-    pub fn error_bound(&self, x: &[f64; N], b: &[f64; N], uncertain: &[f64; N]) -> [f64; N] {
-        let rounding = (N + 4) as f64 * UNIT_ROUNDOFF;
-        let x = SVector::<f64, N>::from_fn(|c, _| x[c] / self.column_scale[c]);
-        let right = SVector::<f64, N>::from_fn(|r, _| b[r] * self.row_scale[r]);
-        let uncertain = SVector::<f64, N>::from_fn(|r, _| uncertain[r] * self.row_scale[r]);
-        let residual = (right - self.scaled * x).abs();
+    pub fn error_bound(&self, x: &[f64], b: &[f64], uncertain: &[f64]) -> Numbers {
+        let rounding = (x.len() + 4) as f64 * UNIT_ROUNDOFF;
+        let x = DVector::from_column_slice(x).component_div(&self.column_scale);
+        let right = DVector::from_column_slice(b).component_mul(&self.row_scale);
+        let uncertain = DVector::from_column_slice(uncertain).component_mul(&self.row_scale);
+        let residual = (&right - &self.scaled * &x).abs();
         let size = self.scaled.abs() * x.abs() + right.abs();
         let bound = self.inverse_magnitudes() * (residual + uncertain + size * rounding);
-        std::array::from_fn(|c| bound[c] * self.column_scale[c])
+        bound
+            .component_mul(&self.column_scale)
+            .iter()
+            .copied()
+            .collect()
     }
 }
 
@@ -107,11 +111,11 @@ mod tests {
 
     #[test]
     fn solves_a_badly_scaled_system_to_the_last_digits() {
-        // Rows and columns of very different size, solution (1, 2, −3).
-        let a = [[1e-200, 2e3, 0.0], [3e-200, -4e3, 1e90], [0.0, 1e3, 2e90]];
+        // Rows and columns of very different size, solution (1, 2, −3) times the inverse of the columns' sizes.
+        let a = [1e-200, 2e3, 0.0, 3e-200, -4e3, 1e90, 0.0, 1e3, 2e90];
         let x = [1e200, 2e-3, -3e-90];
         let b = [1.0 + 4.0, 3.0 - 8.0 - 3.0, 2.0 - 6.0];
-        let system = LinearSystem::new(a).expect("regular");
+        let system = LinearSystem::new(DMatrix::from_row_slice(3, 3, &a)).expect("regular");
         let solved = system.solve(&b);
         for (got, want) in solved.iter().zip(&x) {
             assert!((got / want - 1.0).abs() < 1e-14, "{got} {want}");
@@ -125,8 +129,9 @@ mod tests {
 
     #[test]
     fn refuses_what_has_no_solution() {
-        assert!(LinearSystem::new([[1.0, 2.0], [2.0, 4.0]]).is_none());
-        assert!(LinearSystem::new([[1.0, f64::NAN], [2.0, 4.0]]).is_none());
-        assert!(LinearSystem::new([[0.0, 0.0], [2.0, 4.0]]).is_none());
+        let system = |a: [f64; 4]| LinearSystem::new(DMatrix::from_row_slice(2, 2, &a));
+        assert!(system([1.0, 2.0, 2.0, 4.0]).is_none());
+        assert!(system([1.0, f64::NAN, 2.0, 4.0]).is_none());
+        assert!(system([0.0, 0.0, 2.0, 4.0]).is_none());
     }
 }

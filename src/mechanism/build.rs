@@ -1,8 +1,9 @@
-use super::group::fourth_class;
+use super::group::group;
 use super::shape::local_points;
+use super::structure::{Edge, Structure, structure};
 use super::{
-    Body, BodyId, GROUND, Guide, Joint, JointKind, Mechanism, PointId, Role, Slider, SliderId,
-    StructureError,
+    Body, BodyId, GROUND, Group, Guide, Joint, JointId, JointKind, Mechanism, PointId, Role,
+    Slider, SliderId, StructureError,
 };
 use crate::geometry::{Point, Vector, direction_of_degrees, unit};
 use crate::scene::{self, Along, At, Form, On, Scene};
@@ -17,9 +18,58 @@ pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
     builder.add_sliders()?;
     builder.add_pins();
     let mut mechanism = builder.mechanism;
-    let group = fourth_class(scene, &mechanism)?;
-    mechanism.groups.push(group);
+    mechanism.groups = groups(scene, &mechanism)?;
     Ok(mechanism)
+}
+
+/// The Assur groups in an order in which they can be solved.
+fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureError> {
+    let members: Vec<BodyId> = (0..mechanism.bodies.len())
+        .map(BodyId)
+        .filter(|&b| mechanism.body(b).role == Role::Member)
+        .collect();
+    if members.is_empty() {
+        return Err(StructureError::nothing_to_solve(scene));
+    }
+    let index = |b: BodyId| members.iter().position(|&m| m == b);
+    let edges: Vec<Edge> = mechanism
+        .joints
+        .iter()
+        .map(|joint| Edge {
+            ends: joint.bodies.map(index),
+        })
+        .collect();
+    let components = match structure(members.len(), &edges) {
+        Structure::Groups(components) => components,
+        Structure::Misfit {
+            under,
+            missing,
+            over,
+            surplus,
+        } => {
+            let links =
+                |found: Vec<usize>| found.into_iter().map(|i| members[i]).collect::<Vec<_>>();
+            let (under, over) = (links(under), links(over));
+            return Err(StructureError::misfit(
+                scene, mechanism, &under, missing, &over, surplus,
+            ));
+        }
+    };
+    let mut found = Vec::new();
+    for component in components {
+        let links: Vec<BodyId> = component.links.iter().map(|&i| members[i]).collect();
+        let joints: Vec<JointId> = component.joints.iter().map(|&j| JointId(j)).collect();
+        let group = group(mechanism, &links, &joints);
+        if group.is_singular_by_structure(mechanism) {
+            return Err(StructureError::Singular {
+                links: group.link_names(mechanism),
+                class: group.class.numeral(),
+                pattern: group.pattern(mechanism),
+            });
+        }
+        found.push(group);
+    }
+    Ok(found)
 }
 
 struct Builder<'a> {
@@ -178,20 +228,35 @@ impl<'a> Builder<'a> {
     fn add_sliders(&mut self) -> Result<(), StructureError> {
         for (index, slider) in self.scene.sliders.iter().enumerate() {
             let place = index.to_string();
-            let missing = |key: &str, what: &str| -> StructureError {
-                let message = format!("{what} is not available in this version");
-                let hint =
-                    "name the sliding `link` and its point `at`, and drive a link that turns";
+            let refuse = |key: &str, what: &str, hint: &str| -> StructureError {
+                let path = ["sliders", &place, key];
                 self.scene
-                    .error_at(&["sliders", &place, key], message, Some(hint.into()))
+                    .error_at(&path, what, Some(hint.to_owned()))
                     .into()
             };
-            if slider.drive.is_some() {
-                return Err(missing("drive", "a driven slider"));
-            }
             let (Some(link), Some(at)) = (&slider.link, &slider.at) else {
-                return Err(missing("pin", "a pin that rides in a slot without a block"));
+                return Err(refuse(
+                    "pin",
+                    "a pin that rides in a slot without a block is not available in this version",
+                    "add a link with that one point as the block: name it as `link` and the point as `at`",
+                ));
             };
+            if slider.drive.is_some() && slider.on != On::Ground {
+                return Err(refuse(
+                    "drive",
+                    "a driven slider on a moving link is not available in this version",
+                    "drive a slider whose guide is on the ground, or a link that turns about a ground point",
+                ));
+            }
+            if slider.drive.is_some_and(|d| d.position.is_none())
+                && self.scene.form == Form::Lengths
+            {
+                return Err(refuse(
+                    "drive",
+                    "the drive of this slider gives no `position`",
+                    "add \"position\": its distance along the guide from `through`",
+                ));
+            }
             let on = match &slider.on {
                 On::Ground => GROUND,
                 On::Link(name) => self.mechanism.link(name).expect("checked by the scene"),
@@ -199,7 +264,12 @@ impl<'a> Builder<'a> {
             let link = self.mechanism.link(link).expect("checked by the scene");
             let at = self.point(at);
             let guide = self.guide(slider, on);
+            let counted_from = match (&slider.through, &slider.along) {
+                (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => self.mechanism.point(p),
+                _ => None,
+            };
             self.mechanism.sliders.push(Slider {
+                counted_from,
                 link,
                 at,
                 on,
@@ -207,6 +277,14 @@ impl<'a> Builder<'a> {
                 turned: slider.turned_deg,
             });
             let id = SliderId(self.mechanism.sliders.len() - 1);
+            if let Some(drive) = slider.drive {
+                self.mechanism.bodies[link.0].role = Role::Pushed {
+                    slider: id,
+                    position: drive.position,
+                    speed: drive.speed,
+                    acceleration: drive.acceleration,
+                };
+            }
             self.mechanism.joints.push(Joint {
                 kind: JointKind::Prismatic(id),
                 bodies: [on, link],

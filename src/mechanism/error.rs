@@ -9,54 +9,59 @@ pub enum StructureError {
     Scene(#[from] SceneError),
     /// The group has prismatic joints in places where it never has a definite motion.
     #[error(
-        "links {links} have no definite motion in any position: a fourth-class group with its prismatic joints as in {pattern} \
-         (joints B C D E F G) is singular by its structure\n  try: make one of the prismatic joints revolute"
+        "links {links} have no definite motion in any position: a group of class {class} with its prismatic joints as in {pattern} \
+         is singular by its structure\n  try: make one of the prismatic joints revolute"
     )]
     Singular {
         /// The group's links.
         links: String,
-        /// R or P for the joints B C D E F G.
+        /// Its class.
+        class: &'static str,
+        /// R or P for its joints.
         pattern: String,
     },
 }
 
 impl StructureError {
-    /// The links that are to be solved form no fourth-class group; says what they have instead.
-    pub(super) fn not_fourth_class(
-        scene: &Scene,
-        mechanism: &Mechanism,
-        members: &[BodyId],
-        joints: usize,
-    ) -> Self {
-        if members.is_empty() {
-            return scene
-                .error_at(
-                    &["links"],
-                    "nothing to solve: every link's motion is given",
-                    Some("add the links of a fourth-class group between the known points".into()),
-                )
-                .into();
-        }
-        let names: Vec<&str> = members
-            .iter()
-            .map(|&b| mechanism.body(b).name.as_str())
-            .collect();
-        let freedoms = 3 * members.len() as i64 - 2 * joints as i64;
-        let count = match freedoms {
-            0 => "no free motion left, but another shape".to_owned(),
-            n if n > 0 => {
-                format!("{n} degree(s) of freedom too many: a joint or a drive is missing")
-            }
-            n => format!("{} constraint(s) too many", -n),
-        };
-        let message = format!(
-            "links {} with {joints} joints form no fourth-class group ({count})",
-            names.join(", ")
-        );
-        let hint = "this version solves one fourth-class group per scene: two links that hang on known points or driven links, \
-                    and two closure links that each join both of them (4 links, 6 joints)";
+    pub(super) fn nothing_to_solve(scene: &Scene) -> Self {
+        let message = "nothing to solve: every link's motion is given";
+        let hint = "add links between the driven links, the known points and the ground";
         scene
             .error_at(&["links"], message, Some(hint.into()))
             .into()
+    }
+
+    /// The links have too few or too many constraints; says which links, and how many drives or joints.
+    pub(super) fn misfit(
+        scene: &Scene,
+        mechanism: &Mechanism,
+        under: &[BodyId],
+        missing: usize,
+        over: &[BodyId],
+        surplus: usize,
+    ) -> Self {
+        let names = |links: &[BodyId]| {
+            let names = links.iter().map(|&b| mechanism.body(b).name.as_str());
+            let noun = if links.len() == 1 { "link" } else { "links" };
+            format!("{noun} {}", names.collect::<Vec<_>>().join(", "))
+        };
+        let many = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+        let mut parts = Vec::new();
+        let mut hints = Vec::new();
+        if !under.is_empty() {
+            let free = many(missing, "free motion");
+            parts.push(format!("{} can still move ({free} left)", names(under)));
+            hints.push(format!("add {} or a joint there", many(missing, "drive")));
+        }
+        if !over.is_empty() {
+            let surplus = many(surplus, "constraint");
+            parts.push(format!(
+                "{} cannot move as driven ({surplus} too many)",
+                names(over)
+            ));
+            hints.push("take a drive or a joint away there".to_owned());
+        }
+        let hint = Some(hints.join("; "));
+        scene.error_at(&["links"], parts.join("; "), hint).into()
     }
 }

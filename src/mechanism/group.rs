@@ -1,12 +1,18 @@
-use super::{BodyId, JointId, Mechanism, Role, StructureError};
-use crate::scene::Scene;
+use super::{BodyId, JointId, JointKind, Mechanism, PointId};
+use std::collections::VecDeque;
 
-/// The class of an Assur group, by the convention that class IV is two links carried by known
-/// bodies and two closure links between them (one closed contour of four).
+/// The class of an Assur group, by the convention that two links make class II, four links with a central link that hangs on
+/// three others class III, and four links in a closed contour, two of them on known bodies, class IV.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
-    /// Fourth class.
+    /// Two links: a dyad.
+    Second,
+    /// A central link and three legs.
+    Third,
+    /// Two drag links and two closure links.
     Fourth,
+    /// Anything larger.
+    Higher,
 }
 
 impl Class {
@@ -14,7 +20,10 @@ impl Class {
     #[must_use]
     pub fn numeral(self) -> &'static str {
         match self {
+            Class::Second => "II",
+            Class::Third => "III",
             Class::Fourth => "IV",
+            Class::Higher => "higher",
         }
     }
 }
@@ -24,69 +33,102 @@ impl Class {
 pub struct Group {
     /// Its class.
     pub class: Class,
-    /// Its links. Fourth class: drag link, closure link, drag link, closure link (2, 3, 4, 5 of the paper).
+    /// Its links. Class III: first leg, central link, the other legs. Class IV: drag link, closure link, drag link, closure link
+    /// (2, 3, 4, 5 of the source paper).
     pub links: Vec<BodyId>,
+    /// Its joints, outer ones included.
+    pub joints: Vec<JointId>,
     /// Its independent loops, two unknown rates each.
     pub loops: Vec<Loop>,
-    /// Its special points.
+    /// The points by which its plans are drawn: special points, or for a dyad its inner joint.
     pub special: Vec<SpecialPoint>,
 }
 
-/// A chain of joints from one known body to another.
+/// A chain of joints from one known body to another, or around a closed contour from a link back to it.
 ///
-/// `bodies[i]` and `bodies[i + 1]` meet in `joints[i]`; the first and the last body are known.
+/// `bodies[i]` and `bodies[i + 1]` meet in `joints[i]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Loop {
-    /// Known body, links of the group, known body.
+    /// Known body, links of the group, known body; or a link, others, the same link.
     pub bodies: Vec<BodyId>,
     /// The joints between them.
     pub joints: Vec<JointId>,
+    /// Whether it runs around a closed contour within the group.
+    pub closed: bool,
 }
 
-/// The special (Assur) point of a link: where the cut lines of two of its legs cross.
+/// A point of a link that two legs lead to from known bodies: its motion is where two rays cross.
 #[derive(Clone, Debug)]
 pub struct SpecialPoint {
-    /// Its name: `S` and the link's name.
+    /// Its name, as in `S3`; for a dyad that of the joint, or of the link's point under it, as in `B_3`.
     pub name: String,
     /// The link to which it belongs.
     pub link: BodyId,
+    /// The joint at which it is; none for a special (Assur) point, which is where the cut lines of the legs cross.
+    pub target: Option<PointId>,
     /// The two legs by which the link hangs on known bodies.
     pub legs: [Leg; 2],
 }
 
-/// A way from a known body to a link: known body, outer joint, carrying link, inner joint, link.
+/// A way from a known body to a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Leg {
     /// The known body.
     pub base: BodyId,
-    /// Joint between the known body and the carrying link.
+    /// The joint on the known body.
     pub outer: JointId,
-    /// The carrying link.
+    /// The carrying link and its joint with the link; none where the link itself hangs on the known body.
+    pub carried: Option<Carried>,
+}
+
+/// The second half of a leg.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Carried {
+    /// The carrying link, between known body and link.
     pub carrier: BodyId,
-    /// Joint between the carrying link and the link.
+    /// The joint between carrying link and link.
     pub inner: JointId,
 }
 
-/// Patterns of the joints B C D E F G (R revolute, P prismatic) whose equations are singular in every position.
+/// Patterns of the joints B C D E F G (R revolute, P prismatic) of a fourth-class group whose equations are singular in every
+/// position.
 const SINGULAR_PATTERNS: [&str; 10] = [
     "RPPRPP", "RPPPPP", "PRRPPP", "PRPPPP", "PPRPPP", "PPPRPP", "PPPPRR", "PPPPRP", "PPPPPR",
     "PPPPPP",
 ];
 
 impl Group {
-    /// The kinds of the joints, in the order in which the loops meet them: for the fourth class B C D E F G.
+    /// The kinds of the joints, R revolute or P prismatic. Class II: outer, inner, outer. Class III: outer and inner of each leg,
+    /// separated by `-`. Class IV: B C D E F G. Higher: outer joints first.
     #[must_use]
     pub fn pattern(&self, mechanism: &Mechanism) -> String {
-        let letter = |&j: &JointId| {
-            if mechanism.is_prismatic(j) { 'P' } else { 'R' }
-        };
-        let inner = self.loops[1].joints[1..3].iter().rev();
-        self.loops[0]
-            .joints
-            .iter()
-            .chain(inner)
-            .map(letter)
-            .collect()
+        let letter = |&j: &JointId| if mechanism.is_prismatic(j) { 'P' } else { 'R' };
+        let joints = |k: usize| self.loops[k].joints.iter();
+        match self.class {
+            Class::Second => joints(0).map(letter).collect(),
+            Class::Third => {
+                let legs = self.legs();
+                let legs =
+                    legs.map(|[outer, inner]| [letter(&outer), letter(&inner)].iter().collect());
+                legs.collect::<Vec<String>>().join("-")
+            }
+            Class::Fourth => joints(0)
+                .chain(joints(1).rev().skip(1).take(2))
+                .map(letter)
+                .collect(),
+            Class::Higher => self.joints.iter().map(letter).collect(),
+        }
+    }
+
+    /// Outer and inner joint of each leg of a third-class group.
+    fn legs(&self) -> impl Iterator<Item = [JointId; 2]> {
+        let chain = |k: usize| &self.loops[k].joints;
+        [
+            [chain(0)[0], chain(0)[1]],
+            [chain(0)[3], chain(0)[2]],
+            [chain(1)[3], chain(1)[2]],
+        ]
+        .into_iter()
     }
 
     /// Names of the links, as in `2, 3, 4, 5`.
@@ -95,95 +137,266 @@ impl Group {
         let names = self.links.iter().map(|&l| mechanism.body(l).name.as_str());
         names.collect::<Vec<_>>().join(", ")
     }
+
+    /// Whether its joints leave it without a definite motion in every position.
+    #[must_use]
+    pub(super) fn is_singular_by_structure(&self, mechanism: &Mechanism) -> bool {
+        let pattern = self.pattern(mechanism);
+        match self.class {
+            Class::Second => pattern == "PPP",
+            // Two legs that each fix the central link's angle.
+            Class::Third => pattern.matches("PP").count() >= 2,
+            Class::Fourth => SINGULAR_PATTERNS.contains(&pattern.as_str()),
+            Class::Higher => false,
+        }
+    }
 }
 
-/// The fourth-class group that the member links of `mechanism` form.
-///
-/// # Errors
-/// Says what the links form instead, where they form no such group.
-pub(super) fn fourth_class(scene: &Scene, mechanism: &Mechanism) -> Result<Group, StructureError> {
-    let members: Vec<BodyId> = (0..mechanism.bodies.len())
-        .map(BodyId)
-        .filter(|&b| mechanism.body(b).role == Role::Member)
-        .collect();
-    let touching = |b: BodyId| {
-        (0..mechanism.joints.len())
-            .map(JointId)
-            .filter(move |&j| mechanism.joint(j).bodies.contains(&b))
+/// The group that `links` form with `joints`; bodies other than these links count as known.
+pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId]) -> Group {
+    let builder = Builder {
+        mechanism,
+        links,
+        joints,
     };
-    let known = |b: BodyId| mechanism.body(b).role.is_known();
-    let outer_of = |b: BodyId| -> Vec<JointId> {
-        touching(b)
-            .filter(|&j| known(mechanism.joint(j).other(b)))
-            .collect()
+    let loops = builder.loops();
+    let outer = |b: &&BodyId| builder.outer(**b).is_some();
+    let hanging = links.iter().filter(outer).count();
+    let class = match (links.len(), hanging) {
+        (2, _) => Class::Second,
+        (4, 3) => Class::Third,
+        (4, 2) => Class::Fourth,
+        _ => Class::Higher,
     };
-    let (drags, closures): (Vec<BodyId>, Vec<BodyId>) =
-        members.iter().partition(|&&b| !outer_of(b).is_empty());
-    let joints: usize = (0..mechanism.joints.len())
-        .filter(|&j| {
-            let bodies = mechanism.joints[j].bodies;
-            bodies.iter().any(|b| members.contains(b))
-        })
-        .count();
-    let refuse = || StructureError::not_fourth_class(scene, mechanism, &members, joints);
-
-    let ([first, second], [third, fourth]) = (drags.as_slice(), closures.as_slice()) else {
-        return Err(refuse());
-    };
-    let outer = |b: BodyId| match outer_of(b).as_slice() {
-        [one] => Ok(*one),
-        _ => Err(refuse()),
-    };
-    let (first_outer, second_outer) = (outer(*first)?, outer(*second)?);
-    let between = |a: BodyId, b: BodyId| {
-        let common: Vec<JointId> = touching(a)
-            .filter(|&j| mechanism.joint(j).bodies.contains(&b))
-            .collect();
-        match common.as_slice() {
-            [one] => Ok(*one),
-            _ => Err(refuse()),
+    let special = builder.special(class, &loops);
+    let mut ordered = Vec::new();
+    for body in loops.iter().flat_map(|l| &l.bodies) {
+        if links.contains(body) && !ordered.contains(body) {
+            ordered.push(*body);
         }
-    };
-    let mut loops = Vec::new();
-    let mut special = Vec::new();
-    for &closure in [third, fourth] {
-        let (near, far) = (between(*first, closure)?, between(closure, *second)?);
-        let start = mechanism.joint(first_outer).other(*first);
-        let end = mechanism.joint(second_outer).other(*second);
-        loops.push(Loop {
-            bodies: vec![start, *first, closure, *second, end],
-            joints: vec![first_outer, near, far, second_outer],
-        });
-        let leg = |base, outer, carrier, inner| Leg {
-            base,
-            outer,
-            carrier,
-            inner,
-        };
-        special.push(SpecialPoint {
-            name: format!("S{}", mechanism.body(closure).name),
-            link: closure,
-            legs: [
-                leg(start, first_outer, *first, near),
-                leg(end, second_outer, *second, far),
-            ],
-        });
     }
-    if joints != 6 {
-        return Err(refuse());
-    }
-    let group = Group {
-        class: Class::Fourth,
-        links: vec![*first, *third, *second, *fourth],
+    Group {
+        class,
+        links: ordered,
+        joints: joints.to_vec(),
         loops,
         special,
-    };
-    let pattern = group.pattern(mechanism);
-    if SINGULAR_PATTERNS.contains(&pattern.as_str()) {
-        return Err(StructureError::Singular {
-            links: group.link_names(mechanism),
-            pattern,
-        });
     }
-    Ok(group)
+}
+
+struct Builder<'a> {
+    mechanism: &'a Mechanism,
+    links: &'a [BodyId],
+    joints: &'a [JointId],
+}
+
+impl Builder<'_> {
+    fn known(&self, body: BodyId) -> bool {
+        !self.links.contains(&body)
+    }
+
+    /// The first joint by which a link hangs on a known body, and that body.
+    fn outer(&self, link: BodyId) -> Option<(JointId, BodyId)> {
+        self.joints.iter().find_map(|&j| {
+            let joint = self.mechanism.joint(j);
+            let other = joint.other(link);
+            (joint.bodies.contains(&link) && self.known(other)).then_some((j, other))
+        })
+    }
+
+    /// The loops: a spanning tree grown from the known bodies, and for each joint outside it the two ways back.
+    fn loops(&self) -> Vec<Loop> {
+        // For each link how the tree reaches it: over which joint, from which body.
+        let mut reached: Vec<(BodyId, JointId, BodyId)> = Vec::new();
+        let mut used: Vec<JointId> = Vec::new();
+        let mut queue: VecDeque<BodyId> = VecDeque::new();
+        for &link in self.links {
+            if let Some((joint, base)) = self.outer(link) {
+                reached.push((link, joint, base));
+                used.push(joint);
+                queue.push_back(link);
+            }
+        }
+        while let Some(body) = queue.pop_front() {
+            for &j in self.joints {
+                let joint = self.mechanism.joint(j);
+                let other = joint.other(body);
+                let new = joint.bodies.contains(&body)
+                    && !self.known(other)
+                    && !reached.iter().any(|r| r.0 == other);
+                if new {
+                    reached.push((other, j, body));
+                    used.push(j);
+                    queue.push_back(other);
+                }
+            }
+        }
+        let way = |mut body: BodyId| {
+            let mut bodies = vec![body];
+            let mut joints = Vec::new();
+            while let Some((_, joint, from)) = reached.iter().find(|r| r.0 == body) {
+                joints.push(*joint);
+                bodies.push(*from);
+                body = *from;
+            }
+            (bodies, joints)
+        };
+        let outside = self.joints.iter().filter(|j| !used.contains(j));
+        let mut loops: Vec<Loop> = outside
+            .map(|&j| {
+                let [a, b] = self.mechanism.joint(j).bodies.map(way);
+                // Start on the side whose first link the tree reached first.
+                let root = |(bodies, _): &(Vec<BodyId>, Vec<JointId>)| {
+                    let root = bodies.iter().rev().nth(1);
+                    reached.iter().position(|r| Some(&r.0) == root)
+                };
+                let (a, b) = if root(&a) <= root(&b) { (a, b) } else { (b, a) };
+                joined(a, j, b)
+            })
+            .collect();
+        // In the order in which the inner links stand in the scene.
+        loops.sort_by_key(|l| {
+            let inner = l
+                .bodies
+                .iter()
+                .filter(|b| self.outer(**b).is_none() && !self.known(**b));
+            inner.min().copied()
+        });
+        loops
+    }
+
+    fn special(&self, class: Class, loops: &[Loop]) -> Vec<SpecialPoint> {
+        let name = |b: BodyId| self.mechanism.body(b).name.clone();
+        match (class, loops) {
+            (Class::Second, [chain]) => self.dyad_point(chain).into_iter().collect(),
+            (Class::Third, [first, second]) => {
+                let central = first.bodies[2];
+                let of = |chain: &Loop| {
+                    let legs = [leg(chain, false), leg(chain, true)];
+                    let [a, b] = [chain.bodies[1], chain.bodies[3]].map(name);
+                    SpecialPoint {
+                        name: format!("S{a}{b}"),
+                        link: central,
+                        target: None,
+                        legs,
+                    }
+                };
+                vec![of(first), of(second)]
+            }
+            (Class::Fourth, chains) => {
+                let of = |chain: &Loop| SpecialPoint {
+                    name: format!("S{}", name(chain.bodies[2])),
+                    link: chain.bodies[2],
+                    target: None,
+                    legs: [leg(chain, false), leg(chain, true)],
+                };
+                chains.iter().map(of).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The point by which a dyad's plan is drawn: its inner pin; at an inner slider the outer pin of one link, as a point of the
+    /// other. `None` with three sliders.
+    fn dyad_point(&self, chain: &Loop) -> Option<SpecialPoint> {
+        let mechanism = self.mechanism;
+        let pin = |j: JointId| match mechanism.joint(j).kind {
+            JointKind::Revolute(point) => Some(point),
+            JointKind::Prismatic(_) => None,
+        };
+        let [start, a, b, end] = *chain.bodies.as_slice() else {
+            return None;
+        };
+        let [outer_a, inner, outer_b] = *chain.joints.as_slice() else {
+            return None;
+        };
+        // The link to which the point belongs hangs directly on its base; the other carries it.
+        let legs = |direct: (BodyId, JointId), base: BodyId, outer: JointId, carrier: BodyId| {
+            let (own_base, own_outer) = direct;
+            let direct = Leg {
+                base: own_base,
+                outer: own_outer,
+                carried: None,
+            };
+            let carried = Some(Carried { carrier, inner });
+            [
+                direct,
+                Leg {
+                    base,
+                    outer,
+                    carried,
+                },
+            ]
+        };
+        if let Some(point) = pin(inner) {
+            return Some(SpecialPoint {
+                name: mechanism.point_name(point).to_owned(),
+                link: a,
+                target: Some(point),
+                legs: legs((start, outer_a), end, outer_b, b),
+            });
+        }
+        let under = |point: PointId, link: BodyId| {
+            format!(
+                "{}_{}",
+                mechanism.point_name(point),
+                mechanism.body(link).name
+            )
+        };
+        if let Some(point) = pin(outer_b) {
+            return Some(SpecialPoint {
+                name: under(point, a),
+                link: a,
+                target: Some(point),
+                legs: legs((start, outer_a), end, outer_b, b),
+            });
+        }
+        let point = pin(outer_a)?;
+        Some(SpecialPoint {
+            name: under(point, b),
+            link: b,
+            target: Some(point),
+            legs: legs((end, outer_b), start, outer_a, a),
+        })
+    }
+}
+
+/// The leg at the start or at the end of a loop of three links.
+fn leg(chain: &Loop, from_end: bool) -> Leg {
+    let at = |forward: usize, backward: usize| if from_end { backward } else { forward };
+    Leg {
+        base: chain.bodies[at(0, 4)],
+        outer: chain.joints[at(0, 3)],
+        carried: Some(Carried {
+            carrier: chain.bodies[at(1, 3)],
+            inner: chain.joints[at(1, 2)],
+        }),
+    }
+}
+
+/// The loop made of two ways back to known bodies and the joint between their starts; the part that both ways share is left out.
+fn joined(
+    (mut bodies, mut joints): (Vec<BodyId>, Vec<JointId>),
+    joint: JointId,
+    (mut others, mut other_joints): (Vec<BodyId>, Vec<JointId>),
+) -> Loop {
+    let mut closed = false;
+    // Both ways end in the same joints where they run together.
+    while !joints.is_empty() && joints.last() == other_joints.last() {
+        joints.pop();
+        other_joints.pop();
+        bodies.pop();
+        others.pop();
+        closed = true;
+    }
+    bodies.reverse();
+    joints.reverse();
+    bodies.append(&mut others);
+    joints.push(joint);
+    joints.append(&mut other_joints);
+    Loop {
+        bodies,
+        joints,
+        closed,
+    }
 }

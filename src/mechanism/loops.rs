@@ -1,8 +1,6 @@
 use super::{BodyId, Group, JointKind, Loop, Mechanism, PointId, SliderId};
 use crate::geometry::{LinearSystem, Point, Vector, quarter_turn};
-
-/// Unknown rates of a fourth-class group: angular rates of classes of links that turn together, then slide rates.
-pub const UNKNOWNS: usize = 4;
+use nalgebra::DMatrix;
 
 /// The loop equations of a group: which rates are unknown and which arms and slides each loop sums.
 ///
@@ -12,24 +10,33 @@ pub const UNKNOWNS: usize = 4;
 /// velocity:     Σ ω_k J r_k + Σ ṡ u = v_end(p_m) − v_start(p_1)
 /// acceleration: Σ α_k J r_k + Σ s̈ u = a_end(p_m) − a_start(p_1) + Σ ω_k² r_k − Σ 2 ω ṡ J u
 ///
-/// Both have the same matrix. Made once for a mechanism; positions come with each pose.
+/// Both have the same matrix. A loop that closes on a link of the group has one arm more, back to p_1, and zero for the ends.
+/// Made once for a mechanism; positions come with each pose. The unknowns are the angular rates of classes of links that turn
+/// together, then the slide rates: two for each loop.
 #[derive(Clone, Debug)]
 pub struct LoopEquations {
     /// One entry for each loop of the group.
-    pub loops: [LoopTerms; 2],
-    /// Where both loops share two rates and have one of their own each: which ones.
+    pub loops: Vec<LoopTerms>,
+    /// How many rates are unknown.
+    pub unknowns: usize,
+    /// Where two equations for two rates can be split off: which ones.
     pub reduction: Option<Reduction>,
     spins: Vec<(BodyId, Spin)>,
     slides: Vec<(SliderId, usize)>,
 }
 
-/// The rates that both loops share, and the one that each has alone.
+/// How the equations reduce to two for two rates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Reduction {
-    /// The unknowns in both loops.
-    pub shared: [usize; 2],
-    /// The unknown in the first loop alone, and in the second alone.
-    pub own: [usize; 2],
+pub enum Reduction {
+    /// One loop has only two unknowns.
+    OneLoop,
+    /// Two loops share two rates and have one of their own each.
+    TwoLoops {
+        /// The unknowns in both loops.
+        shared: [usize; 2],
+        /// The unknown in the first loop alone, and in the second alone.
+        own: [usize; 2],
+    },
 }
 
 /// The rotation of a body: an unknown of the system, or that of a known body.
@@ -44,10 +51,8 @@ pub enum Spin {
 /// What one loop sums.
 #[derive(Clone, Debug)]
 pub struct LoopTerms {
-    /// The known body where it starts.
-    pub start: BodyId,
-    /// The known body where it ends.
-    pub end: BodyId,
+    /// The known bodies where it starts and ends; none for a loop that closes on a link of the group.
+    pub ends: Option<[BodyId; 2]>,
     /// Its first revolute joint p_1.
     pub first: PointId,
     /// Its last revolute joint p_m.
@@ -82,74 +87,47 @@ pub struct Slide {
     pub spin: Spin,
 }
 
+impl LoopTerms {
+    /// Adds the columns of this loop's two equations, one for each unknown, where the points and the guides' unit directions are
+    /// these.
+    #[inline]
+    pub fn add_columns(&self, points: &[Point], guides: &[Vector], columns: &mut [Vector]) {
+        for arm in &self.arms {
+            if let Spin::Unknown(unknown) = arm.spin {
+                columns[unknown] += quarter_turn(points[arm.to.0] - points[arm.from.0]);
+            }
+        }
+        for slide in &self.slides {
+            columns[slide.unknown] += guides[slide.slider.0] * slide.sign;
+        }
+    }
+
+    fn has(&self, unknown: usize) -> bool {
+        let arms = self.arms.iter().any(|a| a.spin == Spin::Unknown(unknown));
+        arms || self.slides.iter().any(|s| s.unknown == unknown)
+    }
+}
+
 impl LoopEquations {
     /// The equations of `group`.
     #[must_use]
     pub fn new(mechanism: &Mechanism, group: &Group) -> Self {
         let spins = spins(mechanism, group);
-        let spin_of = |body: BodyId| {
-            let found = spins.iter().find(|(b, _)| *b == body);
-            found.map_or(Spin::Known(body), |(_, spin)| *spin)
-        };
-        let mut unknowns = spins
-            .iter()
-            .filter_map(|(_, s)| match s {
-                Spin::Unknown(u) => Some(u + 1),
-                Spin::Known(_) => None,
-            })
-            .max()
-            .unwrap_or(0);
+        let mut unknowns = 0;
+        for (_, spin) in &spins {
+            if let Spin::Unknown(unknown) = spin {
+                unknowns = unknowns.max(unknown + 1);
+            }
+        }
         let mut slides: Vec<(SliderId, usize)> = Vec::new();
-        let mut terms = |chain: &Loop| {
-            let mut pins = Vec::new();
-            let mut arms: Vec<Arm> = Vec::new();
-            let mut sliding = Vec::new();
-            for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
-                match mechanism.joint(joint).kind {
-                    JointKind::Revolute(point) => {
-                        if let Some(&from) = pins.last() {
-                            let spin = spin_of(sides[0]);
-                            arms.push(Arm {
-                                from,
-                                to: point,
-                                spin,
-                            });
-                        }
-                        pins.push(point);
-                    }
-                    JointKind::Prismatic(slider) => {
-                        let known = slides.iter().find(|(s, _)| *s == slider);
-                        let unknown = known.map_or(unknowns, |(_, u)| *u);
-                        if unknown == unknowns {
-                            slides.push((slider, unknown));
-                            unknowns += 1;
-                        }
-                        let forward = mechanism.slider(slider).on == sides[0];
-                        sliding.push(Slide {
-                            slider,
-                            unknown,
-                            sign: if forward { 1.0 } else { -1.0 },
-                            spin: spin_of(sides[0]),
-                        });
-                    }
-                }
-            }
-            let first = pins.first().copied();
-            // Loops without a revolute joint are singular by structure and never get here.
-            let first = first.unwrap_or_else(|| mechanism.joint_point(chain.joints[0]));
-            LoopTerms {
-                start: chain.bodies[0],
-                end: chain.bodies[chain.bodies.len() - 1],
-                first,
-                last: pins.last().copied().unwrap_or(first),
-                arms,
-                slides: sliding,
-            }
-        };
-        let loops = [terms(&group.loops[0]), terms(&group.loops[1])];
+        let mut loops = Vec::new();
+        for chain in &group.loops {
+            loops.push(terms(mechanism, chain, &spins, &mut slides, &mut unknowns));
+        }
         Self {
-            reduction: reduction(&loops),
+            reduction: reduction(&loops, unknowns),
             loops,
+            unknowns,
             spins,
             slides,
         }
@@ -173,62 +151,116 @@ impl LoopEquations {
 
     /// The value of `link`'s angular rate, given the unknowns and the known bodies' rates.
     #[must_use]
-    pub fn spin(&self, link: BodyId, x: &[f64; UNKNOWNS], known: impl Fn(BodyId) -> f64) -> f64 {
-        let found = self.spins.iter().find(|(b, _)| *b == link);
-        match found.map(|(_, spin)| *spin) {
-            Some(Spin::Unknown(unknown)) => x[unknown],
-            Some(Spin::Known(body)) => known(body),
-            None => known(link),
+    pub fn spin(&self, link: BodyId, x: &[f64], known: impl Fn(BodyId) -> f64) -> f64 {
+        match spin_of(&self.spins, link) {
+            Spin::Unknown(unknown) => x[unknown],
+            Spin::Known(body) => known(body),
         }
     }
 
     /// The matrix where the points and the guides' unit directions are these.
     #[must_use]
-    pub fn matrix(&self, points: &[Point], guides: &[Vector]) -> [[f64; UNKNOWNS]; UNKNOWNS] {
-        let mut matrix = [[0.0; UNKNOWNS]; UNKNOWNS];
-        for (terms, rows) in self.loops.iter().zip(matrix.chunks_exact_mut(2)) {
-            let mut add = |unknown: usize, column: Vector| {
-                rows[0][unknown] += column.x;
-                rows[1][unknown] += column.y;
-            };
-            for arm in &terms.arms {
-                if let Spin::Unknown(unknown) = arm.spin {
-                    add(unknown, quarter_turn(points[arm.to.0] - points[arm.from.0]));
-                }
-            }
-            for slide in &terms.slides {
-                add(slide.unknown, guides[slide.slider.0] * slide.sign);
+    pub fn matrix(&self, points: &[Point], guides: &[Vector]) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(2 * self.loops.len(), self.unknowns);
+        for (index, terms) in self.loops.iter().enumerate() {
+            let mut columns = vec![Vector::zeros(); self.unknowns];
+            terms.add_columns(points, guides, &mut columns);
+            for (unknown, column) in columns.into_iter().enumerate() {
+                matrix[(2 * index, unknown)] = column.x;
+                matrix[(2 * index + 1, unknown)] = column.y;
             }
         }
         matrix
     }
 
-    /// The factored matrix there; `None` where it is exactly singular.
+    /// The factored matrix there; `None` where it is exactly singular, or not square as in a group singular by structure.
     #[must_use]
-    pub fn factored(&self, points: &[Point], guides: &[Vector]) -> Option<LinearSystem<UNKNOWNS>> {
-        LinearSystem::new(self.matrix(points, guides))
+    pub fn factored(&self, points: &[Point], guides: &[Vector]) -> Option<LinearSystem> {
+        let square = 2 * self.loops.len() == self.unknowns;
+        LinearSystem::new(square.then(|| self.matrix(points, guides))?)
     }
 }
 
-/// The split of the unknowns into shared ones and those of one loop; `None` where a closure link has two sliders.
-fn reduction(loops: &[LoopTerms; 2]) -> Option<Reduction> {
-    let within = |terms: &LoopTerms, unknown: usize| {
-        let arms = terms.arms.iter().any(|a| a.spin == Spin::Unknown(unknown));
-        arms || terms.slides.iter().any(|s| s.unknown == unknown)
-    };
-    let of = |first: bool, second: bool| -> Vec<usize> {
-        let wanted = |u: &usize| within(&loops[0], *u) == first && within(&loops[1], *u) == second;
-        (0..UNKNOWNS).filter(wanted).collect()
-    };
-    match (
-        of(true, true).as_slice(),
-        of(true, false).as_slice(),
-        of(false, true).as_slice(),
-    ) {
-        (&[a, b], &[c], &[d]) => Some(Reduction {
-            shared: [a, b],
-            own: [c, d],
-        }),
+fn spin_of(spins: &[(BodyId, Spin)], body: BodyId) -> Spin {
+    let found = spins.iter().find(|(b, _)| *b == body);
+    found.map_or(Spin::Known(body), |(_, spin)| *spin)
+}
+
+/// What a loop sums; new slide rates are numbered after the unknowns so far.
+fn terms(
+    mechanism: &Mechanism,
+    chain: &Loop,
+    spins: &[(BodyId, Spin)],
+    slides: &mut Vec<(SliderId, usize)>,
+    unknowns: &mut usize,
+) -> LoopTerms {
+    let mut pins = Vec::new();
+    let mut arms: Vec<Arm> = Vec::new();
+    let mut sliding = Vec::new();
+    for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
+        let spin = spin_of(spins, sides[0]);
+        match mechanism.joint(joint).kind {
+            JointKind::Revolute(to) => {
+                if let Some(&from) = pins.last() {
+                    arms.push(Arm { from, to, spin });
+                }
+                pins.push(to);
+            }
+            JointKind::Prismatic(slider) => {
+                let known = slides.iter().find(|(s, _)| *s == slider);
+                let unknown = known.map_or(*unknowns, |(_, u)| *u);
+                if unknown == *unknowns {
+                    slides.push((slider, unknown));
+                    *unknowns += 1;
+                }
+                let forward = mechanism.slider(slider).on == sides[0];
+                let sign = if forward { 1.0 } else { -1.0 };
+                sliding.push(Slide {
+                    slider,
+                    unknown,
+                    sign,
+                    spin,
+                });
+            }
+        }
+    }
+    // A loop without a revolute joint has a group singular by structure; any point will do.
+    let first = pins.first().copied();
+    let first = first.unwrap_or_else(|| mechanism.joint_point(chain.joints[0]));
+    let last = pins.last().copied().unwrap_or(first);
+    let ends = [chain.bodies[0], chain.bodies[chain.bodies.len() - 1]];
+    if chain.closed {
+        let (from, to) = (last, first);
+        let spin = spin_of(spins, ends[0]);
+        arms.push(Arm { from, to, spin });
+    }
+    LoopTerms {
+        ends: (!chain.closed).then_some(ends),
+        first,
+        last,
+        arms,
+        slides: sliding,
+    }
+}
+
+/// How the unknowns split; `None` where a closure link has two sliders, and for higher classes.
+fn reduction(loops: &[LoopTerms], unknowns: usize) -> Option<Reduction> {
+    match loops {
+        [_] if unknowns == 2 => Some(Reduction::OneLoop),
+        [first, second] if unknowns == 4 => {
+            let of = |a: bool, b: bool| -> Vec<usize> {
+                let wanted = |u: &usize| first.has(*u) == a && second.has(*u) == b;
+                (0..unknowns).filter(wanted).collect()
+            };
+            let (shared, own, other) = (of(true, true), of(true, false), of(false, true));
+            match (shared.as_slice(), own.as_slice(), other.as_slice()) {
+                (&[a, b], &[c], &[d]) => Some(Reduction::TwoLoops {
+                    shared: [a, b],
+                    own: [c, d],
+                }),
+                _ => None,
+            }
+        }
         _ => None,
     }
 }
@@ -236,22 +268,20 @@ fn reduction(loops: &[LoopTerms; 2]) -> Option<Reduction> {
 /// The spin of every link of the group: links tied by prismatic joints turn together.
 fn spins(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, Spin)> {
     let mut classes: Vec<Vec<BodyId>> = group.links.iter().map(|&l| vec![l]).collect();
-    for chain in &group.loops {
-        for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
-            if !mechanism.is_prismatic(joint) {
-                continue;
+    for &joint in &group.joints {
+        if !mechanism.is_prismatic(joint) {
+            continue;
+        }
+        let sides = mechanism.joint(joint).bodies;
+        let find = |body| classes.iter().position(|c| c.contains(&body));
+        match sides.map(find) {
+            [Some(a), Some(b)] if a != b => {
+                let merged = classes.remove(a.max(b));
+                classes[a.min(b)].extend(merged);
             }
-            let find =
-                |classes: &[Vec<BodyId>], body| classes.iter().position(|c| c.contains(&body));
-            match (find(&classes, sides[0]), find(&classes, sides[1])) {
-                (Some(a), Some(b)) if a != b => {
-                    let merged = classes.remove(a.max(b));
-                    classes[a.min(b)].extend(merged);
-                }
-                (Some(a), None) => classes[a].push(sides[1]),
-                (None, Some(b)) => classes[b].push(sides[0]),
-                _ => {}
-            }
+            [Some(a), None] => classes[a].push(sides[1]),
+            [None, Some(b)] => classes[b].push(sides[0]),
+            _ => {}
         }
     }
     let mut spins = Vec::new();

@@ -7,11 +7,12 @@ mod error;
 mod group;
 mod loops;
 mod shape;
+mod structure;
 
 pub use build::mechanism;
 pub use error::StructureError;
-pub use group::{Class, Group, Leg, Loop, SpecialPoint};
-pub use loops::{Arm, LoopEquations, LoopTerms, Reduction, Slide, Spin, UNKNOWNS};
+pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
+pub use loops::{Arm, LoopEquations, LoopTerms, Reduction, Slide, Spin};
 
 use crate::geometry::{Point, Vector};
 use crate::scene::Form;
@@ -85,6 +86,17 @@ pub enum Role {
         /// Angular acceleration.
         alpha: f64,
     },
+    /// It is pushed along a guide of the ground as the scene says.
+    Pushed {
+        /// Its slider.
+        slider: SliderId,
+        /// Position along the guide; none in a drawn configuration.
+        position: Option<f64>,
+        /// Velocity along the guide.
+        speed: f64,
+        /// Acceleration along the guide.
+        acceleration: f64,
+    },
     /// Its whole motion is given: that of one of its places, and its rotation.
     Moving {
         /// The place whose motion is given.
@@ -130,6 +142,8 @@ pub struct Slider {
     pub on: BodyId,
     /// The guide.
     pub guide: Guide,
+    /// In a drawn configuration: the point of the guide from which the slider's position counts, if there is one.
+    pub counted_from: Option<PointId>,
     /// Degrees from the guide to the sliding link's axis.
     pub turned: f64,
 }

@@ -3,17 +3,13 @@
 pub enum MotionError {
     /// The group is in a singular position.
     #[error(
-        "links {links} are in a singular position: the lines {} {meeting} (condition {condition:.1e})\n  \
-         try: {hint}",
-        .lines.join(", ")
+        "links {links} are in a singular position: {reason} (condition {condition:.1e})\n  try: {hint}"
     )]
     Singular {
         /// The group's links.
         links: String,
-        /// The three lines that meet in one point.
-        lines: Box<[String; 3]>,
-        /// How they meet, in words.
-        meeting: String,
+        /// Which lines meet, in words.
+        reason: String,
         /// Condition number of the loop equations; infinite where a pivot vanishes.
         condition: f64,
         /// What to change.

@@ -37,6 +37,21 @@ pub(super) fn known_motion(
                 alpha: *alpha,
             }
         }
+        Role::Pushed {
+            slider,
+            speed,
+            acceleration,
+            ..
+        } => {
+            let along = pose.guide(*slider);
+            BodyMotion {
+                at: pose.point(mechanism.slider(*slider).at),
+                velocity: along * *speed,
+                acceleration: along * *acceleration,
+                omega: 0.0,
+                alpha: 0.0,
+            }
+        }
         Role::Moving {
             at,
             velocity,

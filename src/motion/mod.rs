@@ -6,11 +6,12 @@ mod closed_form;
 mod error;
 mod known;
 mod sides;
+mod singular;
 mod solve;
 
 pub use closed_form::ClosedForm;
 pub use error::MotionError;
-pub use sides::RightSide;
+pub use sides::{LoopSide, RightSide};
 pub use solve::{motion, rates};
 
 use crate::geometry::{Point, Vector, quarter_turn};

@@ -1,13 +1,15 @@
 use super::known::known_motion;
+use super::singular::singular;
 use super::{
-    BodyMotion, ClosedForm, GroupAccuracy, Motion, MotionError, Order, RateErrors, RightSide,
-    SlideMotion,
+    BodyMotion, ClosedForm, GroupAccuracy, LoopSide, Motion, MotionError, Order, RateErrors,
+    RightSide, SlideMotion,
 };
-use crate::geometry::{Line, LinearSystem, UNIT_ROUNDOFF, Vector, cross, quarter_turn};
+use crate::geometry::{Numbers, UNIT_ROUNDOFF, Vector, quarter_turn};
 use crate::mechanism::{
-    BodyId, Group, JointId, JointKind, LoopEquations, Mechanism, SliderId, UNKNOWNS,
+    BodyId, Group, JointId, JointKind, LoopEquations, Mechanism, Role, SliderId,
 };
 use crate::position::Pose;
+use smallvec::smallvec;
 
 /// Condition number from which a group counts as singular: no digit of a rate would be certain.
 const SINGULAR_CONDITION: f64 = 0.05 / UNIT_ROUNDOFF;
@@ -31,46 +33,49 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
         groups: Vec::new(),
         warnings: Vec::new(),
     };
+    for body in &mechanism.bodies {
+        if let Role::Pushed {
+            slider,
+            speed,
+            acceleration,
+            ..
+        } = body.role
+        {
+            let slide = &mut motion.slides[slider.0];
+            slide.velocity = speed;
+            if order == Order::Acceleration {
+                slide.acceleration = acceleration;
+            }
+        }
+    }
     for group in &mechanism.groups {
         move_group(mechanism, group, pose, &mut motion)?;
     }
     Ok(motion)
 }
 
-/// The unknown rates of a group and their derivatives, without error bounds: the quick way for many positions.
+/// The unknown rates of a group of class II, III or IV and their derivatives, without error bounds: the quick way for many
+/// positions. A dyad uses the first two of four.
 ///
-/// By the closed form where there is one and its determinant is safe, else by the full system; `None` in a singular position.
-/// The same numbers as [`motion()`] gives.
+/// The same numbers as [`motion()`] gives. `None` where the closed form does not serve: near a singular position, with two
+/// sliders on one closure link, and for higher classes.
 #[inline]
 #[must_use]
 pub fn rates(
     equations: &LoopEquations,
     pose: &Pose,
     known: &[BodyMotion],
-) -> Option<[[f64; UNKNOWNS]; 2]> {
-    let matrix = equations.matrix(&pose.points, &pose.guides);
-    match equations
-        .reduction
-        .and_then(|r| ClosedForm::new(&matrix, r))
-    {
-        Some(form) => Some(both_orders(equations, pose, known, |side| form.solve(side))),
-        None => LinearSystem::new(matrix)
-            .map(|system| both_orders(equations, pose, known, |side| system.solve(side))),
+) -> Option<[[f64; 4]; 2]> {
+    let form = ClosedForm::new(equations, &pose.points, &pose.guides)?;
+    let mut sides = [Vector::zeros(); 2];
+    for (terms, side) in equations.loops.iter().zip(&mut sides) {
+        *side = LoopSide::<false>::velocity(terms, pose, known).value;
     }
-}
-
-#[inline]
-fn both_orders(
-    equations: &LoopEquations,
-    pose: &Pose,
-    known: &[BodyMotion],
-    solve: impl Fn(&[f64; UNKNOWNS]) -> [f64; UNKNOWNS],
-) -> [[f64; UNKNOWNS]; 2] {
-    let none = [0.0; UNKNOWNS];
-    let side = RightSide::<false>::velocity(equations, pose, known);
-    let first = solve(&side.value);
-    let side = RightSide::<false>::acceleration(equations, pose, known, &first, &none);
-    [first, solve(&side.value)]
+    let first = form.solve(sides);
+    for (terms, side) in equations.loops.iter().zip(&mut sides) {
+        *side = LoopSide::<false>::acceleration(terms, pose, known, &first, &[]).value;
+    }
+    Some([first, form.solve(sides)])
 }
 
 /// Adds the motion of `group`, whose outer bodies' motions are known.
@@ -96,13 +101,10 @@ fn move_group(
             group.link_names(mechanism),
         ));
     }
-    let matrix = equations.matrix(&pose.points, &pose.guides);
-    let closed = equations
-        .reduction
-        .and_then(|r| ClosedForm::new(&matrix, r));
-    let solved = |side: &RightSide<true>| {
+    let closed = ClosedForm::new(&equations, &pose.points, &pose.guides);
+    let solved = |side: &RightSide| {
         let rates = match &closed {
-            Some(form) => form.solve(&side.value),
+            Some(form) => form.solve_all(&side.value),
             None => system.solve(&side.value),
         };
         let errors = system.error_bound(&rates, &side.value, &side.uncertain);
@@ -110,16 +112,19 @@ fn move_group(
     };
     let (rates, rate_errors) = solved(&RightSide::velocity(&equations, pose, &motion.bodies));
     let (seconds, second_errors) = match motion.order {
-        Order::Velocity => ([0.0; UNKNOWNS], [0.0; UNKNOWNS]),
+        Order::Velocity => {
+            let zeros: Numbers = smallvec![0.0; equations.unknowns];
+            (zeros.clone(), zeros)
+        }
         Order::Acceleration => {
             let side =
                 RightSide::acceleration(&equations, pose, &motion.bodies, &rates, &rate_errors);
             solved(&side)
         }
     };
-    let finite = |x: &[f64; UNKNOWNS]| x.iter().all(|x| x.is_finite());
-    if ![rates, rate_errors, seconds, second_errors]
-        .iter()
+    let finite = |x: &Numbers| x.iter().all(|x| x.is_finite());
+    if ![&rates, &rate_errors, &seconds, &second_errors]
+        .into_iter()
         .all(finite)
     {
         return Err(MotionError::Overflow {
@@ -204,59 +209,4 @@ fn carry_over(
         acceleration,
         ..*body
     };
-}
-
-/// The finding that a fourth-class group is singular: lines CD, GF and BE concur.
-fn singular(mechanism: &Mechanism, group: &Group, pose: &Pose, condition: f64) -> MotionError {
-    let [third, fifth] = [&group.loops[0].joints, &group.loops[1].joints];
-    let pairs = [
-        [third[1], third[2]],
-        [fifth[1], fifth[2]],
-        [third[0], third[3]],
-    ];
-    let directions: Vec<Vector> = pairs
-        .iter()
-        .filter_map(|&[a, b]| joint_line(mechanism, pose, a, b)?.direction())
-        .collect();
-    let parallel = directions
-        .windows(2)
-        .all(|d| cross(d[0], d[1]).abs() < 1e-6);
-    let meeting = if parallel && directions.len() == 3 {
-        "are parallel"
-    } else {
-        "meet in one point"
-    };
-    MotionError::Singular {
-        links: group.link_names(mechanism),
-        lines: Box::new(pairs.map(|[a, b]| line_name(mechanism, a, b))),
-        meeting: meeting.into(),
-        condition,
-        hint: "another crank angle, or move one of these joints off the common point".into(),
-    }
-}
-
-/// The line through two joints; a prismatic joint is a pin at infinity, normal to its guide.
-fn joint_line(mechanism: &Mechanism, pose: &Pose, a: JointId, b: JointId) -> Option<Line> {
-    let normal = |j: JointId| match mechanism.joint(j).kind {
-        JointKind::Prismatic(slider) => Some(quarter_turn(pose.guide(slider))),
-        JointKind::Revolute(_) => None,
-    };
-    let place = |j: JointId| pose.point(mechanism.joint_point(j));
-    match (normal(a), normal(b)) {
-        (None, None) => Line::new(place(a), place(b) - place(a)),
-        (None, Some(n)) => Line::new(place(a), n),
-        (Some(n), None) => Line::new(place(b), n),
-        (Some(_), Some(_)) => Some(Line::AtInfinity),
-    }
-}
-
-/// That line in words.
-fn line_name(mechanism: &Mechanism, a: JointId, b: JointId) -> String {
-    let name = |j: JointId| mechanism.point_name(mechanism.joint_point(j)).to_owned();
-    match (mechanism.is_prismatic(a), mechanism.is_prismatic(b)) {
-        (false, false) => format!("{}{}", name(a), name(b)),
-        (true, false) => format!("through {} normal to the guide at {}", name(b), name(a)),
-        (false, true) => format!("through {} normal to the guide at {}", name(a), name(b)),
-        (true, true) => format!("at infinity (guides at {} and {})", name(a), name(b)),
-    }
 }

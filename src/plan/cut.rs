@@ -1,11 +1,23 @@
 use crate::geometry::{Crossing, Line, Place, quarter_turn};
-use crate::mechanism::{BodyId, Group, JointKind, Leg, Mechanism, PointId, SliderId};
+use crate::mechanism::{BodyId, Group, JointKind, Leg, Mechanism, PointId, SliderId, SpecialPoint};
 use crate::position::Pose;
 
-/// The kinds of a leg's outer and inner joint.
+/// The kinds of a leg's joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LegKind {
-    /// Both revolute: the cut line runs through both.
+    /// The link itself hangs on the known body by a pin.
+    Pin {
+        /// The pin K.
+        outer: PointId,
+    },
+    /// The link itself slides on the known body; the cut line runs normal to the guide, through the point looked for.
+    Slider {
+        /// The slider.
+        outer: SliderId,
+        /// The point looked for.
+        at: PointId,
+    },
+    /// A carrying link with two pins: the cut line runs through both.
     Pins {
         /// Outer joint K.
         outer: PointId,
@@ -39,28 +51,34 @@ pub struct CutLine {
     pub kind: LegKind,
     /// The line.
     pub line: Line,
+    /// The carrying link, or the link itself where it hangs on the known body.
+    pub carrier: BodyId,
 }
 
 impl CutLine {
-    /// The cut line of `leg`; at infinity where two joints of the leg coincide and give no direction.
+    /// The cut line of a leg of `point`; at infinity where two joints of the leg coincide and give no direction.
     #[must_use]
-    pub fn new(mechanism: &Mechanism, pose: &Pose, leg: &Leg) -> Self {
-        let kind = match (
-            mechanism.joint(leg.outer).kind,
-            mechanism.joint(leg.inner).kind,
-        ) {
-            (JointKind::Revolute(outer), JointKind::Revolute(inner)) => {
+    pub fn new(mechanism: &Mechanism, pose: &Pose, point: &SpecialPoint, leg: &Leg) -> Self {
+        let outer = mechanism.joint(leg.outer).kind;
+        let inner = leg.carried.map(|c| mechanism.joint(c.inner).kind);
+        let kind = match (outer, inner, point.target) {
+            (JointKind::Revolute(outer), None, _) => LegKind::Pin { outer },
+            (JointKind::Prismatic(outer), None, Some(at)) => LegKind::Slider { outer, at },
+            (JointKind::Revolute(outer), Some(JointKind::Revolute(inner)), _) => {
                 LegKind::Pins { outer, inner }
             }
-            (JointKind::Revolute(outer), JointKind::Prismatic(inner)) => {
+            (JointKind::Revolute(outer), Some(JointKind::Prismatic(inner)), _) => {
                 LegKind::PinThenSlider { outer, inner }
             }
-            (JointKind::Prismatic(outer), JointKind::Revolute(inner)) => {
+            (JointKind::Prismatic(outer), Some(JointKind::Revolute(inner)), _) => {
                 LegKind::SliderThenPin { outer, inner }
             }
-            (JointKind::Prismatic(_), JointKind::Prismatic(_)) => LegKind::Sliders,
+            (JointKind::Prismatic(_), _, _) => LegKind::Sliders,
         };
         let line = match kind {
+            LegKind::Pin { outer } => point
+                .target
+                .and_then(|target| Line::new(pose.point(outer), pose.arm(outer, target))),
             LegKind::Pins { outer, inner } => Line::new(pose.point(outer), pose.arm(outer, inner)),
             LegKind::PinThenSlider {
                 outer: pin,
@@ -69,6 +87,10 @@ impl CutLine {
             | LegKind::SliderThenPin {
                 outer: slider,
                 inner: pin,
+            }
+            | LegKind::Slider {
+                outer: slider,
+                at: pin,
             } => Line::new(pose.point(pin), quarter_turn(pose.guide(slider))),
             LegKind::Sliders => None,
         };
@@ -76,24 +98,30 @@ impl CutLine {
             leg: *leg,
             kind,
             line: line.unwrap_or(Line::AtInfinity),
+            carrier: leg.carried.map_or(point.link, |c| c.carrier),
         }
     }
 
-    /// The joint from which the plan's ray starts: the outer pin, or the inner one where the outer joint is prismatic.
+    /// The point from which the plan's ray starts: the outer pin, or the inner one where the outer joint is prismatic.
     #[must_use]
     pub fn start(&self) -> Option<PointId> {
         match self.kind {
-            LegKind::Pins { outer, .. } | LegKind::PinThenSlider { outer, .. } => Some(outer),
-            LegKind::SliderThenPin { inner, .. } => Some(inner),
+            LegKind::Pin { outer }
+            | LegKind::Pins { outer, .. }
+            | LegKind::PinThenSlider { outer, .. } => Some(outer),
+            LegKind::SliderThenPin { inner: point, .. } | LegKind::Slider { at: point, .. } => {
+                Some(point)
+            }
             LegKind::Sliders => None,
         }
     }
 
     /// Name of the line, as in `BC`, or `the normal to the guide of 3/2 through B`.
     #[must_use]
-    pub fn name(&self, mechanism: &Mechanism) -> String {
+    pub fn name(&self, mechanism: &Mechanism, point: &str) -> String {
         let name = |p: PointId| mechanism.point_name(p);
         match self.kind {
+            LegKind::Pin { outer } => format!("{}{point}", name(outer)),
             LegKind::Pins { outer, inner } => format!("{}{}", name(outer), name(inner)),
             LegKind::PinThenSlider {
                 outer: pin,
@@ -102,6 +130,10 @@ impl CutLine {
             | LegKind::SliderThenPin {
                 outer: slider,
                 inner: pin,
+            }
+            | LegKind::Slider {
+                outer: slider,
+                at: pin,
             } => {
                 let guide = mechanism.slider_name(slider);
                 format!("the normal to the guide of {guide} through {}", name(pin))
@@ -111,11 +143,13 @@ impl CutLine {
     }
 }
 
-/// A special (Assur) point: where the cut lines of two legs cross.
+/// A point of a link found by two legs: a special (Assur) point, where their cut lines cross, or a dyad's joint.
 #[derive(Clone, Debug)]
 pub struct Special {
     /// Its name, as in `S3`.
     pub name: String,
+    /// Whether it is a special (Assur) point, not a joint.
+    pub is_assur: bool,
     /// The link to which it belongs.
     pub link: BodyId,
     /// The two cut lines.
@@ -126,13 +160,19 @@ pub struct Special {
     pub place: Place,
 }
 
-/// The special points of `group`.
+/// The points by which the plans of `group` are drawn.
 #[must_use]
 pub fn special_points(mechanism: &Mechanism, pose: &Pose, group: &Group) -> Vec<Special> {
     let points = group.special.iter().map(|point| {
-        let cuts = point.legs.map(|leg| CutLine::new(mechanism, pose, &leg));
-        let crossing = cuts[0].line.crossing(&cuts[1].line);
+        let cuts = point
+            .legs
+            .map(|leg| CutLine::new(mechanism, pose, point, &leg));
+        let mut crossing = cuts[0].line.crossing(&cuts[1].line);
+        if let Some(target) = point.target {
+            crossing = crossing.at(pose.point(target));
+        }
         Special {
+            is_assur: point.target.is_none(),
             name: point.name.clone(),
             link: point.link,
             cuts,

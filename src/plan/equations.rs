@@ -1,8 +1,11 @@
 use super::cut::{CutLine, LegKind, Special};
-use crate::geometry::{Line, LinearSystem, Point, UNIT_ROUNDOFF, Vector, quarter_turn, span};
-use crate::mechanism::{BodyId, Group, LoopEquations, Mechanism, PointId, SliderId, UNKNOWNS};
+use crate::geometry::{
+    Line, LinearSystem, Numbers, Point, UNIT_ROUNDOFF, Vector, quarter_turn, span,
+};
+use crate::mechanism::{BodyId, Group, LoopEquations, Mechanism, PointId, SliderId};
 use crate::motion::{BodyMotion, Motion, Order};
 use crate::position::Pose;
+use nalgebra::{DMatrix, DVector};
 
 /// One leg of a special point as constructed: the ray that it gives in each plan and what is measured along it.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +33,7 @@ pub struct Construct {
     pub velocities: Vec<Vector>,
     /// For each special point: its acceleration.
     pub accelerations: Vec<Vector>,
-    /// What the four equations give, and how it compares with the loop equations.
+    /// What the equations give, and how it compares with the loop equations.
     pub agreement: Agreement,
 }
 
@@ -48,7 +51,7 @@ pub struct Agreement {
 const CROSSING_ROUNDINGS: f64 = 4.0;
 
 /// Carries out the construction for a group whose special points are all at finite places; `None` where one is not, or where
-/// the four equations have no solution.
+/// the equations have no solution.
 pub(super) fn construct(
     mechanism: &Mechanism,
     group: &Group,
@@ -58,14 +61,18 @@ pub(super) fn construct(
 ) -> Option<Construct> {
     let equations = LoopEquations::new(mechanism, group);
     let size = span(group_points(mechanism, group, pose));
+    let unknowns = equations.unknowns;
+    if special.is_empty() || 2 * special.len() != unknowns {
+        return None;
+    }
     let mut board = Board {
         mechanism,
         pose,
         motion,
         equations: &equations,
-        matrix: [[0.0; UNKNOWNS]; UNKNOWNS],
-        doubt: [[0.0; UNKNOWNS]; UNKNOWNS],
-        known: [[0.0; UNKNOWNS]; 2],
+        matrix: DMatrix::zeros(unknowns, unknowns),
+        doubt: DMatrix::zeros(unknowns, unknowns),
+        known: [DVector::zeros(unknowns), DVector::zeros(unknowns)],
     };
     let mut legs: Vec<[LegMeasure; 2]> = Vec::new();
     for (index, point) in special.iter().enumerate() {
@@ -80,10 +87,10 @@ pub(super) fn construct(
         legs.push([a, b]);
     }
     let mut velocities = Vec::new();
-    let mut sides = Sides::default();
+    let mut sides = Sides::new(unknowns);
     for (index, (point, pair)) in special.iter().zip(&mut legs).enumerate() {
         let start = |leg: &LegMeasure| leg.velocity_start;
-        velocities.push(cross_rays(point, pair, start, |leg, m| leg.velocity = m));
+        velocities.push(cross_rays(pair, start, |leg, m| leg.velocity = m));
         sides.measure(index, point, pair, start, |leg| leg.velocity);
     }
     let first = board.solve(&sides, 0)?;
@@ -91,7 +98,7 @@ pub(super) fn construct(
     let mut accelerations = Vec::new();
     let mut second = None;
     if motion.order == Order::Acceleration {
-        let mut sides = Sides::default();
+        let mut sides = Sides::new(unknowns);
         for (index, (point, pair)) in special.iter().zip(&mut legs).enumerate() {
             for (side, (cut, leg)) in point.cuts.iter().zip(pair.iter_mut()).enumerate() {
                 let (normal, doubt) = board.normal(cut, point, &first, size)?;
@@ -100,9 +107,7 @@ pub(super) fn construct(
             }
             let start = |leg: &LegMeasure| leg.acceleration_start + leg.normal;
             let doubts = [sides.uncertain[2 * index], sides.uncertain[2 * index + 1]];
-            accelerations.push(cross_rays(point, pair, start, |leg, m| {
-                leg.acceleration = m
-            }));
+            accelerations.push(cross_rays(pair, start, |leg, m| leg.acceleration = m));
             sides.measure(index, point, pair, start, |leg| leg.acceleration);
             // A normal part laid off wrongly shifts both rays' crossing by its error over the sine.
             let shift = (doubts[0] + doubts[1]) / point.crossing.sine().abs();
@@ -127,7 +132,6 @@ fn group_points(mechanism: &Mechanism, group: &Group, pose: &Pose) -> impl Itera
 
 /// Crosses the rays of two legs; stores the signed segments and returns the crossing, as a plan vector.
 fn cross_rays(
-    point: &Special,
     pair: &mut [LegMeasure; 2],
     start: impl Fn(&LegMeasure) -> Vector,
     store: impl Fn(&mut LegMeasure, f64),
@@ -141,7 +145,6 @@ fn cross_rays(
     let crossing = along(&pair[0], a).crossing(&along(&pair[1], b));
     let place = crossing.place().finite();
     let image = place.map_or(a, |p| p.coords);
-    debug_assert!(place.is_some() == (crossing.sine().abs() > 0.0) || point.crossing.sine() != 0.0);
     for leg in pair.iter_mut() {
         let segment = (image - start(leg)).dot(&leg.ray);
         store(leg, segment);
@@ -149,19 +152,26 @@ fn cross_rays(
     image
 }
 
-/// A solution of the four equations with bounds of its errors.
+/// A solution of the equations with bounds of its errors.
 struct Solution {
-    rates: [f64; UNKNOWNS],
-    errors: [f64; UNKNOWNS],
+    rates: Numbers,
+    errors: Numbers,
 }
 
-#[derive(Default)]
+/// The measured segments.
 struct Sides {
-    value: [f64; UNKNOWNS],
-    uncertain: [f64; UNKNOWNS],
+    value: DVector<f64>,
+    uncertain: DVector<f64>,
 }
 
 impl Sides {
+    fn new(unknowns: usize) -> Self {
+        Self {
+            value: DVector::zeros(unknowns),
+            uncertain: DVector::zeros(unknowns),
+        }
+    }
+
     fn measure(
         &mut self,
         index: usize,
@@ -180,17 +190,17 @@ impl Sides {
     }
 }
 
-/// The paper's four equations, and what they are made from.
+/// The equations of the measured segments (for a fourth-class group the paper's four), and what they are made from.
 struct Board<'a> {
     mechanism: &'a Mechanism,
     pose: &'a Pose,
     motion: &'a Motion,
     equations: &'a LoopEquations,
-    matrix: [[f64; UNKNOWNS]; UNKNOWNS],
+    matrix: DMatrix<f64>,
     /// How uncertain the crossings leave the elements of `matrix`.
-    doubt: [[f64; UNKNOWNS]; UNKNOWNS],
+    doubt: DMatrix<f64>,
     /// Contributions of known rates to the left sides: velocity, acceleration.
-    known: [[f64; UNKNOWNS]; 2],
+    known: [DVector<f64>; 2],
 }
 
 impl Board<'_> {
@@ -207,14 +217,16 @@ impl Board<'_> {
             Some((arm.dot(&e), rounding / point.crossing.sine().abs()))
         };
         match cut.kind {
+            LegKind::Pin { outer } => self.turn(row, point.link, reach(outer)?),
+            LegKind::Slider { outer, .. } => self.slide(row, outer, cut.leg.base, ray),
             LegKind::Pins { outer, inner } => {
                 let arm = self.pose.arm(outer, inner).dot(&e);
-                self.turn(row, cut.leg.carrier, (arm, 0.0));
+                self.turn(row, cut.carrier, (arm, 0.0));
                 self.turn(row, point.link, reach(inner)?);
             }
             LegKind::PinThenSlider { outer, inner } => {
-                self.turn(row, cut.leg.carrier, reach(outer)?);
-                self.slide(row, inner, cut.leg.carrier, ray);
+                self.turn(row, cut.carrier, reach(outer)?);
+                self.slide(row, inner, cut.carrier, ray);
             }
             LegKind::SliderThenPin { outer, inner } => {
                 self.slide(row, outer, cut.leg.base, ray);
@@ -227,8 +239,8 @@ impl Board<'_> {
 
     fn turn(&mut self, row: usize, link: BodyId, (length, doubt): (f64, f64)) {
         if let Some(unknown) = self.equations.spin_unknown(link) {
-            self.matrix[row][unknown] += length;
-            self.doubt[row][unknown] += doubt;
+            self.matrix[(row, unknown)] += length;
+            self.doubt[(row, unknown)] += doubt;
         } else {
             let body = self.motion.body(link);
             self.known[0][row] += body.omega * length;
@@ -238,7 +250,7 @@ impl Board<'_> {
 
     fn slide(&mut self, row: usize, slider: SliderId, from: BodyId, ray: Vector) {
         if let Some(unknown) = self.equations.slide_unknown(slider) {
-            self.matrix[row][unknown] += self.guide(slider, from).dot(&ray);
+            self.matrix[(row, unknown)] += self.guide(slider, from).dot(&ray);
         }
     }
 
@@ -296,26 +308,31 @@ impl Board<'_> {
                 + 4.0 * UNIT_ROUNDOFF * vector.norm();
             (vector, doubt)
         };
+        let nothing = (Vector::zeros(), 0.0);
         let parts = match cut.kind {
+            LegKind::Pin { outer } => [centripetal(reach(outer)?, spin(point.link)), nothing],
+            LegKind::Slider { outer, .. } => {
+                [coriolis(outer, cut.leg.base, spin(cut.leg.base)), nothing]
+            }
             LegKind::Pins { outer, inner } => {
                 let arm = self.pose.arm(outer, inner);
                 [
-                    centripetal(arm, spin(cut.leg.carrier)),
+                    centripetal(arm, spin(cut.carrier)),
                     centripetal(reach(inner)?, spin(point.link)),
                 ]
             }
             LegKind::PinThenSlider { outer, inner } => {
-                let omega = spin(cut.leg.carrier);
+                let omega = spin(cut.carrier);
                 [
                     centripetal(reach(outer)?, omega),
-                    coriolis(inner, cut.leg.carrier, omega),
+                    coriolis(inner, cut.carrier, omega),
                 ]
             }
             LegKind::SliderThenPin { outer, inner } => [
                 coriolis(outer, cut.leg.base, spin(cut.leg.base)),
                 centripetal(reach(inner)?, spin(point.link)),
             ],
-            LegKind::Sliders => [(Vector::zeros(), 0.0); 2],
+            LegKind::Sliders => [nothing; 2],
         };
         // All parts lie along the cut line; what rounding has left across it is dropped.
         let e = cut.line.direction()?;
@@ -323,24 +340,20 @@ impl Board<'_> {
         Some((normal, parts[0].1 + parts[1].1))
     }
 
-    /// Solves the four equations for the measured segments; `order` 0 for rates, 1 for their derivatives.
+    /// Solves the equations for the measured segments; `order` 0 for rates, 1 for their derivatives.
     ///
     /// By nalgebra's full elimination, so that not even the elimination is shared with the loop equations.
     fn solve(&self, sides: &Sides, order: usize) -> Option<Solution> {
-        let right: [f64; UNKNOWNS] = std::array::from_fn(|r| sides.value[r] - self.known[order][r]);
-        let matrix = nalgebra::Matrix4::from_fn(|r, c| self.matrix[r][c]);
-        let solution = matrix
-            .full_piv_lu()
-            .solve(&nalgebra::Vector4::from(right))?;
-        let rates: [f64; UNKNOWNS] = solution.into();
-        let uncertain: [f64; UNKNOWNS] = std::array::from_fn(|r| {
-            let matrix: f64 = (0..UNKNOWNS)
-                .map(|c| self.doubt[r][c] * rates[c].abs())
-                .sum();
-            let rounding = 8.0 * UNIT_ROUNDOFF * (self.known[order][r].abs() + right[r].abs());
-            matrix + rounding + sides.uncertain[r]
-        });
-        let errors = LinearSystem::new(self.matrix)?.error_bound(&rates, &right, &uncertain);
+        let right = &sides.value - &self.known[order];
+        let solution = self.matrix.clone().full_piv_lu().solve(&right)?;
+        let rounding = (self.known[order].abs() + right.abs()) * (8.0 * UNIT_ROUNDOFF);
+        let uncertain = &self.doubt * solution.abs() + rounding + &sides.uncertain;
+        let rates: Numbers = solution.iter().copied().collect();
+        let errors = LinearSystem::new(self.matrix.clone())?.error_bound(
+            &rates,
+            right.as_slice(),
+            uncertain.as_slice(),
+        );
         let finite = rates.iter().chain(&errors).all(|x| x.is_finite());
         finite.then_some(Solution { rates, errors })
     }

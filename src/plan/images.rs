@@ -2,7 +2,7 @@ use super::name::{coincident_name, image_name};
 use super::step::{Action, Arrow, Part, Plan, PlanPoint, PointRole, Step};
 use super::words;
 use crate::geometry::Vector;
-use crate::mechanism::{Group, JointKind, Leg, Mechanism, SliderId};
+use crate::mechanism::{Carried, Group, JointKind, Leg, Mechanism, SliderId};
 use crate::motion::Motion;
 use crate::position::Pose;
 
@@ -23,11 +23,20 @@ pub(super) fn images(
         motion,
         plan,
     };
-    let mut legs: Vec<Leg> = group.special.iter().flat_map(|s| s.legs).collect();
+    let legs = group.special.iter().flat_map(|s| s.legs);
+    let mut carried: Vec<(Leg, Carried)> = Vec::new();
+    for leg in legs {
+        if let Some(second) = leg
+            .carried
+            .filter(|_| !carried.iter().any(|(l, _)| *l == leg))
+        {
+            carried.push((leg, second));
+        }
+    }
     // Pins first, so that a slider's point has its image before the point under it is joined to it.
-    legs.sort_by_key(|leg| mechanism.is_prismatic(leg.inner));
-    for leg in &legs {
-        board.leg(leg);
+    carried.sort_by_key(|(_, second)| mechanism.is_prismatic(second.inner));
+    for (leg, second) in &carried {
+        board.leg(leg, second);
     }
 }
 
@@ -39,22 +48,22 @@ struct Images<'a> {
 }
 
 impl Images<'_> {
-    fn leg(&mut self, leg: &Leg) {
+    fn leg(&mut self, leg: &Leg, second: &Carried) {
         let outer = self.mechanism.joint_point(leg.outer);
-        let carrier = &self.mechanism.body(leg.carrier).name;
+        let carrier = &self.mechanism.body(second.carrier).name;
         let outer_name = self.mechanism.point_name(outer);
         let mut from = image_name(outer_name);
         if let JointKind::Prismatic(slider) = self.mechanism.joint(leg.outer).kind {
             let (under, image) = self.slide(slider);
-            let guide_on_carrier = self.mechanism.slider(slider).on == leg.carrier;
+            let guide_on_carrier = self.mechanism.slider(slider).on == second.carrier;
             from = if guide_on_carrier { under } else { image };
         }
-        match self.mechanism.joint(leg.inner).kind {
+        match self.mechanism.joint(second.inner).kind {
             JointKind::Revolute(point) => {
                 let name = self.mechanism.point_name(point);
                 let velocity = self
                     .motion
-                    .body(leg.carrier)
+                    .body(second.carrier)
                     .velocity_at(self.pose.point(point));
                 let words = words::image(carrier, outer_name, name);
                 self.lay_off(&from, image_name(name), velocity, Part::Relative, words);
@@ -63,14 +72,14 @@ impl Images<'_> {
                 let slider = self.mechanism.slider(id);
                 let at = self.mechanism.point_name(slider.at);
                 let under = coincident_name(at, &self.mechanism.body(slider.on).name);
-                let own = if slider.on == leg.carrier {
+                let own = if slider.on == second.carrier {
                     under
                 } else {
                     at.to_owned()
                 };
                 let velocity = self
                     .motion
-                    .body(leg.carrier)
+                    .body(second.carrier)
                     .velocity_at(self.pose.point(slider.at));
                 let words = words::image(carrier, outer_name, &own);
                 self.lay_off(&from, image_name(&own), velocity, Part::Relative, words);
@@ -107,6 +116,10 @@ impl Images<'_> {
         part: Part,
         (equation, caption): (String, String),
     ) {
+        // A dyad's joint has its image already, where the rays cross.
+        if self.plan.points.contains_key(&to) && part == Part::Relative {
+            return;
+        }
         let point = PlanPoint {
             vector,
             role: PointRole::Image,

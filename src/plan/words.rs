@@ -171,13 +171,26 @@ pub(super) fn normal(
     to: &str,
 ) -> (String, String) {
     let name = |p: PointId| mechanism.point_name(p);
-    let carrier = &mechanism.body(cut.leg.carrier).name;
+    let carrier = &mechanism.body(cut.carrier).name;
     let link = &mechanism.body(point.link).name;
     let s = &point.name;
     let sliding = |slider: SliderId, omega: &str| {
         format!("2 ω_{omega} v_r({})", mechanism.slider_name(slider))
     };
     let (start, parts, what) = match cut.kind {
+        LegKind::Pin { outer } => (
+            name(outer),
+            format!("ω_{link}^2 L{}", low(&[s, name(outer)])),
+            "the normal part",
+        ),
+        LegKind::Slider { outer, at } => (
+            name(at),
+            format!(
+                "Coriolis {}",
+                sliding(outer, &mechanism.body(cut.leg.base).name)
+            ),
+            "the Coriolis part",
+        ),
         LegKind::Pins { outer, inner } => (
             name(outer),
             format!(
@@ -211,7 +224,7 @@ pub(super) fn normal(
         format!("a^n{} from {parts}", low(&[s, start])),
         format!(
             "Lay off {what} along {} from {} to {}.",
-            cut.name(mechanism),
+            cut.name(mechanism, s),
             written(from),
             written(to)
         ),
@@ -236,7 +249,7 @@ pub(super) fn leg_equation(
     let direction = cut.line.direction().unwrap_or_else(Vector::zeros);
     let name = |p: PointId| mechanism.point_name(p);
     let link = &mechanism.body(point.link).name;
-    let carrier = &mechanism.body(cut.leg.carrier).name;
+    let carrier = &mechanism.body(cut.carrier).name;
     let turning = |link: &str, from: PointId, to: &str, arm: Vector| {
         (
             arm.dot(&direction),
@@ -257,13 +270,17 @@ pub(super) fn leg_equation(
         )
     };
     let terms = match cut.kind {
+        LegKind::Pin { outer } => {
+            vec![turning(link, outer, &point.name, to_special(outer))]
+        }
+        LegKind::Slider { outer, .. } => vec![sliding(outer, cut.leg.base)],
         LegKind::Pins { outer, inner } => vec![
             turning(carrier, outer, name(inner), pose.arm(outer, inner)),
             turning(link, inner, &point.name, to_special(inner)),
         ],
         LegKind::PinThenSlider { outer, inner } => vec![
             turning(carrier, outer, &point.name, to_special(outer)),
-            sliding(inner, cut.leg.carrier),
+            sliding(inner, cut.carrier),
         ],
         LegKind::SliderThenPin { outer, inner } => vec![
             sliding(outer, cut.leg.base),
@@ -298,7 +315,7 @@ pub(super) fn solve(unknowns: &[(String, f64)]) -> String {
 
 pub(super) fn no_construction(far: &[String]) -> String {
     if far.is_empty() {
-        "The four equations of the measured segments have no definite solution here; the rates come from the loop equations alone."
+        "There is no construction by two rays for this group; the rates come from the loop equations alone."
             .to_owned()
     } else {
         format!(

@@ -195,7 +195,10 @@ impl Writer<'_> {
     }
 
     fn special_point(&mut self, point: &Special) {
-        let names = [0, 1].map(|i| point.cuts[i].name(self.mechanism));
+        if !point.is_assur {
+            return;
+        }
+        let names = [0, 1].map(|i| point.cuts[i].name(self.mechanism, &point.name));
         let action = Action::SpecialPoint {
             point: point.name.clone(),
             cuts: names.clone(),
@@ -251,13 +254,17 @@ impl Writer<'_> {
     fn ray(&self, cut: &CutLine, point: &Special, through: String) -> Step {
         let image = image_name(&point.name);
         let (relation, line) = match cut.kind {
-            LegKind::Pins { .. } => (Relation::Perpendicular, cut.name(self.mechanism)),
+            LegKind::Pin { .. } | LegKind::Pins { .. } => (
+                Relation::Perpendicular,
+                cut.name(self.mechanism, &point.name),
+            ),
             LegKind::PinThenSlider { inner: slider, .. }
+            | LegKind::Slider { outer: slider, .. }
             | LegKind::SliderThenPin { outer: slider, .. } => (
                 Relation::Parallel,
                 format!("guide of {}", self.mechanism.slider_name(slider)),
             ),
-            LegKind::Sliders => (Relation::Parallel, cut.name(self.mechanism)),
+            LegKind::Sliders => (Relation::Parallel, cut.name(self.mechanism, &point.name)),
         };
         let direction = cut.line.direction().unwrap_or_else(Vector::x);
         let caption = words::ray(&through, relation, &line, &image);
@@ -283,7 +290,7 @@ impl Writer<'_> {
             through.push(name);
         }
         let vector = construct.velocities[index];
-        let role = PointRole::Special;
+        let role = role(point);
         let plan = &mut self.velocity;
         plan.points
             .insert(image.clone(), PlanPoint { vector, role });
@@ -432,12 +439,20 @@ impl Writer<'_> {
     }
 }
 
+fn role(point: &Special) -> PointRole {
+    if point.is_assur {
+        PointRole::Special
+    } else {
+        PointRole::Image
+    }
+}
+
 /// The joint of a leg from which the length to the special point enters an equation.
 fn measured_end(cut: &CutLine) -> Option<PointId> {
     match cut.kind {
         LegKind::Pins { inner, .. } | LegKind::SliderThenPin { inner, .. } => Some(inner),
-        LegKind::PinThenSlider { outer, .. } => Some(outer),
-        LegKind::Sliders => None,
+        LegKind::Pin { outer } | LegKind::PinThenSlider { outer, .. } => Some(outer),
+        LegKind::Slider { .. } | LegKind::Sliders => None,
     }
 }
 

@@ -1,12 +1,10 @@
 use super::closing::{Assembled, closed, places};
 use super::drawn::drawn_pose;
-use super::frames::{Frames, Hold, local, local_guide, pinned, turned_towards};
-use super::legs::{LegCondition, placements, smallest_miss};
+use super::frames::Frames;
+use super::truss::Truss;
 use super::{Assembly, AssemblyError, Pose};
-use crate::geometry::{Placement, Point, Vector, cross, degrees_of, span};
-use crate::mechanism::{
-    BodyId, Group, JointId, JointKind, LoopEquations, Mechanism, PointId, Role, SliderId,
-};
+use crate::geometry::{Point, Vector, degrees_of, span};
+use crate::mechanism::{BodyId, Group, LoopEquations, Mechanism, PointId, Role};
 use crate::scene::{Form, Near};
 
 /// A gap of a closed loop, relative to the mechanism's size, above which a candidate is no assembly mode.
@@ -27,6 +25,16 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
     }
     let mut frames = Frames::known(mechanism);
     let mut slides = vec![0.0; mechanism.sliders.len()];
+    for body in &mechanism.bodies {
+        if let Role::Pushed {
+            slider,
+            position: Some(position),
+            ..
+        } = body.role
+        {
+            slides[slider.0] = position;
+        }
+    }
     let mut assemblies = Vec::new();
     let mut warnings = Vec::new();
     for group in &mechanism.groups {
@@ -68,29 +76,20 @@ fn modes(
     known: &Frames,
     slides: &[f64],
 ) -> Result<Vec<Assembled>, AssemblyError> {
-    let truss = Truss::new(mechanism, group, known);
+    let truss = Truss::new(mechanism, group, known).ok_or_else(|| AssemblyError::NotAvailable {
+        links: group.link_names(mechanism),
+    })?;
     let equations = LoopEquations::new(mechanism, group);
     let mut found: Vec<Assembled> = Vec::new();
-    for relative in placements(truss.conditions) {
-        for start in truss.assemble(mechanism, known, slides, &relative) {
-            let assembled = closed(mechanism, group, &equations, start);
-            let new = |other: &Assembled| !same(mechanism, other, &assembled);
-            if assembled.gap <= CLOSED && found.iter().all(new) {
-                found.push(assembled);
-            }
+    for start in truss.starts(known, slides) {
+        let assembled = closed(mechanism, group, &equations, start);
+        let new = |other: &Assembled| !same(mechanism, other, &assembled);
+        if assembled.gap <= CLOSED && found.iter().all(new) {
+            found.push(assembled);
         }
     }
     if found.is_empty() {
-        let miss = smallest_miss(truss.conditions).filter(|m| m.abs() > 0.0);
-        let miss = match miss {
-            Some(m) => format!(
-                "with everything else closed, {} would have to be {:.4} {}",
-                truss.names[truss.first_distance()],
-                m.abs(),
-                if m > 0.0 { "longer" } else { "shorter" }
-            ),
-            None => "its guides and lengths never meet".to_owned(),
-        };
+        let miss = truss.miss();
         return Err(AssemblyError::NoMode {
             links: group.link_names(mechanism),
             at: drive_angles(mechanism),
@@ -113,6 +112,10 @@ fn drive_angles(mechanism: &Mechanism) -> String {
         Role::Driver {
             angle: Some(angle), ..
         } => Some(format!(" at angle({}) = {angle}°", b.name)),
+        Role::Pushed {
+            position: Some(position),
+            ..
+        } => Some(format!(" at position({}) = {position}", b.name)),
         _ => None,
     });
     drives.collect::<Vec<_>>().join(",")
@@ -220,172 +223,4 @@ fn list_modes(mechanism: &Mechanism, group: &Group, modes: &[Assembled]) -> Stri
         modes.len(),
         described.collect::<Vec<_>>().join("; ")
     )
-}
-
-/// A fourth-class group seen as two rigid bodies (its drag links) joined by three legs: its closure links, and the
-/// known bodies between the outer joints, which stand still for this purpose.
-struct Truss {
-    a: BodyId,
-    b: BodyId,
-    /// The middle bodies of the first two legs; the third is the fixed frame.
-    closures: [BodyId; 2],
-    holds: [[Hold; 2]; 3],
-    conditions: [LegCondition; 3],
-    names: [String; 3],
-    sliders: [[Option<(SliderId, BodyId)>; 2]; 3],
-}
-
-impl Truss {
-    fn new(mechanism: &Mechanism, group: &Group, known: &Frames) -> Truss {
-        let chains = [&group.loops[0], &group.loops[1]];
-        let (a, b) = (chains[0].bodies[1], chains[0].bodies[3]);
-        let closures = chains.map(|c| c.bodies[2]);
-        let fixed = |joint: JointId, body: BodyId| {
-            let frame = known.of(mechanism.joint(joint).other(body));
-            frame.copied().unwrap_or_else(Placement::identity)
-        };
-        let identity = Placement::identity();
-        let (outer_a, outer_b) = (chains[0].joints[0], chains[0].joints[3]);
-        let ends = [
-            [chains[0].joints[1], chains[0].joints[2]],
-            [chains[1].joints[1], chains[1].joints[2]],
-            [outer_a, outer_b],
-        ];
-        let hold = |joint, body, other: &Placement| Hold::new(mechanism, joint, body, other);
-        let holds = std::array::from_fn(|k| {
-            let [near, far] = ends[k];
-            if k < 2 {
-                [hold(near, a, &identity), hold(far, b, &identity)]
-            } else {
-                [hold(near, a, &fixed(near, a)), hold(far, b, &fixed(far, b))]
-            }
-        });
-        let slider = |joint: JointId, body: BodyId| match mechanism.joint(joint).kind {
-            JointKind::Prismatic(id) => Some((id, body)),
-            JointKind::Revolute(_) => None,
-        };
-        let name = |[near, far]: [JointId; 2]| {
-            let point = |j| mechanism.point_name(mechanism.joint_point(j));
-            format!("{}{}", point(near), point(far))
-        };
-        Truss {
-            a,
-            b,
-            closures,
-            conditions: holds.map(condition),
-            holds,
-            names: ends.map(name),
-            sliders: ends.map(|[near, far]| [slider(near, a), slider(far, b)]),
-        }
-    }
-
-    /// Index of the leg whose length the smallest miss is about.
-    fn first_distance(&self) -> usize {
-        let is_distance = |c: &LegCondition| matches!(c, LegCondition::Distance { .. });
-        self.conditions.iter().position(is_distance).unwrap_or(0)
-    }
-
-    /// All bodies placed for a placement of b in a's frame; two ways where a leg leaves a choice.
-    fn assemble(
-        &self,
-        mechanism: &Mechanism,
-        known: &Frames,
-        slides: &[f64],
-        relative: &Placement,
-    ) -> Vec<Assembled> {
-        // The third leg's middle is the fixed frame: where a's frame stands in it is what is looked for.
-        let Some(frame_a) = middle(&self.holds[2], relative).map(|m| m.inverse()) else {
-            return Vec::new();
-        };
-        let frame_b = frame_a * relative;
-        let mut frames = known.clone();
-        frames.set(self.a, frame_a);
-        frames.set(self.b, frame_b);
-        for (k, &closure) in self.closures.iter().enumerate() {
-            let Some(in_a) = middle(&self.holds[k], relative) else {
-                return Vec::new();
-            };
-            frames.set(closure, frame_a * in_a);
-        }
-        let mut slides = slides.to_vec();
-        for (id, _) in self.sliders.iter().flatten().flatten() {
-            let slider = mechanism.slider(*id);
-            let (Some(on), Some(link)) = (frames.of(slider.on), frames.of(slider.link)) else {
-                return Vec::new();
-            };
-            let (through, direction) = local_guide(slider);
-            let at = link * local(mechanism, slider.link, slider.at);
-            slides[id.0] = (on.inverse() * at - through).dot(&direction);
-        }
-        vec![Assembled {
-            frames,
-            slides,
-            gap: f64::INFINITY,
-        }]
-    }
-}
-
-/// The condition that a leg with these holds puts on body b in a's frame.
-fn condition([near, far]: [Hold; 2]) -> LegCondition {
-    match (near, far) {
-        (Hold::Pin { local: a, place: p }, Hold::Pin { local: b, place: q }) => {
-            LegCondition::Distance {
-                a,
-                b,
-                length: (q - p).norm(),
-            }
-        }
-        (Hold::Slide { frame, along }, Hold::Pin { local: b, place }) => {
-            let inverse = frame.inverse();
-            LegCondition::OnLineOfA {
-                point: inverse * place,
-                direction: inverse * along,
-                b,
-            }
-        }
-        (Hold::Pin { local: a, place }, Hold::Slide { frame, along }) => {
-            let inverse = frame.inverse();
-            LegCondition::OnLineOfB {
-                point: inverse * place,
-                direction: inverse * along,
-                a,
-            }
-        }
-        (Hold::Slide { frame: a, .. }, Hold::Slide { frame: b, .. }) => {
-            LegCondition::Turned(a.rotation.inverse() * b.rotation)
-        }
-    }
-}
-
-/// The middle body's frame in a's frame, for a placement `relative` of b in a's frame.
-fn middle([near, far]: &[Hold; 2], relative: &Placement) -> Option<Placement> {
-    match (near, far) {
-        (Hold::Pin { local: a, place: p }, Hold::Pin { local: b, place: q }) => {
-            Some(turned_towards(*p, *q, *a, relative * b))
-        }
-        (Hold::Slide { frame, .. }, Hold::Pin { local: b, place }) => {
-            Some(pinned(frame.rotation.inverse(), *place, relative * b))
-        }
-        (Hold::Pin { local: a, place }, Hold::Slide { frame, .. }) => {
-            let turn = relative.rotation * frame.rotation.inverse();
-            Some(pinned(turn, *place, *a))
-        }
-        (
-            Hold::Slide {
-                frame: fa,
-                along: ua,
-            },
-            Hold::Slide {
-                frame: fb,
-                along: ub,
-            },
-        ) => {
-            // In the middle frame a stands at fa + s ua and b at fb + t ub, and b is a times `relative`.
-            let (from, to) = (fa.translation.vector, fb.translation.vector);
-            let gap = to - from - fa.rotation * relative.translation.vector;
-            let s = cross(gap, *ub) / cross(*ua, *ub);
-            s.is_finite()
-                .then(|| Placement::from_parts((from + ua * s).into(), fa.rotation).inverse())
-        }
-    }
 }

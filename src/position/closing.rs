@@ -1,6 +1,7 @@
 use super::frames::{Frames, across, local, local_guide, pinned};
-use crate::geometry::{Point, Turn, UNIT_ROUNDOFF, Vector, span};
+use crate::geometry::{Numbers, Point, Turn, UNIT_ROUNDOFF, Vector, span};
 use crate::mechanism::{BodyId, Group, JointKind, Loop, LoopEquations, Mechanism, SliderId};
+use smallvec::smallvec;
 
 /// Newton steps at most; from a polynomial's root two or three are needed, at a double root ten.
 const STEPS: usize = 16;
@@ -76,8 +77,8 @@ pub(super) fn closed(
 }
 
 /// Places the links along the loops and returns the gaps, from-end minus from-start.
-fn walk(mechanism: &Mechanism, group: &Group, state: &mut Assembled) -> [f64; 4] {
-    let mut gaps = [0.0; 4];
+fn walk(mechanism: &Mechanism, group: &Group, state: &mut Assembled) -> Numbers {
+    let mut gaps: Numbers = smallvec![0.0; 2 * group.loops.len()];
     // The first loop has the last word on the links that loops share.
     for (chain, gap) in group.loops.iter().zip(gaps.chunks_exact_mut(2)).rev() {
         let g = walk_loop(mechanism, chain, state).unwrap_or_else(|| Vector::repeat(f64::NAN));

@@ -13,4 +13,13 @@ pub enum AssemblyError {
         /// By how much it fails, in words.
         miss: String,
     },
+    /// The group is of a class whose positions cannot be found from lengths.
+    #[error(
+        "links {links} form a group of higher class, whose positions this version does not find from lengths\n  \
+         try: give the drawn configuration (`points` with the coordinates of every point)"
+    )]
+    NotAvailable {
+        /// The group's links.
+        links: String,
+    },
 }

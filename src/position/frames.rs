@@ -15,6 +15,9 @@ impl Frames {
                 let at = mechanism.given[pivot.0]?;
                 Some(pinned(turn, body.local_of(*pivot)?, at))
             }
+            Role::Pushed {
+                slider, position, ..
+            } => Some(slid(mechanism, mechanism.slider(*slider), (*position)?)),
             _ => None,
         };
         Frames(mechanism.bodies.iter().map(frame).collect())
@@ -79,35 +82,37 @@ pub(super) fn across(mechanism: &Mechanism, slider: &Slider, from: BodyId, s: f6
     }
 }
 
-/// How body `a` or `b` of a two-body problem is held by the middle body of a leg, in the middle body's frame.
+/// How one of the two bodies that a leg joins is held by the leg's middle body, in the middle body's frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Hold {
-    /// By a pin: its local point stands at this place.
+    /// By a pin: its own point stands at this place of the middle frame.
     Pin { local: Point, place: Point },
     /// By a slider: with this placement at slider position zero, free along a direction.
     Slide { frame: Placement, along: Vector },
 }
 
 impl Hold {
-    /// How `body` is held at `joint` by a middle body, whose other side stands at `other` (a placement of that side's body
-    /// in the middle frame: the identity for a link, the fixed frame's placement of a known body).
+    /// How a side is held at `joint` by the middle body.
+    ///
+    /// Either side may stand for several bodies that do not move against each other, as the fixed frame does: `side` and
+    /// `middle` are the joined bodies with their placements in the side's and in the middle's frame.
     pub(super) fn new(
         mechanism: &Mechanism,
         joint: JointId,
-        body: BodyId,
-        other: &Placement,
+        (side, side_frame): (BodyId, Placement),
+        (middle, middle_frame): (BodyId, Placement),
     ) -> Hold {
-        let j = mechanism.joint(joint);
-        let holder = j.other(body);
-        match j.kind {
+        match mechanism.joint(joint).kind {
             JointKind::Revolute(point) => Hold::Pin {
-                local: local(mechanism, body, point),
-                place: other * local(mechanism, holder, point),
+                local: side_frame * local(mechanism, side, point),
+                place: middle_frame * local(mechanism, middle, point),
             },
             JointKind::Prismatic(id) => {
                 let slider = mechanism.slider(id);
-                let frame = other * across(mechanism, slider, holder, 0.0);
-                let moved = other * across(mechanism, slider, holder, 1.0);
+                let at = |s: f64| {
+                    middle_frame * across(mechanism, slider, middle, s) * side_frame.inverse()
+                };
+                let (frame, moved) = (at(0.0), at(1.0));
                 // Directions are differences of placements one unit of slide apart: exact enough for a start.
                 let along = (moved.translation.vector - frame.translation.vector).normalize();
                 Hold::Slide { frame, along }

@@ -1,3 +1,4 @@
+use super::frames::Hold;
 use super::roots::real_roots;
 use crate::geometry::{Placement, Point, Vector, cross, quarter_turn};
 
@@ -60,25 +61,90 @@ pub(super) fn placements(conditions: [LegCondition; 3]) -> Vec<Placement> {
     found
 }
 
+/// Every real placement of body b that the fixed frame holds by a joint, `direct`, and that meets one condition more.
+///
+/// About a pin the condition is a trigonometric polynomial of degree 1: two placements at most. Along a guide it is a line or a
+/// circle cut by a line.
+pub(super) fn joined_placements(direct: &Hold, condition: LegCondition) -> Vec<Placement> {
+    match *direct {
+        Hold::Pin { local, place } => {
+            let at = |turn: Vector| place.coords - turned(turn, local.coords);
+            if let LegCondition::Turned(turn) = condition {
+                let turn = Vector::new(turn.re, turn.im);
+                return vec![placement(at(turn), turn)];
+            }
+            let turns = real_roots(|turn| Row::new(&condition, turn).excess(at(turn)));
+            turns
+                .into_iter()
+                .map(|turn| placement(at(turn), turn))
+                .collect()
+        }
+        Hold::Slide { frame, along } => {
+            let turn = Vector::new(frame.rotation.re, frame.rotation.im);
+            let normal = quarter_turn(along);
+            let guide = Row {
+                circle: false,
+                arm: normal,
+                constant: normal.dot(&frame.translation.vector),
+            };
+            let rows = [guide, Row::new(&condition, turn)];
+            translations(&rows)
+                .into_iter()
+                .map(|t| placement(t, turn))
+                .collect()
+        }
+    }
+}
+
 /// The smallest amount by which the first distance condition is missed over all relative turns, signed (positive: the
 /// leg would have to be longer); `None` without a distance condition or where the others never meet.
-pub(super) fn smallest_miss(conditions: [LegCondition; 3]) -> Option<f64> {
+pub(super) fn smallest_miss(direct: Option<&Hold>, conditions: &[LegCondition]) -> Option<f64> {
     let circle = conditions
         .iter()
         .find(|c| matches!(c, LegCondition::Distance { .. }))?;
     const SAMPLES: usize = 720;
-    let misses = (0..SAMPLES).flat_map(|k| {
+    let turns = (0..SAMPLES).map(|k| {
         let angle = std::f64::consts::TAU * k as f64 / SAMPLES as f64;
-        let turn = Vector::new(libm::cos(angle), libm::sin(angle));
-        let rows = conditions.map(|c| Row::new(&c, turn));
-        let first = Row::new(circle, turn);
-        candidates(&rows)
+        Vector::new(libm::cos(angle), libm::sin(angle))
+    });
+    let misses = turns.flat_map(|turn| {
+        let found = match (direct, conditions) {
+            (Some(Hold::Pin { local, place }), _) => {
+                vec![place.coords - turned(turn, local.coords)]
+            }
+            // The place of the guide nearest to the circle's centre.
+            (Some(Hold::Slide { frame, along }), _) => {
+                let turn = Vector::new(frame.rotation.re, frame.rotation.im);
+                let centre = -Row::new(circle, turn).arm;
+                let start = frame.translation.vector;
+                return vec![miss(
+                    circle,
+                    turn,
+                    start + along * (centre - start).dot(along),
+                )];
+            }
+            (None, &[a, b, c]) => candidates(&[a, b, c].map(|c| Row::new(&c, turn))),
+            (None, _) => Vec::new(),
+        };
+        found
             .into_iter()
-            .map(move |t| (t + first.arm).norm() - first.constant)
+            .map(|t| miss(circle, turn, t))
+            .collect::<Vec<_>>()
     });
     misses
         .filter(|m| m.is_finite())
         .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+}
+
+/// How much longer a distance is than it should be.
+fn miss(circle: &LegCondition, turn: Vector, t: Vector) -> f64 {
+    let row = Row::new(circle, turn);
+    (t + row.arm).norm() - row.constant
+}
+
+/// A vector turned by the rotation with this cosine and sine.
+fn turned(turn: Vector, v: Vector) -> Vector {
+    Vector::new(turn.x * v.x - turn.y * v.y, turn.x * v.y + turn.y * v.x)
 }
 
 fn placement(t: Vector, turn: Vector) -> Placement {
@@ -99,8 +165,7 @@ struct Row {
 
 impl Row {
     fn new(condition: &LegCondition, turn: Vector) -> Row {
-        let turned =
-            |v: Vector| Vector::new(turn.x * v.x - turn.y * v.y, turn.x * v.y + turn.y * v.x);
+        let turned = |v: Vector| turned(turn, v);
         match *condition {
             LegCondition::Distance { a, b, length } => Row {
                 circle: true,
@@ -137,6 +202,16 @@ impl Row {
                 arm: Vector::zeros(),
                 constant: 0.0,
             },
+        }
+    }
+
+    /// Zero where the condition is met, of one sign on either side.
+    fn excess(&self, t: Vector) -> f64 {
+        if self.circle {
+            let distance = (t + self.arm).norm();
+            (distance - self.constant) * (distance + self.constant)
+        } else {
+            self.arm.dot(&t) - self.constant
         }
     }
 

@@ -10,6 +10,7 @@ mod frames;
 mod legs;
 mod pose;
 mod roots;
+mod truss;
 
 pub use assemble::pose;
 pub use error::AssemblyError;
