@@ -301,3 +301,55 @@ fn steps_are_numbered_and_measured_on_paper() {
         assert!(text.contains(line), "no `{line}` in\n{text}");
     }
 }
+
+#[test]
+fn structure_is_written_as_a_formula() {
+    let output = with_scene(&["structure", "-"], FIGURE_2.as_bytes());
+    let text = String::from_utf8(output.stdout).expect("UTF-8");
+    assert!(
+        text.starts_with("I(1) → IV(2, 3, 4, 5; RRP-RRR)\n"),
+        "{text}"
+    );
+    assert!(text.contains("degrees of freedom: 1"), "{text}");
+    assert!(text.contains("special points S3, S5"), "{text}");
+}
+
+#[test]
+fn modes_are_numbered_and_can_be_asked_for() {
+    let output = with_scene(&["modes", "-"], FIGURE_2.as_bytes());
+    let text = String::from_utf8(output.stdout).expect("UTF-8");
+    assert!(text.starts_with("2 assembly modes"), "{text}");
+    // The other mode of the paper's mechanism at 70°.
+    assert!(text.contains("angle(2) -74.017"), "{text}");
+    let output = with_scene(&["solve", "-", "--mode", "2"], FIGURE_2.as_bytes());
+    let result: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(result["groups"][0]["mode"], 2);
+    let angle = result["links"]["4"]["angle"].as_f64().expect("a number");
+    assert!((angle - -117.28350).abs() < 1e-5, "{angle}");
+    let output = with_scene(&["solve", "-", "--mode", "3"], FIGURE_2.as_bytes());
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        stderr(&output).contains("there are 2"),
+        "{}",
+        stderr(&output)
+    );
+}
+
+#[test]
+fn too_many_or_too_few_drives_name_the_links() {
+    let second = r#""4": { "drive": { "angle": 92, "omega": 1 }, "#;
+    let scene = FIGURE_2.replacen("\"4\": { ", second, 1);
+    let output = with_scene(&["structure", "-"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(2));
+    let message = stderr(&output);
+    assert!(message.contains("too many"), "{message}");
+    let drive = r#", "drive": { "angle": 70, "omega": -1, "alpha": 0 }"#;
+    let scene = FIGURE_2.replacen(drive, "", 1);
+    let output = with_scene(&["structure", "-"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(2));
+    let message = stderr(&output);
+    assert!(
+        message.contains("can still move (1 free motion left)"),
+        "{message}"
+    );
+}

@@ -31,6 +31,9 @@ pub(super) struct Draw {
     /// Resolution of PNG in dots per inch.
     #[arg(long, default_value_t = 100.0, value_parser = dots_per_inch)]
     dpi: f64,
+    /// Assembly mode by its number in `kinegon modes`, in place of the one that `near` picks.
+    #[arg(long)]
+    mode: Option<usize>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -79,7 +82,7 @@ impl Draw {
         };
         let mut written = Vec::new();
         for (name, source) in &scenes {
-            let work = work(source, needed)?;
+            let work = work(source, self.mode, needed)?;
             work.warn();
             let drawing = figure(&work.scene, &work.mechanism, &work.pose, &work.construction);
             let text = if self.outlines {

@@ -7,6 +7,7 @@ mod files;
 mod message;
 mod solve;
 mod steps;
+mod structure;
 mod work;
 
 use clap::{Parser, Subcommand};
@@ -28,6 +29,10 @@ enum Task {
     Solve(solve::Solve),
     /// Print the construction of the plans step by step, with lengths on paper.
     Steps(steps::Steps),
+    /// Print the Assur groups of a scene in solving order, with class, joints and degrees of freedom.
+    Structure(structure::Structure),
+    /// Print every way to assemble a scene, numbered, with coordinates.
+    Modes(structure::Modes),
     /// Print the JSON Schema of scene or result files, for editors.
     Schema(solve::Schema),
 }
@@ -40,6 +45,8 @@ pub fn run() -> ExitCode {
         Task::Draw(draw) => draw.run(),
         Task::Solve(solve) => solve.run(),
         Task::Steps(steps) => steps.run(),
+        Task::Structure(structure) => structure.run(),
+        Task::Modes(modes) => modes.run(),
         Task::Schema(schema) => schema.run(),
     };
     match done {

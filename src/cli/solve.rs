@@ -14,12 +14,15 @@ use std::path::PathBuf;
 pub(super) struct Solve {
     /// Scene file, `-` for stdin.
     scene: PathBuf,
+    /// Assembly mode by its number in `kinegon modes`, in place of the one that `near` picks.
+    #[arg(long)]
+    mode: Option<usize>,
 }
 
 impl Solve {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let work = work(&source, needed)?;
+        let work = work(&source, self.mode, needed)?;
         let mut result = format::result(Solved {
             units: work.scene.units,
             mechanism: &work.mechanism,

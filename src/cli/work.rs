@@ -3,7 +3,7 @@ use super::message::{Failure, warn};
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::{Motion, Order, motion};
 use crate::plan::{Construction, construction};
-use crate::position::{Pose, pose};
+use crate::position::{AssemblyError, Pose, pose, poses};
 use crate::scene::Scene;
 
 /// A scene after all stages before drawing.
@@ -15,12 +15,19 @@ pub(super) struct Work {
     pub construction: Construction,
 }
 
-/// Takes a scene through its stages, as far as `order` says.
-pub(super) fn work(source: &Source, order: impl Fn(&Scene) -> Order) -> Result<Work, Failure> {
+/// Takes a scene through its stages, as far as `order` says; in the assembly mode of that number, else the one that `near` picks.
+pub(super) fn work(
+    source: &Source,
+    mode: Option<usize>,
+    order: impl Fn(&Scene) -> Order,
+) -> Result<Work, Failure> {
     let stages = || -> Result<Work, crate::Error> {
         let scene = Scene::read(&source.text)?;
         let mechanism = mechanism(&scene)?;
-        let pose = pose(&mechanism, &scene.near)?;
+        let pose = match mode {
+            Some(mode) => numbered(&mechanism, mode)?,
+            None => pose(&mechanism, &scene.near)?,
+        };
         let motion = motion(&mechanism, &pose, order(&scene))?;
         let construction = construction(&mechanism, &pose, &motion);
         Ok(Work {
@@ -32,6 +39,17 @@ pub(super) fn work(source: &Source, order: impl Fn(&Scene) -> Order) -> Result<W
         })
     };
     stages().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))
+}
+
+/// The assembly mode of that number, counted from 1.
+fn numbered(mechanism: &Mechanism, mode: usize) -> Result<Pose, crate::Error> {
+    let mut poses = poses(mechanism)?;
+    let count = poses.len();
+    if (1..=count).contains(&mode) {
+        Ok(poses.swap_remove(mode - 1))
+    } else {
+        Err(AssemblyError::NoSuchMode { mode, count }.into())
+    }
 }
 
 impl Work {

@@ -7,6 +7,7 @@ mod json;
 mod png;
 mod result;
 mod steps;
+mod structure;
 mod svg;
 
 pub use self::json::json;
@@ -17,6 +18,7 @@ pub use self::result::{
     Solved, result, result_schema,
 };
 pub use self::steps::steps;
+pub use self::structure::{modes, structure};
 pub use self::svg::{Text, svg, svg_with};
 
 #[cfg(test)]

@@ -255,6 +255,19 @@ impl Mechanism {
             .filter(|(_, b)| !matches!(b.role, Role::Ground | Role::Carrier { .. }))
     }
 
+    /// The points of group links that no known body holds: those whose places have to be found.
+    #[must_use]
+    pub fn inner_points(&self) -> Vec<PointId> {
+        let holds = |p: &PointId, known: bool| {
+            let mut bodies = self.bodies.iter();
+            bodies.any(|b| b.role.is_known() == known && b.points.contains(p))
+        };
+        let points = (0..self.points.len()).map(PointId);
+        points
+            .filter(|p| holds(p, false) && !holds(p, true))
+            .collect()
+    }
+
     /// The point where a joint is: the pin, or the slider's point on the guide.
     #[must_use]
     pub fn joint_point(&self, id: JointId) -> PointId {

@@ -13,9 +13,12 @@ const CLOSED: f64 = 1e-10;
 /// Two assemblies whose points lie closer than this part of the mechanism's size are one.
 const SAME: f64 = 1e-8;
 
-/// Where a mechanism is: as drawn, or assembled from its lengths in the mode closest to `near`.
+/// Ways to assemble a whole mechanism beyond which each group is decided by itself.
+const MOST_WAYS: usize = 4096;
+
+/// Where a mechanism is: as drawn, or assembled from its lengths in the way closest to `near`.
 ///
-/// The modes of a fourth-class group are numbered by the angle of its first link, counter-clockwise from +x.
+/// Least squares over all given places together decide; without any the first way is taken.
 ///
 /// # Errors
 /// [`AssemblyError::NoMode`] says which links do not meet, and by how much.
@@ -23,7 +26,63 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
     if mechanism.form == Form::Drawn {
         return Ok(drawn_pose(mechanism));
     }
-    let mut frames = Frames::known(mechanism);
+    let rough = Rough::new(mechanism, near);
+    let mut ways = ways(mechanism, Some(&rough))?;
+    let (chosen, remark) = rough.choose(mechanism, &ways);
+    let mut pose = ways.swap_remove(chosen).pose(mechanism);
+    pose.warnings.extend(remark);
+    Ok(pose)
+}
+
+/// Every real way to assemble a mechanism from its lengths; of a drawn configuration the one pose that it is.
+///
+/// The modes of a group are numbered by the angle of its first link, counter-clockwise from +x; a mechanism's ways by the modes
+/// of its groups, the first group's counting most.
+///
+/// # Errors
+/// As for [`pose()`].
+pub fn poses(mechanism: &Mechanism) -> Result<Vec<Pose>, AssemblyError> {
+    if mechanism.form == Form::Drawn {
+        return Ok(vec![drawn_pose(mechanism)]);
+    }
+    let ways = ways(mechanism, None)?;
+    Ok(ways.into_iter().map(|way| way.pose(mechanism)).collect())
+}
+
+/// A whole mechanism put together.
+#[derive(Clone)]
+struct Way {
+    frames: Frames,
+    slides: Vec<f64>,
+    assemblies: Vec<Assembly>,
+}
+
+impl Way {
+    fn pose(self, mechanism: &Mechanism) -> Pose {
+        let (points, guides) = places(mechanism, &self.frames);
+        let named = |id: usize| {
+            !matches!(
+                mechanism.bodies[id].role,
+                Role::Ground | Role::Carrier { .. }
+            )
+        };
+        let axes = (0..mechanism.bodies.len()).map(|id| {
+            let frame = self.frames.of(BodyId(id)).filter(|_| named(id))?;
+            Some(frame.rotation * Vector::x())
+        });
+        Pose {
+            axes: axes.collect(),
+            points,
+            guides,
+            slides: self.slides.into_iter().map(Some).collect(),
+            assemblies: self.assemblies.into_iter().map(Some).collect(),
+            warnings: Vec::new(),
+        }
+    }
+}
+
+/// All ways, group after group. With `rough` places, and more ways than can be listed, the closest are kept after each group.
+fn ways(mechanism: &Mechanism, rough: Option<&Rough>) -> Result<Vec<Way>, AssemblyError> {
     let mut slides = vec![0.0; mechanism.sliders.len()];
     for body in &mechanism.bodies {
         if let Role::Pushed {
@@ -35,38 +94,48 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
             slides[slider.0] = position;
         }
     }
-    let mut assemblies = Vec::new();
-    let mut warnings = Vec::new();
+    let mut ways = vec![Way {
+        frames: Frames::known(mechanism),
+        slides,
+        assemblies: Vec::new(),
+    }];
     for group in &mechanism.groups {
-        let mut modes = modes(mechanism, group, &frames, &slides)?;
-        let (chosen, remark) = choose(mechanism, group, &modes, near);
-        warnings.extend(remark);
-        assemblies.push(Some(Assembly {
-            mode: chosen + 1,
-            modes: modes.len(),
-        }));
-        let assembled = modes.swap_remove(chosen);
-        (frames, slides) = (assembled.frames, assembled.slides);
+        let mut longer: Vec<Way> = Vec::new();
+        let mut failure = None;
+        for way in &ways {
+            match modes(mechanism, group, &way.frames, &way.slides) {
+                Ok(found) => {
+                    let modes = found.len();
+                    longer.extend(found.into_iter().enumerate().map(|(index, assembled)| {
+                        let mut assemblies = way.assemblies.clone();
+                        let mode = index + 1;
+                        assemblies.push(Assembly { mode, modes });
+                        Way {
+                            frames: assembled.frames,
+                            slides: assembled.slides,
+                            assemblies,
+                        }
+                    }));
+                }
+                Err(error) => failure = failure.or(Some(error)),
+            }
+        }
+        if let (true, Some(error)) = (longer.is_empty(), failure) {
+            return Err(error);
+        }
+        if longer.len() > MOST_WAYS {
+            if let Some(rough) = rough {
+                longer.sort_by(|a, b| {
+                    rough
+                        .distance(mechanism, a)
+                        .total_cmp(&rough.distance(mechanism, b))
+                });
+            }
+            longer.truncate(MOST_WAYS);
+        }
+        ways = longer;
     }
-    let (points, guides) = places(mechanism, &frames);
-    let named = |id: usize| {
-        !matches!(
-            mechanism.bodies[id].role,
-            Role::Ground | Role::Carrier { .. }
-        )
-    };
-    let axes = (0..mechanism.bodies.len()).map(|id| {
-        let frame = frames.of(BodyId(id)).filter(|_| named(id))?;
-        Some(frame.rotation * Vector::x())
-    });
-    Ok(Pose {
-        points,
-        guides,
-        slides: slides.into_iter().map(Some).collect(),
-        axes: axes.collect(),
-        assemblies,
-        warnings,
-    })
+    Ok(ways)
 }
 
 /// Every real assembly mode of `group`, ordered by the angle of its first link from +x.
@@ -128,99 +197,100 @@ fn same(mechanism: &Mechanism, a: &Assembled, b: &Assembled) -> bool {
     a.iter().zip(&b).all(|(p, q)| (p - q).norm() <= SAME * size)
 }
 
-/// The mode closest to `near`, and what to say about the choice.
-fn choose(
-    mechanism: &Mechanism,
-    group: &Group,
-    modes: &[Assembled],
-    near: &Near,
-) -> (usize, Option<String>) {
-    let of_group = |p: PointId| {
-        let mut links = group.links.iter();
-        links.any(|&l| mechanism.body(l).points.contains(&p))
-    };
-    let rough: Vec<(PointId, Point)> = near
-        .points
-        .iter()
-        .filter_map(|(name, &p)| Some((mechanism.point(name)?, Point::from(p))))
-        .filter(|(p, _)| of_group(*p))
-        .collect();
-    let turned: Vec<(BodyId, f64)> = near
-        .angles_deg
-        .iter()
-        .filter_map(|(name, &angle)| Some((mechanism.link(name)?, angle)))
-        .filter(|(link, _)| group.links.contains(link))
-        .collect();
-    let count = rough.len() + turned.len();
-    if count == 0 {
-        return (
-            0,
-            (modes.len() > 1).then(|| list_modes(mechanism, group, modes)),
-        );
-    }
-    let size = span(places(mechanism, &modes[0].frames).0);
-    let distance = |mode: &Assembled| {
-        let (points, _) = places(mechanism, &mode.frames);
-        let mut sum: f64 = rough
-            .iter()
-            .map(|(p, q)| (points[p.0] - q).norm_squared())
-            .sum();
-        for (link, angle) in &turned {
-            let now = mode
-                .frames
-                .of(*link)
-                .map_or(0.0, |f| degrees_of(f.rotation * Vector::x()));
-            let chord = 2.0 * libm::sin(0.5 * (now - angle).to_radians()) * size;
-            sum += chord * chord;
-        }
-        (sum / count as f64).sqrt()
-    };
-    let distances: Vec<f64> = modes.iter().map(distance).collect();
-    let by_distance = |a: &usize, b: &usize| distances[*a].total_cmp(&distances[*b]);
-    let chosen = (0..modes.len()).min_by(by_distance).unwrap_or(0);
-    let far = distances[chosen] > 0.5 * size;
-    let remark = far.then(|| {
-        format!(
-            "`near` is {:.4} away (root mean square) from the closest of {} assembly modes, more than half the mechanism's size {:.4}: \
-             check its coordinates",
-            distances[chosen],
-            modes.len(),
-            size
-        )
-    });
-    (chosen, remark)
+/// Rough places of points and angles of links, by which a way to assemble is chosen.
+struct Rough {
+    points: Vec<(PointId, Point)>,
+    angles: Vec<(BodyId, f64)>,
 }
 
-/// The modes in words, where `near` says nothing.
-fn list_modes(mechanism: &Mechanism, group: &Group, modes: &[Assembled]) -> String {
-    let known = |p: &PointId| {
-        let bodies = mechanism.bodies.iter();
-        bodies
-            .clone()
-            .any(|b| b.role.is_known() && b.points.contains(p))
-    };
-    let mut inner: Vec<PointId> = Vec::new();
-    for &link in &group.links {
-        let points = mechanism.body(link).points.iter();
-        inner.extend(
-            points
-                .filter(|p| !known(p) && !inner.contains(p))
-                .copied()
-                .collect::<Vec<_>>(),
-        );
+impl Rough {
+    fn new(mechanism: &Mechanism, near: &Near) -> Rough {
+        let member = |link: BodyId| mechanism.body(link).role == Role::Member;
+        let of_group = |p: PointId| {
+            let mut links = mechanism.links();
+            links.any(|(id, body)| member(id) && body.points.contains(&p))
+        };
+        let points = near.points.iter();
+        let points = points.filter_map(|(name, &p)| Some((mechanism.point(name)?, Point::from(p))));
+        let angles = near.angles_deg.iter();
+        let angles = angles.filter_map(|(name, &angle)| Some((mechanism.link(name)?, angle)));
+        Rough {
+            points: points.filter(|(p, _)| of_group(*p)).collect(),
+            angles: angles.filter(|(link, _)| member(*link)).collect(),
+        }
     }
-    let described = modes.iter().enumerate().map(|(index, mode)| {
-        let (points, _) = places(mechanism, &mode.frames);
-        let places = inner.iter().map(|p| {
+
+    /// Root mean square of the distances from the rough places that the way has reached; an angle counts by the chord that it
+    /// makes at the mechanism's size.
+    fn distance(&self, mechanism: &Mechanism, way: &Way) -> f64 {
+        let (points, _) = places(mechanism, &way.frames);
+        let size = span(points.iter().copied());
+        let placed = |p: PointId| {
+            let mut links = mechanism.links();
+            links.any(|(id, body)| way.frames.of(id).is_some() && body.points.contains(&p))
+        };
+        let mut sum = 0.0;
+        for (p, rough) in self.points.iter().filter(|(p, _)| placed(*p)) {
+            sum += (points[p.0] - rough).norm_squared();
+        }
+        for (link, angle) in &self.angles {
+            if let Some(frame) = way.frames.of(*link) {
+                let now = degrees_of(frame.rotation * Vector::x());
+                let chord = 2.0 * libm::sin(0.5 * (now - angle).to_radians()) * size;
+                sum += chord * chord;
+            }
+        }
+        (sum / self.count().max(1) as f64).sqrt()
+    }
+
+    fn count(&self) -> usize {
+        self.points.len() + self.angles.len()
+    }
+
+    /// The closest way, and what to say about the choice.
+    fn choose(&self, mechanism: &Mechanism, ways: &[Way]) -> (usize, Option<String>) {
+        if self.count() == 0 {
+            return (0, (ways.len() > 1).then(|| list_ways(mechanism, ways)));
+        }
+        let distances: Vec<f64> = ways.iter().map(|w| self.distance(mechanism, w)).collect();
+        let by_distance = |a: &usize, b: &usize| distances[*a].total_cmp(&distances[*b]);
+        let chosen = (0..ways.len()).min_by(by_distance).unwrap_or(0);
+        let size = span(places(mechanism, &ways[chosen].frames).0);
+        let far = distances[chosen] > 0.5 * size;
+        let remark = far.then(|| {
+            format!(
+                "`near` is {:.4} away (root mean square) from the closest of {} assembly modes, more than half the mechanism's size {:.4}: \
+                 check its coordinates",
+                distances[chosen],
+                ways.len(),
+                size
+            )
+        });
+        (chosen, remark)
+    }
+}
+
+/// The ways in words, where `near` says nothing.
+fn list_ways(mechanism: &Mechanism, ways: &[Way]) -> String {
+    const LISTED: usize = 8;
+    let listed = ways.iter().take(LISTED).enumerate().map(|(index, way)| {
+        let (points, _) = places(mechanism, &way.frames);
+        let places = mechanism.inner_points().into_iter().map(|p| {
             let q = points[p.0];
-            format!("{} ({:.2}, {:.2})", mechanism.point_name(*p), q.x, q.y)
+            format!("{} ({:.2}, {:.2})", mechanism.point_name(p), q.x, q.y)
         });
         format!("{}: {}", index + 1, places.collect::<Vec<_>>().join(" "))
     });
+    let listed = listed.collect::<Vec<_>>().join("; ");
+    let more = if ways.len() > LISTED { "; …" } else { "" };
+    let links: Vec<String> = mechanism
+        .groups
+        .iter()
+        .map(|g| g.link_names(mechanism))
+        .collect();
     format!(
-        "links {} can be assembled in {} ways and `near` is not given, so mode 1 is taken: {}",
-        group.link_names(mechanism),
-        modes.len(),
-        described.collect::<Vec<_>>().join("; ")
+        "links {} can be assembled in {} ways and `near` is not given, so mode 1 is taken: {listed}{more}",
+        links.join(", "),
+        ways.len(),
     )
 }

@@ -13,6 +13,16 @@ pub enum AssemblyError {
         /// By how much it fails, in words.
         miss: String,
     },
+    /// An assembly mode was asked for by a number that it does not have.
+    #[error(
+        "there is no assembly mode {mode}: there are {count}\n  try: `kinegon modes` lists them"
+    )]
+    NoSuchMode {
+        /// The number.
+        mode: usize,
+        /// How many modes there are.
+        count: usize,
+    },
     /// The group is of a class whose positions cannot be found from lengths.
     #[error(
         "links {links} form a group of higher class, whose positions this version does not find from lengths\n  \

@@ -12,6 +12,6 @@ mod pose;
 mod roots;
 mod truss;
 
-pub use assemble::pose;
+pub use assemble::{pose, poses};
 pub use error::AssemblyError;
 pub use pose::{Assembly, Pose};

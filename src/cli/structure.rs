@@ -1,0 +1,53 @@
+use super::files;
+use super::message::{Failure, warn};
+use crate::format;
+use crate::mechanism::mechanism;
+use crate::position::poses;
+use crate::scene::Scene;
+use clap::Args;
+use std::path::PathBuf;
+
+/// Print the structure of a scene.
+#[derive(Debug, Args)]
+pub(super) struct Structure {
+    /// Scene file, `-` for stdin.
+    scene: PathBuf,
+}
+
+impl Structure {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let source = files::read(&self.scene)?;
+        let text = || -> Result<String, crate::Error> {
+            let mechanism = mechanism(&Scene::read(&source.text)?)?;
+            Ok(format::structure(&mechanism))
+        };
+        let text = text().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))?;
+        files::print(text.as_bytes())
+    }
+}
+
+/// Print the assembly modes of a scene.
+#[derive(Debug, Args)]
+pub(super) struct Modes {
+    /// Scene file, `-` for stdin.
+    scene: PathBuf,
+}
+
+impl Modes {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let source = files::read(&self.scene)?;
+        let stages = || -> Result<_, crate::Error> {
+            let scene = Scene::read(&source.text)?;
+            let mechanism = mechanism(&scene)?;
+            let poses = poses(&mechanism)?;
+            Ok((
+                format::modes(&scene, &mechanism, &poses),
+                mechanism.warnings,
+            ))
+        };
+        let (text, warnings) =
+            stages().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))?;
+        warnings.iter().for_each(|w| warn(w));
+        files::print(text.as_bytes())
+    }
+}

@@ -1,0 +1,117 @@
+use crate::geometry::degrees_of;
+use crate::mechanism::{BodyId, Class, Group, JointId, Mechanism, Role};
+use crate::position::Pose;
+use crate::scene::Scene;
+use std::fmt::Write;
+
+/// The structure of a mechanism in words: its formula, degrees of freedom, and each group with class, joints and special points.
+#[must_use]
+pub fn structure(mechanism: &Mechanism) -> String {
+    let mut text = String::new();
+    let drives: Vec<&str> = mechanism
+        .bodies
+        .iter()
+        .filter(|b| matches!(b.role, Role::Driver { .. } | Role::Pushed { .. }))
+        .map(|b| b.name.as_str())
+        .collect();
+    let known = mechanism
+        .bodies
+        .iter()
+        .filter(|b| matches!(b.role, Role::Carrier { .. } | Role::Moving { .. }));
+    let known: Vec<&str> = known.map(|b| b.name.as_str()).collect();
+    let mut formula: Vec<String> = Vec::new();
+    if !drives.is_empty() {
+        formula.push(format!("I({})", drives.join(", ")));
+    }
+    for group in &mechanism.groups {
+        formula.push(format!(
+            "{}({}; {})",
+            group.class.numeral(),
+            group.link_names(mechanism),
+            joints(mechanism, group)
+        ));
+    }
+    let _ = writeln!(text, "{}", formula.join(" → "));
+    // Every group takes as many constraints as it has free motions, so what is left are the drives.
+    let _ = match (drives.len(), known.len()) {
+        (n, 0) => writeln!(text, "degrees of freedom: {n}, as many as drives"),
+        (0, _) => writeln!(text, "known motions: {}", known.join(", ")),
+        (n, _) => writeln!(text, "drives: {n}; known motions: {}", known.join(", ")),
+    };
+    for group in &mechanism.groups {
+        let _ = writeln!(
+            text,
+            "links {}: class {}, {}",
+            group.link_names(mechanism),
+            group.class.numeral(),
+            shape(group.class)
+        );
+        let special = group.special.iter().filter(|s| s.target.is_none());
+        let special: Vec<&str> = special.map(|s| s.name.as_str()).collect();
+        if !special.is_empty() {
+            let _ = writeln!(text, "  special points {}", special.join(", "));
+        }
+    }
+    text
+}
+
+/// What makes a group one of its class, by this program's convention.
+fn shape(class: Class) -> &'static str {
+    match class {
+        Class::Second => "two links",
+        Class::Third => "a central link on three legs",
+        Class::Fourth => "two drag links joined by two closure links, a closed contour of four",
+        Class::Higher => "more links than the classes II to IV have",
+    }
+}
+
+/// The joints in the usual way of writing: of a fourth-class group those of each drag link, the prismatic ones last.
+fn joints(mechanism: &Mechanism, group: &Group) -> String {
+    if group.class != Class::Fourth {
+        return group.pattern(mechanism);
+    }
+    let of_link = |link: BodyId| {
+        let own = |j: &&JointId| mechanism.joint(**j).bodies.contains(&link);
+        let mut letters: Vec<char> = group
+            .joints
+            .iter()
+            .filter(own)
+            .map(|&j| if mechanism.is_prismatic(j) { 'P' } else { 'R' })
+            .collect();
+        letters.sort_by_key(|c| *c == 'P');
+        letters.into_iter().collect::<String>()
+    };
+    format!("{}-{}", of_link(group.links[0]), of_link(group.links[2]))
+}
+
+/// The ways to assemble a mechanism, numbered, with the places of its inner points and the angles of its group links.
+#[must_use]
+pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
+    let mut text = String::new();
+    let unit = scene.units.length.as_str();
+    let _ = writeln!(
+        text,
+        "{} assembly mode{}; coordinates in {unit}, angles in degrees",
+        poses.len(),
+        if poses.len() == 1 { "" } else { "s" }
+    );
+    for (index, pose) in poses.iter().enumerate() {
+        let points = mechanism.inner_points().into_iter().map(|p| {
+            let q = pose.point(p);
+            format!("{} ({:.6}, {:.6})", mechanism.point_name(p), q.x, q.y)
+        });
+        let members = mechanism.links().filter(|(_, b)| b.role == Role::Member);
+        let angles = members.filter_map(|(id, body)| {
+            let axis = pose.axes[id.0]?;
+            Some(format!("angle({}) {:.6}", body.name, degrees_of(axis)))
+        });
+        let _ = writeln!(
+            text,
+            "{:3}. {}\n     {}",
+            index + 1,
+            points.collect::<Vec<_>>().join("  "),
+            angles.collect::<Vec<_>>().join("  ")
+        );
+    }
+    text
+}
