@@ -271,7 +271,10 @@ impl Scheme<'_> {
         let offsets = points.iter().map(|&point| self.at(view, point) - at);
         let (on_line, off_line): (Vec<Vec2>, Vec<Vec2>) =
             offsets.partition(|offset| offset.dot(across).abs() <= 0.3);
-        if on_line.len() >= 2 {
+        // A link drawn along the guide shows it already, unless the block has left the link.
+        let places = on_line.iter().map(|offset| offset.dot(along));
+        if places.clone().any(|p| p <= 0.0) && places.clone().any(|p| p >= 0.0) && on_line.len() > 1
+        {
             return;
         }
         for offset in on_line {

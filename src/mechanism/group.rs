@@ -336,27 +336,37 @@ impl Builder<'_> {
                 legs: legs((start, outer_a), end, outer_b, b),
             });
         }
-        let under = |point: PointId, link: BodyId| {
-            format!(
+        // At a slider the sliding link's own pin is taken as a point of the other link, as one does with a crank pin in a slot; the
+        // other link's pin where the sliding link slides at both ends.
+        let slides = |link: BodyId| match mechanism.joint(inner).kind {
+            JointKind::Prismatic(id) => mechanism.slider(id).link == link,
+            JointKind::Revolute(_) => false,
+        };
+        let ways = [
+            (
+                pin(outer_b),
+                a,
+                legs((start, outer_a), end, outer_b, b),
+                slides(b),
+            ),
+            (
+                pin(outer_a),
+                b,
+                legs((end, outer_b), start, outer_a, a),
+                slides(a),
+            ),
+        ];
+        let best = ways.iter().filter(|w| w.0.is_some()).max_by_key(|w| w.3)?;
+        let (point, link) = (best.0?, best.1);
+        Some(SpecialPoint {
+            name: format!(
                 "{}_{}",
                 mechanism.point_name(point),
                 mechanism.body(link).name
-            )
-        };
-        if let Some(point) = pin(outer_b) {
-            return Some(SpecialPoint {
-                name: under(point, a),
-                link: a,
-                target: Some(point),
-                legs: legs((start, outer_a), end, outer_b, b),
-            });
-        }
-        let point = pin(outer_a)?;
-        Some(SpecialPoint {
-            name: under(point, b),
-            link: b,
+            ),
+            link,
             target: Some(point),
-            legs: legs((end, outer_b), start, outer_a, a),
+            legs: best.2,
         })
     }
 }

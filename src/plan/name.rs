@@ -1,11 +1,21 @@
 //! Names of plan points and how they are written.
 
 /// The image of a point: its name in lower case, but for a link's name after `_`, as in `d_2` for `D_2`.
+///
+/// The poles' own names are taken: the image of P is `p'`.
 #[must_use]
 pub fn image_name(point: &str) -> String {
-    match point.split_once('_') {
-        Some((point, link)) => format!("{}_{link}", point.to_lowercase()),
-        None => point.to_lowercase(),
+    let (point, link) = match point.split_once('_') {
+        Some((point, link)) => (point, Some(link)),
+        None => (point, None),
+    };
+    let mut image = point.to_lowercase();
+    if link.is_none() && matches!(image.as_str(), "p" | "π") {
+        image.push('\'');
+    }
+    match link {
+        Some(link) => format!("{image}_{link}"),
+        None => image,
     }
 }
 
@@ -46,6 +56,8 @@ mod tests {
     #[test]
     fn names_as_on_the_blackboard() {
         assert_eq!(image_name("S3"), "s3");
+        assert_eq!(image_name("P"), "p'");
+        assert_eq!(image_name("P_3"), "p_3");
         assert_eq!(normal_name("B", "S3"), "n_b3");
         assert_eq!(display("n_b3"), "n_{b3}");
         assert_eq!(display("S3"), "S_{3}");

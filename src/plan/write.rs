@@ -336,7 +336,7 @@ impl Writer<'_> {
         }
         plan.steps.extend(steps);
         let vector = construct.accelerations[index];
-        let role = PointRole::Special;
+        let role = role(point);
         plan.points
             .insert(image.clone(), PlanPoint { vector, role });
         let names: Vec<String> = through.iter().map(|t| t.0.clone()).collect();
