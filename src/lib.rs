@@ -1,4 +1,4 @@
-//! Velocity and acceleration plans of planar mechanisms, with the special (Assur) points of fourth-class groups.
+//! Velocity and acceleration plans of planar mechanisms, with the special (Assur) points of third- and fourth-class groups.
 //!
 //! A scene goes through one stage after another, each a function from one value to the next:
 //!
