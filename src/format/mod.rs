@@ -3,6 +3,8 @@
 //! Nothing is decided or computed here; the same input gives the same bytes everywhere.
 
 mod json;
+mod number;
+mod outline;
 #[cfg(feature = "png")]
 mod png;
 mod result;

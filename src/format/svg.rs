@@ -2,9 +2,9 @@ use svg::Node;
 use svg::node::element::Element;
 use svg::node::{Blob, Text as TextNode};
 
-use crate::drawing::{
-    Cap, Colour, Drawing, Look, Mark, Outline, OutlinePart, PlacedText, Point, Shape, look,
-};
+use super::number::{number, push_number};
+use super::outline::{FINEST, IN_FINEST, Tracer};
+use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Point, Shape, look};
 
 /// How texts stand in an SVG file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -306,80 +306,6 @@ fn write_outline(written: &mut String, text: &PlacedText, id: Option<&str>) {
     });
 }
 
-/// The unit of outlines in mm, and the group that measures in it: outlines are written in whole
-/// numbers. The error of rounding is a tenth of a pixel at 600 dots per inch.
-const FINEST: f64 = 0.01;
-const IN_FINEST: &str = "scale(.01)";
-
-/// Writes outlines as path data in whole hundredths of a mm, each point as its distance from the one
-/// before.
-struct Tracer<'a> {
-    data: &'a mut String,
-    at: [i64; 2],
-    /// Where the outline that is being drawn started.
-    start: [i64; 2],
-    /// The command that further numbers belong to.
-    command: char,
-}
-
-impl<'a> Tracer<'a> {
-    fn new(data: &'a mut String) -> Self {
-        Self {
-            data,
-            at: [0; 2],
-            start: [0; 2],
-            command: ' ',
-        }
-    }
-
-    /// Draws a glyph given in em at a size in mm.
-    fn trace(&mut self, glyph: &Outline, origin: Point, size: f64) {
-        let whole = |point: Point| {
-            let place = origin + point.to_vec2() * size;
-            // Each point is rounded by itself, so that rounding does not add up.
-            [place.x, place.y].map(|mm| (mm / FINEST).round() as i64)
-        };
-        for element in glyph {
-            match element {
-                OutlinePart::MoveTo(to) => {
-                    self.start = whole(to);
-                    self.go('m', [self.start]);
-                }
-                OutlinePart::LineTo(to) => self.go('l', [whole(to)]),
-                OutlinePart::QuadTo(by, to) => self.go('q', [by, to].map(whole)),
-                OutlinePart::CurveTo(first, second, to) => {
-                    self.go('c', [first, second, to].map(whole))
-                }
-                OutlinePart::ClosePath => {
-                    self.data.push('z');
-                    (self.at, self.command) = (self.start, 'z');
-                }
-            }
-        }
-    }
-
-    fn go<const N: usize>(&mut self, command: char, points: [[i64; 2]; N]) {
-        let mut apart = self.command == command;
-        if !apart {
-            self.data.push(command);
-            self.command = command;
-        }
-        for point in points {
-            for (to, from) in point.into_iter().zip(self.at) {
-                let step = to - from;
-                if step < 0 {
-                    self.data.push('-');
-                } else if apart {
-                    self.data.push(' ');
-                }
-                push_digits(self.data, step.unsigned_abs());
-                apart = true;
-            }
-        }
-        self.at = points[N - 1];
-    }
-}
-
 /// One text: each run at its own measured place, without white space between the elements, which
 /// would be drawn.
 fn write_text(written: &mut String, text: &PlacedText, id: Option<&str>) {
@@ -467,62 +393,6 @@ fn push_point(data: &mut String, point: Point) {
     push_number(data, point.x);
     data.push(' ');
     push_number(data, point.y);
-}
-
-/// A length in mm, rounded to a micrometre: the shortest text for it. Not a number gives 0.
-fn number(value: f64) -> String {
-    let mut text = String::with_capacity(8);
-    push_number(&mut text, value);
-    text
-}
-
-/// Appends what [`number`] says.
-fn push_number(text: &mut String, value: f64) {
-    // The cast takes what is out of range to the ends of the range, and NaN to 0.
-    let thousandths = (value * 1000.0).round() as i64;
-    if thousandths < 0 {
-        text.push('-');
-    }
-    let (whole, mut rest) = (
-        thousandths.unsigned_abs() / 1000,
-        thousandths.unsigned_abs() % 1000,
-    );
-    push_digits(text, whole);
-    if rest == 0 {
-        return;
-    }
-    text.push('.');
-    let mut place = 100;
-    while rest > 0 {
-        push_digits(text, rest / place);
-        rest %= place;
-        place /= 10;
-    }
-}
-
-fn push_digits(text: &mut String, mut whole: u64) {
-    let digit = |value: u64| char::from(b'0' + value as u8);
-    // Most numbers are short.
-    match whole {
-        0..10 => return text.push(digit(whole)),
-        10..100 => return text.extend([digit(whole / 10), digit(whole % 10)]),
-        100..1000 => {
-            return text.extend([
-                digit(whole / 100),
-                digit(whole / 10 % 10),
-                digit(whole % 10),
-            ]);
-        }
-        _ => {}
-    }
-    let mut digits = [0u8; 20];
-    let mut start = digits.len();
-    while whole > 0 {
-        start -= 1;
-        digits[start] = b'0' + (whole % 10) as u8;
-        whole /= 10;
-    }
-    text.extend(digits[start..].iter().map(|&digit| char::from(digit)));
 }
 
 /// The box around the ink of all marks but the white ones, in mm of the sheet: left, top, right,

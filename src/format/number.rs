@@ -1,0 +1,56 @@
+/// A length in mm, rounded to a micrometre: the shortest text for it. Not a number gives 0.
+pub(super) fn number(value: f64) -> String {
+    let mut text = String::with_capacity(8);
+    push_number(&mut text, value);
+    text
+}
+
+/// Appends what [`number`] says.
+pub(super) fn push_number(text: &mut String, value: f64) {
+    // The cast takes what is out of range to the ends of the range, and NaN to 0.
+    let thousandths = (value * 1000.0).round() as i64;
+    if thousandths < 0 {
+        text.push('-');
+    }
+    let (whole, mut rest) = (
+        thousandths.unsigned_abs() / 1000,
+        thousandths.unsigned_abs() % 1000,
+    );
+    push_digits(text, whole);
+    if rest == 0 {
+        return;
+    }
+    text.push('.');
+    let mut place = 100;
+    while rest > 0 {
+        push_digits(text, rest / place);
+        rest %= place;
+        place /= 10;
+    }
+}
+
+/// Appends a whole number; quicker than formatting it, and figures are mostly numbers.
+pub(super) fn push_digits(text: &mut String, mut whole: u64) {
+    let digit = |value: u64| char::from(b'0' + value as u8);
+    // Most numbers are short.
+    match whole {
+        0..10 => return text.push(digit(whole)),
+        10..100 => return text.extend([digit(whole / 10), digit(whole % 10)]),
+        100..1000 => {
+            return text.extend([
+                digit(whole / 100),
+                digit(whole / 10 % 10),
+                digit(whole % 10),
+            ]);
+        }
+        _ => {}
+    }
+    let mut digits = [0u8; 20];
+    let mut start = digits.len();
+    while whole > 0 {
+        start -= 1;
+        digits[start] = b'0' + (whole % 10) as u8;
+        whole /= 10;
+    }
+    text.extend(digits[start..].iter().map(|&digit| char::from(digit)));
+}
