@@ -353,3 +353,36 @@ fn too_many_or_too_few_drives_name_the_links() {
         "{message}"
     );
 }
+
+#[test]
+fn a_pin_in_a_slot_moves_as_a_block_on_a_lever() {
+    let scene = |lever: &str, slider: &str| {
+        format!(
+            r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ "O": [0, 0], "A": [0, 80] }},
+            "links": {{ "1": {{ "points": ["A", "B"], "lengths": {{ "AB": 30 }}, "drive": {{ "angle": 45, "omega": 4 }} }},
+                       {lever} "3": {{ "points": ["O", "C"], "lengths": {{ "OC": 130 }} }} }},
+            "sliders": [{{ {slider}, "on": "3", "along": "OC" }}], "near": {{ "C": [30, 120] }} }}"#
+        )
+    };
+    let solved = |scene: String| -> serde_json::Value {
+        let output = with_scene(&["solve", "-"], scene.as_bytes());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        serde_json::from_slice(&output.stdout).expect("JSON")
+    };
+    let pin = solved(scene("", r#""pin": "B""#));
+    let block = solved(scene(
+        r#""2": { "points": ["B"] },"#,
+        r#""link": "2", "at": "B""#,
+    ));
+    // The lever of a crank pin: ω_3 = ω_1 · AB · cos(angle between crank and lever) / OB.
+    let (angle, distance) = (33.1627607686381_f64.to_radians(), 103.41234234701112);
+    let omega = 4.0 * 30.0 * libm::cos(angle) / distance;
+    for result in [&pin, &block] {
+        let got = result["links"]["3"]["omega"].as_f64().expect("a number");
+        assert!((got - omega).abs() < 1e-12, "{got} {omega}");
+    }
+    assert_eq!(pin["sliders"]["B/3"]["on"], "3");
+    assert_eq!(pin["links"].as_object().expect("links").len(), 2);
+    let coriolis = |r: &serde_json::Value, name: &str| r["sliders"][name]["coriolis"].clone();
+    assert_eq!(coriolis(&pin, "B/3"), coriolis(&block, "2/3"));
+}

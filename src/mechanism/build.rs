@@ -109,6 +109,7 @@ impl<'a> Builder<'a> {
             points,
             local,
             role,
+            block: false,
         });
     }
 
@@ -234,13 +235,6 @@ impl<'a> Builder<'a> {
                     .error_at(&path, what, Some(hint.to_owned()))
                     .into()
             };
-            let (Some(link), Some(at)) = (&slider.link, &slider.at) else {
-                return Err(refuse(
-                    "pin",
-                    "a pin that rides in a slot without a block is not available in this version",
-                    "add a link with that one point as the block: name it as `link` and the point as `at`",
-                ));
-            };
             if slider.drive.is_some() && slider.on != On::Ground {
                 return Err(refuse(
                     "drive",
@@ -261,8 +255,13 @@ impl<'a> Builder<'a> {
                 On::Ground => GROUND,
                 On::Link(name) => self.mechanism.link(name).expect("checked by the scene"),
             };
-            let link = self.mechanism.link(link).expect("checked by the scene");
-            let at = self.point(at);
+            let (link, at) = match (&slider.link, &slider.at, &slider.pin) {
+                (Some(link), Some(at), _) => {
+                    let link = self.mechanism.link(link);
+                    (link.expect("checked by the scene"), self.point(at))
+                }
+                (_, _, pin) => self.block(pin.as_deref().expect("checked by the scene")),
+            };
             let guide = self.guide(slider, on);
             let counted_from = match (&slider.through, &slider.along) {
                 (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => self.mechanism.point(p),
@@ -291,6 +290,18 @@ impl<'a> Builder<'a> {
             });
         }
         Ok(())
+    }
+
+    /// The block of a pin that rides in a slot: a body with that one point.
+    fn block(&mut self, pin: &str) -> (BodyId, PointId) {
+        let local = match self.scene.form {
+            Form::Lengths => vec![Point::origin()],
+            Form::Drawn => Vec::new(),
+        };
+        self.add_body(pin, &[pin.to_owned()], Role::Member, local);
+        let block = self.mechanism.bodies.len() - 1;
+        self.mechanism.bodies[block].block = true;
+        (BodyId(block), self.point(pin))
     }
 
     fn guide(&self, slider: &scene::Slider, on: BodyId) -> Guide {

@@ -42,7 +42,7 @@ pub struct Mechanism {
     pub points: Vec<String>,
     /// The places that the scene gives, by point: the frame's, or all of them in a drawn configuration.
     pub given: Vec<Option<Point>>,
-    /// The ground first, then the links in scene order, then one carrier for each point of known motion.
+    /// The ground first, then the links in scene order, a carrier for each point of known motion, a block for each pin in a slot.
     pub bodies: Vec<Body>,
     /// The sliders, in scene order.
     pub sliders: Vec<Slider>,
@@ -60,7 +60,7 @@ pub const GROUND: BodyId = BodyId(0);
 /// The ground, a link, or the unnamed carrier of a point whose motion is known.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// The link's name; `"ground"`; for a carrier the name of its point.
+    /// The link's name; `"ground"`; for a carrier or a block the name of its point.
     pub name: String,
     /// Its points in scene order; the axis runs from the first to the second.
     pub points: Vec<PointId>,
@@ -68,6 +68,8 @@ pub struct Body {
     pub local: Vec<Point>,
     /// What makes it move.
     pub role: Role,
+    /// Whether it is the block, without a name or size, of a pin that rides in a slot.
+    pub block: bool,
 }
 
 /// Where a body's motion comes from.
@@ -239,20 +241,18 @@ impl Mechanism {
     /// The link of that name (or `ground`).
     #[must_use]
     pub fn link(&self, name: &str) -> Option<BodyId> {
-        let links = self
-            .bodies
-            .iter()
-            .filter(|b| !matches!(b.role, Role::Carrier { .. }));
-        links.clone().position(|b| b.name == name).map(BodyId)
+        let mut bodies = self.bodies.iter();
+        let index = bodies.position(|b| b.name == name && !b.is_nameless())?;
+        Some(BodyId(index))
     }
 
-    /// The links with names of their own: all bodies but ground and carriers.
+    /// The links with names of their own: all bodies but ground, carriers and blocks.
     pub fn links(&self) -> impl Iterator<Item = (BodyId, &Body)> {
         self.bodies
             .iter()
             .enumerate()
             .map(|(i, b)| (BodyId(i), b))
-            .filter(|(_, b)| !matches!(b.role, Role::Ground | Role::Carrier { .. }))
+            .filter(|(_, b)| b.role != Role::Ground && !b.is_nameless())
     }
 
     /// The points of group links that no known body holds: those whose places have to be found.
@@ -285,6 +285,12 @@ impl Mechanism {
 }
 
 impl Body {
+    /// Whether it is no link of the scene and not the ground.
+    #[must_use]
+    pub fn is_nameless(&self) -> bool {
+        self.block || matches!(self.role, Role::Carrier { .. })
+    }
+
     /// The local coordinates of one of its points; `None` in a drawn configuration or for a foreign point.
     #[must_use]
     pub fn local_of(&self, point: PointId) -> Option<Point> {

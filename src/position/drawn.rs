@@ -46,5 +46,5 @@ pub(super) fn drawn_pose(mechanism: &Mechanism) -> Pose {
 
 /// Whether a body is no link of the scene.
 fn is_nameless(body: &Body) -> bool {
-    matches!(body.role, Role::Ground | Role::Carrier { .. })
+    body.role == Role::Ground || body.is_nameless()
 }
