@@ -96,40 +96,48 @@ pub(super) fn joined_placements(direct: &Hold, condition: LegCondition) -> Vec<P
     }
 }
 
-/// The smallest amount by which the first distance condition is missed over all relative turns, signed (positive: the
-/// leg would have to be longer); `None` without a distance condition or where the others never meet.
+/// The smallest amount by which the first distance condition is missed over all relative turns with the other conditions met,
+/// signed (positive: the leg would have to be longer); `None` without a distance condition or where the others never meet.
 pub(super) fn smallest_miss(direct: Option<&Hold>, conditions: &[LegCondition]) -> Option<f64> {
-    let circle = conditions
+    let is_distance = |c: &LegCondition| matches!(c, LegCondition::Distance { .. });
+    let first = conditions.iter().position(is_distance)?;
+    let circle = &conditions[first];
+    let others: Vec<&LegCondition> = conditions
         .iter()
-        .find(|c| matches!(c, LegCondition::Distance { .. }))?;
+        .enumerate()
+        .filter(|(k, _)| *k != first)
+        .map(|(_, c)| c)
+        .collect();
     const SAMPLES: usize = 720;
-    let turns = (0..SAMPLES).map(|k| {
-        let angle = std::f64::consts::TAU * k as f64 / SAMPLES as f64;
-        Vector::new(libm::cos(angle), libm::sin(angle))
+    let fixed = others.iter().find_map(|c| match c {
+        LegCondition::Turned(turn) => Some(Vector::new(turn.re, turn.im)),
+        _ => None,
     });
-    let misses = turns.flat_map(|turn| {
-        let found = match (direct, conditions) {
+    let turns: Vec<Vector> = match (fixed, direct) {
+        (Some(turn), _) => vec![turn],
+        (None, Some(Hold::Slide { frame, .. })) => {
+            vec![Vector::new(frame.rotation.re, frame.rotation.im)]
+        }
+        (None, _) => (0..SAMPLES)
+            .map(|k| std::f64::consts::TAU * k as f64 / SAMPLES as f64)
+            .map(|angle| Vector::new(libm::cos(angle), libm::sin(angle)))
+            .collect(),
+    };
+    let misses = turns.into_iter().flat_map(|turn| {
+        let found = match (direct, others.as_slice()) {
             (Some(Hold::Pin { local, place }), _) => {
                 vec![place.coords - turned(turn, local.coords)]
             }
             // The place of the guide nearest to the circle's centre.
             (Some(Hold::Slide { frame, along }), _) => {
-                let turn = Vector::new(frame.rotation.re, frame.rotation.im);
                 let centre = -Row::new(circle, turn).arm;
                 let start = frame.translation.vector;
-                return vec![miss(
-                    circle,
-                    turn,
-                    start + along * (centre - start).dot(along),
-                )];
+                vec![start + along * (centre - start).dot(along)]
             }
-            (None, &[a, b, c]) => candidates(&[a, b, c].map(|c| Row::new(&c, turn))),
+            (None, &[a, b]) => translations(&[Row::new(a, turn), Row::new(b, turn)]),
             (None, _) => Vec::new(),
         };
-        found
-            .into_iter()
-            .map(|t| miss(circle, turn, t))
-            .collect::<Vec<_>>()
+        found.into_iter().map(move |t| miss(circle, turn, t))
     });
     misses
         .filter(|m| m.is_finite())
