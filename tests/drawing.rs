@@ -80,11 +80,29 @@ fn turned() -> Vec<(String, Drawing)> {
     all
 }
 
+/// The starting scenes of `kinegon new`.
+fn templates() -> Vec<(String, Drawing)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("templates");
+    let files = fs::read_dir(folder).expect("the folder is there");
+    let mut names: Vec<String> = files
+        .map(|entry| entry.expect("the folder can be listed").file_name())
+        .map(|name| name.to_string_lossy().into_owned())
+        .filter(|name| name.ends_with(".json") && !name.ends_with(".schema.json"))
+        .collect();
+    names.sort();
+    let template = |name: String| match drawn(&file(&format!("templates/{name}"))) {
+        Ok((drawing, _)) => (name, drawing),
+        Err(error) => panic!("{name}: {error}"),
+    };
+    names.into_iter().map(template).collect()
+}
+
 fn drawings() -> Vec<(String, Drawing)> {
     let mut all: Vec<(String, Drawing)> = [1, 2]
         .map(|number| (format!("figure {number}"), example(number)))
         .into();
     all.extend(turned());
+    all.extend(templates());
     for (index, line) in file("tests/drawn_scenes.jsonl").lines().enumerate() {
         let name = format!("drawn scene {}", index + 1);
         match drawn(line) {
@@ -232,7 +250,7 @@ fn covers(corners: &[Point], area: Rect) -> bool {
 #[test]
 fn nothing_covers_a_label_and_nothing_leaves_its_panel() {
     let drawings = drawings();
-    assert!(drawings.len() >= 62, "only {} drawings", drawings.len());
+    assert!(drawings.len() >= 78, "only {} drawings", drawings.len());
     let mut wrong = Vec::new();
     for (name, drawing) in &drawings {
         for fault in faults(drawing) {

@@ -83,3 +83,22 @@ pub(super) fn write(files: &[(std::path::PathBuf, Vec<u8>)]) -> Result<(), Failu
     }
     Ok(())
 }
+
+/// Writes a file that is not there yet; one that is there stays as it is.
+pub(super) fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let failed = |error: io::Error| match error.kind() {
+        io::ErrorKind::AlreadyExists => Failure::Misuse(
+            format!("{} is there already and is not overwritten", path.display()),
+            Some("choose another name, or remove the file".into()),
+        ),
+        _ => Failure::Outside(format!("{} cannot be written: {error}", path.display())),
+    };
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder).map_err(failed)?;
+    }
+    let mut file = fs::File::create_new(path).map_err(failed)?;
+    file.write_all(bytes).map_err(|error| {
+        let _ = fs::remove_file(path);
+        failed(error)
+    })
+}

@@ -5,6 +5,7 @@
 mod draw;
 mod files;
 mod message;
+mod new;
 mod solve;
 mod steps;
 mod structure;
@@ -23,6 +24,8 @@ struct Command {
 
 #[derive(Debug, Subcommand)]
 enum Task {
+    /// Write a starting scene for a kind of mechanism, or list the kinds.
+    New(new::New),
     /// Draw the figure of a scene: scheme, velocity plan, acceleration plan.
     Draw(draw::Draw),
     /// Print every position, velocity and acceleration of a scene as JSON.
@@ -42,6 +45,7 @@ enum Task {
 pub fn run() -> ExitCode {
     let command = Command::parse();
     let done = match &command.task {
+        Task::New(new) => new.run(),
         Task::Draw(draw) => draw.run(),
         Task::Solve(solve) => solve.run(),
         Task::Steps(steps) => steps.run(),

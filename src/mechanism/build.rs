@@ -7,6 +7,7 @@ use super::{
 };
 use crate::geometry::{Point, Vector, direction_of_degrees, unit};
 use crate::scene::{self, Along, At, Form, On, Scene};
+use indexmap::IndexMap;
 
 /// The mechanism that a scene describes.
 ///
@@ -122,14 +123,16 @@ impl<'a> Builder<'a> {
             .filter_map(|name| scene.coordinates.get(name).map(|&p| p.into()))
             .collect();
         self.add_body("ground", &scene.ground, Role::Ground, ground_places);
+        let driven = driven_places(scene);
         for (name, link) in &scene.links {
             let role = self.role(name, link)?;
             let local = if drawn {
                 Vec::new()
             } else {
                 let (local, unsettled) = local_points(link, |p| {
-                    let known = scene.coordinates.get(p).or(scene.near.points.get(p));
-                    known.map(|&p| p.into())
+                    let given = |places: &IndexMap<_, [f64; 2]>| places.get(p).map(|&p| p.into());
+                    let known = given(&scene.coordinates).or_else(|| driven.get(p).copied());
+                    known.or_else(|| given(&scene.near.points))
                 });
                 if unsettled {
                     self.mechanism.warnings.push(format!(
@@ -366,6 +369,55 @@ impl<'a> Builder<'a> {
             }
         }
     }
+}
+
+/// Where the drives put points: those of a link turned about a ground point, the pushed point of a slider on the ground.
+fn driven_places(scene: &Scene) -> IndexMap<&str, Point> {
+    let ground = |name: &str| scene.coordinates.get(name).map(|&p| Point::from(p));
+    let mut places = IndexMap::new();
+    for link in scene.links.values() {
+        let angle = link.drive.as_ref().and_then(|drive| drive.angle_deg);
+        let Some(turn) = angle.map(direction_of_degrees) else {
+            continue;
+        };
+        // Of a triangle whose hand is open only the axis is sure.
+        let (mut local, unsettled) = local_points(link, |_| None);
+        if unsettled {
+            local.truncate(2);
+        }
+        let own = || link.points.iter().zip(&local);
+        let Some((pivot, center)) = own().find_map(|(p, at)| Some((ground(p)?, *at))) else {
+            continue;
+        };
+        for (name, at) in own() {
+            let arm = at - center;
+            let turned = Vector::new(
+                turn.x * arm.x - turn.y * arm.y,
+                turn.y * arm.x + turn.x * arm.y,
+            );
+            places.insert(name.as_str(), pivot + turned);
+        }
+    }
+    for slider in scene.sliders.iter().filter(|s| s.on == On::Ground) {
+        let position = slider.drive.and_then(|drive| drive.position);
+        let (Some(at), Some(position)) = (&slider.at, position) else {
+            continue;
+        };
+        let start = match (&slider.through, &slider.along) {
+            (Some(At::Place(p)), _) => Some((*p).into()),
+            (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => ground(p),
+            (None, _) => scene.ground.first().and_then(|p| ground(p)),
+        };
+        let along = match &slider.along {
+            Along::Degrees(angle) => Some(direction_of_degrees(*angle)),
+            Along::Direction(d) => Some(direction(Vector::from(*d))),
+            Along::Points(a, b) => ground(a).zip(ground(b)).map(|(a, b)| direction(b - a)),
+        };
+        if let (Some(start), Some(along)) = (start, along) {
+            places.insert(at, start + along * position);
+        }
+    }
+    places
 }
 
 /// The unit vector along `v`, which the scene has been checked not to let vanish.

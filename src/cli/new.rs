@@ -1,0 +1,98 @@
+use super::files;
+use super::message::Failure;
+use crate::scene::Scene;
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use std::path::{Path, PathBuf};
+
+/// A kind's name and its starting scene.
+macro_rules! templates {
+    ($($name:literal in $folder:literal as $file:literal,)*) => {
+        [$(($name, include_str!(concat!("../../", $folder, "/", $file, ".json")))),*]
+    };
+}
+
+/// The starting scenes by kind, in the order in which they are listed.
+const TEMPLATES: [(&str, &str); 18] = templates! {
+    "four-bar" in "templates" as "four-bar",
+    "slider-crank" in "templates" as "slider-crank",
+    "slotted-lever" in "templates" as "slotted-lever",
+    "whitworth" in "templates" as "whitworth",
+    "toggle-press" in "templates" as "toggle-press",
+    "watt-1" in "templates" as "watt-1",
+    "stephenson-3" in "templates" as "stephenson-3",
+    "five-bar" in "templates" as "five-bar",
+    "third-class" in "templates" as "third-class",
+    "fourth-class" in "templates" as "fourth-class",
+    "platform-3rrr" in "templates" as "platform-3rrr",
+    "dyad-rrr" in "templates" as "dyad-rrr",
+    "dyad-rrp" in "templates" as "dyad-rrp",
+    "dyad-rpr" in "templates" as "dyad-rpr",
+    "dyad-prp" in "templates" as "dyad-prp",
+    "dyad-rpp" in "templates" as "dyad-rpp",
+    "paper-figure-1" in "examples" as "figure-1",
+    "paper-figure-2" in "examples" as "figure-2",
+};
+
+/// Write a starting scene.
+#[derive(Debug, Args)]
+pub(super) struct New {
+    /// Kind of mechanism; without one the kinds are listed.
+    #[arg(value_parser = PossibleValuesParser::new(TEMPLATES.map(|(name, _)| name)), hide_possible_values = true)]
+    kind: Option<String>,
+    /// File to write, or a folder for KIND.json, or `-` for stdout; a file that is there already is never written over.
+    #[arg(short, long, default_value = "-")]
+    output: PathBuf,
+    /// List the kinds.
+    #[arg(long, conflicts_with_all = ["kind", "output"])]
+    list: bool,
+}
+
+impl New {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let Some(kind) = &self.kind else {
+            if self.output != Path::new("-") {
+                return Err(Failure::Misuse(
+                    "which kind of mechanism is to be written?".into(),
+                    Some("name one of those that `kinegon new --list` shows".into()),
+                ));
+            }
+            return files::print(list().as_bytes());
+        };
+        let (name, text) = TEMPLATES
+            .into_iter()
+            .find(|(name, _)| name == kind)
+            .expect("the command line takes no other name");
+        let text = without_schema(text);
+        if self.output == Path::new("-") {
+            return files::print(text.as_bytes());
+        }
+        let is_folder =
+            self.output.is_dir() || self.output.as_os_str().to_string_lossy().ends_with('/');
+        let path = if is_folder {
+            self.output.join(format!("{name}.json"))
+        } else {
+            self.output.clone()
+        };
+        files::write_new(&path, text.as_bytes())
+    }
+}
+
+/// The kinds and the titles of their scenes, one a line.
+fn list() -> String {
+    let width = TEMPLATES.iter().map(|(name, _)| name.len()).max();
+    let width = width.unwrap_or_default();
+    let line = |(name, text): (&str, &str)| {
+        let title = Scene::read(text).ok().and_then(|scene| scene.title);
+        format!("{name:width$}  {}\n", title.unwrap_or_default())
+    };
+    TEMPLATES.into_iter().map(line).collect()
+}
+
+/// The scene without its line for the schema, whose place holds only beside the template.
+fn without_schema(text: &str) -> String {
+    let is_schema = |line: &&str| line.trim_start().starts_with("\"$schema\"");
+    text.split_inclusive('\n')
+        .filter(|line| !is_schema(line))
+        .collect()
+}

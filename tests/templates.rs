@@ -1,0 +1,282 @@
+//! The starting scenes in `templates/`: true numbers, two routes that agree, no warnings, and velocities and accelerations
+//! that are the derivatives of positions solved anew.
+//!
+//! `tests/templates/README.md` says where the true numbers come from. An error counts relative to the largest magnitude
+//! of its kind of quantity (angles: to 180°); differences are taken in exact arithmetic.
+
+mod exact;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use exact::{Exact, minus};
+use kinegon::format::{self, ResultFile, Solved};
+use kinegon::mechanism::mechanism;
+use kinegon::motion::{Order, motion};
+use kinegon::plan::construction;
+use kinegon::position::pose;
+use kinegon::scene::Scene;
+use serde_json::Value;
+
+/// Largest error against the truth.
+const MOST: f64 = 1e-12;
+
+/// Central differences halve their step and must quarter their error, within this part.
+const ORDER_WITHIN: f64 = 0.2;
+
+/// Kinds whose numbers are compared with the truth.
+const WITH_TRUTH: usize = 11;
+
+fn folder(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// Names and texts of the templates, sorted.
+fn templates() -> Vec<(String, String)> {
+    let files = std::fs::read_dir(folder("templates")).expect("the folder is there");
+    let mut templates: Vec<(String, String)> = files
+        .map(|entry| entry.expect("the folder can be listed").path())
+        .filter_map(|path| {
+            let name = path
+                .file_name()?
+                .to_str()?
+                .strip_suffix(".json")?
+                .to_owned();
+            let text = std::fs::read_to_string(&path).expect("a template can be read");
+            (!name.ends_with(".schema")).then_some((name, text))
+        })
+        .collect();
+    templates.sort();
+    assert!(templates.len() >= WITH_TRUTH);
+    templates
+}
+
+/// The true numbers of a template, where there are some.
+fn truth(name: &str) -> Option<Value> {
+    let path = folder(&format!("tests/templates/{name}.expect.json"));
+    let text = std::fs::read_to_string(path).ok()?;
+    Some(serde_json::from_str(&text).expect("the truth is JSON"))
+}
+
+fn solve(text: &str) -> Result<ResultFile, kinegon::Error> {
+    let scene = Scene::read(text)?;
+    let mechanism = mechanism(&scene)?;
+    let pose = pose(&mechanism, &scene.near)?;
+    let motion = motion(&mechanism, &pose, Order::Acceleration)?;
+    let construction = construction(&mechanism, &pose, &motion);
+    Ok(format::result(Solved {
+        units: scene.units,
+        mechanism: &mechanism,
+        pose: &pose,
+        motion: &motion,
+        construction: &construction,
+    }))
+}
+
+fn solved(name: &str, text: &str) -> ResultFile {
+    solve(text).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+fn entries(json: &Value) -> impl Iterator<Item = (&str, &Value)> {
+    let object = json.as_object().into_iter().flatten();
+    object.map(|(key, value)| (key.as_str(), value))
+}
+
+#[test]
+fn every_template_has_a_title_and_solves_without_a_warning() {
+    for (name, text) in templates() {
+        let scene = Scene::read(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(scene.title.is_some(), "{name}");
+        assert!(
+            text.contains("\"$schema\": \"scene.schema.json\""),
+            "{name}"
+        );
+        let result = solved(&name, &text);
+        assert!(result.warnings.is_empty(), "{name}: {:?}", result.warnings);
+    }
+}
+
+#[test]
+fn both_routes_agree() {
+    for (name, text) in templates() {
+        for group in solved(&name, &text).groups {
+            let (Some(difference), Some(allowed)) =
+                (group.disagreement, group.disagreement_allowed)
+            else {
+                panic!("{name}: the links {:?} have no second route", group.links);
+            };
+            assert!(
+                difference <= allowed,
+                "{name}: {:?} differ by {difference:e}, allowed is {allowed:e}",
+                group.links
+            );
+        }
+    }
+}
+
+/// Errors by kind of quantity, largest true magnitudes beside them.
+#[derive(Default)]
+struct Errors {
+    of: BTreeMap<&'static str, (f64, f64)>,
+}
+
+impl Errors {
+    fn number(&mut self, kind: &'static str, got: f64, truth: &Value) {
+        let truth = truth.as_str().expect("true numbers are decimal strings");
+        let size: f64 = truth.parse().expect("a decimal number");
+        let (error, scale) = self.of.entry(kind).or_default();
+        *error = error.max(minus(got, truth).abs());
+        *scale = scale.max(size.abs());
+    }
+
+    fn angle(&mut self, got: f64, truth: &Value) {
+        let truth = truth.as_str().expect("true numbers are decimal strings");
+        let turned = |by: f64| (Exact::from(got) + Exact::from(by) - Exact::read(truth)).rounded();
+        let errors = [-360.0, 0.0, 360.0].map(|by| turned(by).abs());
+        let (error, scale) = self.of.entry("angle").or_default();
+        *error = error.max(errors.into_iter().fold(f64::MAX, f64::min));
+        *scale = 180.0;
+    }
+
+    fn pair(&mut self, kind: &'static str, got: Option<[f64; 2]>, truth: &Value) {
+        let got = got.unwrap_or_else(|| panic!("no {kind}"));
+        for axis in 0..2 {
+            self.number(kind, got[axis], &truth[axis]);
+        }
+    }
+}
+
+#[test]
+fn numbers_are_true() {
+    let mut seen = 0;
+    for (name, text) in templates() {
+        let Some(truth) = truth(&name) else { continue };
+        seen += 1;
+        let result = solved(&name, &text);
+        let mut errors = Errors::default();
+        for (link, truth) in entries(&truth["links"]) {
+            let got = &result.links[link];
+            errors.angle(got.angle.expect("a link has an angle"), &truth["angle"]);
+            errors.number("omega", got.omega, &truth["omega"]);
+            errors.number("alpha", got.alpha.expect("asked for"), &truth["alpha"]);
+        }
+        for (point, truth) in entries(&truth["points"]).chain(entries(&truth["coincident"])) {
+            let got = &result.points[point];
+            errors.pair("position", got.position, &truth["position"]);
+            errors.pair("velocity", got.velocity, &truth["velocity"]);
+            errors.pair("acceleration", got.acceleration, &truth["acceleration"]);
+        }
+        for (link, truth) in entries(&truth["sliders"]) {
+            let on = truth["on"].as_str().expect("a name");
+            let got = &result.sliders[&format!("{link}/{on}")];
+            let position = got.position.expect("it is counted from somewhere");
+            errors.number("position", position, &truth["position"]);
+            errors.number("velocity", got.velocity, &truth["velocity"]);
+            let acceleration = got.acceleration.expect("asked for");
+            errors.number("acceleration", acceleration, &truth["acceleration"]);
+        }
+        for (kind, (error, scale)) in &errors.of {
+            assert!(
+                *error <= MOST * scale,
+                "{name}: {kind} is wrong by {error:e} of {scale}"
+            );
+        }
+        groups_are(&name, &result, &truth["groups"]);
+    }
+    assert_eq!(seen, WITH_TRUTH);
+}
+
+/// Checks the groups' links and classes, and how many modes they have.
+fn groups_are(name: &str, result: &ResultFile, truth: &Value) {
+    let truth = truth.as_array().expect("a list");
+    assert_eq!(result.groups.len(), truth.len(), "{name}");
+    for expected in truth {
+        let links = expected["links"].as_array().expect("a list");
+        let is_it = |has: &[String]| {
+            has.len() == links.len() && links.iter().all(|l| has.iter().any(|h| l == h))
+        };
+        let group = result.groups.iter().find(|group| is_it(&group.links));
+        let group = group.unwrap_or_else(|| panic!("{name}: no group of the links {links:?}"));
+        assert_eq!(expected["class"], *group.class, "{name}");
+        if let Some(modes) = expected.get("modes") {
+            assert_eq!(
+                modes.as_u64(),
+                group.modes.map(|modes| modes as u64),
+                "{name}"
+            );
+        }
+    }
+}
+
+/// The scene a moment later or earlier: every drive turned as its rates say, on the branch of `now`.
+fn moved(scene: &Value, now: &ResultFile, time: f64) -> String {
+    let mut scene = scene.clone();
+    let is_ground = |scene: &Value, name: &str| scene["ground"].get(name).is_some();
+    let places = now.points.iter().filter(|(_, point)| point.on.is_none());
+    let near: serde_json::Map<String, Value> = places
+        .filter(|(name, _)| !is_ground(&scene, name))
+        .map(|(name, point)| (name.clone(), serde_json::json!(point.position)))
+        .collect();
+    scene["near"] = Value::Object(near);
+    let links = scene["links"].as_object_mut().expect("links by name");
+    for link in links.values_mut() {
+        if let Some(drive) = link.get_mut("drive") {
+            let rate = |key: &str| drive.get(key).and_then(Value::as_f64).unwrap_or(0.0);
+            let turned = time * (rate("omega") + 0.5 * time * rate("alpha"));
+            drive["angle"] = (rate("angle") + turned.to_degrees()).into();
+        }
+    }
+    scene.to_string()
+}
+
+/// Largest errors of central differences of positions: of the first against velocities, of the second against accelerations.
+fn differences(name: &str, scene: &Value, now: &ResultFile, time: f64) -> [f64; 2] {
+    let before = solved(name, &moved(scene, now, -time));
+    let after = solved(name, &moved(scene, now, time));
+    let mut errors = [0.0_f64; 2];
+    for (point, here) in now.points.iter().filter(|(_, point)| point.on.is_none()) {
+        let place = |result: &ResultFile| result.points[point].position.expect("a place");
+        let (a, b, c) = (place(&before), place(now), place(&after));
+        let (v, w) = (here.velocity, here.acceleration);
+        let (v, w) = (v.expect("asked for"), w.expect("asked for"));
+        for i in 0..2 {
+            let first = (c[i] - a[i]) / (2.0 * time);
+            let second = ((c[i] - b[i]) - (b[i] - a[i])) / (time * time);
+            errors[0] = errors[0].max((first - v[i]).abs());
+            errors[1] = errors[1].max((second - w[i]).abs());
+        }
+    }
+    errors
+}
+
+#[test]
+fn rates_are_derivatives_of_positions() {
+    let mut seen = 0;
+    for (name, text) in templates() {
+        let scene: Value = serde_json::from_str(&text).expect("a template is JSON");
+        let drives = entries(&scene["links"]).filter_map(|(_, link)| link.get("drive"));
+        let fastest = drives
+            .filter_map(|drive| drive["omega"].as_f64())
+            .map(f64::abs)
+            .reduce(f64::max);
+        // In a drawn configuration nothing moves on.
+        let Some(fastest) = fastest.filter(|_| scene.get("points").is_none()) else {
+            continue;
+        };
+        seen += 1;
+        let now = solved(&name, &text);
+        // The fastest drive turns by 1°, by half and by a quarter of a degree: far above what rounding adds.
+        let errors = [1.0_f64, 0.5, 0.25]
+            .map(|degrees| differences(&name, &scene, &now, degrees.to_radians() / fastest));
+        for (what, index) in [("velocity", 0), ("acceleration", 1)] {
+            let [coarse, middle, fine] = errors.map(|error| error[index]);
+            for ratio in [coarse / middle, middle / fine] {
+                assert!(
+                    (ratio / 4.0 - 1.0).abs() < ORDER_WITHIN,
+                    "{name}: {what} differs by {coarse:e}, {middle:e}, {fine:e}"
+                );
+            }
+        }
+    }
+    assert_eq!(seen, WITH_TRUTH);
+}
