@@ -386,3 +386,59 @@ fn a_pin_in_a_slot_moves_as_a_block_on_a_lever() {
     let coriolis = |r: &serde_json::Value, name: &str| r["sliders"][name]["coriolis"].clone();
     assert_eq!(coriolis(&pin, "B/3"), coriolis(&block, "2/3"));
 }
+
+#[test]
+fn new_writes_every_kind_it_lists_and_nothing_over_a_file() {
+    let new = |arguments: &[&str]| {
+        let output = kinegon().arg("new").args(arguments).output();
+        output.expect("the program runs")
+    };
+    let listed = new(&[]);
+    assert_eq!(new(&["--list"]).stdout, listed.stdout);
+    let listed = String::from_utf8(listed.stdout).expect("UTF-8");
+    assert_eq!(listed.lines().count(), 18);
+    assert!(
+        listed.contains("four-bar        Four-bar linkage\n"),
+        "{listed}"
+    );
+    for line in listed.lines() {
+        let (kind, title) = line.split_once(' ').expect("a kind and its title");
+        let scene = new(&[kind]).stdout;
+        assert!(
+            !String::from_utf8_lossy(&scene).contains("$schema"),
+            "{kind}"
+        );
+        let written: serde_json::Value = serde_json::from_slice(&scene).expect("JSON");
+        assert_eq!(written["title"], title.trim_start());
+        let solved = with_scene(&["solve", "-"], &scene);
+        assert_eq!(solved.status.code(), Some(0), "{kind}: {}", stderr(&solved));
+        assert!(solved.stderr.is_empty(), "{kind}: {}", stderr(&solved));
+    }
+
+    let folder = scratch("new");
+    let file = folder.join("deep/mine.json");
+    let path = file.to_str().expect("a path in UTF-8");
+    assert_eq!(new(&["four-bar", "-o", path]).status.code(), Some(0));
+    let first = std::fs::read(&file).expect("it was written");
+    let again = new(&["watt-1", "-o", path]);
+    assert_eq!(again.status.code(), Some(2));
+    assert!(
+        stderr(&again).contains("not overwritten"),
+        "{}",
+        stderr(&again)
+    );
+    assert_eq!(std::fs::read(&file).expect("it is still there"), first);
+    // A folder takes a file of the kind's name.
+    let path = folder.to_str().expect("a path in UTF-8");
+    assert_eq!(new(&["watt-1", "-o", path]).status.code(), Some(0));
+    assert!(folder.join("watt-1.json").exists());
+
+    let unknown = new(&["fourbar"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(
+        stderr(&unknown).contains("'four-bar'"),
+        "{}",
+        stderr(&unknown)
+    );
+    assert_eq!(new(&["-o", path]).status.code(), Some(2));
+}

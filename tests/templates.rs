@@ -9,7 +9,7 @@ mod exact;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use exact::{Exact, minus};
+use exact::{Exact, exceeds, minus};
 use kinegon::format::{self, ResultFile, Solved};
 use kinegon::mechanism::mechanism;
 use kinegon::motion::{Order, motion};
@@ -106,7 +106,7 @@ fn both_routes_agree() {
                 panic!("{name}: the links {:?} have no second route", group.links);
             };
             assert!(
-                difference <= allowed,
+                !exceeds(difference, allowed),
                 "{name}: {:?} differ by {difference:e}, allowed is {allowed:e}",
                 group.links
             );
@@ -177,7 +177,7 @@ fn numbers_are_true() {
         }
         for (kind, (error, scale)) in &errors.of {
             assert!(
-                *error <= MOST * scale,
+                !exceeds(*error, MOST * scale),
                 "{name}: {kind} is wrong by {error:e} of {scale}"
             );
         }
@@ -203,6 +203,29 @@ fn groups_are(name: &str, result: &ResultFile, truth: &Value) {
                 modes.as_u64(),
                 group.modes.map(|modes| modes as u64),
                 "{name}"
+            );
+        }
+    }
+}
+
+/// A crank pin's place follows from the drive, so it need not stand in `near` to settle a triangle's hand.
+#[test]
+fn a_driven_point_settles_a_triangles_hand() {
+    for (kind, place) in [
+        ("stephenson-3", r#""B": [20, 35], "#),
+        ("watt-1", r#""B": [25, 45], "#),
+    ] {
+        let path = folder(&format!("templates/{kind}.json"));
+        let text = std::fs::read_to_string(path).expect("a template can be read");
+        let less = text.replace(place, "");
+        assert_ne!(text, less, "{kind}");
+        let result = solved(kind, &less);
+        assert!(result.warnings.is_empty(), "{kind}: {:?}", result.warnings);
+        let all = solved(kind, &text);
+        for (point, there) in &all.points {
+            assert_eq!(
+                result.points[point].position, there.position,
+                "{kind}: {point}"
             );
         }
     }

@@ -116,12 +116,21 @@ fn image_areas(canvas: &mut Canvas<'_>, view: &View, mechanism: &Mechanism, plan
     }
 }
 
+/// Whether a name is that of the end of a normal acceleration that is nothing at all.
+fn is_vanished(plan: &Plan, name: &str) -> bool {
+    let mut arrows = plan.arrows().filter(|arrow| arrow.to == name);
+    let place = |name: &str| plan.points.get(name).map(|p| p.vector);
+    arrows.any(|arrow| arrow.part == Part::Normal && place(&arrow.from) == place(name))
+}
+
 /// Dots and names of the plan points; points in one place share a label.
 fn points(canvas: &mut Canvas<'_>, view: &View, plan: &Plan, hidden: &dyn Fn(&str) -> bool) {
     let middle = view.at(nalgebra::center(&extent(plan).low, &extent(plan).high));
     let mut places: Vec<(Point, Vec<&str>, PointRole)> = Vec::new();
+    let at_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
     for (name, point) in &plan.points {
-        if hidden(name) {
+        // A point of the ground under a slider says no more than the pole.
+        if hidden(name) || at_pole(name) || is_vanished(plan, name) {
             continue;
         }
         let place = view.at(geometry::Point::from(point.vector));

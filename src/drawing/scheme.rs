@@ -34,7 +34,21 @@ impl Scheme<'_> {
         let points = self.pose.points.iter().copied();
         let near = self.special().filter(|s| self.is_near(s));
         let special = near.filter_map(|s| s.place.finite());
-        Extent::of(points.chain(special))
+        Extent::of(points.chain(special).chain(self.guide_ends()))
+    }
+
+    /// Places that keep room for guides on the ground.
+    fn guide_ends(&self) -> impl Iterator<Item = geometry::Point> {
+        const SHARE: f64 = 0.06;
+        let reach = SHARE * span(self.pose.points.iter().copied());
+        let sliders = (0..self.mechanism.sliders.len()).map(SliderId);
+        sliders
+            .filter(|&id| self.mechanism.slider(id).on == GROUND)
+            .flat_map(move |id| {
+                let at = self.pose.point(self.mechanism.slider(id).at);
+                let arm = self.pose.guide(id) * reach;
+                [at - arm, at + arm]
+            })
     }
 
     fn special(&self) -> impl Iterator<Item = &Special> {
@@ -249,7 +263,7 @@ impl Scheme<'_> {
     }
 
     /// A guide that is no line between its body's points: a line about the block, joined to those
-    /// points. It stays on the panel: an arm whose foot would lie far off goes to the guide's end.
+    /// points; so is one that runs on beyond them. It stays on the panel: an arm whose foot would lie far off goes to the guide's end.
     fn guide(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId) {
         const HALF: f64 = 3.0 * BLOCK.x;
         let slider = self.mechanism.slider(id);
@@ -264,6 +278,9 @@ impl Scheme<'_> {
             let (a, b) = (a + across * BLOCK.y, b + across * BLOCK.y);
             canvas.draw(Pen::Ground, Shape::Line(a, b));
             hatch(canvas, a, b, across);
+            for (from, to) in strokes(a, b, across) {
+                canvas.keep_off(Rect::from_points(from, to));
+            }
             return;
         }
         let (mut low, mut high) = ((a - at).dot(along), (b - at).dot(along));
@@ -271,14 +288,12 @@ impl Scheme<'_> {
         let offsets = points.iter().map(|&point| self.at(view, point) - at);
         let (on_line, off_line): (Vec<Vec2>, Vec<Vec2>) =
             offsets.partition(|offset| offset.dot(across).abs() <= 0.3);
-        // A link drawn along the guide shows it already, unless the block has left the link.
-        let places = on_line.iter().map(|offset| offset.dot(along));
-        if places.clone().any(|p| p <= 0.0) && places.clone().any(|p| p >= 0.0) && on_line.len() > 1
-        {
+        let places: Vec<f64> = on_line.iter().map(|offset| offset.dot(along)).collect();
+        // Between points of its body the block is on the drawn link already.
+        if places.len() >= 2 && places.iter().any(|&x| x < 0.0) && places.iter().any(|&x| x > 0.0) {
             return;
         }
-        for offset in on_line {
-            let place = offset.dot(along);
+        for place in places {
             (low, high) = (low.min(place), high.max(place));
         }
         for offset in off_line {
@@ -367,17 +382,35 @@ impl Scheme<'_> {
     fn stub(&self, canvas: &mut Canvas<'_>, view: &View, point: PointId, name: &str) {
         const LENGTH: f64 = 11.0;
         let from = self.at(view, point);
-        let away = self.outward(view, from).unwrap_or(Vec2::new(-1.0, 0.0));
+        const HALF_WAVE: f64 = 2.6;
+        let outward = self.outward(view, from).unwrap_or(Vec2::new(-1.0, 0.0));
+        // Outwards, or as little beside it as keeps the piece on the panel.
+        let turned = |degrees: f64| {
+            let turn = geometry::direction_of_degrees(degrees);
+            Vec2::new(
+                turn.x * outward.x - turn.y * outward.y,
+                turn.y * outward.x + turn.x * outward.y,
+            )
+        };
+        let turns = [0.0, 30.0, -30.0, 60.0, -60.0, 90.0, -90.0, 120.0, -120.0];
+        let bounds = canvas.bounds();
+        let fits = |away: &Vec2| {
+            let tip = from + *away * (LENGTH + 1.2);
+            let across = Vec2::new(-away.y, away.x) * HALF_WAVE;
+            bounds.contains(tip - across) && bounds.contains(tip + across)
+        };
+        let mut tries = turns.into_iter().map(turned);
+        let away = tries.find(fits).unwrap_or(outward);
         let across = Vec2::new(-away.y, away.x);
         let end = from + away * LENGTH;
         canvas.draw_named(&format!("link-{name}"), Pen::Link, Shape::Line(from, end));
         let wave = vec![
-            end + across * 2.6,
+            end + across * HALF_WAVE,
             end + across * 0.7,
             end + across * 0.3 + away * 1.2,
             end - across * 0.3 - away * 1.2,
             end - across * 0.7,
-            end - across * 2.6,
+            end - across * HALF_WAVE,
         ];
         canvas.draw(Pen::Guide, Shape::Polyline(wave));
         canvas.label(
@@ -521,17 +554,23 @@ fn pivot_box(apex: Point) -> Rect {
     Rect::new(apex.x - PIVOT_HALF, base, apex.x + PIVOT_HALF, base + HATCH)
 }
 
-/// Short strokes along a ground line, on the side of `away`.
+/// Hatches a ground line on the side of `away`.
 fn hatch(canvas: &mut Canvas<'_>, a: Point, b: Point, away: Vec2) {
+    for (from, to) in strokes(a, b, away) {
+        canvas.drawing.draw(Pen::Hatch, Shape::Line(from, to));
+    }
+}
+
+/// Short strokes along a ground line, on the side of `away`.
+fn strokes(a: Point, b: Point, away: Vec2) -> impl Iterator<Item = (Point, Point)> {
     const SPACING: f64 = 1.4;
     let run = b - a;
     let count = (run.hypot() / SPACING).round().max(1.0);
     let along = run / run.hypot();
-    for k in 0..count as usize {
+    (0..count as usize).map(move |k| {
         let from = a + run * ((k as f64 + 0.75) / count);
-        let to = from + away * HATCH - along * HATCH;
-        canvas.drawing.draw(Pen::Hatch, Shape::Line(from, to));
-    }
+        (from, from + away * HATCH - along * HATCH)
+    })
 }
 
 /// A number with four significant digits, for captions.
