@@ -59,7 +59,8 @@ pub(super) fn draw(
     };
     let pole = plan.kind.pole();
     for (name, point) in &plan.points {
-        if point.role == PointRole::Special && !hidden(name) {
+        let is_crossing = || plan.rays().any(|ray| ray.to == *name);
+        if (point.role == PointRole::Special || is_crossing()) && !hidden(name) {
             arrow(canvas, at(pole), at(name), whole, &format!("{pole}-{name}"));
         }
     }
@@ -116,11 +117,12 @@ fn image_areas(canvas: &mut Canvas<'_>, view: &View, mechanism: &Mechanism, plan
     }
 }
 
-/// Whether a name is that of the end of a normal acceleration that is nothing at all.
+/// Whether a name is that of the end of a normal acceleration that is nothing at all: it lies on another kind of point.
 fn is_vanished(plan: &Plan, name: &str) -> bool {
-    let mut arrows = plan.arrows().filter(|arrow| arrow.to == name);
-    let place = |name: &str| plan.points.get(name).map(|p| p.vector);
-    arrows.any(|arrow| arrow.part == Part::Normal && place(&arrow.from) == place(name))
+    let own = &plan.points[name];
+    let mut others = plan.points.values();
+    own.role == PointRole::Normal
+        && others.any(|p| p.role != PointRole::Normal && p.vector == own.vector)
 }
 
 /// Dots and names of the plan points; points in one place share a label.
