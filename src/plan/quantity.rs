@@ -98,11 +98,7 @@ pub fn measured_names(construction: &Construction) -> Vec<String> {
             PlanKind::Acceleration => "aplan",
         };
         plan.steps.iter().filter_map(move |s| match &s.action {
-            // Where a start's image is the pole's, as on the ground, there may be no point of its own name.
-            Action::Measure { from, to, .. } => [from, to]
-                .iter()
-                .all(|name| plan.points.contains_key(*name))
-                .then(|| format!("{head}({from},{to})")),
+            Action::Measure { from, to, .. } => Some(format!("{head}({from},{to})")),
             _ => None,
         })
     });

@@ -134,16 +134,20 @@ pub(super) fn ray(through: &str, relation: Relation, line: &str, to: &str) -> St
 
 pub(super) fn relative_velocity(special: &str, start: &str) -> String {
     format!(
-        "v{} = v_{} + v{}",
+        "v{} = v{} + v{}",
         low(&[special]),
-        start,
+        low(&[start]),
         low(&[special, start])
     )
 }
 
 pub(super) fn relative_acceleration(special: &str, start: &str) -> String {
     let both = low(&[special, start]);
-    format!("a{} = a_{start} + a^n{both} + a^t{both}", low(&[special]))
+    format!(
+        "a{} = a{} + a^n{both} + a^t{both}",
+        low(&[special]),
+        low(&[start])
+    )
 }
 
 pub(super) fn cross(image: &str) -> String {
@@ -289,7 +293,8 @@ pub(super) fn leg_equation(
         LegKind::Sliders => Vec::new(),
     };
     let mut left = String::new();
-    for (along, term) in terms {
+    // A length that is nothing has no place in an equation.
+    for (along, term) in terms.into_iter().filter(|t| t.0 != 0.0) {
         let minus = (along < 0.0) != (signed < 0.0);
         left.push_str(match (left.is_empty(), minus) {
             (true, false) => "",

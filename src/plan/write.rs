@@ -183,15 +183,20 @@ impl Writer<'_> {
         starts
     }
 
-    /// The plan name of a ray's start: `b`, or `c_iB` for the known body's point under C.
-    fn start_name(&self, base: BodyId, point: PointId) -> String {
+    /// The point from which a ray starts: `B`, or `C_iB` for the known body's point under C.
+    fn start_point(&self, base: BodyId, point: PointId) -> String {
         let name = self.mechanism.point_name(point);
         let body = self.mechanism.body(base);
         if body.points.contains(&point) {
-            image_name(name)
+            name.to_owned()
         } else {
-            image_name(&coincident_name(name, &body.name))
+            coincident_name(name, &body.name)
         }
+    }
+
+    /// Its name in the plans.
+    fn start_name(&self, base: BodyId, point: PointId) -> String {
+        image_name(&self.start_point(base, point))
     }
 
     fn special_point(&mut self, point: &Special) {
@@ -234,6 +239,11 @@ impl Writer<'_> {
         let vectors = [body.velocity_at(at), body.acceleration_at(at)];
         let role = &self.mechanism.body(base).role;
         if *role == Role::Ground {
+            // At rest: its image is the pole, under a name of its own where it lies beneath a slider.
+            for plan in self.plans() {
+                let pole = plan.points[plan.kind.pole()];
+                plan.points.entry(name.clone()).or_insert(pole);
+            }
             return;
         }
         let captions = [PlanKind::Velocity, PlanKind::Acceleration]
@@ -285,7 +295,8 @@ impl Writer<'_> {
             let Some(start) = cut.start() else { return };
             let name = self.start_name(cut.leg.base, start);
             let mut ray = self.ray(cut, point, name.clone());
-            ray.equation = words::relative_velocity(&point.name, self.mechanism.point_name(start));
+            let from = self.start_point(cut.leg.base, start);
+            ray.equation = words::relative_velocity(&point.name, &from);
             self.velocity.steps.push(ray);
             through.push(name);
         }
@@ -317,8 +328,8 @@ impl Writer<'_> {
             };
             steps.push(step(Action::LayOff(arrow), equation, caption));
             let mut ray = self.ray(cut, point, normal.clone());
-            ray.equation =
-                words::relative_acceleration(&point.name, self.mechanism.point_name(start));
+            let start = self.start_point(cut.leg.base, start);
+            ray.equation = words::relative_acceleration(&point.name, &start);
             steps.push(ray);
             through.push((
                 normal,
