@@ -114,6 +114,14 @@ fn refused() -> Vec<(i32, Vec<&'static str>, Vec<u8>)> {
             vec!["singular position", "CD", "GF", "BE", "parallel"],
             drawn(r#""B": [0,0], "C": [1,1], "D": [1,4], "E": [0,5], "F": [-2,3.5], "G": [-2,1]"#),
         ),
+        // Places whose differences leave the range of f64: no word of a singular position.
+        (
+            1,
+            vec!["too large to be represented"],
+            drawn(
+                r#""B": [0,0], "C": [1e308,0], "D": [-1e308,1], "E": [4,0.5], "F": [4.75,-1.5], "G": [1.5,-1.25]"#,
+            ),
+        ),
         // Link 5 is too short to reach.
         (
             1,

@@ -17,7 +17,7 @@ pub enum MotionError {
     },
     /// A number left the range of f64.
     #[error(
-        "links {links}: a velocity or an acceleration is too large to be represented\n  \
+        "links {links}: a distance, a velocity or an acceleration is too large to be represented\n  \
          try: larger units of length, or slower drives"
     )]
     Overflow {

@@ -89,7 +89,17 @@ fn move_group(
     let singular = |condition| singular(mechanism, group, pose, condition);
     let system = equations
         .factored(&pose.points, &pose.guides)
-        .ok_or_else(|| singular(f64::INFINITY))?;
+        .ok_or_else(|| {
+            // Places so far apart that their differences leave the range of f64 say nothing of the position.
+            let matrix = equations.matrix(&pose.points, &pose.guides);
+            if matrix.iter().all(|x| x.is_finite()) {
+                singular(f64::INFINITY)
+            } else {
+                MotionError::Overflow {
+                    links: group.link_names(mechanism),
+                }
+            }
+        })?;
     let condition = system.condition();
     if condition.is_nan() || condition >= SINGULAR_CONDITION {
         return Err(singular(condition));
