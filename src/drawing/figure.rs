@@ -20,12 +20,7 @@ pub fn figure(
     pose: &Pose,
     construction: &Construction,
 ) -> Drawing {
-    let scheme = Scheme {
-        figure: &scene.figure,
-        mechanism,
-        pose,
-        construction,
-    };
+    let scheme = Scheme::new(scene, mechanism, pose, construction);
     let layout = divide(scene, &scheme);
     let [width, height] = scene.figure.page.size_mm();
     let mut drawing = Drawing::new(width, height);
@@ -62,12 +57,7 @@ pub fn scales(
     pose: &Pose,
     construction: &Construction,
 ) -> Scales {
-    let scheme = Scheme {
-        figure: &scene.figure,
-        mechanism,
-        pose,
-        construction,
-    };
+    let scheme = Scheme::new(scene, mechanism, pose, construction);
     let layout = divide(scene, &scheme);
     let of = |panel: Panel, given: Option<f64>| {
         let placed = layout.panels.iter().find(|p| p.panel == panel);

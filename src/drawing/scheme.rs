@@ -5,7 +5,7 @@ use crate::geometry::{self, Place, Vector, cross, span};
 use crate::mechanism::{BodyId, GROUND, JointKind, Mechanism, PointId, Role, SliderId};
 use crate::plan::{Construction, LegKind, Special, display};
 use crate::position::Pose;
-use crate::scene::Figure;
+use crate::scene::{Figure, Scene};
 use kurbo::{Point, Rect, Vec2};
 
 /// Radius of a joint's circle in mm.
@@ -28,7 +28,22 @@ pub(super) struct Scheme<'a> {
     pub construction: &'a Construction,
 }
 
-impl Scheme<'_> {
+impl<'a> Scheme<'a> {
+    /// The scheme of a scene after its construction.
+    pub(super) fn new(
+        scene: &'a Scene,
+        mechanism: &'a Mechanism,
+        pose: &'a Pose,
+        construction: &'a Construction,
+    ) -> Self {
+        Self {
+            figure: &scene.figure,
+            mechanism,
+            pose,
+            construction,
+        }
+    }
+
     /// What must find room: all points, and the special points that are not too far away.
     pub(super) fn extent(&self) -> Extent {
         let points = self.pose.points.iter().copied();
