@@ -1,8 +1,9 @@
 //! Times of the stages: `cargo bench`. Times differ between machines; quote ratios of one run.
 
 use divan::{Bencher, black_box};
-use kinegon::mechanism::{LoopEquations, Mechanism, mechanism};
-use kinegon::motion::{Motion, Order, motion, rates};
+use kinegon::cycle::{Drive, Path, Steps, Sweep};
+use kinegon::mechanism::{Mechanism, mechanism};
+use kinegon::motion::{Motion, Order, motion};
 use kinegon::plan::construction;
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
@@ -31,12 +32,76 @@ fn solved(text: &str) -> (Scene, Mechanism, Pose, Motion) {
     (scene, mechanism, pose, motion)
 }
 
-/// Velocities and accelerations of the group: Figure 1 has revolute joints only, Figure 2 a prismatic one.
-#[divan::bench(args = ["figure-1", "figure-2"])]
-fn solve(bencher: Bencher, which: &str) {
-    let (_, mechanism, pose, motion) = solved(text(which));
-    let equations = LoopEquations::new(&mechanism, &mechanism.groups[0]);
-    bencher.bench(|| rates(black_box(&equations), black_box(&pose), &motion.bodies));
+/// Mechanisms of which many positions are computed: scene, and a range of the crank.
+const MOVED: [(&str, &str, [f64; 2]); 3] = [
+    (
+        "four-bar",
+        include_str!("../templates/four-bar.json"),
+        [0.0, 360.0],
+    ),
+    (
+        "six-bar",
+        include_str!("../templates/watt-1.json"),
+        [0.0, 360.0],
+    ),
+    ("paper", FIGURE_2, [-135.0, 135.0]),
+];
+
+/// What is computed at each of them.
+const WHAT: [&str; 3] = ["position", "rates", "both"];
+
+fn path<'a>(mechanism: &'a Mechanism, pose: &Pose, [from, to]: [f64; 2]) -> Path<'a> {
+    let drive = Drive::new(mechanism, None).expect("it has a drive");
+    let mut path = Path::new(mechanism, pose, drive).expect("it is not singular");
+    path.cover(Some(from), Some(to)).expect("it can be reached");
+    path
+}
+
+/// A thousand positions one by one, in the order of the crank: position alone, velocities and accelerations alone, both.
+#[divan::bench(args = MOVED.map(|m| m.0), consts = [0, 1, 2])]
+fn thousand<const WHICH: usize>(bencher: Bencher, which: &str) {
+    let (_, text, range) = MOVED
+        .into_iter()
+        .find(|m| m.0 == which)
+        .expect("a known one");
+    let (_, mechanism, pose, _) = solved(text);
+    let path = path(&mechanism, &pose, range);
+    let values: Vec<[f64; 1]> = (0..1000)
+        .map(|i| [range[0] + (range[1] - range[0]) * f64::from(i) / 1000.0])
+        .collect();
+    let mut walker = path.walker::<1>();
+    bencher.bench_local(|| {
+        for value in black_box(&values) {
+            match WHAT[WHICH] {
+                "position" => _ = black_box(walker.positions(value)),
+                "rates" => _ = black_box(walker.rates()),
+                _ => _ = black_box(walker.motions(value)),
+            }
+        }
+    });
+}
+
+/// A sweep of 100 000 positions of the paper's mechanism, four numbers each.
+#[divan::bench]
+fn sweep_100_000(bencher: Bencher) {
+    sweep(bencher, |sweep| sweep.rows(0..sweep.steps().count()));
+}
+
+#[cfg(feature = "parallel")]
+#[divan::bench]
+fn sweep_100_000_on_all_cores(bencher: Bencher) {
+    sweep(bencher, |sweep| {
+        sweep.rows_on_all_cores(0..sweep.steps().count())
+    });
+}
+
+fn sweep(bencher: Bencher, rows: impl Fn(&Sweep) -> kinegon::cycle::Numbers) {
+    let (_, mechanism, pose, _) = solved(FIGURE_2);
+    let path = path(&mechanism, &pose, [-135.0, 135.0]);
+    let steps = Steps::new(-135.0, 135.0, 0.0027).expect("a range");
+    let names = ["omega(4)", "alpha(4)", "v_r(3/2)", "a_r(3/2)"].map(String::from);
+    let sweep = Sweep::new(&path, steps, Some(&names)).expect("known quantities");
+    bencher.bench_local(|| rows(&sweep));
 }
 
 /// All modes from lengths, and the choice among them.

@@ -1,3 +1,4 @@
+use crate::cycle::CycleError;
 use crate::mechanism::StructureError;
 use crate::motion::MotionError;
 use crate::plan::QuantityError;
@@ -19,6 +20,9 @@ pub enum Error {
     /// It is in a singular position.
     #[error(transparent)]
     Motion(#[from] MotionError),
+    /// It cannot be moved as was asked for.
+    #[error(transparent)]
+    Cycle(#[from] CycleError),
     /// A quantity that was asked for has no value.
     #[error(transparent)]
     Quantity(#[from] QuantityError),

@@ -25,9 +25,11 @@
 
 #[cfg(feature = "cli")]
 pub mod cli;
+pub mod cycle;
 pub mod drawing;
 pub mod format;
 pub mod geometry;
+pub mod kernel;
 pub mod mechanism;
 pub mod motion;
 pub mod plan;

@@ -4,13 +4,15 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
-const ORDER: [&str; 10] = [
+const ORDER: [&str; 12] = [
     "geometry",
     "scene",
     "mechanism",
+    "kernel",
     "position",
     "motion",
     "plan",
+    "cycle",
     "drawing",
     "format",
     "check",

@@ -109,7 +109,9 @@ impl Draw {
             };
             return files::print(bytes);
         }
-        self.keep_input(&written)?;
+        for (path, _) in &written {
+            files::keep_input(self.scene.as_deref(), path)?;
+        }
         files::write(&written)
     }
 
@@ -148,28 +150,6 @@ impl Draw {
                     )),
                 ))
             }
-        }
-    }
-
-    /// Refuses to write over the scene itself.
-    fn keep_input(&self, written: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
-        let same = |a: &Path, b: &Path| match (a.canonicalize(), b.canonicalize()) {
-            (Ok(a), Ok(b)) => a == b,
-            _ => false,
-        };
-        let input = self.scene.as_deref();
-        match written
-            .iter()
-            .find(|(path, _)| input.is_some_and(|input| same(input, path)))
-        {
-            Some((path, _)) => Err(Failure::Misuse(
-                format!(
-                    "{} is the scene itself and is not overwritten",
-                    path.display()
-                ),
-                Some("choose another output".into()),
-            )),
-            None => Ok(()),
         }
     }
 }

@@ -1,8 +1,8 @@
 use super::message::Failure;
 use crate::scene::MAX_BYTES;
 use std::fs;
-use std::io::{self, Read, Write};
-use std::path::Path;
+use std::io::{self, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
 
 /// The text of a scene and where it came from.
 #[derive(Clone, Debug)]
@@ -64,22 +64,90 @@ pub(super) fn print(bytes: &[u8]) -> Result<(), Failure> {
     }
 }
 
-/// Writes files, each whole or not at all: beside its place first, then moved there.
-pub(super) fn write(files: &[(std::path::PathBuf, Vec<u8>)]) -> Result<(), Failure> {
-    for (path, bytes) in files {
-        let failed = |error: io::Error| {
-            Failure::Outside(format!("{} cannot be written: {error}", path.display()))
-        };
-        if let Some(folder) = path.parent() {
+/// Refuses to write over the scene itself.
+pub(super) fn keep_input(scene: Option<&Path>, output: &Path) -> Result<(), Failure> {
+    let canonical = |path: &Path| path.canonicalize().ok();
+    let same = scene
+        .and_then(canonical)
+        .is_some_and(|s| canonical(output) == Some(s));
+    if same {
+        let message = format!(
+            "{} is the scene itself and is not overwritten",
+            output.display()
+        );
+        return Err(Failure::Misuse(
+            message,
+            Some("choose another output".into()),
+        ));
+    }
+    Ok(())
+}
+
+/// A file that is written piece by piece: beside its place first, moved there when it is whole, gone when it is not.
+pub(super) struct Growing {
+    place: PathBuf,
+    beside: PathBuf,
+    file: Option<BufWriter<fs::File>>,
+}
+
+impl Growing {
+    pub(super) fn new(place: &Path) -> Result<Growing, Failure> {
+        let failed = |error| unwritable(place, &error);
+        if let Some(folder) = place.parent() {
             fs::create_dir_all(folder).map_err(failed)?;
         }
-        let mut beside = path.clone().into_os_string();
-        beside.push(format!(".{}.part", std::process::id()));
-        let moved = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, path));
-        if let Err(error) = moved {
-            let _ = fs::remove_file(&beside);
-            return Err(failed(error));
-        }
+        let beside = beside(place);
+        let file = fs::File::create(&beside).map_err(failed)?;
+        Ok(Growing {
+            place: place.to_owned(),
+            beside,
+            file: Some(BufWriter::new(file)),
+        })
+    }
+
+    /// Moves the whole file to its place.
+    pub(super) fn finish(mut self) -> Result<(), Failure> {
+        let written = self.file.take().map_or(Ok(()), |mut file| file.flush());
+        let moved = written.and_then(|()| fs::rename(&self.beside, &self.place));
+        moved.map_err(|error| unwritable(&self.place, &error))
+    }
+}
+
+impl Write for Growing {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.as_mut().map_or(Ok(0), |file| file.write(bytes))
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.as_mut().map_or(Ok(()), |file| file.flush())
+    }
+}
+
+impl Drop for Growing {
+    fn drop(&mut self) {
+        // After it has been moved there is nothing left here.
+        let _ = fs::remove_file(&self.beside);
+    }
+}
+
+/// Where a file stands until it is whole.
+fn beside(place: &Path) -> PathBuf {
+    let mut beside = place.to_owned().into_os_string();
+    beside.push(format!(".{}.part", std::process::id()));
+    beside.into()
+}
+
+pub(super) fn unwritable(place: &Path, error: &io::Error) -> Failure {
+    Failure::Outside(format!("{} cannot be written: {error}", place.display()))
+}
+
+/// Writes files, each whole or not at all: beside its place first, then moved there.
+pub(super) fn write(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
+    for (path, bytes) in files {
+        let mut file = Growing::new(path)?;
+        let written = file.write_all(bytes);
+        written.map_err(|error| unwritable(path, &error))?;
+        file.finish()?;
     }
     Ok(())
 }
@@ -91,7 +159,7 @@ pub(super) fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
             format!("{} is there already and is not overwritten", path.display()),
             Some("choose another name, or remove the file".into()),
         ),
-        _ => Failure::Outside(format!("{} cannot be written: {error}", path.display())),
+        _ => unwritable(path, &error),
     };
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(failed)?;

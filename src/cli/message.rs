@@ -1,5 +1,6 @@
 use super::files::Source;
 use crate::Error;
+use crate::cycle::CycleError;
 use crate::mechanism::StructureError;
 use crate::scene::SceneError;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
@@ -13,6 +14,10 @@ pub(super) enum Failure {
     Misuse(String, Option<String>),
     /// Something outside, such as a full disk.
     Outside(String),
+    /// The work is done as far as it could be: what stands in the way of the rest.
+    Partly(String),
+    /// The person has stopped it.
+    Interrupted,
 }
 
 impl Failure {
@@ -25,9 +30,15 @@ impl Failure {
                 Error::Structure(StructureError::Singular { .. })
                 | Error::Assembly(_)
                 | Error::Motion(_) => 1,
+                Error::Cycle(error) => match error {
+                    CycleError::Singular { .. } | CycleError::OutOfReach { .. } => 1,
+                    _ => 2,
+                },
             },
             Failure::Misuse(..) => 2,
-            Failure::Outside(_) => 1,
+            Failure::Outside(_) | Failure::Partly(_) => 1,
+            // As shells report a program that Ctrl-C has ended.
+            Failure::Interrupted => 130,
         }
     }
 }
@@ -42,8 +53,15 @@ pub(super) fn show(failure: &Failure) {
             other => show_plain(&format!("{}: {other}", source.name), None),
         },
         Failure::Misuse(message, hint) => show_plain(message, hint.as_deref()),
-        Failure::Outside(message) => show_plain(message, None),
+        Failure::Outside(message) | Failure::Partly(message) => show_plain(message, None),
+        Failure::Interrupted => show_plain("stopped; nothing was written", None),
     }
+}
+
+/// Shows a remark on stderr.
+pub(super) fn note(text: &str) {
+    let report = [Group::with_title(Level::NOTE.primary_title(text))];
+    anstream::eprintln!("{}", Renderer::styled().render(&report));
 }
 
 /// Shows a warning on stderr.

@@ -9,6 +9,7 @@ mod new;
 mod solve;
 mod steps;
 mod structure;
+mod sweep;
 mod work;
 
 use clap::{Parser, Subcommand};
@@ -36,6 +37,8 @@ enum Task {
     Structure(structure::Structure),
     /// Print every way to assemble a scene, numbered, with coordinates.
     Modes(structure::Modes),
+    /// Write a table of the motion while a drive moves: CSV or JSON lines.
+    Sweep(sweep::SweepCommand),
     /// Print the JSON Schema of scene or result files, for editors.
     Schema(solve::Schema),
 }
@@ -51,6 +54,7 @@ pub fn run() -> ExitCode {
         Task::Steps(steps) => steps.run(),
         Task::Structure(structure) => structure.run(),
         Task::Modes(modes) => modes.run(),
+        Task::Sweep(sweep) => sweep.run(),
         Task::Schema(schema) => schema.run(),
     };
     match done {

@@ -1,10 +1,11 @@
-use super::files::Source;
+use super::files::{self, Source};
 use super::message::{Failure, warn};
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::{Motion, Order, motion};
 use crate::plan::{Construction, construction};
 use crate::position::{AssemblyError, Pose, pose, poses};
 use crate::scene::Scene;
+use std::path::Path;
 
 /// A scene after all stages before drawing.
 pub(super) struct Work {
@@ -22,12 +23,7 @@ pub(super) fn work(
     order: impl Fn(&Scene) -> Order,
 ) -> Result<Work, Failure> {
     let stages = || -> Result<Work, crate::Error> {
-        let scene = Scene::read(&source.text)?;
-        let mechanism = mechanism(&scene)?;
-        let pose = match mode {
-            Some(mode) => numbered(&mechanism, mode)?,
-            None => pose(&mechanism, &scene.near)?,
-        };
+        let (scene, mechanism, pose) = posed(source, mode)?;
         let motion = motion(&mechanism, &pose, order(&scene))?;
         let construction = construction(&mechanism, &pose, &motion);
         Ok(Work {
@@ -39,6 +35,29 @@ pub(super) fn work(
         })
     };
     stages().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))
+}
+
+/// Reads a scene and finds its position; says what the reader should know of them.
+pub(super) fn start(
+    path: &Path,
+    mode: Option<usize>,
+) -> Result<(Source, (Scene, Mechanism, Pose)), Failure> {
+    let source = files::read(path)?;
+    let posed = posed(&source, mode);
+    let posed = posed.map_err(|error| Failure::Scene(source.clone(), Box::new(error)))?;
+    let warnings = posed.1.warnings.iter().chain(&posed.2.warnings);
+    warnings.for_each(|text| warn(text));
+    Ok((source, posed))
+}
+
+fn posed(source: &Source, mode: Option<usize>) -> Result<(Scene, Mechanism, Pose), crate::Error> {
+    let scene = Scene::read(&source.text)?;
+    let mechanism = mechanism(&scene)?;
+    let pose = match mode {
+        Some(mode) => numbered(&mechanism, mode)?,
+        None => pose(&mechanism, &scene.near)?,
+    };
+    Ok((scene, mechanism, pose))
 }
 
 /// The assembly mode of that number, counted from 1.

@@ -11,6 +11,7 @@ mod result;
 mod steps;
 mod structure;
 mod svg;
+mod table;
 
 pub use self::json::json;
 #[cfg(feature = "png")]
@@ -22,6 +23,7 @@ pub use self::result::{
 pub use self::steps::steps;
 pub use self::structure::{modes, structure};
 pub use self::svg::{Text, svg, svg_with};
+pub use self::table::{csv_header, csv_rows, json_lines};
 
 #[cfg(test)]
 pub(crate) use self::svg::ink_in;

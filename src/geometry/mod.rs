@@ -3,11 +3,15 @@
 //! Nothing here knows what a mechanism is.
 
 mod angle;
+mod lanes;
 mod line;
+mod reduced;
 mod system;
 
 pub use angle::{degrees_of, direction_of_degrees, turn_of_degrees};
+pub use lanes::{Lanes, Pairs, lane, set_lane};
 pub use line::{Crossing, Line, PARALLEL, Place};
+pub use reduced::Reduced;
 pub use system::{LinearSystem, Numbers};
 
 /// A place in the plane, in the scene's length unit. Points cannot be added to each other.

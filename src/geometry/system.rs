@@ -59,6 +59,13 @@ impl LinearSystem {
             .collect()
     }
 
+    /// The determinant of the matrix.
+    #[must_use]
+    pub fn determinant(&self) -> f64 {
+        let scales = self.column_scale.iter().chain(self.row_scale.iter());
+        scales.fold(self.factors.determinant(), |d, scale| d / scale)
+    }
+
     /// The magnitudes of the scaled matrix's inverse.
     fn inverse_magnitudes(&self) -> DMatrix<f64> {
         let size = self.scaled.nrows();

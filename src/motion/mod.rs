@@ -12,7 +12,7 @@ mod solve;
 pub use closed_form::ClosedForm;
 pub use error::MotionError;
 pub use sides::{LoopSide, RightSide};
-pub use solve::{motion, rates};
+pub use solve::motion;
 
 use crate::geometry::{Point, Vector, quarter_turn};
 use crate::mechanism::{BodyId, SliderId};

@@ -1,8 +1,8 @@
 use super::known::known_motion;
 use super::singular::singular;
 use super::{
-    BodyMotion, ClosedForm, GroupAccuracy, LoopSide, Motion, MotionError, Order, RateErrors,
-    RightSide, SlideMotion,
+    BodyMotion, ClosedForm, GroupAccuracy, Motion, MotionError, Order, RateErrors, RightSide,
+    SlideMotion,
 };
 use crate::geometry::{Numbers, UNIT_ROUNDOFF, Vector, quarter_turn};
 use crate::mechanism::{
@@ -52,30 +52,6 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
         move_group(mechanism, group, pose, &mut motion)?;
     }
     Ok(motion)
-}
-
-/// The unknown rates of a group of class II, III or IV and their derivatives, without error bounds: the quick way for many
-/// positions. A dyad uses the first two of four.
-///
-/// The same numbers as [`motion()`] gives. `None` where the closed form does not serve: near a singular position, with two
-/// sliders on one closure link, and for higher classes.
-#[inline]
-#[must_use]
-pub fn rates(
-    equations: &LoopEquations,
-    pose: &Pose,
-    known: &[BodyMotion],
-) -> Option<[[f64; 4]; 2]> {
-    let form = ClosedForm::new(equations, &pose.points, &pose.guides)?;
-    let mut sides = [Vector::zeros(); 2];
-    for (terms, side) in equations.loops.iter().zip(&mut sides) {
-        *side = LoopSide::<false>::velocity(terms, pose, known).value;
-    }
-    let first = form.solve(sides);
-    for (terms, side) in equations.loops.iter().zip(&mut sides) {
-        *side = LoopSide::<false>::acceleration(terms, pose, known, &first, &[]).value;
-    }
-    Some([first, form.solve(sides)])
 }
 
 /// Adds the motion of `group`, whose outer bodies' motions are known.

@@ -7,6 +7,7 @@ mod equations;
 mod images;
 mod name;
 mod quantity;
+mod state;
 mod step;
 mod words;
 mod write;
@@ -14,7 +15,10 @@ mod write;
 pub use cut::{CutLine, LegKind, Special, special_points};
 pub use equations::{Agreement, Construct, LegMeasure};
 pub use name::{coincident_name, display, image_name, normal_name};
-pub use quantity::{Quantity, QuantityError, Scales, is_acceleration, measured_names, quantity};
+pub use quantity::{
+    Asked, Quantity, QuantityError, Scales, is_acceleration, measured_names, quantity,
+};
+pub use state::{Snapshot, State};
 pub use step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};
 pub use words::plain_text;
 pub use write::{Construction, construction};

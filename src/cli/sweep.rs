@@ -1,0 +1,301 @@
+use super::files::{self, Growing, Source};
+use super::message::{Failure, note};
+use super::work::start;
+use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
+use crate::format;
+use crate::mechanism::Mechanism;
+use crate::position::Pose;
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Rows that are computed in one piece.
+const ROWS: usize = 2048;
+
+/// Numbers from which a table counts as long, so that a terminal sees how far it has come.
+const LONG: usize = 3_000_000;
+
+/// Write a table of a scene's motion while a drive moves, along the branch of the scene's own position.
+///
+/// The table keeps what can be reached; where the range goes beyond a limit position, that is said and the exit code is 1.
+#[derive(Debug, Args)]
+pub(super) struct SweepCommand {
+    #[command(flatten)]
+    range: Range,
+    /// Distance from one row to the next, in the drive's unit; without it 1°, or about a two-hundredth of a slider's range.
+    #[arg(long, allow_hyphen_values = true)]
+    step: Option<f64>,
+    /// File to write, or `-` for stdout.
+    #[arg(short, long, default_value = "-")]
+    output: PathBuf,
+    /// Form of the table; without it that of the file's ending, else CSV.
+    #[arg(long, value_enum)]
+    format: Option<Form>,
+}
+
+/// Which motion of which scene.
+#[derive(Debug, Args)]
+pub(super) struct Range {
+    /// Scene file, `-` for stdin.
+    pub scene: PathBuf,
+    /// First value of the drive: degrees, or a position along its guide. Without --from and --to: once around, or
+    /// from limit to limit.
+    #[arg(long, allow_hyphen_values = true)]
+    pub from: Option<f64>,
+    /// Last value of the drive.
+    #[arg(long, allow_hyphen_values = true)]
+    pub to: Option<f64>,
+    /// The driven link that moves, if not the scene's first; other drives run along in proportion to their speeds.
+    #[arg(long)]
+    pub drive: Option<String>,
+    /// Other drives stand still.
+    #[arg(long)]
+    pub alone: bool,
+    /// Quantities by name, as in "omega(4), v_r(3/2), L(B,S3)"; without it those that the scene wants, else all.
+    #[arg(long)]
+    pub want: Vec<String>,
+    /// Assembly mode by its number in `kinegon modes`, in place of the one that `near` picks.
+    #[arg(long)]
+    pub mode: Option<usize>,
+}
+
+/// A scene ready to be moved.
+pub(super) struct Moved {
+    pub source: Source,
+    pub mechanism: Mechanism,
+    pub pose: Pose,
+    pub drive: Drive,
+    /// The quantities asked for.
+    pub names: Option<Vec<String>>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// A line of names, then a line for each position.
+    Csv,
+    /// A JSON object a line for each position.
+    Jsonl,
+}
+
+impl Range {
+    /// Reads the scene and finds its position.
+    pub(super) fn moved(&self) -> Result<Moved, Failure> {
+        let (source, (scene, mechanism, pose)) = start(&self.scene, self.mode)?;
+        let fail = |error: crate::Error| Failure::Scene(source.clone(), Box::new(error));
+        let drive = Drive::new(&mechanism, self.drive.as_deref()).map_err(|e| fail(e.into()))?;
+        let mechanism = if self.alone {
+            alone(&mechanism, &drive.name)
+        } else {
+            mechanism
+        };
+        let names: Vec<String> = self
+            .want
+            .iter()
+            .flat_map(|text| split_names(text))
+            .collect();
+        let names = if names.is_empty() {
+            scene.want.clone()
+        } else {
+            Some(names)
+        };
+        Ok(Moved {
+            source,
+            mechanism,
+            pose,
+            drive,
+            names,
+        })
+    }
+}
+
+impl Moved {
+    /// The branch, followed over the range that is asked for; and that range.
+    pub(super) fn follow(&self, range: &Range) -> Result<(Branch<'_>, [f64; 2]), Failure> {
+        let follow = || -> Result<_, crate::Error> {
+            let mut branch = Branch::new(&self.mechanism, &self.pose, self.drive.clone())?;
+            let covered = branch.cover(range.from, range.to)?;
+            Ok((branch, covered))
+        };
+        follow().map_err(|error| self.fail(error))
+    }
+
+    pub(super) fn fail(&self, error: impl Into<crate::Error>) -> Failure {
+        Failure::Scene(self.source.clone(), Box::new(error.into()))
+    }
+}
+
+/// The names in a list; commas within parentheses belong to names.
+fn split_names(text: &str) -> Vec<String> {
+    let mut depth = 0;
+    let names = text.split(move |c: char| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        c == ',' && depth == 0
+    });
+    names
+        .map(|n| n.trim().to_owned())
+        .filter(|n| !n.is_empty())
+        .collect()
+}
+
+impl SweepCommand {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let form = self.form()?;
+        let moved = self.range.moved()?;
+        let (branch, [from, to]) = moved.follow(&self.range)?;
+        let step = self.step.unwrap_or_else(|| default_step(&branch, from, to));
+        // From limit to limit, rows stand at whole steps.
+        let whole =
+            branch.end(false).is_some() && self.range.from.is_none() && self.range.to.is_none();
+        let first = if whole {
+            (from / step).ceil() * step
+        } else {
+            from
+        };
+        let steps = Steps::new(first, to, step).map_err(|error| moved.fail(error))?;
+        let sweep = Sweep::new(&branch, steps, moved.names.as_deref());
+        let sweep = sweep.map_err(|error| moved.fail(error))?;
+        files::keep_input(Some(&self.range.scene), &self.output)?;
+        if self.output == Path::new("-") {
+            write(&sweep, form, Piece::Stdout)?;
+        } else {
+            write(&sweep, form, Piece::File(&self.output))?;
+        }
+        for event in branch.events() {
+            let inside = (from.min(to)..=from.max(to)).contains(&event.at);
+            if inside && !event.is_end() {
+                note(&event.text(&branch.drive.at(event.at)));
+            }
+        }
+        self.told_ends(&branch, [from, to])
+    }
+
+    /// Says what ends the branch before the range does.
+    fn told_ends(&self, branch: &Branch, range: [f64; 2]) -> Result<(), Failure> {
+        let beyond = |value: f64| !(branch.low()..=branch.high()).contains(&value);
+        let asked = self.range.from.is_some() || self.range.to.is_some();
+        let ends = [false, true]
+            .map(|above| branch.end(above))
+            .into_iter()
+            .flatten();
+        let ends: Vec<String> = ends
+            .filter(|end| {
+                end.at >= range[0].min(range[1]) && end.at <= range[0].max(range[1]) || !asked
+            })
+            .map(|end| end.text(&branch.drive.at(end.at)))
+            .collect();
+        if asked && range.into_iter().any(beyond) {
+            let [from, to] = range.map(|v| branch.drive.amount(v));
+            return Err(Failure::Partly(format!(
+                "only a part of the range from {from} to {to} can be reached, and only it is in the table: {}",
+                ends.join("; ")
+            )));
+        }
+        ends.iter().for_each(|end| note(end));
+        Ok(())
+    }
+
+    fn form(&self) -> Result<Form, Failure> {
+        if let Some(form) = self.format {
+            return Ok(form);
+        }
+        match self.output.extension().and_then(|e| e.to_str()) {
+            None | Some("csv") => Ok(Form::Csv),
+            Some("jsonl" | "ndjson") => Ok(Form::Jsonl),
+            Some(other) => Err(Failure::Misuse(
+                format!("no form of table for files ending in `.{other}`"),
+                Some("known endings: csv, jsonl; or give --format".into()),
+            )),
+        }
+    }
+}
+
+/// One degree; for a slider 1, 2 or 5 times a power of ten, about a two-hundredth of the range.
+fn default_step(branch: &Branch, from: f64, to: f64) -> f64 {
+    if branch.drive.is_angle() {
+        return 1.0;
+    }
+    let rough = (to - from).abs() / 200.0;
+    let decade = libm::exp10(libm::floor(libm::log10(rough)));
+    let round = [1.0, 2.0, 5.0, 10.0].map(|k| k * decade);
+    round.into_iter().rfind(|s| *s <= rough).unwrap_or(1.0)
+}
+
+/// Where a table goes.
+enum Piece<'a> {
+    Stdout,
+    File(&'a Path),
+}
+
+fn write(sweep: &Sweep, form: Form, place: Piece) -> Result<(), Failure> {
+    static STOPPED: AtomicBool = AtomicBool::new(false);
+    // Where a handler cannot be set, Ctrl-C ends the program as it would have without one.
+    let _ = ctrlc::set_handler(|| STOPPED.store(true, Ordering::Relaxed));
+    let mut file = match place {
+        Piece::Stdout => None,
+        Piece::File(path) => Some((Growing::new(path)?, path)),
+    };
+    let mut put = |text: &str| -> Result<(), Failure> {
+        if STOPPED.load(Ordering::Relaxed) {
+            return Err(Failure::Interrupted);
+        }
+        match &mut file {
+            None => files::print(text.as_bytes()),
+            Some((file, path)) => file
+                .write_all(text.as_bytes())
+                .map_err(|error| files::unwritable(path, &error)),
+        }
+    };
+    if form == Form::Csv {
+        put(&format::csv_header(sweep))?;
+    }
+    let text = |first: &usize| {
+        let rows = *first..(first + ROWS).min(sweep.steps().count());
+        let numbers = sweep.rows(rows);
+        match form {
+            Form::Csv => format::csv_rows(sweep, &numbers),
+            Form::Jsonl => format::json_lines(sweep, &numbers),
+        }
+    };
+    let firsts: Vec<usize> = (0..sweep.steps().count()).step_by(ROWS).collect();
+    let progress = progress(sweep);
+    for window in firsts.chunks(window()) {
+        for piece in in_order(window, text) {
+            put(&piece)?;
+            progress.inc(ROWS as u64);
+        }
+    }
+    progress.finish_and_clear();
+    file.map_or(Ok(()), |(file, _)| file.finish())
+}
+
+/// How many pieces are in memory at a time: some for each core.
+fn window() -> usize {
+    #[cfg(feature = "parallel")]
+    return 4 * rayon::current_num_threads();
+    #[cfg(not(feature = "parallel"))]
+    1
+}
+
+/// The pieces of a window, computed on all cores.
+#[cfg(feature = "parallel")]
+fn in_order(window: &[usize], text: impl Fn(&usize) -> String + Sync + Send) -> Vec<String> {
+    use rayon::prelude::*;
+    window.par_iter().map(text).collect()
+}
+
+#[cfg(not(feature = "parallel"))]
+fn in_order(window: &[usize], text: impl Fn(&usize) -> String) -> Vec<String> {
+    window.iter().map(text).collect()
+}
+
+/// A bar on a terminal's stderr for a long table.
+fn progress(sweep: &Sweep) -> ProgressBar {
+    let rows = sweep.steps().count();
+    if rows * sweep.header().len() < LONG || !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{wide_bar} {percent}% of {len} rows, {eta} left");
+    ProgressBar::new(rows as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

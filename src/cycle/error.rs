@@ -1,0 +1,52 @@
+/// Why there is no path from a pose.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CycleError {
+    /// A drawn configuration has one position.
+    #[error(
+        "a drawn configuration cannot be moved: it has no lengths\n  \
+         try: a scene with `lengths` or `shape` and a drive with its `angle` or `position`"
+    )]
+    Drawn,
+    /// Nothing drives it.
+    #[error("there is no drive to move\n  try: give a link a \"drive\"")]
+    NoDrive,
+    /// The drive that was asked for does not exist.
+    #[error("there is no drive `{name}`; the drives are: {known}")]
+    NoSuchDrive {
+        /// The name asked for.
+        name: String,
+        /// The names that there are.
+        known: String,
+    },
+    /// The scene's own position is singular, so which way it goes on is not decided.
+    #[error(
+        "links {links} are in a singular position at {at}, so which way they go on is not decided\n  \
+         try: a scene at another position of the drive; the sweep finds its way from there"
+    )]
+    Singular {
+        /// The group's links.
+        links: String,
+        /// The drive's value, in words.
+        at: String,
+    },
+    /// The range cannot be reached from the scene's position.
+    #[error(
+        "the range from {from} to {to} cannot be reached: {stop}\n  \
+         try: a range that holds a part of {low} to {high}"
+    )]
+    OutOfReach {
+        /// Where the range begins.
+        from: String,
+        /// Where it ends.
+        to: String,
+        /// What stands in the way, in words.
+        stop: String,
+        /// The lowest reachable value found.
+        low: String,
+        /// The highest reachable value found.
+        high: String,
+    },
+    /// A range, step or count without meaning.
+    #[error("{0}")]
+    Range(String),
+}

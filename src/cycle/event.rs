@@ -1,0 +1,188 @@
+use super::{Path, Walker};
+use crate::geometry::{Vector, degrees_of};
+use crate::kernel::{Block, Unknown};
+use crate::mechanism::SliderId;
+
+/// Something that happens at one value of the drive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// The drive's value, to about 1e-12 of a turn.
+    pub at: f64,
+    /// What happens.
+    pub what: Happening,
+}
+
+/// What can happen on a path.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Happening {
+    /// Two branches meet and the drive can go no further; rates grow like 1/√distance.
+    Limit {
+        /// The links of the group that is stretched, or otherwise singular.
+        links: String,
+    },
+    /// Two branches cross; the motion goes on smoothly, but another mode begins here too and the rates are not determined.
+    Change {
+        /// The links of the group.
+        links: String,
+    },
+    /// The path cannot be followed through a singular position of another kind.
+    Singular {
+        /// The links of the group.
+        links: String,
+    },
+    /// A link stands still and turns back: a dead position for whoever drives it.
+    TurnsBack {
+        /// The link's name.
+        link: String,
+        /// Its angle there, in degrees.
+        angle: f64,
+    },
+    /// A slider stands still on its guide and slides back.
+    SlidesBack {
+        /// The slider's name, as in `3/2`.
+        slider: String,
+        /// Its position there.
+        position: f64,
+    },
+}
+
+impl Event {
+    /// Whether the path ends here.
+    #[must_use]
+    pub fn is_end(&self) -> bool {
+        matches!(
+            self.what,
+            Happening::Limit { .. } | Happening::Singular { .. }
+        )
+    }
+
+    /// The event in words, with its place given as in `angle(1) = 30°`.
+    #[must_use]
+    pub fn text(&self, place: &str) -> String {
+        match &self.what {
+            Happening::Limit { links } => format!(
+                "limit position at {place}: links {links} can go no further, their rates grow without bound"
+            ),
+            Happening::Change { links } => format!(
+                "change position at {place}: links {links} could go on in another mode too; the smooth motion is followed"
+            ),
+            Happening::Singular { links } => {
+                format!(
+                    "singular position near {place}: links {links} cannot be followed through it"
+                )
+            }
+            Happening::TurnsBack { link, angle } => {
+                format!("dead position at {place}: link {link} turns back at {angle:.6}°")
+            }
+            Happening::SlidesBack { slider, position } => {
+                format!("dead position at {place}: slider {slider} slides back at {position:.6}")
+            }
+        }
+    }
+}
+
+/// Parts of a segment in which a change of a rate's sign is looked for.
+const PARTS: usize = 8;
+
+/// A rate that stays below this part of the fastest one is that of a link or slider that does not move.
+const AT_REST: f64 = 1e-9;
+
+/// Newton or bisection steps to a dead position.
+const STEPS: usize = 60;
+
+/// Dead positions on the path: where a link or slider stands still and turns back.
+pub(super) fn dead_positions(path: &Path) -> Vec<Event> {
+    let (mechanism, kernel) = (path.mechanism, &path.kernel);
+    let mut events = Vec::new();
+    let mut walker = path.walker::<1>();
+    let fastest = |unknown: Unknown| {
+        let rates = path.nodes.iter().map(|n| rate(&n.block, unknown)[0].abs());
+        rates.fold(0.0, f64::max)
+    };
+    let fastest_turn = kernel
+        .unknowns
+        .iter()
+        .flatten()
+        .filter(|u| matches!(u, Unknown::Spin(_)));
+    let fastest_turn = fastest_turn.map(|u| fastest(*u)).fold(0.0, f64::max);
+    for unknown in kernel.unknowns.iter().flatten().copied() {
+        let scale = match unknown {
+            Unknown::Spin(_) => fastest_turn,
+            Unknown::Slide(_) => fastest_turn * path.size(),
+        };
+        if fastest(unknown) <= AT_REST * scale {
+            continue;
+        }
+        for segment in &path.segments {
+            let width = (segment.to - segment.from) / PARTS as f64;
+            let place = |k: usize| segment.from + width * k as f64;
+            for k in 0..PARTS {
+                let (low, high) = (place(k), place(k + 1).min(segment.to));
+                let (first, last) = (segment.rate(unknown, low), segment.rate(unknown, high));
+                if (first < 0.0) == (last < 0.0) {
+                    continue;
+                }
+                let Some(at) = standstill(&mut walker, unknown, low, high, path.unit()) else {
+                    continue;
+                };
+                let Some(block) = walker.positions(&[at]) else {
+                    continue;
+                };
+                let what = match unknown {
+                    Unknown::Slide(slider) => Happening::SlidesBack {
+                        slider: mechanism.slider_name(SliderId(slider)),
+                        position: block.slides[slider][0],
+                    },
+                    Unknown::Spin(class) => {
+                        let mut links = mechanism.links();
+                        let own = links.find(|(id, _)| kernel.seat(*id).class == class);
+                        let Some((id, body)) = own else { continue };
+                        let axis = block.turn(class, 0) * kernel.seat(id).turn * Vector::x();
+                        Happening::TurnsBack {
+                            link: body.name.clone(),
+                            angle: degrees_of(axis),
+                        }
+                    }
+                };
+                events.push(Event { at, what });
+            }
+        }
+    }
+    events
+}
+
+/// First and second derivative of an unknown.
+fn rate(block: &Block<1>, unknown: Unknown) -> [f64; 2] {
+    match unknown {
+        Unknown::Spin(class) => [block.omegas[class][0], block.alphas[class][0]],
+        Unknown::Slide(slider) => [block.speeds[slider][0], block.accelerations[slider][0]],
+    }
+}
+
+/// Where between two values of the drive an unknown's rate is zero: Newton's method, kept in its bracket by bisection.
+fn standstill(
+    walker: &mut Walker<1>,
+    unknown: Unknown,
+    low: f64,
+    high: f64,
+    unit: f64,
+) -> Option<f64> {
+    let mut bracket = [low, high];
+    let rising = rate(walker.unit_motions(&[high])?, unknown)[0] > 0.0;
+    let mut at = 0.5 * (low + high);
+    for _ in 0..STEPS {
+        let [first, second] = rate(walker.unit_motions(&[at])?, unknown);
+        bracket[usize::from((first > 0.0) == rising)] = at;
+        let newton = at - first / second;
+        let next = if newton > bracket[0] && newton < bracket[1] {
+            newton
+        } else {
+            0.5 * (bracket[0] + bracket[1])
+        };
+        if (next - at).abs() <= 1e-15 * unit {
+            return Some(next);
+        }
+        at = next;
+    }
+    Some(at)
+}

@@ -1,0 +1,21 @@
+//! In: a mechanism and one pose. Out: a [`Path`]: the whole motion along that pose's branch while a drive runs, and any position of it.
+//! The branch is followed by steps that adapt to it and proves itself: between two nodes a quintic through both must meet
+//! the mechanism in the middle to half the digits of f64, so the next branch is out of reach and one Newton step finds any position.
+//! Limit positions, where two branches meet and the drive can go no further, are located and end the path.
+
+mod error;
+mod event;
+mod path;
+mod position;
+mod segment;
+mod start;
+mod sweep;
+mod trace;
+mod walker;
+
+pub use error::CycleError;
+pub use event::{Event, Happening};
+pub use path::{Drive, Path, alone};
+pub use position::Position;
+pub use sweep::{Column, Numbers, Steps, Sweep};
+pub use walker::Walker;

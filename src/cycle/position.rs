@@ -1,0 +1,94 @@
+use crate::geometry::{Point, Vector, lane, quarter_turn};
+use crate::kernel::{Block, Kernel};
+use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, Role, SliderId};
+use crate::plan::State;
+use crate::position::Pose;
+
+/// One position of a block, read as quantities are.
+#[derive(Clone, Copy, Debug)]
+pub struct Position<'a, const N: usize> {
+    pub(super) mechanism: &'a Mechanism,
+    pub(super) kernel: &'a Kernel,
+    pub(super) block: &'a Block<N>,
+    pub(super) lane: usize,
+}
+
+impl<const N: usize> Position<'_, N> {
+    /// The direction of a body's own x axis.
+    fn direction(&self, body: BodyId) -> Vector {
+        let seat = self.kernel.seat(body);
+        self.block.turn(seat.class, self.lane) * seat.turn * Vector::x()
+    }
+
+    /// The position as a pose of the mechanism, for the stages that take one.
+    #[must_use]
+    pub fn pose(&self) -> Pose {
+        let mechanism = self.mechanism;
+        let points = (0..mechanism.points.len()).map(|p| self.place(PointId(p)));
+        let sliders = || (0..mechanism.sliders.len()).map(SliderId);
+        let named = |id: usize| mechanism.bodies[id].role != Role::Ground;
+        let bodies = 0..mechanism.bodies.len();
+        let axes = bodies.map(|id| named(id).then(|| self.direction(BodyId(id))));
+        Pose {
+            points: points.collect(),
+            guides: sliders().map(|s| self.guide(s)).collect(),
+            slides: sliders().map(|s| self.slide_position(s)).collect(),
+            axes: axes.collect(),
+            assemblies: vec![None; mechanism.groups.len()],
+            warnings: Vec::new(),
+        }
+    }
+}
+
+impl<const N: usize> State for Position<'_, N> {
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+
+    fn place(&self, point: PointId) -> Point {
+        self.block.place(point.0, self.lane)
+    }
+
+    fn axis(&self, link: BodyId) -> Option<Vector> {
+        (link != GROUND).then(|| self.direction(link))
+    }
+
+    fn guide(&self, slider: SliderId) -> Vector {
+        let slider = self.mechanism.slider(slider);
+        let along = match slider.guide {
+            Guide::Local { direction, .. } | Guide::Drawn(direction) => direction,
+            Guide::DrawnBetween(..) => Vector::x(),
+        };
+        let seat = self.kernel.seat(slider.on);
+        self.block.turn(seat.class, self.lane) * seat.turn * along
+    }
+
+    fn slide_position(&self, slider: SliderId) -> Option<f64> {
+        Some(self.block.slides[slider.0][self.lane])
+    }
+
+    fn slide_rates(&self, slider: SliderId) -> [f64; 2] {
+        let (speeds, seconds) = (&self.block.speeds, &self.block.accelerations);
+        [speeds[slider.0][self.lane], seconds[slider.0][self.lane]]
+    }
+
+    fn spin(&self, body: BodyId) -> [f64; 2] {
+        let class = self.kernel.seat(body).class;
+        [
+            self.block.omegas[class][self.lane],
+            self.block.alphas[class][self.lane],
+        ]
+    }
+
+    fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2] {
+        let slot = self.kernel.seat(body).slot;
+        let [omega, alpha] = self.spin(body);
+        let arm = place - self.block.place(slot, self.lane);
+        let velocity = lane(&self.block.point_velocities[slot], self.lane);
+        let acceleration = lane(&self.block.point_accelerations[slot], self.lane);
+        [
+            velocity + quarter_turn(arm) * omega,
+            acceleration + quarter_turn(arm) * alpha - arm * (omega * omega),
+        ]
+    }
+}

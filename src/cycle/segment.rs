@@ -1,0 +1,146 @@
+// The same lane of several arrays is read and written: an index says it best.
+#![allow(clippy::needless_range_loop)]
+
+use crate::geometry::{Vector, lane, quarter_turn, set_lane};
+use crate::kernel::{Block, Kernel, Unknown};
+
+/// A position on the path, with its rates for a unit rate of the drive.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    /// The drive's value: degrees, or a length.
+    pub value: f64,
+    pub block: Block<1>,
+}
+
+/// The path between two nodes: for each unknown the polynomial of degree 5 that has both nodes' values, first and second derivatives.
+#[derive(Clone, Debug)]
+pub(super) struct Segment {
+    pub from: f64,
+    pub to: f64,
+    turns: Vec<(usize, [Quintic; 2])>,
+    slides: Vec<(usize, Quintic)>,
+}
+
+/// Coefficients of a polynomial, constant term first; its variable runs from 0 to 1 along the segment.
+type Quintic = [f64; 6];
+
+/// The polynomial with value, first and second derivative of these at 0 and at 1 (Hermite).
+fn quintic([f0, d0, e0]: [f64; 3], [f1, d1, e1]: [f64; 3]) -> Quintic {
+    let rise = f1 - f0;
+    [
+        f0,
+        d0,
+        0.5 * e0,
+        10.0 * rise - 6.0 * d0 - 4.0 * d1 - 1.5 * e0 + 0.5 * e1,
+        -15.0 * rise + 8.0 * d0 + 7.0 * d1 + 1.5 * e0 - e1,
+        6.0 * rise - 3.0 * d0 - 3.0 * d1 - 0.5 * e0 + 0.5 * e1,
+    ]
+}
+
+#[inline(always)]
+fn value(q: &Quintic, x: f64) -> f64 {
+    q[0] + x * (q[1] + x * (q[2] + x * (q[3] + x * (q[4] + x * q[5]))))
+}
+
+fn slope(q: &Quintic, x: f64) -> f64 {
+    q[1] + x * (2.0 * q[2] + x * (3.0 * q[3] + x * (4.0 * q[4] + x * 5.0 * q[5])))
+}
+
+impl Segment {
+    pub fn new(kernel: &Kernel, start: &Node, end: &Node) -> Segment {
+        let step = end.value - start.value;
+        let mut segment = Segment {
+            from: start.value,
+            to: end.value,
+            turns: Vec::new(),
+            slides: Vec::new(),
+        };
+        for unknown in kernel.unknowns.iter().flatten() {
+            match *unknown {
+                Unknown::Spin(class) => {
+                    // Cosine and sine, whose derivatives are ω J d and (α J − ω²) d of the direction d.
+                    let of = |node: &Node| {
+                        let direction = lane(&node.block.turns[class], 0);
+                        let omega = node.block.omegas[class][0] * step;
+                        let alpha = node.block.alphas[class][0] * step * step;
+                        let across: Vector = quarter_turn(direction);
+                        [
+                            direction,
+                            across * omega,
+                            across * alpha - direction * (omega * omega),
+                        ]
+                    };
+                    let (a, b) = (of(start), of(end));
+                    let curve = [0, 1].map(|axis| quintic(a.map(|v| v[axis]), b.map(|v| v[axis])));
+                    segment.turns.push((class, curve));
+                }
+                Unknown::Slide(slider) => {
+                    let of = |node: &Node| {
+                        let block = &node.block;
+                        let (speed, second) =
+                            (block.speeds[slider][0], block.accelerations[slider][0]);
+                        [block.slides[slider][0], speed * step, second * step * step]
+                    };
+                    segment.slides.push((slider, quintic(of(start), of(end))));
+                }
+            }
+        }
+        segment
+    }
+
+    /// Where on the segment a value of the drive is: 0 at its start, 1 at its end.
+    #[inline(always)]
+    fn along(&self, drive: f64) -> f64 {
+        (drive - self.from) / (self.to - self.from)
+    }
+
+    /// Sets the unknowns of `block` to those of the polynomials.
+    #[inline]
+    pub fn predict<const N: usize>(&self, drive: &[f64; N], block: &mut Block<N>) {
+        let x = drive.map(|value| self.along(value));
+        for (class, [cosine, sine]) in &self.turns {
+            let turn = &mut block.turns[*class];
+            for i in 0..N {
+                let direction = Vector::new(value(cosine, x[i]), value(sine, x[i]));
+                // The polynomials leave the unit circle by little: one Newton step towards length 1.
+                set_lane(turn, i, direction * (1.5 - 0.5 * direction.norm_squared()));
+            }
+        }
+        for (slider, curve) in &self.slides {
+            for i in 0..N {
+                block.slides[*slider][i] = value(curve, x[i]);
+            }
+        }
+    }
+
+    /// The rate of an unknown per unit of the drive, by the polynomials.
+    pub fn rate(&self, unknown: Unknown, drive: f64) -> f64 {
+        let x = self.along(drive);
+        let rise = match unknown {
+            Unknown::Spin(class) => {
+                let curve = self.turns.iter().find(|(c, _)| *c == class);
+                curve.map_or(0.0, |(_, [cosine, sine])| {
+                    value(cosine, x) * slope(sine, x) - value(sine, x) * slope(cosine, x)
+                })
+            }
+            Unknown::Slide(slider) => {
+                let curve = self.slides.iter().find(|(s, _)| *s == slider);
+                curve.map_or(0.0, |(_, curve)| slope(curve, x))
+            }
+        };
+        rise / (self.to - self.from)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quintic_meets_both_ends() {
+        // f(x) = x⁵ − 2 x³ + x has f = 0, f' = 1, f'' = 0 at 0 and f = 0, f' = 0, f'' = 8 at 1.
+        let q = quintic([0.0, 1.0, 0.0], [0.0, 0.0, 8.0]);
+        assert_eq!(q, [0.0, 1.0, 0.0, -2.0, 0.0, 1.0]);
+        assert_eq!(slope(&q, 0.5), 1.0 - 6.0 * 0.25 + 5.0 * 0.0625);
+    }
+}

@@ -1,0 +1,28 @@
+use crate::geometry::{Turn, Vector, set_lane};
+use crate::kernel::{Block, Kernel, Unknown};
+use crate::mechanism::Mechanism;
+use crate::position::Pose;
+
+/// The block that stands where `pose` does, with the drives' own values; unit rates are for the caller to set.
+pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Block<1> {
+    let mut block = Block::new(kernel);
+    for (index, input) in kernel.inputs.iter().enumerate() {
+        kernel.set_input(&mut block, index, &[input.value]);
+    }
+    for unknown in kernel.unknowns.iter().flatten() {
+        match *unknown {
+            Unknown::Slide(slider) => block.slides[slider] = [pose.slides[slider].unwrap_or(0.0)],
+            Unknown::Spin(class) => {
+                let mut links = mechanism.links();
+                let axis = links.find_map(|(id, _)| {
+                    let seat = kernel.seat(id);
+                    let axis = pose.axes[id.0].filter(|_| seat.class == class)?.normalize();
+                    Some(seat.turn.inverse() * Turn::from_cos_sin_unchecked(axis.x, axis.y))
+                });
+                let turn = axis.unwrap_or_else(Turn::identity);
+                set_lane(&mut block.turns[class], 0, Vector::new(turn.re, turn.im));
+            }
+        }
+    }
+    block
+}

@@ -1,0 +1,270 @@
+use super::segment::{Node, Segment};
+use super::{Event, Happening, Path};
+use crate::geometry::{lane, set_lane};
+use crate::kernel::{Correction, Unknown};
+
+/// What is left of a middle position for Newton's method to find, in units of rounding after one step: far less than one.
+const DOUBT: f64 = 0.02;
+
+/// The same for the many short steps towards a limit, where Newton's method may take a second step.
+const DOUBT_NEAR_LIMIT: f64 = 1e4;
+
+/// Steps below this part of a turn are those near a limit.
+const SHORT: f64 = 1e-4;
+
+/// The largest turn of a link in one step, in radians.
+const LARGEST_TURN: f64 = 0.6;
+
+/// The largest first correction of a predicted position, in radians or parts of the group's size.
+const OFF: f64 = 0.1;
+
+/// The part that must be left of a group's determinant after a step: a limit is approached by ever smaller steps.
+const DETERMINANT_LEFT: f64 = 0.2;
+
+/// Steps below this part of a turn have met something.
+const SMALLEST: f64 = 1e-13;
+
+/// How near a limit must have been approached, in parts of a turn, for its estimate to be exact: what it leaves out is of the
+/// size of the distance's square.
+const NEAR_LIMIT: f64 = 1e-7;
+
+/// How far before a change position its leap begins, in parts of a turn.
+const LEAP: f64 = 0.004;
+
+/// The largest first correction after a leap, in radians or parts of the group's size.
+const LEAP_OFF: f64 = 1e-5;
+
+/// The nodes that follow a first one, in walking order, and what happened.
+pub(super) struct Traced {
+    pub nodes: Vec<Node>,
+    pub changes: Vec<Event>,
+    pub end: Option<Event>,
+}
+
+/// Follows the branch from a node to a value of the drive, or as far as it goes.
+pub(super) fn trace(path: &Path, first: Node, target: f64) -> Traced {
+    let forward = if target > first.value { 1.0 } else { -1.0 };
+    let unit = path.unit();
+    let mut step = unit / 36.0;
+    let mut nodes = vec![first];
+    let mut traced = Traced {
+        nodes: Vec::new(),
+        changes: Vec::new(),
+        end: None,
+    };
+    loop {
+        let last = &nodes[nodes.len() - 1];
+        let left = (target - last.value) * forward;
+        if left <= 0.0 {
+            break;
+        }
+        let tried = step.min(left);
+        let to = if tried < left {
+            last.value + forward * tried
+        } else {
+            target
+        };
+        match advance(path, last, to) {
+            Some((node, correction)) => {
+                // The error in the middle grows with the sixth power of the step, what it leaves with the twelfth.
+                let growth = libm::pow(
+                    allowed(tried / unit) / correction.doubt.max(1e-30),
+                    1.0 / 12.0,
+                );
+                step = tried * (0.9 * growth).clamp(0.3, 2.0);
+                nodes.push(node);
+            }
+            None => {
+                step = 0.5 * tried;
+                let limit = limit_ahead(path, &nodes, forward);
+                let limit = limit.filter(|[_, away]| away.abs() < NEAR_LIMIT * unit);
+                let near = limit.is_some_and(|[_, away]| step < 0.3 * away.abs());
+                if step > SMALLEST * unit && !near {
+                    continue;
+                }
+                let links = path.mechanism.groups[dullest(last)].link_names(path.mechanism);
+                // A leap proves itself; what rounding has left of the rates near a change position may look like a limit.
+                if let Some((kept, node, at)) = leap(path, &nodes, forward) {
+                    nodes.truncate(kept);
+                    nodes.push(node);
+                    traced.changes.push(Event {
+                        at,
+                        what: Happening::Change { links },
+                    });
+                    step = unit / 360.0;
+                    continue;
+                }
+                if let Some([at, _]) = limit {
+                    traced.end = Some(Event {
+                        at,
+                        what: Happening::Limit { links },
+                    });
+                    break;
+                }
+                let at = last.value;
+                traced.end = Some(Event {
+                    at,
+                    what: Happening::Singular { links },
+                });
+                break;
+            }
+        }
+    }
+    nodes.remove(0);
+    traced.nodes = nodes;
+    traced
+}
+
+/// The node at a value of the drive, if the step to it is sure; and how well its middle was met.
+fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
+    let step = to - last.value;
+    let mut block = last.block.clone();
+    path.set_inputs(&mut block, &[to]);
+    for unknown in path.kernel.unknowns.iter().flatten() {
+        match *unknown {
+            Unknown::Spin(class) => {
+                let (omega, alpha) = (block.omegas[class][0], block.alphas[class][0]);
+                let angle = step * (omega + 0.5 * step * alpha);
+                if angle.is_nan() || angle.abs() > LARGEST_TURN {
+                    return None;
+                }
+                let (sine, cosine) = libm::sincos(angle);
+                let d = lane(&block.turns[class], 0);
+                let turned = crate::geometry::Vector::new(
+                    d.x * cosine - d.y * sine,
+                    d.x * sine + d.y * cosine,
+                );
+                set_lane(&mut block.turns[class], 0, turned);
+            }
+            Unknown::Slide(slider) => {
+                let (speed, second) = (block.speeds[slider][0], block.accelerations[slider][0]);
+                block.slides[slider][0] += step * (speed + 0.5 * step * second);
+            }
+        }
+    }
+    let found = path.kernel.assemble(&mut block);
+    if !found.closed || found.first > OFF {
+        return None;
+    }
+    path.unit_rates(&mut block);
+    let before = &last.block.determinants;
+    let mut pairs = before.iter().zip(&block.determinants);
+    if !pairs.all(|([old], [new])| new / old >= DETERMINANT_LEFT) {
+        return None;
+    }
+    let node = Node { value: to, block };
+    let segment = Segment::new(&path.kernel, last, &node);
+    let middle = last.value + 0.5 * step;
+    let mut block = node.block.clone();
+    path.set_inputs(&mut block, &[middle]);
+    segment.predict(&[middle], &mut block);
+    let met = path.kernel.assemble(&mut block);
+    let short = step.abs() / path.unit();
+    (met.closed && met.doubt <= allowed(short)).then_some((node, met))
+}
+
+/// The doubt that a step of this part of a turn may leave.
+fn allowed(step: f64) -> f64 {
+    if step < SHORT {
+        DOUBT_NEAR_LIMIT
+    } else {
+        DOUBT
+    }
+}
+
+/// The group nearest to a singular position.
+fn dullest(node: &Node) -> usize {
+    let sharpness = node.block.squared_sharpness.iter().map(|s| s[0]);
+    let least = sharpness.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+    least.map_or(0, |(group, _)| group)
+}
+
+/// Where the limit lies whose approach shows in the rates, and how far ahead; `None` if there is none.
+///
+/// Near a limit at distance d every unknown goes like x* − c √d, so dx/dv = c / (2 √d), d²x/dv² = c / (4 d √d) and
+/// d = (dx/dv) / (2 d²x/dv²), but for a term of the power 3/2 of d, which two nodes remove (Richardson, 1911).
+fn limit_ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<[f64; 2]> {
+    let last = &nodes[nodes.len() - 1];
+    let group = dullest(last);
+    let determinant = |node: &Node| node.block.determinants[group][0];
+    // A node that is some way back, seen by the determinant.
+    let back = |n: &&Node| determinant(n) / determinant(last) >= 2.0;
+    let before = nodes.iter().rev().find(back)?;
+    let size = path.size();
+    let rates = |node: &Node, unknown: Unknown| {
+        let block = &node.block;
+        match unknown {
+            Unknown::Spin(class) => [block.omegas[class][0], block.alphas[class][0]],
+            Unknown::Slide(slider) => [
+                block.speeds[slider][0] / size,
+                block.accelerations[slider][0] / size,
+            ],
+        }
+    };
+    let second = |unknown: &&Unknown| rates(last, **unknown)[1].abs();
+    let unknowns = path.kernel.unknowns[group].iter();
+    let fastest = *unknowns.max_by(|a, b| second(a).total_cmp(&second(b)))?;
+    let distance = |[first, second]: [f64; 2]| first / (2.0 * second);
+    let [now, then] = [last, before].map(|node| rates(node, fastest));
+    let [near, far] = [now, then].map(distance);
+    // Rates grow as the determinant falls; at a change position they do not.
+    let grown = now[0] / then[0] >= 0.5 * determinant(before) / determinant(last);
+    if !(grown && near * forward > 0.0 && far * forward > 0.0) {
+        return None;
+    }
+    let weight = libm::pow(near / far, 1.5);
+    let (near_place, far_place) = (last.value + near, before.value + far);
+    let place = near_place + (near_place - far_place) * weight / (1.0 - weight);
+    Some([place, near])
+}
+
+/// Leaps over a change position, where a determinant passes through zero while the motion stays smooth.
+///
+/// Returns how many nodes are kept, the node on the other side, and the position. The polynomial of a segment well before it is
+/// followed to the other side; the leap is sure where that meets the mechanism to [`LEAP_OFF`] and the determinant has changed its sign.
+fn leap(path: &Path, nodes: &[Node], forward: f64) -> Option<(usize, Node, f64)> {
+    let last = &nodes[nodes.len() - 1];
+    let group = dullest(last);
+    let determinant = |node: &Node| node.block.determinants[group][0];
+    let before = &nodes[nodes.len().checked_sub(2)?];
+    // The determinant goes to zero in proportion to the distance.
+    let fall = (determinant(before) - determinant(last)) / (before.value - last.value);
+    let rough = last.value - determinant(last) / fall;
+    let away = |node: &Node| (rough - node.value) * forward;
+    let far = nodes.iter().rposition(|n| away(n) >= LEAP * path.unit())?;
+    let near = far + 1;
+    let segment = Segment::new(&path.kernel, &nodes[far], nodes.get(near)?);
+    let land = |value: f64, segment: &Segment| {
+        let mut block = nodes[near].block.clone();
+        path.set_inputs(&mut block, &[value]);
+        segment.predict(&[value], &mut block);
+        let found = path.kernel.assemble(&mut block);
+        (found.closed && found.first <= LEAP_OFF).then_some(Node { value, block })
+    };
+    let mut node = land(rough + away(&nodes[far]) * forward, &segment)?;
+    path.unit_rates(&mut node.block);
+    let ratio = determinant(&node) / determinant(&nodes[far]);
+    if !(-5.0..=-0.2).contains(&ratio) {
+        return None;
+    }
+    // The determinant's zero by inverse interpolation through four positions around it.
+    let whole = Segment::new(&path.kernel, &nodes[far], &node);
+    let width = away(&nodes[far]) / 8.0;
+    let around = [-2.0, -1.0, 1.0, 2.0].map(|k| land(rough + k * width, &whole));
+    let samples: Vec<[f64; 2]> = around
+        .iter()
+        .flatten()
+        .map(|n| [determinant(n), n.value - rough])
+        .collect();
+    if samples.len() < around.len() {
+        return None;
+    }
+    let mut at = rough;
+    for (i, [own, offset]) in samples.iter().enumerate() {
+        let others = samples.iter().enumerate().filter(|(j, _)| *j != i);
+        at += others.fold(*offset, |term, (_, [other, _])| {
+            term * other / (other - own)
+        });
+    }
+    Some((far + 1, node, at))
+}

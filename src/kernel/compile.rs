@@ -1,0 +1,588 @@
+use crate::geometry::{Point, Turn, Vector, turn_of_degrees};
+use crate::mechanism::{
+    Body, BodyId, GROUND, Group, Guide, JointId, JointKind, Loop, LoopEquations, Mechanism,
+    Reduction, Role, Slider, SliderId,
+};
+use crate::scene::Form;
+
+/// A mechanism compiled for many positions.
+#[derive(Clone, Debug)]
+pub struct Kernel {
+    /// By body: how it sits in its class.
+    pub seats: Vec<Seat>,
+    /// The drives, in the order of the bodies.
+    pub inputs: Vec<Input>,
+    /// By group: what its equations solve for.
+    pub unknowns: Vec<Vec<Unknown>>,
+    pub(super) classes: usize,
+    pub(super) sliders: usize,
+    pub(super) groups: usize,
+    /// Points first, then places of guides on bodies without points.
+    pub(super) slots: usize,
+    pub(super) arms: usize,
+    pub(super) rails: usize,
+    pub(super) placings: usize,
+    pub(super) fixed: Vec<(usize, Point)>,
+    pub(super) actions: Vec<Action>,
+}
+
+/// How a body sits in its class of bodies that turn together, and a place of it from which the others are counted.
+#[derive(Clone, Copy, Debug)]
+pub struct Seat {
+    /// Its class.
+    pub class: usize,
+    /// Its own frame, seen from that of the class.
+    pub turn: Turn,
+    /// The slot of its first place.
+    pub slot: usize,
+    /// That place in the body's frame.
+    pub local: Point,
+}
+
+/// A drive: what a scene or a sweep sets.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// The driven body.
+    pub body: BodyId,
+    /// Whether it turns or slides.
+    pub kind: InputKind,
+    /// The scene's angle in degrees, or position along the guide.
+    pub value: f64,
+    /// The scene's angular velocity, or speed along the guide.
+    pub rate: f64,
+    /// The scene's angular acceleration, or acceleration along the guide.
+    pub second: f64,
+}
+
+/// What a drive moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InputKind {
+    /// The angle of a class.
+    Turning {
+        /// The class.
+        class: usize,
+    },
+    /// A slider along its guide.
+    Sliding {
+        /// The slider.
+        slider: usize,
+    },
+}
+
+/// An unknown of a group's equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unknown {
+    /// The angle of a class.
+    Spin(usize),
+    /// The position of a slider.
+    Slide(usize),
+}
+
+/// What the kernel does, one after another.
+#[derive(Clone, Debug)]
+pub(super) enum Action {
+    Place(Placing),
+    Close(Closing),
+}
+
+/// A point that follows from one placed before: from it by `local`, turned with the class, and along a slider.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placing {
+    pub to: usize,
+    pub from: usize,
+    pub class: usize,
+    pub local: Vector,
+    /// The slider and its direction in the class's frame, positive with its position.
+    pub slide: Option<(usize, Vector)>,
+    /// Where the reach is kept.
+    pub reach: usize,
+}
+
+/// The loop equations of a group.
+#[derive(Clone, Debug)]
+pub(super) struct Closing {
+    pub group: usize,
+    pub chains: Vec<Chain>,
+    pub unknowns: Vec<Unknown>,
+    pub reduction: Option<Reduction>,
+}
+
+/// A loop: its members' vectors lead from one end to the other.
+#[derive(Clone, Debug)]
+pub(super) struct Chain {
+    /// Slots of its ends; none where it closes on itself.
+    pub ends: Option<[usize; 2]>,
+    pub members: Vec<Member>,
+    /// By unknown: which vector is its column.
+    pub columns: Vec<Option<Source>>,
+}
+
+/// All that a loop passes of one class.
+#[derive(Clone, Debug)]
+pub(super) struct Member {
+    pub class: usize,
+    pub unknown: Option<usize>,
+    /// Its vector in the class's frame with all sliders at zero.
+    pub local: Vector,
+    pub rails: Vec<Rail>,
+    /// Where its vector is kept.
+    pub arm: usize,
+}
+
+/// A slider that a loop passes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rail {
+    pub slider: usize,
+    pub unknown: Option<usize>,
+    /// Its direction in the class's frame, in the direction of the walk.
+    pub direction: Vector,
+    /// Where its turned direction is kept.
+    pub rail: usize,
+}
+
+/// The column of an unknown.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Source {
+    /// An arm, a quarter turn on.
+    Arm(usize),
+    Rail(usize),
+}
+
+impl Kernel {
+    /// The kernel of `mechanism`; `None` for a drawn configuration, which has one position only.
+    #[must_use]
+    pub fn new(mechanism: &Mechanism) -> Option<Kernel> {
+        (mechanism.form == Form::Lengths).then(|| Compiler::new(mechanism).run())
+    }
+
+    /// How a body sits in its class, and its first place.
+    #[must_use]
+    pub fn seat(&self, body: BodyId) -> &Seat {
+        &self.seats[body.0]
+    }
+}
+
+struct Compiler<'a> {
+    mechanism: &'a Mechanism,
+    /// By body: class and turn.
+    classes: Vec<(usize, Turn)>,
+    /// By body: slot and local place of what is placed first.
+    anchors: Vec<Option<(usize, Point)>>,
+    placed: Vec<bool>,
+    kernel: Kernel,
+}
+
+impl<'a> Compiler<'a> {
+    fn new(mechanism: &'a Mechanism) -> Self {
+        let classes = classes(mechanism);
+        let points = mechanism.points.len();
+        Self {
+            mechanism,
+            anchors: vec![None; mechanism.bodies.len()],
+            placed: vec![false; points],
+            kernel: Kernel {
+                seats: Vec::new(),
+                inputs: Vec::new(),
+                unknowns: Vec::new(),
+                classes: classes.iter().map(|c| c.0 + 1).max().unwrap_or(1),
+                sliders: mechanism.sliders.len(),
+                groups: mechanism.groups.len(),
+                slots: points,
+                arms: 0,
+                rails: 0,
+                placings: 0,
+                fixed: Vec::new(),
+                actions: Vec::new(),
+            },
+            classes,
+        }
+    }
+
+    fn run(mut self) -> Kernel {
+        let bodies = self.mechanism.bodies.iter().enumerate();
+        for (id, body) in bodies.map(|(id, body)| (BodyId(id), body)) {
+            match body.role {
+                Role::Ground => self.ground(body),
+                Role::Driver {
+                    pivot,
+                    angle,
+                    omega,
+                    alpha,
+                    ..
+                } => {
+                    let local = body.local_of(pivot).unwrap_or_else(Point::origin);
+                    self.anchor(id, pivot.0, local);
+                    let class = self.classes[id.0].0;
+                    self.kernel.inputs.push(Input {
+                        body: id,
+                        kind: InputKind::Turning { class },
+                        value: angle.unwrap_or(0.0),
+                        rate: omega,
+                        second: alpha,
+                    });
+                }
+                Role::Pushed {
+                    slider,
+                    position,
+                    speed,
+                    acceleration,
+                } => {
+                    self.kernel.inputs.push(Input {
+                        body: id,
+                        kind: InputKind::Sliding { slider: slider.0 },
+                        value: position.unwrap_or(0.0),
+                        rate: speed,
+                        second: acceleration,
+                    });
+                }
+                _ => {}
+            }
+        }
+        let all: Vec<JointId> = (0..self.mechanism.joints.len()).map(JointId).collect();
+        self.reach(&all, |body| body.role.is_known());
+        for (index, group) in self.mechanism.groups.iter().enumerate() {
+            let closing = self.closing(index, group);
+            self.kernel.unknowns.push(closing.unknowns.clone());
+            self.kernel.actions.push(Action::Close(closing));
+            self.reach(&group.joints, |_| true);
+        }
+        let origin = (0, Point::origin());
+        self.kernel.seats = self
+            .classes
+            .iter()
+            .zip(&self.anchors)
+            .map(|(&(class, turn), anchor)| {
+                let (slot, local) = anchor.unwrap_or(origin);
+                Seat {
+                    class,
+                    turn,
+                    slot,
+                    local,
+                }
+            })
+            .collect();
+        self.kernel
+    }
+
+    fn ground(&mut self, body: &Body) {
+        for (point, place) in body.points.iter().zip(&body.local) {
+            self.kernel.fixed.push((point.0, *place));
+            self.placed[point.0] = true;
+        }
+        let first = body
+            .points
+            .first()
+            .map(|p| p.0)
+            .zip(body.local.first().copied());
+        self.anchors[GROUND.0] = first;
+        // A frame without points is known by a place of its first guide.
+        let mut sliders = self.mechanism.sliders.iter();
+        let guide = sliders.find(|s| s.on == GROUND).map(guide);
+        if let (None, Some((through, _))) = (first, guide) {
+            let slot = self.new_slot();
+            self.kernel.fixed.push((slot, through));
+            self.anchors[GROUND.0] = Some((slot, through));
+        }
+    }
+
+    fn new_slot(&mut self) -> usize {
+        self.kernel.slots += 1;
+        self.kernel.slots - 1
+    }
+
+    /// `local` of a body's frame in the frame of its class.
+    fn in_class(&self, body: BodyId, local: Vector) -> Vector {
+        self.classes[body.0].1 * local
+    }
+
+    /// The body's place is known at a slot: places its other points from there.
+    fn anchor(&mut self, body: BodyId, slot: usize, local: Point) {
+        self.anchors[body.0] = Some((slot, local));
+        let own = self.mechanism.body(body);
+        for (point, place) in own.points.iter().zip(&own.local) {
+            if !self.placed[point.0] && point.0 != slot {
+                self.place(point.0, slot, body, place - local, None);
+            }
+        }
+    }
+
+    fn place(
+        &mut self,
+        to: usize,
+        from: usize,
+        body: BodyId,
+        local: Vector,
+        slide: Option<(usize, Vector)>,
+    ) {
+        let reach = self.kernel.placings;
+        self.kernel.placings += 1;
+        let local = self.in_class(body, local);
+        let class = self.classes[body.0].0;
+        self.kernel.actions.push(Action::Place(Placing {
+            to,
+            from,
+            class,
+            local,
+            slide,
+            reach,
+        }));
+        if let Some(placed) = self.placed.get_mut(to) {
+            *placed = true;
+        }
+    }
+
+    /// Places every body of the kind asked for that hangs by one of `joints` on a body placed before.
+    fn reach(&mut self, joints: &[JointId], wanted: impl Fn(&Body) -> bool) {
+        let open = |this: &Self, body: BodyId| {
+            this.anchors[body.0].is_none() && wanted(this.mechanism.body(body))
+        };
+        while let Some((joint, from, to)) = joints.iter().find_map(|&j| {
+            let joint = self.mechanism.joint(j);
+            let [a, b] = joint.bodies;
+            let ways = [(a, b), (b, a)];
+            let way = ways
+                .into_iter()
+                .find(|(from, to)| self.anchors[from.0].is_some() && open(self, *to));
+            way.map(|(from, to)| (joint, from, to))
+        }) {
+            match joint.kind {
+                JointKind::Revolute(point) => {
+                    let local = self.mechanism.body(to).local_of(point);
+                    self.anchor(to, point.0, local.unwrap_or_else(Point::origin));
+                }
+                JointKind::Prismatic(id) => self.across(id, from, to),
+            }
+        }
+    }
+
+    /// Places `to`, which a slider joins to the placed body `from`.
+    fn across(&mut self, id: SliderId, from: BodyId, to: BodyId) {
+        let slider = self.mechanism.slider(id);
+        let (through, direction) = guide(slider);
+        let direction = self.in_class(slider.on, direction);
+        let at = at_local(self.mechanism, slider);
+        let (slot, anchor) = self.anchors[from.0].unwrap_or((0, Point::origin()));
+        if slider.on == from {
+            if !self.placed[slider.at.0] {
+                self.place(
+                    slider.at.0,
+                    slot,
+                    from,
+                    through - anchor,
+                    Some((id.0, direction)),
+                );
+            }
+            self.anchor(to, slider.at.0, at);
+        } else {
+            let own = self.mechanism.body(to);
+            let first = own
+                .points
+                .iter()
+                .zip(&own.local)
+                .find(|(p, _)| !self.placed[p.0]);
+            let (next, local) = match first {
+                Some((point, local)) => (point.0, *local),
+                None => (self.new_slot(), through),
+            };
+            // The guide's place lies one slide behind the sliding point.
+            let behind = Some((id.0, -direction));
+            self.place(next, slider.at.0, to, local - through, behind);
+            self.anchor(to, next, local);
+        }
+    }
+
+    fn closing(&mut self, index: usize, group: &Group) -> Closing {
+        let equations = LoopEquations::new(self.mechanism, group);
+        let mut unknowns = vec![Unknown::Spin(0); equations.unknowns];
+        for &link in &group.links {
+            if let Some(unknown) = equations.spin_unknown(link) {
+                unknowns[unknown] = Unknown::Spin(self.classes[link.0].0);
+            }
+        }
+        for slider in 0..self.mechanism.sliders.len() {
+            if let Some(unknown) = equations.slide_unknown(SliderId(slider)) {
+                unknowns[unknown] = Unknown::Slide(slider);
+            }
+        }
+        let loops = group.loops.iter();
+        let chains: Vec<Chain> = loops.map(|chain| self.chain(chain, &unknowns)).collect();
+        Closing {
+            group: index,
+            chains,
+            reduction: equations.reduction,
+            unknowns,
+        }
+    }
+
+    /// Walks a loop and adds up what it passes of each class.
+    fn chain(&mut self, chain: &Loop, unknowns: &[Unknown]) -> Chain {
+        let mut members: Vec<Member> = Vec::new();
+        let first = chain.bodies[0];
+        let (start, mut here) = self.end(first, chain.joints[0], chain.closed);
+        let from = here;
+        for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
+            let (body, next) = (sides[0], sides[1]);
+            match self.mechanism.joint(joint).kind {
+                JointKind::Revolute(point) => {
+                    let local = |b: BodyId| {
+                        self.mechanism
+                            .body(b)
+                            .local_of(point)
+                            .unwrap_or_else(Point::origin)
+                    };
+                    self.pass(&mut members, unknowns, body, local(body) - here, None);
+                    here = local(next);
+                }
+                JointKind::Prismatic(id) => {
+                    let slider = self.mechanism.slider(id);
+                    let (through, direction) = guide(slider);
+                    let direction = self.in_class(slider.on, direction);
+                    let at = at_local(self.mechanism, slider);
+                    let forward = slider.on == body;
+                    let (leave, arrive) = if forward {
+                        (through, at)
+                    } else {
+                        (at, through)
+                    };
+                    let direction = if forward { direction } else { -direction };
+                    self.pass(
+                        &mut members,
+                        unknowns,
+                        body,
+                        leave - here,
+                        Some((id.0, direction)),
+                    );
+                    here = arrive;
+                }
+            }
+        }
+        let last = chain.bodies[chain.bodies.len() - 1];
+        let ends = if chain.closed {
+            self.pass(&mut members, unknowns, last, from - here, None);
+            None
+        } else {
+            let (end, there) = self.end(last, chain.joints[chain.joints.len() - 1], false);
+            self.pass(&mut members, unknowns, last, there - here, None);
+            Some([start, end])
+        };
+        // A known body at whose pin the loop begins or ends adds nothing.
+        members.retain(|m| m.local != Vector::zeros() || !m.rails.is_empty());
+        for member in &mut members {
+            member.arm = self.kernel.arms;
+            self.kernel.arms += 1;
+            for rail in &mut member.rails {
+                rail.rail = self.kernel.rails;
+                self.kernel.rails += 1;
+            }
+        }
+        let column = |unknown: usize| {
+            members.iter().find_map(|m| {
+                let rail = m.rails.iter().find(|r| r.unknown == Some(unknown));
+                let own = (m.unknown == Some(unknown)).then_some(Source::Arm(m.arm));
+                own.or(rail.map(|r| Source::Rail(r.rail)))
+            })
+        };
+        let columns = (0..unknowns.len()).map(column).collect();
+        Chain {
+            ends,
+            members,
+            columns,
+        }
+    }
+
+    /// Where a loop begins or ends on a known body: at the pin, or at the body's first place.
+    fn end(&self, body: BodyId, joint: JointId, closed: bool) -> (usize, Point) {
+        let own = self.mechanism.body(body);
+        match self.mechanism.joint(joint).kind {
+            JointKind::Revolute(point) => {
+                (point.0, own.local_of(point).unwrap_or_else(Point::origin))
+            }
+            JointKind::Prismatic(_) if closed => (0, Point::origin()),
+            JointKind::Prismatic(_) => self.anchors[body.0].unwrap_or((0, Point::origin())),
+        }
+    }
+
+    /// Adds a vector of a body, and a slide, to the member of its class.
+    fn pass(
+        &self,
+        members: &mut Vec<Member>,
+        unknowns: &[Unknown],
+        body: BodyId,
+        local: Vector,
+        slide: Option<(usize, Vector)>,
+    ) {
+        let class = self.classes[body.0].0;
+        let place = |wanted: Unknown| unknowns.iter().position(|u| *u == wanted);
+        let index = members.iter().position(|m| m.class == class);
+        let index = index.unwrap_or_else(|| {
+            members.push(Member {
+                class,
+                unknown: place(Unknown::Spin(class)),
+                local: Vector::zeros(),
+                rails: Vec::new(),
+                arm: 0,
+            });
+            members.len() - 1
+        });
+        members[index].local += self.in_class(body, local);
+        members[index]
+            .rails
+            .extend(slide.map(|(slider, direction)| Rail {
+                slider,
+                unknown: place(Unknown::Slide(slider)),
+                direction,
+                rail: 0,
+            }));
+    }
+}
+
+/// By body: its class and its turn there. The ground's class is the first; a class turns as its first body does.
+fn classes(mechanism: &Mechanism) -> Vec<(usize, Turn)> {
+    let bodies = mechanism.bodies.len();
+    let mut found: Vec<Option<(usize, Turn)>> = vec![None; bodies];
+    let driver = |b: &usize| matches!(mechanism.bodies[*b].role, Role::Driver { .. });
+    let (drivers, others): (Vec<usize>, Vec<usize>) = (0..bodies).partition(driver);
+    let mut next = 0;
+    for root in std::iter::once(GROUND.0).chain(drivers).chain(others) {
+        if found[root].is_some() {
+            continue;
+        }
+        found[root] = Some((next, Turn::identity()));
+        while let Some((body, seat)) = mechanism.sliders.iter().find_map(|slider| {
+            let turn = relative_turn(slider);
+            match (found[slider.on.0], found[slider.link.0]) {
+                (Some((class, on)), None) => Some((slider.link, (class, on * turn))),
+                (None, Some((class, link))) => Some((slider.on, (class, link * turn.inverse()))),
+                _ => None,
+            }
+        }) {
+            found[body.0] = Some(seat);
+        }
+        next += 1;
+    }
+    found
+        .into_iter()
+        .map(|seat| seat.unwrap_or((0, Turn::identity())))
+        .collect()
+}
+
+/// The sliding link's frame seen from that of the guide's body.
+fn relative_turn(slider: &Slider) -> Turn {
+    let (_, direction) = guide(slider);
+    Turn::from_cos_sin_unchecked(direction.x, direction.y) * turn_of_degrees(slider.turned)
+}
+
+/// A place of the guide and its direction, in the frame of its body.
+fn guide(slider: &Slider) -> (Point, Vector) {
+    match slider.guide {
+        Guide::Local { through, direction } => (through, direction),
+        Guide::Drawn(direction) => (Point::origin(), direction),
+        Guide::DrawnBetween(..) => (Point::origin(), Vector::x()),
+    }
+}
+
+/// The sliding point in the frame of its link.
+fn at_local(mechanism: &Mechanism, slider: &Slider) -> Point {
+    let local = mechanism.body(slider.link).local_of(slider.at);
+    local.unwrap_or_else(Point::origin)
+}
