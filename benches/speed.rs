@@ -69,7 +69,7 @@ fn thousand<const WHICH: usize>(bencher: Bencher, which: &str) {
     let values: Vec<[f64; 1]> = (0..1000)
         .map(|i| [range[0] + (range[1] - range[0]) * f64::from(i) / 1000.0])
         .collect();
-    let mut walker = path.walker::<1>();
+    let mut walker = path.walker();
     bencher.bench_local(|| {
         for value in black_box(&values) {
             match WHAT[WHICH] {

@@ -1,6 +1,6 @@
 use super::{Path, Walker};
 use crate::geometry::{Vector, degrees_of};
-use crate::kernel::{Block, Unknown};
+use crate::kernel::{Single, Unknown};
 use crate::mechanism::SliderId;
 
 /// Something that happens at one value of the drive.
@@ -94,7 +94,7 @@ const STEPS: usize = 60;
 pub(super) fn dead_positions(path: &Path) -> Vec<Event> {
     let (mechanism, kernel) = (path.mechanism, &path.kernel);
     let mut events = Vec::new();
-    let mut walker = path.walker::<1>();
+    let mut walker = path.walker();
     let fastest = |unknown: Unknown| {
         let rates = path.nodes.iter().map(|n| rate(&n.block, unknown)[0].abs());
         rates.fold(0.0, f64::max)
@@ -152,7 +152,7 @@ pub(super) fn dead_positions(path: &Path) -> Vec<Event> {
 }
 
 /// First and second derivative of an unknown.
-fn rate(block: &Block<1>, unknown: Unknown) -> [f64; 2] {
+fn rate(block: &Single, unknown: Unknown) -> [f64; 2] {
     match unknown {
         Unknown::Spin(class) => [block.omegas[class][0], block.alphas[class][0]],
         Unknown::Slide(slider) => [block.speeds[slider][0], block.accelerations[slider][0]],
@@ -161,17 +161,17 @@ fn rate(block: &Block<1>, unknown: Unknown) -> [f64; 2] {
 
 /// Where between two values of the drive an unknown's rate is zero: Newton's method, kept in its bracket by bisection.
 fn standstill(
-    walker: &mut Walker<1>,
+    walker: &mut Walker,
     unknown: Unknown,
     low: f64,
     high: f64,
     unit: f64,
 ) -> Option<f64> {
     let mut bracket = [low, high];
-    let rising = rate(walker.unit_motions(&[high])?, unknown)[0] > 0.0;
+    let rising = rate(walker.unit_motion(high)?, unknown)[0] > 0.0;
     let mut at = 0.5 * (low + high);
     for _ in 0..STEPS {
-        let [first, second] = rate(walker.unit_motions(&[at])?, unknown);
+        let [first, second] = rate(walker.unit_motion(at)?, unknown);
         bracket[usize::from((first > 0.0) == rising)] = at;
         let newton = at - first / second;
         let next = if newton > bracket[0] && newton < bracket[1] {

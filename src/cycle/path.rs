@@ -3,8 +3,8 @@ use super::segment::{Node, Segment};
 use super::start::start;
 use super::trace::{Traced, trace};
 use super::{CycleError, Event, Position, Walker};
-use crate::geometry::{lane, span};
-use crate::kernel::{Block, InputKind, Kernel};
+use crate::geometry::{Number, span};
+use crate::kernel::{Block, InputKind, Kernel, vector};
 use crate::mechanism::{Mechanism, Role};
 use crate::position::Pose;
 
@@ -160,7 +160,8 @@ impl<'a> Path<'a> {
             drive,
             kernel,
         };
-        let dull = |group: &usize| block.squared_sharpness[*group][0] < 1e-18;
+        let determinants = path.kernel.determinants(&block);
+        let dull = |group: &usize| determinants[*group][1] < 1e-18;
         if let Some(group) = (0..mechanism.groups.len()).find(|g| !closed || dull(g)) {
             return Err(CycleError::Singular {
                 links: mechanism.groups[group].link_names(mechanism),
@@ -168,10 +169,7 @@ impl<'a> Path<'a> {
             });
         }
         path.unit_rates(&mut block);
-        let nodes = vec![Node {
-            value: origin,
-            block,
-        }];
+        let nodes = vec![Node::new(&path, origin, block)];
         Ok(Path { nodes, ..path })
     }
 
@@ -183,23 +181,29 @@ impl<'a> Path<'a> {
     /// The mechanism's size.
     pub(super) fn size(&self) -> f64 {
         let points = &self.nodes[0].block.points;
-        span(points.iter().map(|p| lane(p, 0).into()))
+        span(points.iter().map(|p| vector(p, 0).into()))
     }
 
     /// Sets all drives for these values of the moved one.
-    pub(super) fn set_inputs<const N: usize>(&self, block: &mut Block<N>, values: &[f64; N]) {
+    #[inline(always)]
+    pub(super) fn set_inputs<T: Number, const M: usize>(
+        &self,
+        block: &mut Block<T, M>,
+        values: &[T; M],
+    ) {
         for (index, [start, ratio]) in self.inputs.iter().enumerate() {
             let own = if index == self.drive.input {
                 *values
             } else {
-                values.map(|value| start + ratio * (value - self.origin))
+                values.map(|value| (value - T::splat(self.origin)) * *ratio + T::splat(*start))
             };
             self.kernel.set_input(block, index, &own);
         }
     }
 
     /// All rates for the moved drive running by one degree, or one unit of length, a unit of time.
-    pub(super) fn unit_rates<const N: usize>(&self, block: &mut Block<N>) {
+    #[inline(always)]
+    pub(super) fn unit_rates<T: Number, const M: usize>(&self, block: &mut Block<T, M>) {
         for (index, [_, ratio]) in self.inputs.iter().enumerate() {
             let rate = match self.kernel.inputs[index].kind {
                 InputKind::Turning { .. } => ratio.to_radians(),
@@ -211,7 +215,8 @@ impl<'a> Path<'a> {
     }
 
     /// All rates for the drives running as the scene says.
-    pub(super) fn scene_rates<const N: usize>(&self, block: &mut Block<N>) {
+    #[inline(always)]
+    pub(super) fn scene_rates<T: Number, const M: usize>(&self, block: &mut Block<T, M>) {
         for (index, input) in self.kernel.inputs.iter().enumerate() {
             self.kernel
                 .set_rates(block, index, input.rate, input.second);
@@ -349,18 +354,24 @@ impl<'a> Path<'a> {
         self.ends[usize::from(above)].as_ref()
     }
 
-    /// A walker for N positions at a time.
+    /// A walker, one position at a time.
     #[must_use]
-    pub fn walker<const N: usize>(&self) -> Walker<'_, N> {
+    pub fn walker(&self) -> Walker<'_> {
+        Walker::new(self)
+    }
+
+    /// A walker for many positions at a time.
+    #[must_use]
+    pub fn walker_of<T: Number, const M: usize>(&self) -> Walker<'_, T, M> {
         Walker::new(self)
     }
 
     /// One position of a block.
-    pub(super) fn position<'b, const N: usize>(
+    pub(super) fn position<'b, T: Number, const M: usize>(
         &'b self,
-        block: &'b Block<N>,
+        block: &'b Block<T, M>,
         lane: usize,
-    ) -> Position<'b, N> {
+    ) -> Position<'b, T, M> {
         Position {
             mechanism: self.mechanism,
             kernel: &self.kernel,

@@ -1,19 +1,19 @@
-use crate::geometry::{Point, Vector, lane, quarter_turn};
-use crate::kernel::{Block, Kernel};
+use crate::geometry::{Number, Point, Vector, quarter_turn};
+use crate::kernel::{Block, Kernel, number, vector};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, Role, SliderId};
 use crate::plan::State;
 use crate::position::Pose;
 
 /// One position of a block, read as quantities are.
 #[derive(Clone, Copy, Debug)]
-pub struct Position<'a, const N: usize> {
+pub struct Position<'a, T: Number = f64, const M: usize = 1> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) kernel: &'a Kernel,
-    pub(super) block: &'a Block<N>,
+    pub(super) block: &'a Block<T, M>,
     pub(super) lane: usize,
 }
 
-impl<const N: usize> Position<'_, N> {
+impl<T: Number, const M: usize> Position<'_, T, M> {
     /// The direction of a body's own x axis.
     fn direction(&self, body: BodyId) -> Vector {
         let seat = self.kernel.seat(body);
@@ -40,7 +40,7 @@ impl<const N: usize> Position<'_, N> {
     }
 }
 
-impl<const N: usize> State for Position<'_, N> {
+impl<T: Number, const M: usize> State for Position<'_, T, M> {
     fn has_accelerations(&self) -> bool {
         true
     }
@@ -64,28 +64,25 @@ impl<const N: usize> State for Position<'_, N> {
     }
 
     fn slide_position(&self, slider: SliderId) -> Option<f64> {
-        Some(self.block.slides[slider.0][self.lane])
+        Some(number(&self.block.slides[slider.0], self.lane))
     }
 
     fn slide_rates(&self, slider: SliderId) -> [f64; 2] {
         let (speeds, seconds) = (&self.block.speeds, &self.block.accelerations);
-        [speeds[slider.0][self.lane], seconds[slider.0][self.lane]]
+        [speeds, seconds].map(|rates| number(&rates[slider.0], self.lane))
     }
 
     fn spin(&self, body: BodyId) -> [f64; 2] {
         let class = self.kernel.seat(body).class;
-        [
-            self.block.omegas[class][self.lane],
-            self.block.alphas[class][self.lane],
-        ]
+        [&self.block.omegas, &self.block.alphas].map(|rates| number(&rates[class], self.lane))
     }
 
     fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2] {
         let slot = self.kernel.seat(body).slot;
         let [omega, alpha] = self.spin(body);
         let arm = place - self.block.place(slot, self.lane);
-        let velocity = lane(&self.block.point_velocities[slot], self.lane);
-        let acceleration = lane(&self.block.point_accelerations[slot], self.lane);
+        let velocity = vector(&self.block.point_velocities[slot], self.lane);
+        let acceleration = vector(&self.block.point_accelerations[slot], self.lane);
         [
             velocity + quarter_turn(arm) * omega,
             acceleration + quarter_turn(arm) * alpha - arm * (omega * omega),

@@ -1,15 +1,25 @@
-// The same lane of several arrays is read and written: an index says it best.
-#![allow(clippy::needless_range_loop)]
-
-use crate::geometry::{Vector, lane, quarter_turn, set_lane};
-use crate::kernel::{Block, Kernel, Unknown};
+use super::Path;
+use crate::geometry::{Number, Pair, Vector, quarter_turn};
+use crate::kernel::{Block, Kernel, Single, Unknown, unit, vector};
 
 /// A position on the path, with its rates for a unit rate of the drive.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     /// The drive's value: degrees, or a length.
     pub value: f64,
-    pub block: Block<1>,
+    pub block: Single,
+    /// By group: determinant, and squared sharpness.
+    pub determinants: Vec<[f64; 2]>,
+}
+
+impl Node {
+    pub fn new(path: &Path, value: f64, block: Single) -> Node {
+        Node {
+            value,
+            determinants: path.kernel.determinants(&block),
+            block,
+        }
+    }
 }
 
 /// The path between two nodes: for each unknown the polynomial of degree 5 that has both nodes' values, first and second derivatives.
@@ -38,8 +48,13 @@ fn quintic([f0, d0, e0]: [f64; 3], [f1, d1, e1]: [f64; 3]) -> Quintic {
 }
 
 #[inline(always)]
-fn value(q: &Quintic, x: f64) -> f64 {
-    q[0] + x * (q[1] + x * (q[2] + x * (q[3] + x * (q[4] + x * q[5]))))
+fn value<T: Number>(q: &Quintic, x: T) -> T {
+    let [constant, rest @ .., last] = q;
+    let sum = rest
+        .iter()
+        .rev()
+        .fold(T::splat(*last), |sum, c| sum * x + T::splat(*c));
+    sum * x + T::splat(*constant)
 }
 
 fn slope(q: &Quintic, x: f64) -> f64 {
@@ -60,7 +75,7 @@ impl Segment {
                 Unknown::Spin(class) => {
                     // Cosine and sine, whose derivatives are ω J d and (α J − ω²) d of the direction d.
                     let of = |node: &Node| {
-                        let direction = lane(&node.block.turns[class], 0);
+                        let direction = vector(&node.block.turns[class], 0);
                         let omega = node.block.omegas[class][0] * step;
                         let alpha = node.block.alphas[class][0] * step * step;
                         let across: Vector = quarter_turn(direction);
@@ -88,34 +103,37 @@ impl Segment {
         segment
     }
 
-    /// Where on the segment a value of the drive is: 0 at its start, 1 at its end.
+    /// Whether all these values of the drive lie on it.
     #[inline(always)]
-    fn along(&self, drive: f64) -> f64 {
-        (drive - self.from) / (self.to - self.from)
+    pub fn holds<T: Number, const M: usize>(&self, drive: &[T; M]) -> bool {
+        let inside = |value: f64| self.from <= value && value <= self.to;
+        drive
+            .iter()
+            .all(|v| (0..T::LANES).all(|lane| inside(v.lane(lane))))
     }
 
     /// Sets the unknowns of `block` to those of the polynomials.
-    #[inline]
-    pub fn predict<const N: usize>(&self, drive: &[f64; N], block: &mut Block<N>) {
-        let x = drive.map(|value| self.along(value));
+    #[inline(always)]
+    pub fn predict<T: Number, const M: usize>(&self, drive: &[T; M], block: &mut Block<T, M>) {
+        let scale = 1.0 / (self.to - self.from);
+        let along = drive.map(|value| (value - T::splat(self.from)) * scale);
         for (class, [cosine, sine]) in &self.turns {
-            let turn = &mut block.turns[*class];
-            for i in 0..N {
-                let direction = Vector::new(value(cosine, x[i]), value(sine, x[i]));
-                // The polynomials leave the unit circle by little: one Newton step towards length 1.
-                set_lane(turn, i, direction * (1.5 - 0.5 * direction.norm_squared()));
-            }
+            block.turns[*class] = along.map(|x| {
+                // The polynomials leave the unit circle by little.
+                unit(Pair {
+                    x: value(cosine, x),
+                    y: value(sine, x),
+                })
+            });
         }
         for (slider, curve) in &self.slides {
-            for i in 0..N {
-                block.slides[*slider][i] = value(curve, x[i]);
-            }
+            block.slides[*slider] = along.map(|x| value(curve, x));
         }
     }
 
     /// The rate of an unknown per unit of the drive, by the polynomials.
     pub fn rate(&self, unknown: Unknown, drive: f64) -> f64 {
-        let x = self.along(drive);
+        let x = (drive - self.from) / (self.to - self.from);
         let rise = match unknown {
             Unknown::Spin(class) => {
                 let curve = self.turns.iter().find(|(c, _)| *c == class);

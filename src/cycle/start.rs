@@ -1,10 +1,10 @@
-use crate::geometry::{Turn, Vector, set_lane};
-use crate::kernel::{Block, Kernel, Unknown};
+use crate::geometry::{Pair, Turn};
+use crate::kernel::{Block, Kernel, Single, Unknown};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 
 /// The block that stands where `pose` does, with the drives' own values; unit rates are for the caller to set.
-pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Block<1> {
+pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Single {
     let mut block = Block::new(kernel);
     for (index, input) in kernel.inputs.iter().enumerate() {
         kernel.set_input(&mut block, index, &[input.value]);
@@ -20,7 +20,10 @@ pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Bloc
                     Some(seat.turn.inverse() * Turn::from_cos_sin_unchecked(axis.x, axis.y))
                 });
                 let turn = axis.unwrap_or_else(Turn::identity);
-                set_lane(&mut block.turns[class], 0, Vector::new(turn.re, turn.im));
+                block.turns[class] = [Pair {
+                    x: turn.re,
+                    y: turn.im,
+                }];
             }
         }
     }

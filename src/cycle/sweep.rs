@@ -1,4 +1,5 @@
 use super::{CycleError, Drive, Path, Position};
+use crate::geometry::{Eight, Number};
 use crate::mechanism::{GROUND, Mechanism, PointId, SliderId};
 use crate::motion::{Order, motion};
 use crate::plan::{Asked, Construction, Quantity, QuantityError, construction};
@@ -192,24 +193,25 @@ impl<'a> Sweep<'a> {
     #[must_use]
     pub fn rows(&self, rows: Range<usize>) -> Numbers {
         let mut numbers = Numbers::with_capacity(rows.len() * self.header().len());
-        let mut many = self.path.walker::<LANES>();
-        let mut one = self.path.walker::<1>();
+        let mut many = self.path.walker_of::<Eight, { LANES / 8 }>();
+        let mut one = self.path.walker();
         let mut next = rows.start;
         while next < rows.end {
             let full = rows.end - next >= LANES;
-            let values: [f64; LANES] = std::array::from_fn(|i| self.steps.value(next + i));
+            let value = |i: usize| self.steps.value(next + i);
+            let values = std::array::from_fn(|k| Eight::from_lanes(|i| value(8 * k + i)));
             let block = if full { many.motions(&values) } else { None };
             if let Some(block) = block {
-                for (lane, value) in values.iter().enumerate() {
+                for lane in 0..LANES {
                     let position = self.path.position(block, lane);
-                    self.read(*value, Some(position), &mut numbers);
+                    self.read(value(lane), Some(position), &mut numbers);
                 }
                 next += LANES;
                 continue;
             }
             // The block crosses a node, ends the range, or holds a singular position.
-            for value in &values[..LANES.min(rows.end - next)] {
-                self.read(*value, one.position(*value), &mut numbers);
+            for value in (0..LANES.min(rows.end - next)).map(value) {
+                self.read(value, one.position(value), &mut numbers);
             }
             next = (next + LANES).min(rows.end);
         }
@@ -230,10 +232,10 @@ impl<'a> Sweep<'a> {
     }
 
     /// Appends a row.
-    fn read<const N: usize>(
+    fn read<T: Number, const M: usize>(
         &self,
         value: f64,
-        position: Option<Position<N>>,
+        position: Option<Position<T, M>>,
         numbers: &mut Numbers,
     ) {
         numbers.push(Some(value));
@@ -261,7 +263,10 @@ impl<'a> Sweep<'a> {
     }
 
     /// The plans at a position; none where it is singular.
-    fn construct<const N: usize>(&self, position: &Position<N>) -> Option<Construction> {
+    fn construct<T: Number, const M: usize>(
+        &self,
+        position: &Position<T, M>,
+    ) -> Option<Construction> {
         let (mechanism, pose) = (self.path.mechanism, position.pose());
         let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
         Some(construction(mechanism, &pose, &motion))
@@ -269,7 +274,7 @@ impl<'a> Sweep<'a> {
 
     /// Whether every plan point that is asked for is there, at a value of the drive.
     fn check(&self, value: f64) -> Result<(), QuantityError> {
-        let mut walker = self.path.walker::<1>();
+        let mut walker = self.path.walker();
         let Some(position) = walker.position(value) else {
             return Ok(());
         };

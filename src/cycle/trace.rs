@@ -1,6 +1,6 @@
 use super::segment::{Node, Segment};
 use super::{Event, Happening, Path};
-use crate::geometry::{lane, set_lane};
+use crate::geometry::Pair;
 use crate::kernel::{Correction, Unknown};
 
 /// What is left of a middle position for Newton's method to find, in units of rounding after one step: far less than one.
@@ -129,12 +129,11 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
                     return None;
                 }
                 let (sine, cosine) = libm::sincos(angle);
-                let d = lane(&block.turns[class], 0);
-                let turned = crate::geometry::Vector::new(
-                    d.x * cosine - d.y * sine,
-                    d.x * sine + d.y * cosine,
-                );
-                set_lane(&mut block.turns[class], 0, turned);
+                let [Pair { x, y }] = block.turns[class];
+                block.turns[class] = [Pair {
+                    x: x * cosine - y * sine,
+                    y: x * sine + y * cosine,
+                }];
             }
             Unknown::Slide(slider) => {
                 let (speed, second) = (block.speeds[slider][0], block.accelerations[slider][0]);
@@ -147,12 +146,11 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
         return None;
     }
     path.unit_rates(&mut block);
-    let before = &last.block.determinants;
-    let mut pairs = before.iter().zip(&block.determinants);
-    if !pairs.all(|([old], [new])| new / old >= DETERMINANT_LEFT) {
+    let node = Node::new(path, to, block);
+    let mut pairs = last.determinants.iter().zip(&node.determinants);
+    if !pairs.all(|([old, _], [new, _])| new / old >= DETERMINANT_LEFT) {
         return None;
     }
-    let node = Node { value: to, block };
     let segment = Segment::new(&path.kernel, last, &node);
     let middle = last.value + 0.5 * step;
     let mut block = node.block.clone();
@@ -174,8 +172,8 @@ fn allowed(step: f64) -> f64 {
 
 /// The group nearest to a singular position.
 fn dullest(node: &Node) -> usize {
-    let sharpness = node.block.squared_sharpness.iter().map(|s| s[0]);
-    let least = sharpness.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+    let sharpness = node.determinants.iter().map(|[_, sharpness]| sharpness);
+    let least = sharpness.enumerate().min_by(|a, b| a.1.total_cmp(b.1));
     least.map_or(0, |(group, _)| group)
 }
 
@@ -186,7 +184,7 @@ fn dullest(node: &Node) -> usize {
 fn limit_ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<[f64; 2]> {
     let last = &nodes[nodes.len() - 1];
     let group = dullest(last);
-    let determinant = |node: &Node| node.block.determinants[group][0];
+    let determinant = |node: &Node| node.determinants[group][0];
     // A node that is some way back, seen by the determinant.
     let back = |n: &&Node| determinant(n) / determinant(last) >= 2.0;
     let before = nodes.iter().rev().find(back)?;
@@ -225,7 +223,7 @@ fn limit_ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<[f64; 2]> {
 fn leap(path: &Path, nodes: &[Node], forward: f64) -> Option<(usize, Node, f64)> {
     let last = &nodes[nodes.len() - 1];
     let group = dullest(last);
-    let determinant = |node: &Node| node.block.determinants[group][0];
+    let determinant = |node: &Node| node.determinants[group][0];
     let before = &nodes[nodes.len().checked_sub(2)?];
     // The determinant goes to zero in proportion to the distance.
     let fall = (determinant(before) - determinant(last)) / (before.value - last.value);
@@ -239,7 +237,7 @@ fn leap(path: &Path, nodes: &[Node], forward: f64) -> Option<(usize, Node, f64)>
         path.set_inputs(&mut block, &[value]);
         segment.predict(&[value], &mut block);
         let found = path.kernel.assemble(&mut block);
-        (found.closed && found.first <= LEAP_OFF).then_some(Node { value, block })
+        (found.closed && found.first <= LEAP_OFF).then(|| Node::new(path, value, block))
     };
     let mut node = land(rough + away(&nodes[far]) * forward, &segment)?;
     path.unit_rates(&mut node.block);

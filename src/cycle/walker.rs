@@ -1,15 +1,16 @@
 use super::{Path, Position};
+use crate::geometry::Number;
 use crate::kernel::Block;
 
-/// Computes positions and rates anywhere on a path, N at a time, in memory of its own.
+/// Computes positions and rates anywhere on a path in memory of its own, one at a time or M times the lanes of T.
 #[derive(Clone, Debug)]
-pub struct Walker<'a, const N: usize> {
+pub struct Walker<'a, T: Number = f64, const M: usize = 1> {
     path: &'a Path<'a>,
-    block: Block<N>,
+    block: Block<T, M>,
     segment: usize,
 }
 
-impl<'a, const N: usize> Walker<'a, N> {
+impl<'a, T: Number, const M: usize> Walker<'a, T, M> {
     pub(super) fn new(path: &'a Path<'a>) -> Self {
         Self {
             path,
@@ -19,49 +20,56 @@ impl<'a, const N: usize> Walker<'a, N> {
     }
 
     /// Positions at these values of the drive, which must lie on one segment; `None` where that is not so, or a position is singular.
-    pub fn positions(&mut self, values: &[f64; N]) -> Option<&mut Block<N>> {
+    #[inline]
+    pub fn positions(&mut self, values: &[T; M]) -> Option<&mut Block<T, M>> {
+        self.assemble(values).then_some(&mut self.block)
+    }
+
+    #[inline(always)]
+    fn assemble(&mut self, values: &[T; M]) -> bool {
         let segments = &self.path.segments;
-        let holds = |s: usize| {
-            let range = segments.get(s).map(|s| s.from..=s.to);
-            range.is_some_and(|range| values.iter().all(|v| range.contains(v)))
-        };
-        if !holds(self.segment) {
-            self.segment = self.path.segment(values[0])?;
-            if !holds(self.segment) {
-                return None;
+        if !segments.get(self.segment).is_some_and(|s| s.holds(values)) {
+            let found = self.path.segment(values[0].lane(0));
+            self.segment = found.unwrap_or(self.segment);
+            if !segments.get(self.segment).is_some_and(|s| s.holds(values)) {
+                return false;
             }
         }
         self.path.set_inputs(&mut self.block, values);
         segments[self.segment].predict(values, &mut self.block);
-        let found = self.path.kernel.assemble(&mut self.block);
-        found.closed.then_some(&mut self.block)
+        self.path.kernel.assemble(&mut self.block).closed
     }
 
     /// Positions and the rates for the drives running as the scene says; `None` as for [`Self::positions`].
-    pub fn motions(&mut self, values: &[f64; N]) -> Option<&Block<N>> {
-        self.positions(values)?;
-        Some(self.rates())
+    #[inline]
+    pub fn motions(&mut self, values: &[T; M]) -> Option<&Block<T, M>> {
+        let found = self.assemble(values);
+        if found {
+            self.path.scene_rates(&mut self.block);
+        }
+        found.then_some(&self.block)
     }
 
     /// The rates at the positions computed last, for the drives running as the scene says.
-    pub fn rates(&mut self) -> &Block<N> {
+    #[inline]
+    pub fn rates(&mut self) -> &Block<T, M> {
         self.path.scene_rates(&mut self.block);
         &self.block
     }
-
-    /// The same for the drive running by one unit of its value a unit of time.
-    pub(super) fn unit_motions(&mut self, values: &[f64; N]) -> Option<&Block<N>> {
-        self.positions(values)?;
-        self.path.unit_rates(&mut self.block);
-        Some(&self.block)
-    }
 }
 
-impl Walker<'_, 1> {
+impl Walker<'_> {
     /// The position at a value of the drive, with its rates; `None` where it has not been reached or is singular.
-    pub fn position(&mut self, value: f64) -> Option<Position<'_, 1>> {
+    pub fn position(&mut self, value: f64) -> Option<Position<'_>> {
         let path = self.path;
         let block = self.motions(&[value])?;
         Some(path.position(block, 0))
+    }
+
+    /// The motion for the drive running by one unit of its value a unit of time.
+    pub(super) fn unit_motion(&mut self, value: f64) -> Option<&Block<f64, 1>> {
+        self.positions(&[value])?;
+        self.path.unit_rates(&mut self.block);
+        Some(&self.block)
     }
 }

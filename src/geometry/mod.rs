@@ -3,14 +3,14 @@
 //! Nothing here knows what a mechanism is.
 
 mod angle;
-mod lanes;
 mod line;
+mod numbers;
 mod reduced;
 mod system;
 
 pub use angle::{degrees_of, direction_of_degrees, turn_of_degrees};
-pub use lanes::{Lanes, Pairs, lane, set_lane};
 pub use line::{Crossing, Line, PARALLEL, Place};
+pub use numbers::{Eight, Number, Pair};
 pub use reduced::Reduced;
 pub use system::{LinearSystem, Numbers};
 

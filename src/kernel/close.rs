@@ -1,13 +1,8 @@
-use super::block::turned;
-use super::compile::{Action, Chain, Closing, InputKind, Placing, Source, Unknown};
+use super::compile::{Action, Closing, InputKind, Placing, Source, Unknown};
 use super::{Block, Kernel};
-use crate::geometry::{
-    LinearSystem, Pairs, Reduced, UNIT_ROUNDOFF, Vector, lane, quarter_turn, set_lane,
-    turn_of_degrees,
-};
+use crate::geometry::{LinearSystem, Number, Pair, Reduced, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::Reduction;
 use nalgebra::DMatrix;
-use smallvec::SmallVec;
 
 /// Newton steps at most for one group, from a good start.
 const STEPS: usize = 12;
@@ -22,28 +17,44 @@ pub struct Correction {
     pub first: f64,
     /// Whether every loop closed to what rounding allows.
     pub closed: bool,
-    /// The part of the largest first correction that a second one would still have to remove, in units of rounding.
+    /// What the first correction has left for a second one, in units of rounding.
     pub doubt: f64,
 }
 
-/// The columns of a group's equations, factored.
-pub(super) enum Factored<const N: usize> {
-    One(Reduced<1, N>, [usize; 2]),
-    Two(Reduced<2, N>, [usize; 4]),
+/// A group's equations, factored.
+#[derive(Clone, Debug)]
+pub(super) enum System<T, const M: usize> {
+    One([Reduced<1, T>; M]),
+    Two([Reduced<2, T>; M]),
+    /// One system for each lane.
     Any(Vec<Option<LinearSystem>>),
 }
 
-/// Right sides of a group's loops, or the solutions for them: numbers by unknown.
-pub(super) type Sides<const N: usize> = SmallVec<[Pairs<N>; 2]>;
+impl<T: Number, const M: usize> System<T, M> {
+    /// Room for the system of a group that reduces so.
+    pub fn new(reduction: Option<Reduction>) -> Self {
+        let x = Pair::splat(Vector::x());
+        match reduction {
+            Some(Reduction::OneLoop) => System::One([Reduced::new([[x; 3]]); M]),
+            Some(Reduction::TwoLoops { .. }) => System::Two([Reduced::new([[x; 3]; 2]); M]),
+            None => System::Any(Vec::new()),
+        }
+    }
+}
 
 impl Kernel {
-    /// Sets a drive: an angle in degrees, or a position along the guide.
-    pub fn set_input<const N: usize>(&self, block: &mut Block<N>, input: usize, values: &[f64; N]) {
+    /// Sets a drive: angles in degrees, or positions along the guide.
+    #[inline(always)]
+    pub fn set_input<T: Number, const M: usize>(
+        &self,
+        block: &mut Block<T, M>,
+        input: usize,
+        values: &[T; M],
+    ) {
         match self.inputs[input].kind {
             InputKind::Turning { class } => {
-                for (i, value) in values.iter().enumerate() {
-                    let turn = turn_of_degrees(*value);
-                    set_lane(&mut block.turns[class], i, Vector::new(turn.re, turn.im));
+                for (turn, value) in block.turns[class].iter_mut().zip(values) {
+                    *turn = value.direction_of_degrees();
                 }
             }
             InputKind::Sliding { slider } => block.slides[slider] = *values,
@@ -54,7 +65,8 @@ impl Kernel {
     ///
     /// The matrix is that of the velocities, so a position is as exact as the condition of its velocities allows. It must start near:
     /// where a first step is larger than half a radian, or steps do not get smaller, the loops count as not closed.
-    pub fn assemble<const N: usize>(&self, block: &mut Block<N>) -> Correction {
+    #[inline(always)]
+    pub fn assemble<T: Number, const M: usize>(&self, block: &mut Block<T, M>) -> Correction {
         let mut worst = Correction {
             first: 0.0,
             closed: true,
@@ -76,257 +88,320 @@ impl Kernel {
         }
         worst
     }
+
+    /// By group, in the first lane: the determinant of its equations, whose sign changes where two branches meet, and the square
+    /// of Hadamard's ratio, 1 down to 0 in a singular position.
+    #[must_use]
+    pub fn determinants(&self, block: &Block<f64, 1>) -> Vec<[f64; 2]> {
+        let systems = block.systems.iter().map(|system| match system {
+            System::One([s]) => [s.determinant, s.squared_sharpness],
+            System::Two([s]) => [s.determinant, s.squared_sharpness],
+            System::Any(systems) => {
+                let determinant = |s: &LinearSystem| [s.determinant(), s.condition().powi(-2)];
+                systems
+                    .first()
+                    .and_then(Option::as_ref)
+                    .map_or([0.0; 2], determinant)
+            }
+        });
+        systems.collect()
+    }
 }
 
-fn place<const N: usize>(block: &mut Block<N>, placing: &Placing) {
+#[inline(always)]
+fn place<T: Number, const M: usize>(block: &mut Block<T, M>, placing: &Placing) {
     let turn = &block.turns[placing.class];
-    let from = block.points[placing.from];
     let reach = &mut block.reaches[placing.reach];
-    let to = &mut block.points[placing.to];
-    match placing.slide {
-        None => {
-            for i in 0..N {
-                set_lane(reach, i, turned(turn, placing.local, i));
-            }
-        }
-        Some((slider, direction)) => {
-            let slides = &block.slides[slider];
-            for i in 0..N {
-                let local = placing.local + direction * slides[i];
-                set_lane(reach, i, turned(turn, local, i));
-            }
+    for k in 0..M {
+        reach[k] = turn[k].turn(placing.local);
+    }
+    if let Some((slider, direction)) = placing.slide {
+        let slides = &block.slides[slider];
+        for k in 0..M {
+            reach[k] = reach[k] + turn[k].turn(direction) * slides[k];
         }
     }
-    for axis in 0..2 {
-        for i in 0..N {
-            to[axis][i] = from[axis][i] + reach[axis][i];
-        }
+    for k in 0..M {
+        block.points[placing.to][k] = block.points[placing.from][k] + reach[k];
     }
 }
 
 /// Newton's method for one group.
-fn close<const N: usize>(block: &mut Block<N>, closing: &Closing) -> Correction {
+#[inline(always)]
+fn close<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) -> Correction {
     let mut before = f64::INFINITY;
-    let mut first = None;
-    let mut first_doubt = 0.0;
+    let mut start: Option<[f64; 2]> = None;
     for _ in 0..STEPS {
         arms(block, closing);
-        let factored = factor(block, closing);
-        let gaps: Sides<N> = closing.chains.iter().map(|c| gap(block, c)).collect();
-        let corrections = factored.solve(&gaps, closing.unknowns.len());
-        let mut largest: f64 = 0.0;
-        let size = closing.size(block);
-        for (unknown, correction) in closing.unknowns.iter().zip(&corrections) {
-            let size = match unknown {
-                Unknown::Spin(_) => 1.0,
-                Unknown::Slide(_) => size,
-            };
-            for i in 0..N {
-                let step = correction[i].abs() / size;
-                // A NaN must not be lost in a maximum.
-                largest = if step <= largest { largest } else { step };
-            }
-        }
+        factor(block, closing);
+        gaps(block, closing);
+        solve(block, closing);
+        let largest = largest_correction(block, closing);
         // Newton's method squares an error and divides it by the sharpness; what that leaves must be rounding.
-        let sharpness = &block.squared_sharpness[closing.group];
-        let dullest = sharpness.iter().fold(1.0, |least: f64, &s| least.min(s));
-        let doubt = largest * largest / (dullest.sqrt() * UNIT_ROUNDOFF);
+        let doubt = largest * largest / (dullest(block, closing).sqrt() * UNIT_ROUNDOFF);
+        let [first, first_doubt] = start.unwrap_or([largest, doubt]);
         let found = |closed| Correction {
-            first: first.unwrap_or(largest),
+            first,
             closed,
-            doubt: if first.is_none() { doubt } else { first_doubt },
+            doubt: first_doubt,
         };
-        let far = first.is_none() && largest > GOOD;
-        if largest.is_nan() || far || (largest > 0.5 * before && doubt > 1e3) {
+        let far = start.is_none() && largest > GOOD;
+        let stuck = largest > 0.5 * before;
+        if doubt.is_nan() || far || (stuck && doubt > 1e3) {
             return found(false);
         }
-        correct(block, closing, &corrections);
-        if doubt <= 0.25 || largest > 0.5 * before {
+        correct(block, closing);
+        if doubt <= 0.25 || stuck {
             arms(block, closing);
             return found(true);
         }
-        if first.is_none() {
-            (first, first_doubt) = (Some(largest), doubt);
-        }
+        start = Some([first, first_doubt]);
         before = largest;
     }
     Correction {
-        first: first.unwrap_or(f64::INFINITY),
+        first: f64::INFINITY,
         closed: false,
         doubt: f64::INFINITY,
     }
 }
 
-impl Closing {
-    /// The largest component of a member's vector: a length to compare slides with.
-    fn size<const N: usize>(&self, block: &Block<N>) -> f64 {
-        let members = self.chains.iter().flat_map(|c| &c.members);
-        let components = members.flat_map(|m| &block.arms[m.arm]).flatten();
-        components.fold(0.0, |size: f64, x| size.max(x.abs()))
+/// The largest correction in the block's solution, in radians or parts of the largest member.
+#[inline(always)]
+fn largest_correction<T: Number, const M: usize>(block: &Block<T, M>, closing: &Closing) -> f64 {
+    let (mut turns, mut slides): (f64, f64) = (0.0, 0.0);
+    for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
+        let largest = match unknown {
+            Unknown::Spin(_) => &mut turns,
+            Unknown::Slide(_) => &mut slides,
+        };
+        for step in steps {
+            let step = step.largest();
+            // A NaN must not be lost in a maximum.
+            *largest = if step <= *largest { *largest } else { step };
+        }
+    }
+    if slides == 0.0 {
+        return turns;
+    }
+    let mut size: f64 = 0.0;
+    for member in &closing.members {
+        for arm in &block.arms[member.arm] {
+            size = size.max(arm.x.largest()).max(arm.y.largest());
+        }
+    }
+    let slides = slides / size;
+    if slides <= turns { turns } else { slides }
+}
+
+/// The smallest squared sharpness of a group's equations in the block.
+#[inline(always)]
+fn dullest<T: Number, const M: usize>(block: &Block<T, M>, closing: &Closing) -> f64 {
+    let least = |sharpness: f64, least: f64| if sharpness < least { sharpness } else { least };
+    match &block.systems[closing.group] {
+        System::One(systems) => systems
+            .iter()
+            .fold(1.0, |l, s| least(s.squared_sharpness.smallest(), l)),
+        System::Two(systems) => systems
+            .iter()
+            .fold(1.0, |l, s| least(s.squared_sharpness.smallest(), l)),
+        System::Any(systems) => systems.iter().fold(1.0, |l, s| {
+            let condition = s.as_ref().map_or(f64::INFINITY, LinearSystem::condition);
+            least(condition.powi(-2), l)
+        }),
     }
 }
 
 /// Turns the members of all loops, and the guides in them.
-fn arms<const N: usize>(block: &mut Block<N>, closing: &Closing) {
-    for member in closing.chains.iter().flat_map(|c| &c.members) {
-        let turn = &block.turns[member.class];
-        let arm = &mut block.arms[member.arm];
-        for i in 0..N {
-            set_lane(arm, i, turned(turn, member.local, i));
+#[inline(always)]
+fn arms<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
+    for member in &closing.members {
+        let (turn, arm) = (&block.turns[member.class], &mut block.arms[member.arm]);
+        for k in 0..M {
+            arm[k] = turn[k].turn(member.local);
         }
-        for rail in &member.rails {
-            let (guide, slides) = (&mut block.rails[rail.rail], &block.slides[rail.slider]);
-            for i in 0..N {
-                let direction = turned(turn, rail.direction, i);
-                set_lane(guide, i, direction);
-                set_lane(arm, i, lane(arm, i) + direction * slides[i]);
-            }
+    }
+    for rail in &closing.rails {
+        let (turn, slides) = (&block.turns[rail.class], &block.slides[rail.slider]);
+        let (guide, arm) = (&mut block.rails[rail.rail], &mut block.arms[rail.arm]);
+        for k in 0..M {
+            guide[k] = turn[k].turn(rail.direction);
+            arm[k] = arm[k] + guide[k] * slides[k];
         }
     }
 }
 
-/// What is missing for a loop to close: from its start, along its members, to its end.
-fn gap<const N: usize>(block: &Block<N>, chain: &Chain) -> Pairs<N> {
-    let mut gap = [[0.0; N]; 2];
-    if let Some([start, end]) = chain.ends {
-        let (start, end) = (&block.points[start], &block.points[end]);
-        for axis in 0..2 {
-            for i in 0..N {
-                gap[axis][i] = end[axis][i] - start[axis][i];
-            }
+/// What is missing for the loops to close: from their starts, along their members, to their ends.
+#[inline(always)]
+fn gaps<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
+    differences(&mut block.sides, &block.points, closing);
+    for member in &closing.members {
+        let (gap, arm) = (&mut block.sides[member.chain], &block.arms[member.arm]);
+        for k in 0..M {
+            gap[k] = gap[k] - arm[k];
         }
     }
-    for member in &chain.members {
-        let arm = &block.arms[member.arm];
-        for axis in 0..2 {
-            for i in 0..N {
-                gap[axis][i] -= arm[axis][i];
-            }
+}
+
+/// The values at the loops' ends less those at their starts; zero for a loop that closes on itself.
+#[inline(always)]
+pub(super) fn differences<T: Number, const M: usize>(
+    sides: &mut [[Pair<T>; M]],
+    values: &[[Pair<T>; M]],
+    closing: &Closing,
+) {
+    for (side, ends) in sides.iter_mut().zip(&closing.ends) {
+        for k in 0..M {
+            side[k] = match *ends {
+                Some([start, end]) => values[end][k] - values[start][k],
+                None => Pair::splat(Vector::zeros()),
+            };
         }
     }
-    gap
 }
 
 /// The column of an unknown in a loop.
-fn column<const N: usize>(block: &Block<N>, chain: &Chain, unknown: usize) -> Pairs<N> {
-    match chain.columns[unknown] {
-        None => [[0.0; N]; 2],
-        Some(Source::Rail(rail)) => block.rails[rail],
-        Some(Source::Arm(arm)) => {
-            let arm = &block.arms[arm];
-            let mut column = [[0.0; N]; 2];
-            for i in 0..N {
-                set_lane(&mut column, i, quarter_turn(lane(arm, i)));
-            }
-            column
-        }
+#[inline(always)]
+fn column<T: Number, const M: usize>(
+    arms: &[[Pair<T>; M]],
+    rails: &[[Pair<T>; M]],
+    source: Source,
+    k: usize,
+) -> Pair<T> {
+    match source {
+        Source::None => Pair::splat(Vector::zeros()),
+        Source::Rail(rail) => rails[rail][k],
+        Source::Arm(arm) => arms[arm][k].quarter_turn(),
     }
 }
 
-/// Factors the equations; notes determinant and sharpness.
-pub(super) fn factor<const N: usize>(block: &mut Block<N>, closing: &Closing) -> Factored<N> {
-    let group = closing.group;
-    match (closing.reduction, closing.chains.as_slice()) {
-        (Some(Reduction::OneLoop), [chain]) => {
-            let [s, t] = [0, 1].map(|u| column(block, chain, u));
-            let system = Reduced::new([[[[0.0; N]; 2], s, t]]);
-            block.determinants[group] = system.determinant;
-            block.squared_sharpness[group] = system.squared_sharpness;
-            Factored::One(system, [0, 1])
+/// Factors a group's equations.
+#[inline(always)]
+pub(super) fn factor<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
+    let (arms, rails) = (&block.arms, &block.rails);
+    let column = |source, k| column(arms, rails, source, k);
+    match (
+        &mut block.systems[closing.group],
+        closing.columns.as_slice(),
+    ) {
+        (System::One(systems), [chain]) => {
+            let &[s, t] = chain.first_chunk().expect("a dyad has two unknowns");
+            for k in 0..M {
+                systems[k] = Reduced::new([[s, s, t].map(|source| column(source, k))]);
+            }
         }
-        (
-            Some(Reduction::TwoLoops {
-                shared: [x, y],
-                own,
-            }),
-            [first, second],
-        ) => {
-            let columns = [(first, own[0]), (second, own[1])]
-                .map(|(chain, own)| [own, x, y].map(|u| column(block, chain, u)));
-            let system = Reduced::new(columns);
-            block.determinants[group] = system.determinant;
-            block.squared_sharpness[group] = system.squared_sharpness;
-            Factored::Two(system, [x, y, own[0], own[1]])
+        (System::Two(systems), [first, second]) => {
+            let columns = [first, second].map(|c| c.first_chunk().expect("four unknowns"));
+            let [[s, t, h, _], [u, v, _, g]] = columns.map(|c: &[Source; 4]| *c);
+            for k in 0..M {
+                let first = [column(h, k), column(s, k), column(t, k)];
+                let second = [column(g, k), column(u, k), column(v, k)];
+                systems[k] = Reduced::new([first, second]);
+            }
         }
-        (_, chains) => {
-            let unknowns = closing.unknowns.len();
-            let columns: Vec<Vec<Pairs<N>>> = chains
+        _ => block.systems[closing.group] = System::Any(any_systems(block, closing)),
+    }
+}
+
+/// The systems of a group that does not reduce, lane by lane.
+#[inline(never)]
+fn any_systems<T: Number, const M: usize>(
+    block: &Block<T, M>,
+    closing: &Closing,
+) -> Vec<Option<LinearSystem>> {
+    let (loops, unknowns) = (closing.ends.len(), closing.unknowns.len());
+    let system = |lane: usize| {
+        let matrix = DMatrix::from_fn(2 * loops, unknowns, |row, unknown| {
+            let source = closing.columns[row / 2][unknown];
+            let column = column(&block.arms, &block.rails, source, lane / T::LANES);
+            column.lane(lane % T::LANES)[row % 2]
+        });
+        LinearSystem::new((matrix.nrows() == matrix.ncols()).then_some(matrix)?)
+    };
+    (0..M * T::LANES).map(system).collect()
+}
+
+/// The solution for the block's right sides.
+#[inline(always)]
+pub(super) fn solve<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
+    match &block.systems[closing.group] {
+        System::One(systems) => {
+            for k in 0..M {
+                let [x, y, ..] = systems[k].solve([block.sides[0][k]]);
+                (block.solution[0][k], block.solution[1][k]) = (x, y);
+            }
+        }
+        System::Two(systems) => {
+            for k in 0..M {
+                let solved = systems[k].solve([block.sides[0][k], block.sides[1][k]]);
+                for (unknown, value) in block.solution.iter_mut().zip(solved) {
+                    unknown[k] = value;
+                }
+            }
+        }
+        System::Any(systems) => {
+            let sides = &block.sides[..closing.ends.len()];
+            let solved: Vec<_> = systems
                 .iter()
-                .map(|chain| (0..unknowns).map(|u| column(block, chain, u)).collect())
+                .enumerate()
+                .map(|(lane, system)| {
+                    let sides = sides.iter().flat_map(|side| {
+                        let side = side[lane / T::LANES].lane(lane % T::LANES);
+                        [side.x, side.y]
+                    });
+                    let sides: Vec<f64> = sides.collect();
+                    system.as_ref().map(|system| system.solve(&sides))
+                })
                 .collect();
-            let systems = (0..N).map(|i| {
-                let matrix = DMatrix::from_fn(2 * chains.len(), unknowns, |row, unknown| {
-                    columns[row / 2][unknown][row % 2][i]
-                });
-                let system = (matrix.nrows() == matrix.ncols()).then(|| LinearSystem::new(matrix));
-                let system = system.flatten();
-                let condition = system
-                    .as_ref()
-                    .map_or(f64::INFINITY, LinearSystem::condition);
-                block.determinants[group][i] =
-                    system.as_ref().map_or(0.0, LinearSystem::determinant);
-                block.squared_sharpness[group][i] = 1.0 / (condition * condition);
-                system
-            });
-            Factored::Any(systems.collect())
-        }
-    }
-}
-
-impl<const N: usize> Factored<N> {
-    /// The unknowns for these right sides.
-    pub(super) fn solve(&self, sides: &[Pairs<N>], unknowns: usize) -> SmallVec<[[f64; N]; 4]> {
-        let mut solution: SmallVec<[[f64; N]; 4]> = SmallVec::from_elem([0.0; N], unknowns);
-        match self {
-            Factored::One(system, order) => {
-                let solved = system.solve(&[sides[0]]);
-                for (unknown, value) in order.iter().zip(solved) {
-                    solution[*unknown] = value;
-                }
-            }
-            Factored::Two(system, order) => {
-                let solved = system.solve(&[sides[0], sides[1]]);
-                for (unknown, value) in order.iter().zip(solved) {
-                    solution[*unknown] = value;
-                }
-            }
-            Factored::Any(systems) => {
-                for (i, system) in systems.iter().enumerate() {
-                    let side: Vec<f64> = sides.iter().flat_map(|s| [s[0][i], s[1][i]]).collect();
-                    let solved = system.as_ref().map(|s| s.solve(&side));
-                    for (unknown, value) in solution.iter_mut().enumerate() {
-                        value[i] = solved.as_ref().map_or(f64::NAN, |s| s[unknown]);
-                    }
+            for (unknown, values) in block
+                .solution
+                .iter_mut()
+                .enumerate()
+                .take(closing.unknowns.len())
+            {
+                for k in 0..M {
+                    values[k] = T::from_lanes(|i| {
+                        let solved = solved[k * T::LANES + i].as_ref();
+                        solved.map_or(f64::NAN, |s| s[unknown])
+                    });
                 }
             }
         }
-        solution
     }
 }
 
 /// Adds the corrections of the unknowns.
-fn correct<const N: usize>(block: &mut Block<N>, closing: &Closing, corrections: &[[f64; N]]) {
-    for (unknown, correction) in closing.unknowns.iter().zip(corrections) {
+#[inline(always)]
+fn correct<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
+    let one = T::splat(1.0);
+    for (unknown, correction) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
             Unknown::Slide(slider) => {
-                for i in 0..N {
-                    block.slides[slider][i] += correction[i];
+                let slides = &mut block.slides[slider];
+                for k in 0..M {
+                    slides[k] = slides[k] + correction[k];
                 }
             }
             Unknown::Spin(class) => {
-                let turn = &mut block.turns[class];
-                for i in 0..N {
-                    let (c, s) = (turn[0][i], turn[1][i]);
+                let turns = &mut block.turns[class];
+                for k in 0..M {
                     // The rotation whose half angle has this tangent (Cayley, 1846): to third order the correction.
-                    let half = 0.5 * correction[i];
-                    let scale = 1.0 / (1.0 + half * half);
-                    let (cosine, sine) = ((1.0 - half * half) * scale, 2.0 * half * scale);
-                    let (c, s) = (c * cosine - s * sine, s * cosine + c * sine);
-                    // Rounding must not change lengths in the long run: one Newton step towards length 1.
-                    let unit = 1.5 - 0.5 * (c * c + s * s);
-                    (turn[0][i], turn[1][i]) = (c * unit, s * unit);
+                    let half = correction[k] * 0.5;
+                    let scale = one / (one + half * half);
+                    let (cosine, sine) = ((one - half * half) * scale, half * scale * 2.0);
+                    let Pair { x: c, y: s } = turns[k];
+                    let turned = Pair {
+                        x: c * cosine - s * sine,
+                        y: s * cosine + c * sine,
+                    };
+                    turns[k] = unit(turned);
                 }
             }
         }
     }
+}
+
+/// A vector of nearly length 1 brought nearer by one Newton step: rounding must not change lengths in the long run.
+#[inline(always)]
+pub fn unit<T: Number>(v: Pair<T>) -> Pair<T> {
+    v * (T::splat(1.5) - v.dot(v) * 0.5)
 }

@@ -14,9 +14,12 @@ pub struct Kernel {
     pub inputs: Vec<Input>,
     /// By group: what its equations solve for.
     pub unknowns: Vec<Vec<Unknown>>,
+    /// By group: how its equations reduce.
+    pub(super) reductions: Vec<Option<Reduction>>,
     pub(super) classes: usize,
     pub(super) sliders: usize,
-    pub(super) groups: usize,
+    /// The most loops that a group has.
+    pub(super) loops: usize,
     /// Points first, then places of guides on bodies without points.
     pub(super) slots: usize,
     pub(super) arms: usize,
@@ -102,29 +105,29 @@ pub(super) struct Placing {
 #[derive(Clone, Debug)]
 pub(super) struct Closing {
     pub group: usize,
-    pub chains: Vec<Chain>,
+    /// By loop: the slots of its ends; none where it closes on itself.
+    pub ends: Vec<Option<[usize; 2]>>,
+    /// What all loops pass.
+    pub members: Vec<Member>,
+    /// The sliders that all loops pass.
+    pub rails: Vec<Rail>,
+    /// By loop and unknown: which vector is its column.
+    pub columns: Vec<Vec<Source>>,
     pub unknowns: Vec<Unknown>,
+    /// Whether and how two equations can be split off; unknowns are then in the order shared, shared, own, own.
     pub reduction: Option<Reduction>,
 }
 
-/// A loop: its members' vectors lead from one end to the other.
-#[derive(Clone, Debug)]
-pub(super) struct Chain {
-    /// Slots of its ends; none where it closes on itself.
-    pub ends: Option<[usize; 2]>,
-    pub members: Vec<Member>,
-    /// By unknown: which vector is its column.
-    pub columns: Vec<Option<Source>>,
-}
-
 /// All that a loop passes of one class.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Member {
+    /// The loop.
+    pub chain: usize,
     pub class: usize,
-    pub unknown: Option<usize>,
     /// Its vector in the class's frame with all sliders at zero.
     pub local: Vector,
-    pub rails: Vec<Rail>,
+    /// Whether its rotation is known before the group is solved.
+    pub known: bool,
     /// Where its vector is kept.
     pub arm: usize,
 }
@@ -132,10 +135,16 @@ pub(super) struct Member {
 /// A slider that a loop passes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rail {
+    /// The loop.
+    pub chain: usize,
+    pub class: usize,
     pub slider: usize,
-    pub unknown: Option<usize>,
     /// Its direction in the class's frame, in the direction of the walk.
     pub direction: Vector,
+    /// Whether its position is driven.
+    pub known: bool,
+    /// The arm of the member to which it belongs.
+    pub arm: usize,
     /// Where its turned direction is kept.
     pub rail: usize,
 }
@@ -143,6 +152,8 @@ pub(super) struct Rail {
 /// The column of an unknown.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Source {
+    /// The loop does not pass it.
+    None,
     /// An arm, a quarter turn on.
     Arm(usize),
     Rail(usize),
@@ -184,9 +195,15 @@ impl<'a> Compiler<'a> {
                 seats: Vec::new(),
                 inputs: Vec::new(),
                 unknowns: Vec::new(),
+                reductions: Vec::new(),
                 classes: classes.iter().map(|c| c.0 + 1).max().unwrap_or(1),
                 sliders: mechanism.sliders.len(),
-                groups: mechanism.groups.len(),
+                loops: mechanism
+                    .groups
+                    .iter()
+                    .map(|g| g.loops.len())
+                    .max()
+                    .unwrap_or(0),
                 slots: points,
                 arms: 0,
                 rails: 0,
@@ -243,6 +260,7 @@ impl<'a> Compiler<'a> {
         for (index, group) in self.mechanism.groups.iter().enumerate() {
             let closing = self.closing(index, group);
             self.kernel.unknowns.push(closing.unknowns.clone());
+            self.kernel.reductions.push(closing.reduction);
             self.kernel.actions.push(Action::Close(closing));
             self.reach(&group.joints, |_| true);
         }
@@ -404,33 +422,47 @@ impl<'a> Compiler<'a> {
                 unknowns[unknown] = Unknown::Slide(slider);
             }
         }
-        let loops = group.loops.iter();
-        let chains: Vec<Chain> = loops.map(|chain| self.chain(chain, &unknowns)).collect();
-        Closing {
+        // Shared unknowns first, then those of single loops.
+        if let Some(Reduction::TwoLoops { shared, own }) = equations.reduction {
+            let order = [shared[0], shared[1], own[0], own[1]];
+            unknowns = order.map(|unknown| unknowns[unknown]).to_vec();
+        }
+        let mut closing = Closing {
             group: index,
-            chains,
+            ends: Vec::new(),
+            members: Vec::new(),
+            rails: Vec::new(),
+            columns: Vec::new(),
             reduction: equations.reduction,
             unknowns,
+        };
+        for chain in &group.loops {
+            self.chain(chain, &mut closing);
         }
+        closing
     }
 
     /// Walks a loop and adds up what it passes of each class.
-    fn chain(&mut self, chain: &Loop, unknowns: &[Unknown]) -> Chain {
-        let mut members: Vec<Member> = Vec::new();
+    fn chain(&mut self, chain: &Loop, closing: &mut Closing) {
         let first = chain.bodies[0];
         let (start, mut here) = self.end(first, chain.joints[0], chain.closed);
         let from = here;
+        let mut passed = Passed {
+            classes: &self.classes,
+            chain: closing.ends.len(),
+            unknowns: &closing.unknowns,
+            members: Vec::new(),
+            rails: Vec::new(),
+        };
         for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
             let (body, next) = (sides[0], sides[1]);
             match self.mechanism.joint(joint).kind {
                 JointKind::Revolute(point) => {
                     let local = |b: BodyId| {
-                        self.mechanism
-                            .body(b)
-                            .local_of(point)
-                            .unwrap_or_else(Point::origin)
+                        let local = self.mechanism.body(b).local_of(point);
+                        local.unwrap_or_else(Point::origin)
                     };
-                    self.pass(&mut members, unknowns, body, local(body) - here, None);
+                    passed.pass(body, local(body) - here);
                     here = local(next);
                 }
                 JointKind::Prismatic(id) => {
@@ -445,49 +477,52 @@ impl<'a> Compiler<'a> {
                         (at, through)
                     };
                     let direction = if forward { direction } else { -direction };
-                    self.pass(
-                        &mut members,
-                        unknowns,
-                        body,
-                        leave - here,
-                        Some((id.0, direction)),
-                    );
+                    passed.pass(body, leave - here);
+                    passed.slide(body, id.0, direction);
                     here = arrive;
                 }
             }
         }
         let last = chain.bodies[chain.bodies.len() - 1];
         let ends = if chain.closed {
-            self.pass(&mut members, unknowns, last, from - here, None);
+            passed.pass(last, from - here);
             None
         } else {
             let (end, there) = self.end(last, chain.joints[chain.joints.len() - 1], false);
-            self.pass(&mut members, unknowns, last, there - here, None);
+            passed.pass(last, there - here);
             Some([start, end])
         };
+        let (mut members, mut rails) = (passed.members, passed.rails);
         // A known body at whose pin the loop begins or ends adds nothing.
-        members.retain(|m| m.local != Vector::zeros() || !m.rails.is_empty());
+        let slides = |m: &Member| rails.iter().any(|r| r.class == m.class);
+        members.retain(|m| m.local != Vector::zeros() || slides(m));
         for member in &mut members {
             member.arm = self.kernel.arms;
             self.kernel.arms += 1;
-            for rail in &mut member.rails {
-                rail.rail = self.kernel.rails;
-                self.kernel.rails += 1;
+            for rail in rails.iter_mut().filter(|r| r.class == member.class) {
+                rail.arm = member.arm;
             }
         }
-        let column = |unknown: usize| {
-            members.iter().find_map(|m| {
-                let rail = m.rails.iter().find(|r| r.unknown == Some(unknown));
-                let own = (m.unknown == Some(unknown)).then_some(Source::Arm(m.arm));
-                own.or(rail.map(|r| Source::Rail(r.rail)))
-            })
-        };
-        let columns = (0..unknowns.len()).map(column).collect();
-        Chain {
-            ends,
-            members,
-            columns,
+        for rail in &mut rails {
+            rail.rail = self.kernel.rails;
+            self.kernel.rails += 1;
         }
+        let column = |unknown: &Unknown| match *unknown {
+            Unknown::Spin(class) => {
+                let member = members.iter().find(|m| m.class == class);
+                member.map_or(Source::None, |m| Source::Arm(m.arm))
+            }
+            Unknown::Slide(slider) => {
+                let rail = rails.iter().find(|r| r.slider == slider);
+                rail.map_or(Source::None, |r| Source::Rail(r.rail))
+            }
+        };
+        closing
+            .columns
+            .push(closing.unknowns.iter().map(column).collect());
+        closing.ends.push(ends);
+        closing.members.extend(members);
+        closing.rails.extend(rails);
     }
 
     /// Where a loop begins or ends on a known body: at the pin, or at the body's first place.
@@ -501,38 +536,46 @@ impl<'a> Compiler<'a> {
             JointKind::Prismatic(_) => self.anchors[body.0].unwrap_or((0, Point::origin())),
         }
     }
+}
 
-    /// Adds a vector of a body, and a slide, to the member of its class.
-    fn pass(
-        &self,
-        members: &mut Vec<Member>,
-        unknowns: &[Unknown],
-        body: BodyId,
-        local: Vector,
-        slide: Option<(usize, Vector)>,
-    ) {
-        let class = self.classes[body.0].0;
-        let place = |wanted: Unknown| unknowns.iter().position(|u| *u == wanted);
-        let index = members.iter().position(|m| m.class == class);
+/// What a walk along a loop has passed so far.
+struct Passed<'a> {
+    classes: &'a [(usize, Turn)],
+    chain: usize,
+    unknowns: &'a [Unknown],
+    members: Vec<Member>,
+    rails: Vec<Rail>,
+}
+
+impl Passed<'_> {
+    /// Adds a vector of a body to the member of its class.
+    fn pass(&mut self, body: BodyId, local: Vector) {
+        let (class, turn) = self.classes[body.0];
+        let index = self.members.iter().position(|m| m.class == class);
         let index = index.unwrap_or_else(|| {
-            members.push(Member {
+            self.members.push(Member {
+                chain: self.chain,
                 class,
-                unknown: place(Unknown::Spin(class)),
                 local: Vector::zeros(),
-                rails: Vec::new(),
+                known: !self.unknowns.contains(&Unknown::Spin(class)),
                 arm: 0,
             });
-            members.len() - 1
+            self.members.len() - 1
         });
-        members[index].local += self.in_class(body, local);
-        members[index]
-            .rails
-            .extend(slide.map(|(slider, direction)| Rail {
-                slider,
-                unknown: place(Unknown::Slide(slider)),
-                direction,
-                rail: 0,
-            }));
+        self.members[index].local += turn * local;
+    }
+
+    /// Adds a slider on a guide of the body's class.
+    fn slide(&mut self, body: BodyId, slider: usize, direction: Vector) {
+        self.rails.push(Rail {
+            chain: self.chain,
+            class: self.classes[body.0].0,
+            slider,
+            direction,
+            known: !self.unknowns.contains(&Unknown::Slide(slider)),
+            arm: 0,
+            rail: 0,
+        });
     }
 }
 

@@ -1,5 +1,5 @@
 //! In: a mechanism given by lengths. Out: a [`Kernel`]: the same, compiled for many positions into a short list of actions.
-//! A [`Block`] holds N positions side by side; each action runs over all of them, so being general costs once a block.
+//! A [`Block`] holds many positions side by side; each action runs over all of them, so being general costs once a block.
 //! Everything that must be exact about a position is here: Newton's method on the loop equations, and the rates from the same matrix.
 //!
 //! Bodies that prismatic joints tie together turn together: they are one class with one angle. So a loop is a sum of few vectors,
@@ -13,6 +13,6 @@ mod close;
 mod compile;
 mod rates;
 
-pub use block::Block;
-pub use close::Correction;
+pub use block::{Block, Single, number, vector};
+pub use close::{Correction, unit};
 pub use compile::{Input, InputKind, Kernel, Seat, Unknown};

@@ -1,4 +1,4 @@
-use crate::geometry::{Numbers, Pairs, Point, Reduced, UNIT_ROUNDOFF, Vector};
+use crate::geometry::{Numbers, Pair, Point, Reduced, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::{LoopEquations, Reduction};
 
 /// The loop equations of a group reduced to two equations for two rates: second, third and fourth class.
@@ -9,9 +9,9 @@ use crate::mechanism::{LoopEquations, Reduction};
 #[derive(Clone, Copy, Debug)]
 pub enum ClosedForm {
     /// A dyad.
-    OneLoop(Reduced<1, 1>),
+    OneLoop(Reduced<1, f64>),
     /// A third- or fourth-class group, and which unknowns its loops share and have of their own.
-    TwoLoops(Reduced<2, 1>, [usize; 4]),
+    TwoLoops(Reduced<2, f64>, [usize; 4]),
 }
 
 impl ClosedForm {
@@ -29,43 +29,42 @@ impl ClosedForm {
         let (form, determinant, products) = match reduction {
             Reduction::OneLoop => {
                 let [s, t, ..] = all[0];
-                let system = Reduced::new([[Vector::zeros(), s, t].map(single)]);
-                (Self::OneLoop(system), system.determinant, system.products)
+                let system = Reduced::new([[Vector::zeros(), s, t].map(Pair::from)]);
+                (Self::OneLoop(system), system.determinant, system.products())
             }
             Reduction::TwoLoops {
                 shared: [x, y],
                 own,
             } => {
-                let columns = [0, 1].map(|i| [own[i], x, y].map(|u| single(all[i][u])));
+                let columns = [0, 1].map(|i| [own[i], x, y].map(|u| Pair::from(all[i][u])));
                 let system = Reduced::new(columns);
                 let order = [x, y, own[0], own[1]];
                 let form = Self::TwoLoops(system, order);
-                (form, system.determinant, system.products)
+                (form, system.determinant, system.products())
             }
         };
         // False for a NaN too. Fourth powers of lengths must not come near the ends of f64's range.
-        let size = determinant[0].abs();
-        let safe = size > 16.0 * UNIT_ROUNDOFF * products[0] && (1e-250..1e250).contains(&size);
+        let size = determinant.abs();
+        let safe = size > 16.0 * UNIT_ROUNDOFF * products && (1e-250..1e250).contains(&size);
         safe.then_some(form)
     }
 
     /// The rates for the right sides of the loops in a row, as many as there are numbers.
     #[must_use]
     pub fn solve_all(&self, side: &[f64]) -> Numbers {
-        let pair = |k: usize| [[side[2 * k]], [side[2 * k + 1]]];
+        let pair = |k: usize| Pair {
+            x: side[2 * k],
+            y: side[2 * k + 1],
+        };
         let mut rates = [0.0; 4];
         match self {
-            Self::OneLoop(system) => rates = system.solve(&[pair(0)]).map(|[x]| x),
+            Self::OneLoop(system) => rates = system.solve([pair(0)]),
             Self::TwoLoops(system, order) => {
-                for (unknown, [x]) in order.iter().zip(system.solve(&[pair(0), pair(1)])) {
+                for (unknown, x) in order.iter().zip(system.solve([pair(0), pair(1)])) {
                     rates[*unknown] = x;
                 }
             }
         }
         Numbers::from_slice(&rates[..side.len()])
     }
-}
-
-fn single(v: Vector) -> Pairs<1> {
-    [[v.x], [v.y]]
 }
