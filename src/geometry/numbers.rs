@@ -172,6 +172,8 @@ impl Number for Eight {
 /// Whole quarter turns are taken off in degrees, where that is exact; the rest is at most 45°, where the minimax polynomials of
 /// fdlibm (Sun Microsystems, 1993) are right within one unit in the last place.
 #[inline(always)]
+// The coefficients stand as published.
+#[allow(clippy::excessive_precision)]
 fn direction_by_polynomials(degrees: f64) -> [f64; 2] {
     // Adding and subtracting this rounds to a whole number, up to 2^51.
     const ROUND: f64 = 6_755_399_441_055_744.0;
