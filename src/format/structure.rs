@@ -38,6 +38,19 @@ pub fn structure(mechanism: &Mechanism) -> String {
         (0, _) => writeln!(text, "known motions: {}", known.join(", ")),
         (n, _) => writeln!(text, "drives: {n}; known motions: {}", known.join(", ")),
     };
+    if let Some(placing) = &mechanism.placing {
+        let groups = placing.mechanism.groups.iter().map(|group| {
+            let links = group.link_names(&placing.mechanism);
+            format!("{}({links})", group.class.numeral())
+        });
+        let _ = writeln!(
+            text,
+            "positions from angle({}) = {}°: {}",
+            mechanism.body(placing.link).name,
+            placing.angle,
+            groups.collect::<Vec<_>>().join(" → ")
+        );
+    }
     for group in &mechanism.groups {
         let _ = writeln!(
             text,
@@ -95,6 +108,8 @@ pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
         poses.len(),
         if poses.len() == 1 { "" } else { "s" }
     );
+    // The link of a drive that does not say where it stands is one of those that are looked for.
+    let mechanism = mechanism.for_positions();
     for (index, pose) in poses.iter().enumerate() {
         let points = mechanism.inner_points().into_iter().map(|p| {
             let q = pose.point(p);

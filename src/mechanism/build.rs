@@ -1,11 +1,13 @@
+use super::drives::{angle_in_place, driven_places, role};
 use super::group::group;
-use super::shape::local_points;
+use super::placing::placing;
+use super::shape::{direction, local_points};
 use super::structure::{Edge, Structure, structure};
 use super::{
     Body, BodyId, GROUND, Group, Guide, Joint, JointId, JointKind, Mechanism, PointId, Role,
     Slider, SliderId, StructureError,
 };
-use crate::geometry::{Point, Vector, direction_of_degrees, unit};
+use crate::geometry::{Point, Vector, direction_of_degrees};
 use crate::scene::{self, Along, At, Form, On, Scene};
 use indexmap::IndexMap;
 
@@ -17,14 +19,19 @@ pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
     let mut builder = Builder::new(scene);
     builder.add_bodies()?;
     builder.add_sliders()?;
-    builder.add_pins();
     let mut mechanism = builder.mechanism;
+    let given = angle_in_place(scene)?;
+    let unpinned = given.map(|_| mechanism.clone());
+    add_pins(&mut mechanism);
     mechanism.groups = groups(scene, &mechanism)?;
+    if let (Some((link, angle)), Some(unpinned)) = (given, unpinned) {
+        mechanism.placing = Some(Box::new(placing(scene, unpinned, link, angle)?));
+    }
     Ok(mechanism)
 }
 
 /// The Assur groups in an order in which they can be solved.
-fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureError> {
+pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureError> {
     let members: Vec<BodyId> = (0..mechanism.bodies.len())
         .map(BodyId)
         .filter(|&b| mechanism.body(b).role == Role::Member)
@@ -88,6 +95,7 @@ impl<'a> Builder<'a> {
             sliders: Vec::new(),
             joints: Vec::new(),
             groups: Vec::new(),
+            placing: None,
             warnings: Vec::new(),
         };
         Self { scene, mechanism }
@@ -125,7 +133,7 @@ impl<'a> Builder<'a> {
         self.add_body("ground", &scene.ground, Role::Ground, ground_places);
         let driven = driven_places(scene);
         for (name, link) in &scene.links {
-            let role = self.role(name, link)?;
+            let role = role(scene, &self.mechanism, name, link)?;
             let local = if drawn {
                 Vec::new()
             } else {
@@ -155,80 +163,6 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// What makes a link move.
-    fn role(&self, name: &str, link: &scene::Link) -> Result<Role, StructureError> {
-        let scene = self.scene;
-        if let Some(motion) = &link.motion {
-            let at: Point = match &motion.at {
-                At::Place(p) => (*p).into(),
-                At::Point(p) => scene
-                    .coordinates
-                    .get(p)
-                    .map_or_else(Point::origin, |&p| p.into()),
-            };
-            return Ok(Role::Moving {
-                at,
-                velocity: motion.velocity.into(),
-                acceleration: motion.acceleration.into(),
-                omega: motion.omega,
-                alpha: motion.alpha,
-            });
-        }
-        let Some(drive) = &link.drive else {
-            if link.angle_deg.is_some() {
-                let message = format!(
-                    "link {name} gives an angle without a drive, which is not available in this version"
-                );
-                let hint =
-                    "give the angle in the drive of the link that turns about a ground point";
-                return Err(scene
-                    .error_at(&["links", name, "angle"], message, Some(hint.into()))
-                    .into());
-            }
-            let known = |p: &String| scene.known.contains_key(p);
-            let slides = |s: &scene::Slider| {
-                s.link.as_deref() == Some(name) || s.on == On::Link(name.to_owned())
-            };
-            let stub = !link.points.is_empty()
-                && link.points.iter().all(known)
-                && !scene.sliders.iter().any(slides);
-            return Ok(if stub { Role::Stub } else { Role::Member });
-        };
-        let pivots: Vec<&String> = link
-            .points
-            .iter()
-            .filter(|p| scene.ground.contains(p))
-            .collect();
-        let [pivot] = pivots.as_slice() else {
-            let message = format!(
-                "link {name} is driven, so it must have one point on the ground; it has {}",
-                pivots.len()
-            );
-            let hint =
-                "list the point about which it turns in `ground` and among the link's points";
-            return Err(scene
-                .error_at(&["links", name, "drive"], message, Some(hint.into()))
-                .into());
-        };
-        if scene.form == Form::Lengths && drive.angle_deg.is_none() {
-            let message = format!("the drive of link {name} gives no `angle`");
-            let hint = "add \"angle\": degrees from +x to the link's axis";
-            return Err(scene
-                .error_at(&["links", name, "drive"], message, Some(hint.into()))
-                .into());
-        }
-        let pivot = self
-            .mechanism
-            .point(pivot)
-            .expect("the ground's points were added first");
-        Ok(Role::Driver {
-            pivot,
-            angle: drive.angle_deg,
-            omega: drive.omega,
-            alpha: drive.alpha,
-        })
-    }
-
     fn add_sliders(&mut self) -> Result<(), StructureError> {
         for (index, slider) in self.scene.sliders.iter().enumerate() {
             let place = index.to_string();
@@ -243,15 +177,6 @@ impl<'a> Builder<'a> {
                     "drive",
                     "a driven slider on a moving link is not available in this version",
                     "drive a slider whose guide is on the ground, or a link that turns about a ground point",
-                ));
-            }
-            if slider.drive.is_some_and(|d| d.position.is_none())
-                && self.scene.form == Form::Lengths
-            {
-                return Err(refuse(
-                    "drive",
-                    "the drive of this slider gives no `position`",
-                    "add \"position\": its distance along the guide from `through`",
                 ));
             }
             let on = match &slider.on {
@@ -349,78 +274,24 @@ impl<'a> Builder<'a> {
             direction: along,
         }
     }
-
-    /// One revolute joint for every further body at a point, from the first known one where there is one.
-    fn add_pins(&mut self) {
-        for point in (0..self.mechanism.points.len()).map(PointId) {
-            let mut bodies: Vec<BodyId> = (0..self.mechanism.bodies.len())
-                .map(BodyId)
-                .filter(|&b| self.mechanism.body(b).points.contains(&point))
-                .collect();
-            bodies.sort_by_key(|&b| !self.mechanism.body(b).role.is_known());
-            let Some((&first, others)) = bodies.split_first() else {
-                continue;
-            };
-            for &other in others {
-                self.mechanism.joints.push(Joint {
-                    kind: JointKind::Revolute(point),
-                    bodies: [first, other],
-                });
-            }
-        }
-    }
 }
 
-/// Where the drives put points: those of a link turned about a ground point, the pushed point of a slider on the ground.
-fn driven_places(scene: &Scene) -> IndexMap<&str, Point> {
-    let ground = |name: &str| scene.coordinates.get(name).map(|&p| Point::from(p));
-    let mut places = IndexMap::new();
-    for link in scene.links.values() {
-        let angle = link.drive.as_ref().and_then(|drive| drive.angle_deg);
-        let Some(turn) = angle.map(direction_of_degrees) else {
+/// Adds one revolute joint for every further body at a point, from the first known one where there is one.
+pub(super) fn add_pins(mechanism: &mut Mechanism) {
+    for point in (0..mechanism.points.len()).map(PointId) {
+        let mut bodies: Vec<BodyId> = (0..mechanism.bodies.len())
+            .map(BodyId)
+            .filter(|&b| mechanism.body(b).points.contains(&point))
+            .collect();
+        bodies.sort_by_key(|&b| !mechanism.body(b).role.is_known());
+        let Some((&first, others)) = bodies.split_first() else {
             continue;
         };
-        // Of a triangle whose hand is open only the axis is sure.
-        let (mut local, unsettled) = local_points(link, |_| None);
-        if unsettled {
-            local.truncate(2);
-        }
-        let own = || link.points.iter().zip(&local);
-        let Some((pivot, center)) = own().find_map(|(p, at)| Some((ground(p)?, *at))) else {
-            continue;
-        };
-        for (name, at) in own() {
-            let arm = at - center;
-            let turned = Vector::new(
-                turn.x * arm.x - turn.y * arm.y,
-                turn.y * arm.x + turn.x * arm.y,
-            );
-            places.insert(name.as_str(), pivot + turned);
+        for &other in others {
+            mechanism.joints.push(Joint {
+                kind: JointKind::Revolute(point),
+                bodies: [first, other],
+            });
         }
     }
-    for slider in scene.sliders.iter().filter(|s| s.on == On::Ground) {
-        let position = slider.drive.and_then(|drive| drive.position);
-        let (Some(at), Some(position)) = (&slider.at, position) else {
-            continue;
-        };
-        let start = match (&slider.through, &slider.along) {
-            (Some(At::Place(p)), _) => Some((*p).into()),
-            (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => ground(p),
-            (None, _) => scene.ground.first().and_then(|p| ground(p)),
-        };
-        let along = match &slider.along {
-            Along::Degrees(angle) => Some(direction_of_degrees(*angle)),
-            Along::Direction(d) => Some(direction(Vector::from(*d))),
-            Along::Points(a, b) => ground(a).zip(ground(b)).map(|(a, b)| direction(b - a)),
-        };
-        if let (Some(start), Some(along)) = (start, along) {
-            places.insert(at, start + along * position);
-        }
-    }
-    places
-}
-
-/// The unit vector along `v`, which the scene has been checked not to let vanish.
-fn direction(v: Vector) -> Vector {
-    unit(v).unwrap_or_else(Vector::x)
 }

@@ -135,6 +135,8 @@ impl Group {
     #[must_use]
     pub fn link_names(&self, mechanism: &Mechanism) -> String {
         let names = self.links.iter().map(|&l| mechanism.body(l).name.as_str());
+        // A carriage has none.
+        let names = names.filter(|name| !name.is_empty());
         names.collect::<Vec<_>>().join(", ")
     }
 

@@ -3,9 +3,11 @@
 //! No position is computed here: a mechanism is the same at every crank angle.
 
 mod build;
+mod drives;
 mod error;
 mod group;
 mod loops;
+mod placing;
 mod shape;
 mod structure;
 
@@ -50,8 +52,22 @@ pub struct Mechanism {
     pub joints: Vec<Joint>,
     /// The Assur groups in the order in which they can be solved.
     pub groups: Vec<Group>,
+    /// How positions are found where a link's angle is given in place of that of a drive; none where every drive says where it stands.
+    pub placing: Option<Box<Placing>>,
     /// What the reader of the scene should hear of, though it does not stop the work.
     pub warnings: Vec<String>,
+}
+
+/// A mechanism held by the angle of a link in place of a drive: the same positions, reached from another side.
+#[derive(Clone, Debug)]
+pub struct Placing {
+    /// The link whose angle is given.
+    pub link: BodyId,
+    /// Degrees from +x to its axis.
+    pub angle: f64,
+    /// The mechanism with that drive's link a member of a group. Bodies, points and sliders keep their indices; a carriage without
+    /// a name comes last, with two sliders, which leave the link every place but only this angle.
+    pub mechanism: Mechanism,
 }
 
 /// The body that does not move; always the first.
@@ -60,7 +76,7 @@ pub const GROUND: BodyId = BodyId(0);
 /// The ground, a link, or the unnamed carrier of a point whose motion is known.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// The link's name; `"ground"`; for a carrier or a block the name of its point.
+    /// The link's name; `"ground"`; for a carrier or a block the name of its point; empty for the carriage of a [`Placing`].
     pub name: String,
     /// Its points in scene order; the axis runs from the first to the second.
     pub points: Vec<PointId>,
@@ -68,7 +84,7 @@ pub struct Body {
     pub local: Vec<Point>,
     /// What makes it move.
     pub role: Role,
-    /// Whether it is the block, without a name or size, of a pin that rides in a slot.
+    /// Whether it is the block, without a name or size, of a pin that rides in a slot, or a carriage.
     pub block: bool,
 }
 
@@ -81,7 +97,7 @@ pub enum Role {
     Driver {
         /// The ground point it turns about.
         pivot: PointId,
-        /// Angle of its axis from +x in degrees; none in a drawn configuration.
+        /// Angle of its axis from +x in degrees; none in a drawn configuration and where another link's angle is given in its place.
         angle: Option<f64>,
         /// Angular velocity.
         omega: f64,
@@ -92,7 +108,7 @@ pub enum Role {
     Pushed {
         /// Its slider.
         slider: SliderId,
-        /// Position along the guide; none in a drawn configuration.
+        /// Position along the guide; none in a drawn configuration and where a link's angle is given in its place.
         position: Option<f64>,
         /// Velocity along the guide.
         speed: f64,
@@ -197,6 +213,12 @@ impl Joint {
 }
 
 impl Mechanism {
+    /// The mechanism by which positions are found: itself, unless a link's angle is given in place of that of a drive.
+    #[must_use]
+    pub fn for_positions(&self) -> &Mechanism {
+        self.placing.as_ref().map_or(self, |p| &p.mechanism)
+    }
+
     /// The body of that index.
     #[must_use]
     pub fn body(&self, id: BodyId) -> &Body {

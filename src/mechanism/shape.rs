@@ -1,4 +1,4 @@
-use crate::geometry::{Point, cross};
+use crate::geometry::{Point, Vector, cross, unit};
 use crate::scene::{Length, Link, Shape};
 
 /// The local coordinates of a link's points, origin in the first, x axis towards the second.
@@ -75,6 +75,11 @@ fn triangle(ab: f64, ac: f64, bc: f64) -> Point {
     }
     let sixteen_areas = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
     Point::new(x, 0.5 * sixteen_areas.max(0.0).sqrt() / ab)
+}
+
+/// The unit vector along `v`, which the scene has been checked not to let vanish.
+pub(super) fn direction(v: Vector) -> Vector {
+    unit(v).unwrap_or_else(Vector::x)
 }
 
 #[cfg(test)]

@@ -8,8 +8,10 @@ mod drawn;
 mod error;
 mod frames;
 mod legs;
+mod modes;
 mod pose;
 mod roots;
+mod rough;
 mod truss;
 
 pub use assemble::{pose, poses};

@@ -68,6 +68,7 @@ fn link(
         (None, _) => Shape::Bare,
     };
     let (mut drive, mut push) = (None, None);
+    let mut angle_deg = fields.angle;
     if let Some(given) = fields.drive {
         if fields.motion.is_some() {
             let message = format!("link {name} has both a drive and a known motion");
@@ -91,13 +92,16 @@ fn link(
             .error(&["links", name, "angle"], message)
             .hint("keep one of them"));
     }
+    if let Some(drive) = &mut drive {
+        drive.angle_deg = drive.angle_deg.or(angle_deg.take());
+    }
     let motion = fields.motion.map(motion);
     Ok((
         Link {
             points,
             shape,
             drive,
-            angle_deg: fields.angle,
+            angle_deg,
             motion,
         },
         push,

@@ -100,7 +100,7 @@ pub(super) struct LinkFields {
     pub shape: Option<IndexMap<String, ShapePoint>>,
     /// The drive that turns the link about its ground pivot.
     pub drive: Option<LinkDriveFile>,
-    /// Angle of the link's axis from +x in degrees, in place of the drive's.
+    /// Angle of the link's axis from +x in degrees, in place of that of a drive: one link may give it where one drive does not.
     pub angle: Option<f64>,
     /// Known motion of the link, in a drawn configuration.
     pub motion: Option<LinkMotionFile>,

@@ -12,7 +12,8 @@ pub struct Link {
     pub shape: Shape,
     /// The drive that turns it, if any.
     pub drive: Option<Drive>,
-    /// Angle of its axis from +x, in degrees, as given on the link itself in place of a drive's angle.
+    /// Angle of its axis from +x, in degrees, in place of the angle of another link's drive. One that the file gives on a link with
+    /// a drive of its own stands in the drive.
     pub angle_deg: Option<f64>,
     /// Its motion, if it is a known moving body (drawn form only).
     pub motion: Option<LinkMotion>,

@@ -1,0 +1,223 @@
+use super::shape::{direction, local_points};
+use super::{Mechanism, Role, StructureError};
+use crate::geometry::{Point, Vector, direction_of_degrees};
+use crate::scene::{self, Along, At, Form, On, Scene};
+use indexmap::IndexMap;
+
+/// What makes a link move. The ground's points are in `mechanism` already.
+pub(super) fn role(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    name: &str,
+    link: &scene::Link,
+) -> Result<Role, StructureError> {
+    if let Some(motion) = &link.motion {
+        let at: Point = match &motion.at {
+            At::Place(p) => (*p).into(),
+            At::Point(p) => scene
+                .coordinates
+                .get(p)
+                .map_or_else(Point::origin, |&p| p.into()),
+        };
+        return Ok(Role::Moving {
+            at,
+            velocity: motion.velocity.into(),
+            acceleration: motion.acceleration.into(),
+            omega: motion.omega,
+            alpha: motion.alpha,
+        });
+    }
+    let Some(drive) = &link.drive else {
+        let known = |p: &String| scene.known.contains_key(p);
+        let slides = |s: &scene::Slider| {
+            s.link.as_deref() == Some(name) || s.on == On::Link(name.to_owned())
+        };
+        let stub = !link.points.is_empty()
+            && link.points.iter().all(known)
+            && !scene.sliders.iter().any(slides);
+        return Ok(if stub { Role::Stub } else { Role::Member });
+    };
+    let pivots: Vec<&String> = link
+        .points
+        .iter()
+        .filter(|p| scene.ground.contains(p))
+        .collect();
+    let [pivot] = pivots.as_slice() else {
+        let message = format!(
+            "link {name} is driven, so it must have one point on the ground; it has {}",
+            pivots.len()
+        );
+        let hint = "list the point about which it turns in `ground` and among the link's points";
+        return Err(scene
+            .error_at(&["links", name, "drive"], message, Some(hint.into()))
+            .into());
+    };
+    let pivot = mechanism
+        .point(pivot)
+        .expect("the ground's points were added first");
+    Ok(Role::Driver {
+        pivot,
+        angle: drive.angle_deg,
+        omega: drive.omega,
+        alpha: drive.alpha,
+    })
+}
+
+/// A drive of a scene that has to say where it stands.
+struct Drive {
+    /// Its path in the scene.
+    path: [String; 3],
+    /// Whose drive it is: `link 1`, `slider 3`.
+    whose: String,
+    /// What says where it stands: `angle` or `position`.
+    key: &'static str,
+    /// Whether it does say so.
+    stands: bool,
+}
+
+/// The drives of a scene, in file order: those that turn links, then those that push sliders.
+fn drives(scene: &Scene) -> Vec<Drive> {
+    let turning = scene.links.iter().filter_map(|(name, link)| {
+        let drive = link.drive.as_ref()?;
+        Some(Drive {
+            path: ["links".to_owned(), name.clone(), "drive".to_owned()],
+            whose: format!("link {name}"),
+            key: "angle",
+            stands: drive.angle_deg.is_some(),
+        })
+    });
+    let pushing = scene.sliders.iter().enumerate().filter_map(|(index, s)| {
+        let drive = s.drive?;
+        let sliding = s.link.as_ref().or(s.pin.as_ref());
+        Some(Drive {
+            path: ["sliders".to_owned(), index.to_string(), "drive".to_owned()],
+            whose: format!("slider {}", sliding.map_or("", String::as_str)),
+            key: "position",
+            stands: drive.position.is_some(),
+        })
+    });
+    turning.chain(pushing).collect()
+}
+
+/// The link whose `angle` stands in place of that of a drive, if there is one, and that angle in degrees.
+///
+/// # Errors
+/// Unless every drive says where it stands and no link gives an angle, or all drives but one do and just one link does.
+pub(super) fn angle_in_place(scene: &Scene) -> Result<Option<(&str, f64)>, StructureError> {
+    if scene.form == Form::Drawn {
+        return Ok(None);
+    }
+    let refuse = |path: &[&str], message: String, hint: &str| {
+        Err(scene.error_at(path, message, Some(hint.into())).into())
+    };
+    let drives = drives(scene);
+    let mut open = drives.iter().filter(|d| !d.stands);
+    let mut angles = scene
+        .links
+        .iter()
+        .filter_map(|(name, link)| Some((name.as_str(), link.angle_deg?)));
+    let (given, second) = (angles.next(), angles.next());
+    if let (Some((first, _)), Some((second, _))) = (given, second) {
+        let message = format!(
+            "links {first} and {second} both give an angle; that of one link can stand in place of a drive's"
+        );
+        let hint = "remove one of them; approximate angles stand in `near`";
+        return refuse(&["links", second, "angle"], message, hint);
+    }
+    match (given, open.next(), open.next()) {
+        (None, None, _) => Ok(None),
+        (Some(given), Some(_), None) => Ok(Some(given)),
+        (Some((link, _)), None, _) => {
+            let path = ["links", link, "angle"];
+            let (message, hint) = match drives.as_slice() {
+                [] => (
+                    format!("link {link} gives an angle, but no link has a drive"),
+                    "add a drive with `omega` to the link that turns about a ground point",
+                ),
+                [only] => (
+                    format!(
+                        "link {link} gives an angle, but the drive of {} gives its {} already",
+                        only.whose, only.key
+                    ),
+                    "keep one of them; an approximate angle stands in `near`",
+                ),
+                _ => (
+                    format!(
+                        "link {link} gives an angle, but every drive says already where it stands"
+                    ),
+                    "keep one of them; an approximate angle stands in `near`",
+                ),
+            };
+            refuse(&path, message, hint)
+        }
+        (Some((link, _)), Some(first), Some(second)) => {
+            let message = format!(
+                "the drives of {} and {} do not say where they stand; the angle of link {link} stands in place of one only",
+                first.whose, second.whose
+            );
+            let hint = format!("add \"{}\" to one of them", second.key);
+            refuse(&second.path.each_ref().map(String::as_str), message, &hint)
+        }
+        (None, Some(drive), _) => {
+            let message = format!("the drive of {} gives no `{}`", drive.whose, drive.key);
+            let hint = match drive.key {
+                "angle" => {
+                    "add \"angle\": degrees from +x to the link's axis; or give another link's `angle` in its place"
+                }
+                _ => {
+                    "add \"position\": its distance along the guide from `through`; or give a link's `angle` in its place"
+                }
+            };
+            refuse(&drive.path.each_ref().map(String::as_str), message, hint)
+        }
+    }
+}
+
+/// Where the given angles and positions put points: those of a link about a ground point, the pushed point of a slider on the ground.
+pub(super) fn driven_places(scene: &Scene) -> IndexMap<&str, Point> {
+    let ground = |name: &str| scene.coordinates.get(name).map(|&p| Point::from(p));
+    let mut places = IndexMap::new();
+    for link in scene.links.values() {
+        let angle = link.drive.as_ref().and_then(|drive| drive.angle_deg);
+        let Some(turn) = angle.or(link.angle_deg).map(direction_of_degrees) else {
+            continue;
+        };
+        // Of a triangle whose hand is open only the axis is sure.
+        let (mut local, unsettled) = local_points(link, |_| None);
+        if unsettled {
+            local.truncate(2);
+        }
+        let own = || link.points.iter().zip(&local);
+        let Some((pivot, center)) = own().find_map(|(p, at)| Some((ground(p)?, *at))) else {
+            continue;
+        };
+        for (name, at) in own() {
+            let arm = at - center;
+            let turned = Vector::new(
+                turn.x * arm.x - turn.y * arm.y,
+                turn.y * arm.x + turn.x * arm.y,
+            );
+            places.insert(name.as_str(), pivot + turned);
+        }
+    }
+    for slider in scene.sliders.iter().filter(|s| s.on == On::Ground) {
+        let position = slider.drive.and_then(|drive| drive.position);
+        let (Some(at), Some(position)) = (&slider.at, position) else {
+            continue;
+        };
+        let start = match (&slider.through, &slider.along) {
+            (Some(At::Place(p)), _) => Some((*p).into()),
+            (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => ground(p),
+            (None, _) => scene.ground.first().and_then(|p| ground(p)),
+        };
+        let along = match &slider.along {
+            Along::Degrees(angle) => Some(direction_of_degrees(*angle)),
+            Along::Direction(d) => Some(direction(Vector::from(*d))),
+            Along::Points(a, b) => ground(a).zip(ground(b)).map(|(a, b)| direction(b - a)),
+        };
+        if let (Some(start), Some(along)) = (start, along) {
+            places.insert(at, start + along * position);
+        }
+    }
+    places
+}

@@ -1,0 +1,86 @@
+use super::build::{add_pins, groups};
+use super::{
+    Body, BodyId, GROUND, Guide, Joint, JointKind, Mechanism, Placing, Role, Slider, SliderId,
+    StructureError,
+};
+use crate::geometry::{Point, Vector};
+use crate::scene::Scene;
+
+/// How positions are found where `link` stands at `angle` degrees and one drive does not say where it stands.
+///
+/// That drive lets go of its link, and a carriage without mass or size holds the given link at its angle: it slides along y of the
+/// ground, and the link along x of it. So the same groups, loops and assembly modes serve as for a drive. `mechanism` has its bodies
+/// and sliders, but not yet its pins.
+///
+/// # Errors
+/// Where the angle does not change with the drive: one part of the mechanism is then held twice, another not at all.
+pub(super) fn placing(
+    scene: &Scene,
+    mut mechanism: Mechanism,
+    link: &str,
+    angle: f64,
+) -> Result<Placing, StructureError> {
+    for body in &mut mechanism.bodies {
+        let open = matches!(
+            body.role,
+            Role::Driver { angle: None, .. } | Role::Pushed { position: None, .. }
+        );
+        if open {
+            body.role = Role::Member;
+        }
+    }
+    let held = mechanism.link(link).expect("it is a link of the scene");
+    hold(&mut mechanism, held, angle);
+    add_pins(&mut mechanism);
+    mechanism.groups = groups(scene, &mechanism).map_err(|_| {
+        let message = format!(
+            "the angle of link {link} cannot stand in place of the drive's: it does not change with that drive"
+        );
+        let hint = "say in the drive where it stands, or give the angle of a link that turns with it";
+        let path = ["links", link, "angle"];
+        StructureError::from(scene.error_at(&path, message, Some(hint.into())))
+    })?;
+    Ok(Placing {
+        link: held,
+        angle,
+        mechanism,
+    })
+}
+
+/// Adds the carriage on which `link` keeps its angle.
+fn hold(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
+    let carriage = BodyId(mechanism.bodies.len());
+    mechanism.bodies.push(Body {
+        name: String::new(),
+        points: Vec::new(),
+        local: Vec::new(),
+        role: Role::Member,
+        block: true,
+    });
+    // Both sliders are followed at the link's first point: only where they count from depends on it.
+    let points = &mechanism.body(link).points;
+    let at = *points.first().expect("a link given by lengths has a point");
+    // Positions count from a place of the ground, so that a far origin costs no digits.
+    let ground = mechanism.body(GROUND).local.first().copied();
+    // The carriage keeps the angle of the ground: its guide, at 90°, and its axis are −90° apart.
+    let slides = [
+        (GROUND, carriage, ground, Vector::y(), -90.0),
+        (carriage, link, None, Vector::x(), angle),
+    ];
+    for (on, link, through, direction, turned) in slides {
+        let through = through.unwrap_or_else(Point::origin);
+        mechanism.sliders.push(Slider {
+            link,
+            at,
+            on,
+            guide: Guide::Local { through, direction },
+            counted_from: None,
+            turned,
+        });
+        let slider = SliderId(mechanism.sliders.len() - 1);
+        mechanism.joints.push(Joint {
+            kind: JointKind::Prismatic(slider),
+            bodies: [on, link],
+        });
+    }
+}

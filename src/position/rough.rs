@@ -1,0 +1,103 @@
+use super::assemble::Way;
+use super::closing::places;
+use crate::geometry::{Point, Vector, degrees_of, span};
+use crate::mechanism::{BodyId, Mechanism, PointId, Role};
+use crate::scene::Near;
+
+/// Rough places of points and angles of links, by which a way to assemble is chosen.
+pub(super) struct Rough {
+    points: Vec<(PointId, Point)>,
+    angles: Vec<(BodyId, f64)>,
+}
+
+impl Rough {
+    pub(super) fn new(mechanism: &Mechanism, near: &Near) -> Rough {
+        let member = |link: BodyId| mechanism.body(link).role == Role::Member;
+        let of_group = |p: PointId| {
+            let mut links = mechanism.links();
+            links.any(|(id, body)| member(id) && body.points.contains(&p))
+        };
+        let points = near.points.iter();
+        let points = points.filter_map(|(name, &p)| Some((mechanism.point(name)?, Point::from(p))));
+        let angles = near.angles_deg.iter();
+        let angles = angles.filter_map(|(name, &angle)| Some((mechanism.link(name)?, angle)));
+        Rough {
+            points: points.filter(|(p, _)| of_group(*p)).collect(),
+            angles: angles.filter(|(link, _)| member(*link)).collect(),
+        }
+    }
+
+    /// Root mean square of the distances from the rough places that the way has reached; an angle counts by the chord that it
+    /// makes at the mechanism's size.
+    pub(super) fn distance(&self, mechanism: &Mechanism, way: &Way) -> f64 {
+        let (points, _) = places(mechanism, &way.frames);
+        let size = span(points.iter().copied());
+        let placed = |p: PointId| {
+            let mut links = mechanism.links();
+            links.any(|(id, body)| way.frames.of(id).is_some() && body.points.contains(&p))
+        };
+        let mut sum = 0.0;
+        for (p, rough) in self.points.iter().filter(|(p, _)| placed(*p)) {
+            sum += (points[p.0] - rough).norm_squared();
+        }
+        for (link, angle) in &self.angles {
+            if let Some(frame) = way.frames.of(*link) {
+                let now = degrees_of(frame.rotation * Vector::x());
+                let chord = 2.0 * libm::sin(0.5 * (now - angle).to_radians()) * size;
+                sum += chord * chord;
+            }
+        }
+        (sum / self.count().max(1) as f64).sqrt()
+    }
+
+    fn count(&self) -> usize {
+        self.points.len() + self.angles.len()
+    }
+
+    /// The closest way, and what to say about the choice.
+    pub(super) fn choose(&self, mechanism: &Mechanism, ways: &[Way]) -> (usize, Option<String>) {
+        if self.count() == 0 {
+            return (0, (ways.len() > 1).then(|| list_ways(mechanism, ways)));
+        }
+        let distances: Vec<f64> = ways.iter().map(|w| self.distance(mechanism, w)).collect();
+        let by_distance = |a: &usize, b: &usize| distances[*a].total_cmp(&distances[*b]);
+        let chosen = (0..ways.len()).min_by(by_distance).unwrap_or(0);
+        let size = span(places(mechanism, &ways[chosen].frames).0);
+        let far = distances[chosen] > 0.5 * size;
+        let remark = far.then(|| {
+            format!(
+                "`near` is {:.4} away (root mean square) from the closest of {} assembly modes, more than half the mechanism's size {:.4}: \
+                 check its coordinates",
+                distances[chosen],
+                ways.len(),
+                size
+            )
+        });
+        (chosen, remark)
+    }
+}
+
+/// The ways in words, where `near` says nothing.
+fn list_ways(mechanism: &Mechanism, ways: &[Way]) -> String {
+    const LISTED: usize = 8;
+    let listed = ways.iter().take(LISTED).enumerate().map(|(index, way)| {
+        let (points, _) = places(mechanism, &way.frames);
+        let places = mechanism.inner_points().into_iter().map(|p| {
+            let q = points[p.0];
+            format!("{} ({:.2}, {:.2})", mechanism.point_name(p), q.x, q.y)
+        });
+        format!("{}: {}", index + 1, places.collect::<Vec<_>>().join(" "))
+    });
+    let listed = listed.collect::<Vec<_>>().join("; ");
+    let more = if ways.len() > LISTED { "; …" } else { "" };
+    let links: Vec<String> = mechanism
+        .groups
+        .iter()
+        .map(|g| g.link_names(mechanism))
+        .collect();
+    format!(
+        "links {} can be assembled in {} ways and `near` is not given, so mode 1 is taken: {listed}{more}",
+        links.join(", "),
+        ways.len(),
+    )
+}
