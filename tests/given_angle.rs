@@ -93,7 +93,7 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
                         }
                     }
                     // The same scene listed: the chosen mode is there under its number.
-                    let all = poses(&again).expect("it was assembled");
+                    let all = poses(&again, &scene.near).expect("it was assembled");
                     let number = pose.assemblies[0].expect("a mode").mode;
                     let same = all[number - 1].points == pose.points;
                     assert!(same, "{what}: mode {number} is another");

@@ -39,7 +39,7 @@ impl Modes {
         let stages = || -> Result<_, crate::Error> {
             let scene = Scene::read(&source.text)?;
             let mechanism = mechanism(&scene)?;
-            let poses = poses(&mechanism)?;
+            let poses = poses(&mechanism, &scene.near)?;
             Ok((
                 format::modes(&scene, &mechanism, &poses),
                 mechanism.warnings,

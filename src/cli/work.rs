@@ -4,7 +4,7 @@ use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::{Motion, Order, motion};
 use crate::plan::{Construction, construction};
 use crate::position::{AssemblyError, Pose, pose, poses};
-use crate::scene::Scene;
+use crate::scene::{Near, Scene};
 use std::path::Path;
 
 /// A scene after all stages before drawing.
@@ -54,15 +54,15 @@ fn posed(source: &Source, mode: Option<usize>) -> Result<(Scene, Mechanism, Pose
     let scene = Scene::read(&source.text)?;
     let mechanism = mechanism(&scene)?;
     let pose = match mode {
-        Some(mode) => numbered(&mechanism, mode)?,
+        Some(mode) => numbered(&mechanism, &scene.near, mode)?,
         None => pose(&mechanism, &scene.near)?,
     };
     Ok((scene, mechanism, pose))
 }
 
 /// The assembly mode of that number, counted from 1.
-fn numbered(mechanism: &Mechanism, mode: usize) -> Result<Pose, crate::Error> {
-    let mut poses = poses(mechanism)?;
+fn numbered(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<Pose, crate::Error> {
+    let mut poses = poses(mechanism, near)?;
     let count = poses.len();
     if (1..=count).contains(&mode) {
         Ok(poses.swap_remove(mode - 1))

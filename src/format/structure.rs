@@ -120,13 +120,12 @@ pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
             let axis = pose.axes[id.0]?;
             Some(format!("angle({}) {:.6}", body.name, degrees_of(axis)))
         });
-        let _ = writeln!(
-            text,
-            "{:3}. {}\n     {}",
-            index + 1,
-            points.collect::<Vec<_>>().join("  "),
-            angles.collect::<Vec<_>>().join("  ")
-        );
+        let mut lines = [points.collect::<Vec<_>>(), angles.collect()]
+            .map(|line| line.join("  "))
+            .to_vec();
+        // A lever and its block have no point that is looked for.
+        lines.retain(|line| !line.is_empty());
+        let _ = writeln!(text, "{:3}. {}", index + 1, lines.join("\n     "));
     }
     text
 }

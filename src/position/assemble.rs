@@ -22,7 +22,7 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
         return Ok(drawn_pose(mechanism));
     }
     let rough = Rough::new(mechanism.for_positions(), near);
-    let mut ways = ways(mechanism, Some(&rough))?;
+    let mut ways = ways(mechanism, &rough)?;
     let (chosen, remark) = rough.choose(mechanism.for_positions(), &ways);
     let mut pose = ways.swap_remove(chosen).pose(mechanism);
     pose.warnings.extend(remark);
@@ -35,13 +35,16 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
 /// modes of its groups, the first group's counting most. Where a link's angle is given in place of a drive's, the groups are those of
 /// [`Placing`](crate::mechanism::Placing), and each group of the pose bears the number of the mechanism's way.
 ///
+/// A slotted lever with one point, which no length distinguishes from itself turned by 180°, counts once, with its slider on the
+/// positive side of the guide's `through`; both ways round are listed where `near` gives its angle.
+///
 /// # Errors
 /// As for [`pose()`].
-pub fn poses(mechanism: &Mechanism) -> Result<Vec<Pose>, AssemblyError> {
+pub fn poses(mechanism: &Mechanism, near: &Near) -> Result<Vec<Pose>, AssemblyError> {
     if mechanism.form == Form::Drawn {
         return Ok(vec![drawn_pose(mechanism)]);
     }
-    let ways = ways(mechanism, None)?;
+    let ways = ways(mechanism, &Rough::new(mechanism.for_positions(), near))?;
     Ok(ways.into_iter().map(|way| way.pose(mechanism)).collect())
 }
 
@@ -83,8 +86,8 @@ impl Way {
     }
 }
 
-/// All ways, group after group. With `rough` places, and more ways than can be listed, the closest are kept after each group.
-fn ways(mechanism: &Mechanism, rough: Option<&Rough>) -> Result<Vec<Way>, AssemblyError> {
+/// All ways, group after group. Of more ways than can be listed, the closest to the `rough` places are kept after each group.
+fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError> {
     let whole = mechanism;
     let mechanism = whole.for_positions();
     let mut slides = vec![0.0; mechanism.sliders.len()];
@@ -112,7 +115,7 @@ fn ways(mechanism: &Mechanism, rough: Option<&Rough>) -> Result<Vec<Way>, Assemb
         let mut longer: Vec<Way> = Vec::new();
         let mut failure = None;
         for way in &ways {
-            match modes(mechanism, group, &way.frames, &way.slides) {
+            match modes(mechanism, group, &way.frames, &way.slides, rough) {
                 Ok(found) => {
                     let modes = found.len();
                     longer.extend(found.into_iter().enumerate().map(|(index, assembled)| {
@@ -136,17 +139,7 @@ fn ways(mechanism: &Mechanism, rough: Option<&Rough>) -> Result<Vec<Way>, Assemb
                 miss,
             });
         }
-        if longer.len() > MOST_WAYS {
-            if let Some(rough) = rough {
-                longer.sort_by(|a, b| {
-                    rough
-                        .distance(mechanism, a)
-                        .total_cmp(&rough.distance(mechanism, b))
-                });
-            }
-            longer.truncate(MOST_WAYS);
-        }
-        ways = longer;
+        ways = closest(mechanism, rough, longer);
     }
     if whole.placing.is_some() {
         let modes = ways.len();
@@ -156,6 +149,22 @@ fn ways(mechanism: &Mechanism, rough: Option<&Rough>) -> Result<Vec<Way>, Assemb
         }
     }
     Ok(ways)
+}
+
+/// The ways that can be listed: the closest to the `rough` places, in their order.
+fn closest(mechanism: &Mechanism, rough: &Rough, ways: Vec<Way>) -> Vec<Way> {
+    if ways.len() <= MOST_WAYS {
+        return ways;
+    }
+    let distances = ways.iter().map(|way| rough.distance(mechanism, way));
+    let mut ranked: Vec<(f64, usize)> = distances.zip(0..).collect();
+    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut kept = vec![false; ways.len()];
+    for (_, index) in ranked.iter().take(MOST_WAYS) {
+        kept[*index] = true;
+    }
+    let kept = ways.into_iter().zip(kept).filter(|(_, kept)| *kept);
+    kept.map(|(way, _)| way).collect()
 }
 
 /// The given angles and positions in words, as in ` at angle(1) = 70°`.

@@ -8,6 +8,7 @@ mod drawn;
 mod error;
 mod frames;
 mod legs;
+mod levers;
 mod modes;
 mod pose;
 mod roots;

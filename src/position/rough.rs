@@ -27,6 +27,11 @@ impl Rough {
         }
     }
 
+    /// Whether the angle of `link` is given.
+    pub(super) fn gives_angle(&self, link: BodyId) -> bool {
+        self.angles.iter().any(|(l, _)| *l == link)
+    }
+
     /// Root mean square of the distances from the rough places that the way has reached; an angle counts by the chord that it
     /// makes at the mechanism's size.
     pub(super) fn distance(&self, mechanism: &Mechanism, way: &Way) -> f64 {

@@ -33,6 +33,7 @@ pub(super) struct SceneFile {
     #[serde(default)]
     pub sliders: Vec<SliderFile>,
     /// Approximate coordinates of some points, and angles of links as "angle(3)", to choose the assembly mode.
+    /// A slotted lever with one point has its slider on the positive side of `through`, unless its angle stands here.
     pub near: Option<IndexMap<String, NearValue>>,
     /// What the figure shows, and how large.
     pub figure: Option<FigureFile>,
