@@ -74,7 +74,7 @@ fn shape(class: Class) -> &'static str {
         Class::Second => "two links",
         Class::Third => "a central link on three legs",
         Class::Fourth => "two drag links joined by two closure links, a closed contour of four",
-        Class::Higher => "more links than the classes II to IV have",
+        Class::Higher => "more links than the classes II to IV have, or joined in another way",
     }
 }
 

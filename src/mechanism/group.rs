@@ -11,7 +11,7 @@ pub enum Class {
     Third,
     /// Two drag links and two closure links.
     Fourth,
-    /// Anything larger.
+    /// Anything larger, or joined in another way.
     Higher,
 }
 
@@ -164,10 +164,12 @@ pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId])
     let loops = builder.loops();
     let outer = |b: &&BodyId| builder.outer(**b).is_some();
     let hanging = links.iter().filter(outer).count();
+    // Three bars pinned to a triangle are rigid: among four links they make another shape, with a loop of their own.
+    let three_links_each = loops.iter().all(|l| l.bodies.len() == 5);
     let class = match (links.len(), hanging) {
         (2, _) => Class::Second,
-        (4, 3) => Class::Third,
-        (4, 2) => Class::Fourth,
+        (4, 3) if three_links_each => Class::Third,
+        (4, 2) if three_links_each => Class::Fourth,
         _ => Class::Higher,
     };
     let special = builder.special(class, &loops);
@@ -256,13 +258,15 @@ impl Builder<'_> {
                 joined(a, j, b)
             })
             .collect();
-        // In the order in which the inner links stand in the scene.
+        // In the order in which the inner links stand in the scene; a loop that closes on a link of the group after those that lead to
+        // that link.
         loops.sort_by_key(|l| {
             let inner = l
                 .bodies
                 .iter()
                 .filter(|b| self.outer(**b).is_none() && !self.known(**b));
-            inner.min().copied()
+            let closes_on = reached.iter().position(|r| r.0 == l.bodies[0]);
+            (closes_on, inner.min().copied())
         });
         loops
     }
