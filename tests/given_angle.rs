@@ -8,13 +8,25 @@ use kinegon::format::{modes, structure};
 use kinegon::geometry::degrees_of;
 use kinegon::mechanism::{Mechanism, Role, mechanism};
 use kinegon::motion::{Order, motion};
-use kinegon::position::{AssemblyError, Pose, pose, poses};
+use kinegon::position::{Pose, pose, poses};
 use kinegon::scene::Scene;
 use serde_json::{Value, json};
 
 /// Error of a recovered angle in degrees or of a place in the mechanism's size, for a position of condition 1; the angle of a link
 /// that hardly turns with the drive says little of it.
 const BOUND: f64 = 1e-11;
+
+/// From these angles positions are found by a search, which takes a while: release builds try them all, debug builds only that from
+/// the angle of link 2 of the third-class template.
+const SEARCHED: [(&str, &str); 7] = [
+    ("fourth-class", "2"),
+    ("fourth-class", "3"),
+    ("fourth-class", "5"),
+    ("stephenson-3", "4"),
+    ("toggle-press", "4"),
+    ("watt-1", "4"),
+    ("watt-1", "5"),
+];
 
 /// The scene's templates that have one drive, by name.
 fn templates() -> Vec<(String, Value)> {
@@ -62,7 +74,7 @@ fn opened(scene: &Value) -> Option<Value> {
 
 #[test]
 fn the_drive_comes_back_from_the_angle_of_any_link() {
-    let (mut back, mut constant, mut higher, mut failures) = (0, 0, 0, Vec::new());
+    let (mut back, mut constant, mut failures) = (0, 0, Vec::new());
     for (name, scene) in templates() {
         let Some(open) = opened(&scene) else { continue };
         let (_, plain, truth) = solved(&scene).unwrap_or_else(|e| panic!("{name}: {e}"));
@@ -71,6 +83,9 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
         let size = places().fold(0.0, |m: f64, (_, p)| m.max(p.coords.norm()));
         for (id, body) in plain.links().filter(|(_, b)| b.role == Role::Member) {
             let link = &body.name;
+            if cfg!(debug_assertions) && SEARCHED.contains(&(name.as_str(), link)) {
+                continue;
+            }
             let what = format!("{name} from angle({link})");
             let mut scene = open.clone();
             scene["links"][link]["angle"] = json!(degrees_of(truth.axes[id.0].expect("an axis")));
@@ -102,7 +117,6 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
                     let error = (moved.body(id).omega - rates.body(id).omega).abs() / fastest;
                     assert!(error <= 100.0 * bound, "{what}: rate wrong by {error:.1e}");
                 }
-                Err(Error::Assembly(AssemblyError::NotAvailable { .. })) => higher += 1,
                 Err(error) => {
                     // Links on guides of the ground never turn.
                     constant += 1;
@@ -114,11 +128,14 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
             }
         }
     }
-    println!(
-        "{back} angles, {higher} in groups of higher class, {constant} links that do not turn"
-    );
+    println!("{back} angles, {constant} links that do not turn");
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert_eq!((back + higher, constant), (27, 3));
+    let left_out = if cfg!(debug_assertions) {
+        SEARCHED.len()
+    } else {
+        0
+    };
+    assert_eq!((back + left_out, constant), (27, 3));
 }
 
 /// A four-bar linkage; what stands in the drive of link 1, in link 2 and in link 3 comes from the case.

@@ -1,10 +1,186 @@
-//! Groups of higher class.
+//! Groups of higher class: random ones of six links, written down by lengths from an assembly that is known, and a truss of bars.
 
-use kinegon::mechanism::mechanism;
+mod planted;
+
+use kinegon::geometry::Vector;
+use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
-use kinegon::position::{Pose, pose};
+use kinegon::position::{AssemblyError, Pose, pose, poses};
 use kinegon::scene::Scene;
+use planted::{KNOWN, Planted, Random};
 use serde_json::{Value, json};
+
+/// Random groups tried.
+const GROUPS: usize = if cfg!(debug_assertions) { 2 } else { 120 };
+
+/// The largest condition number of a planted position.
+const CONDITION: f64 = 1e3;
+
+/// What may be left of a link's lengths, in sizes of the mechanism.
+const RESIDUAL: f64 = 1e-10;
+
+/// Joints of six links, to known bodies and between each other, as the lot will have it.
+fn joints(random: &mut Random) -> Vec<(usize, usize)> {
+    let outer = 2 + random.below(3);
+    let mut joints: Vec<(usize, usize)> = Vec::new();
+    while joints.len() < 9 {
+        let a = random.below(6);
+        let b = if joints.len() < outer {
+            KNOWN
+        } else {
+            random.below(6)
+        };
+        let again = b != KNOWN && (joints.contains(&(a, b)) || joints.contains(&(b, a)));
+        if a != b && !again {
+            joints.push((a, b));
+        }
+    }
+    joints
+}
+
+/// The next random mechanism whose only group is one of six links, well conditioned.
+fn next(random: &mut Random) -> (Planted, Scene, Mechanism) {
+    loop {
+        let joints = joints(random);
+        let kind = |_| if random.below(4) == 0 { 'P' } else { 'R' };
+        let kinds: String = joints.iter().map(kind).collect();
+        let planted = Planted::new(random, &kinds, &joints);
+        let condition = planted.condition();
+        if condition.is_nan() || condition > CONDITION {
+            continue;
+        }
+        let scene = Scene::read(&planted.scene()).expect("a scene");
+        // Most lots make no group, or several small ones.
+        if let Ok(mechanism) = mechanism(&scene)
+            && let [group] = mechanism.groups.as_slice()
+        {
+            assert_eq!(group.class.numeral(), "higher");
+            return (planted, scene, mechanism);
+        }
+    }
+}
+
+/// By how much points of a link are not as far apart as they should be, in sizes of the mechanism (about 2 of the planted units).
+fn residual(planted: &Planted, mechanism: &Mechanism, pose: &Pose) -> f64 {
+    let bodies = mechanism.bodies.iter();
+    let misses = bodies.flat_map(|body| {
+        let own = body.points.iter().zip(&body.local);
+        own.clone().flat_map(move |(&p, a)| {
+            let distance = move |q: &_, b: &_| pose.arm(p, *q).norm() - (b - a).norm();
+            own.clone().map(move |(q, b)| distance(q, b).abs())
+        })
+    });
+    misses.fold(0.0, f64::max) / (2.0 * planted.scale)
+}
+
+/// The largest distance of a point from where it was planted, in sizes of the mechanism.
+fn distance(planted: &Planted, mechanism: &Mechanism, pose: &Pose) -> f64 {
+    let distances = planted.inner().map(|(name, [x, y])| {
+        let place = pose.point(mechanism.point(name).expect("a point"));
+        libm::hypot(place.x / planted.scale - x, place.y / planted.scale - y)
+    });
+    distances.fold(0.0, f64::max) / 2.0
+}
+
+/// Places up to 5 % of the mechanism's size off lead to the planted assembly; without any it is among those listed.
+#[test]
+fn the_planted_assembly_is_found() {
+    let mut random = Random(0x6111);
+    let (mut listed, mut modes) = (0, 0);
+    for _ in 0..GROUPS {
+        let (planted, scene, mechanism) = next(&mut random);
+        let mut near = scene.near.clone();
+        for place in near.points.values_mut() {
+            for x in place {
+                *x += 0.05 * 2.0 * planted.scale * random.within(1.0);
+            }
+        }
+        let found = pose(&mechanism, &near).unwrap_or_else(|e| panic!("{e}\n{}", planted.scene()));
+        let off = distance(&planted, &mechanism, &found);
+        assert!(off < 1e-9, "{off:.1e} off\n{}", planted.scene());
+        let [warning] = found.warnings.as_slice() else {
+            panic!("{:?}", found.warnings);
+        };
+        assert!(warning.contains("there may be more"), "{warning}");
+
+        let all = poses(&mechanism, &Default::default()).expect("at least one");
+        for mode in &all {
+            let left = residual(&planted, &mechanism, mode);
+            assert!(left <= RESIDUAL, "{left:.1e} is left\n{}", planted.scene());
+        }
+        let is_planted = |mode: &Pose| distance(&planted, &mechanism, mode) < 1e-9;
+        listed += usize::from(all.iter().any(is_planted));
+        let text = kinegon::format::modes(&scene, &mechanism, &all);
+        assert!(text.contains("there may be more"), "{text}");
+        modes += all.len();
+    }
+    println!("{GROUPS} groups, {modes} modes, the planted one listed in {listed}");
+    assert!(100 * listed >= 98 * GROUPS, "{listed} of {GROUPS}");
+}
+
+/// Velocities against differences of positions that are found anew with the crank turned a little.
+#[test]
+fn velocities_are_derivatives_of_positions() {
+    let mut random = Random(0x6222);
+    for _ in 0..GROUPS.div_ceil(4) {
+        let (planted, scene, mechanism) = next(&mut random);
+        let start = pose(&mechanism, &scene.near).expect("it can be assembled");
+        let moves = motion(&mechanism, &start, Order::Velocity).expect("it moves");
+        let text: Value = serde_json::from_str(&planted.scene()).expect("JSON");
+        // In radians; the crank makes 1 rad in a unit of time.
+        let at = |turn: f64| -> Vec<Vector> {
+            let mut text = text.clone();
+            let angle = text["links"]["b1"]["drive"]["angle"].as_f64();
+            let angle = angle.expect("a number") + turn.to_degrees();
+            text["links"]["b1"]["drive"]["angle"] = json!(angle);
+            let (_, pose, _) = moved(&text);
+            pose.points.iter().map(|p| p.coords).collect()
+        };
+        let step = 1e-4;
+        let difference = |step: f64| -> Vec<Vector> {
+            let (before, after) = (at(-step), at(step));
+            let pairs = after.into_iter().zip(before);
+            pairs.map(|(a, b)| (a - b) / (2.0 * step)).collect()
+        };
+        // Richardson's extrapolation takes the error of second order away.
+        let (fine, coarse) = (difference(step), difference(2.0 * step));
+        let velocities: Vec<Vector> = fine
+            .iter()
+            .zip(&coarse)
+            .map(|(f, c)| (f * 4.0 - c) / 3.0)
+            .collect();
+        let largest = velocities.iter().fold(0.0, |m: f64, v| m.max(v.norm()));
+        for body in 0..mechanism.bodies.len() {
+            for &point in &mechanism.bodies[body].points {
+                let got = moves.bodies[body].velocity_at(start.point(point));
+                let off = (got - velocities[point.0]).norm() / largest;
+                assert!(off < 1e-7, "{off:.1e} off\n{}", planted.scene());
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_not_found_is_said_so() {
+    let mut random = Random(0x6333);
+    let (planted, _, _) = next(&mut random);
+    let mut text: Value = serde_json::from_str(&planted.scene()).expect("JSON");
+    // A link cannot reach anything a thousand sizes away.
+    let ground = text["ground"].as_object_mut().expect("points");
+    let (_, far) = ground
+        .iter_mut()
+        .next_back()
+        .expect("a joint on the ground");
+    *far = json!([2000.0 * planted.scale, 0]);
+    let scene = Scene::read(&text.to_string()).expect("a scene");
+    let error = pose(&mechanism(&scene).expect("a mechanism"), &scene.near).unwrap_err();
+    assert!(matches!(error, AssemblyError::NotFound { .. }), "{error}");
+    let message = error.to_string();
+    assert!(
+        message.contains("starts closes") && message.contains("`near`"),
+        "{message}"
+    );
+}
 
 fn moved(scene: &Value) -> (kinegon::mechanism::Mechanism, Pose, Motion) {
     let scene = Scene::read(&scene.to_string()).expect("a scene");

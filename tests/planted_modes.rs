@@ -4,14 +4,14 @@
 //! Release builds try 12 000 groups, debug builds 2 400. Groups whose planted position is nearly singular are left out: their modes
 //! are not far enough apart. The Jacobian that says so is made here from the joints of all links, apart from the library.
 
+mod planted;
+
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
-use std::fmt::Write;
 
 use kinegon::mechanism::mechanism;
 use kinegon::position::pose;
 use kinegon::scene::Scene;
-use nalgebra::DMatrix;
+use planted::{KNOWN, Planted, Random};
 
 /// Groups of each class.
 const GROUPS: usize = if cfg!(debug_assertions) { 800 } else { 4000 };
@@ -24,9 +24,6 @@ const CONDITION: f64 = 1e4;
 const BOUND: f64 = 1e-9;
 
 const DYADS: [&str; 7] = ["RRR", "RRP", "PRR", "RPR", "PRP", "RPP", "PPR"];
-
-/// Bodies from 0; the frame or the crank, as it falls.
-const KNOWN: usize = usize::MAX;
 
 #[test]
 fn dyads() {
@@ -74,7 +71,7 @@ fn plant(class: &str, seed: u64, pattern: impl Fn(&mut Random) -> (String, Vec<(
         }
         tried += 1;
         *kinds_seen.entry(kinds.clone()).or_default() += 1;
-        match planted.find(class) {
+        match find(&planted, class) {
             Ok((error, count)) => {
                 worst = worst.max(error);
                 modes += count;
@@ -93,280 +90,32 @@ fn plant(class: &str, seed: u64, pattern: impl Fn(&mut Random) -> (String, Vec<(
     assert!(count == 0, "{count} of {tried}:\n{}", failures.join("\n"));
 }
 
-type Pair = [f64; 2];
-
-/// A body where it was planted.
-struct Body {
-    angle: f64,
-    origin: Pair,
-    /// Names and places in the plane.
-    points: Vec<(String, Pair)>,
-}
-
-impl Body {
-    fn own(&self, place: Pair) -> Pair {
-        let (sin, cos) = libm::sincos(self.angle);
-        let [x, y] = [place[0] - self.origin[0], place[1] - self.origin[1]];
-        [cos * x + sin * y, cos * y - sin * x]
+/// Largest error of a point, in sizes of the mechanism, and the number of modes.
+fn find(planted: &Planted, class: &str) -> Result<(f64, usize), String> {
+    let scene = Scene::read(&planted.scene()).map_err(|e| e.to_string())?;
+    let mechanism = mechanism(&scene).map_err(|e| e.to_string())?;
+    let classes: Vec<&str> = mechanism.groups.iter().map(|g| g.class.numeral()).collect();
+    if classes != [class] {
+        return Err(format!("groups of classes {classes:?} in place of {class}"));
     }
-}
-
-/// A prismatic joint where it was planted.
-struct Slider {
-    link: usize,
-    at: String,
-    on: usize,
-    through: Pair,
-    /// The guide's angle.
-    along: f64,
-}
-
-/// A group with its surroundings in a known position: body 0 is the frame, body 1 a crank, the others are the group.
-struct Planted {
-    bodies: Vec<Body>,
-    sliders: Vec<Slider>,
-    /// Two bodies, and the place of a pin or the angle of a guide.
-    joints: Vec<(usize, usize, Pair, Option<f64>)>,
-    scale: f64,
-}
-
-impl Planted {
-    fn new(random: &mut Random, kinds: &str, joints: &[(usize, usize)]) -> Planted {
-        let links = 1 + joints
-            .iter()
-            .map(|j| j.0.max(if j.1 == KNOWN { 0 } else { j.1 }))
-            .max()
-            .unwrap_or(0);
-        let mut bodies: Vec<Body> = (0..links + 2)
-            .map(|body| Body {
-                angle: if body == 0 { 0.0 } else { random.angle() },
-                origin: if body == 0 {
-                    [0.0, 0.0]
-                } else {
-                    random.place()
-                },
-                points: Vec::new(),
-            })
-            .collect();
-        // A point of each link's own shows how the link lies.
-        for (index, body) in bodies.iter_mut().enumerate().skip(1) {
-            body.points.push((format!("T{index}"), random.place()));
+    let pose = pose(&mechanism, &scene.near).map_err(|e| e.to_string())?;
+    if !pose.warnings.is_empty() {
+        return Err(pose.warnings.join("; "));
+    }
+    let count = pose.assemblies.iter().flatten().map(|a| a.modes).product();
+    if count == 0 {
+        return Err("no modes are counted".to_owned());
+    }
+    let mut largest: f64 = 0.0;
+    for (name, [x, y]) in planted.inner() {
+        let place = pose.point(mechanism.point(name).ok_or("a point is missing")?);
+        let off = libm::hypot(place.x / planted.scale - x, place.y / planted.scale - y);
+        // Places are within ±1, so the mechanism's size is about 2.
+        if off.is_nan() || off > 2.0 * BOUND {
+            let modes = format!("the closest of {count} modes");
+            return Err(format!("{name} is {off:.2e} off in {modes}"));
         }
-        let pivot = ("O".to_owned(), random.place());
-        bodies[0].points.push(pivot.clone());
-        bodies[1].points.push(pivot);
-        let mut planted = Planted {
-            bodies,
-            sliders: Vec::new(),
-            joints: Vec::new(),
-            scale: libm::pow(10.0, 5.0 * random.unit() - 2.0),
-        };
-        // Pins first, so that a slider can sit on one.
-        let joined = joints.iter().zip(kinds.chars()).enumerate();
-        let (pins, guides): (Vec<_>, Vec<_>) = joined.partition(|(_, (_, kind))| *kind == 'R');
-        for (index, (&(a, b), kind)) in pins.into_iter().chain(guides) {
-            let a = a + 2;
-            let b = if b == KNOWN { random.below(2) } else { b + 2 };
-            let name = format!("J{index}");
-            if kind == 'R' {
-                let place = random.place();
-                for body in [a, b] {
-                    planted.bodies[body].points.push((name.clone(), place));
-                }
-                planted.joints.push((a, b, place, None));
-                continue;
-            }
-            // The frame and the crank carry guides; between two links either does.
-            let (link, on) = if b >= 2 && random.below(2) == 0 {
-                (b, a)
-            } else {
-                (a, b)
-            };
-            let own = &mut planted.bodies[link].points;
-            let (at, place) = if own.len() > 1 && random.below(2) == 0 {
-                own[1 + random.below(own.len() - 1)].clone()
-            } else {
-                let point = (name, random.place());
-                own.push(point.clone());
-                point
-            };
-            let along = random.angle();
-            let (sin, cos) = libm::sincos(along);
-            let t = random.within(1.0);
-            let through = [place[0] + t * cos, place[1] + t * sin];
-            planted.joints.push((link, on, place, Some(along)));
-            planted.sliders.push(Slider {
-                link,
-                at,
-                on,
-                through,
-                along,
-            });
-        }
-        planted
+        largest = largest.max(off / 2.0);
     }
-
-    /// That of the velocities of all links under all joints.
-    fn condition(&self) -> f64 {
-        let size = 2 * self.joints.len();
-        let mut matrix = DMatrix::<f64>::zeros(size, size);
-        for (index, &(a, b, place, guide)) in self.joints.iter().enumerate() {
-            for (body, sign) in [(a, 1.0), (b, -1.0)] {
-                if body < 2 {
-                    continue;
-                }
-                let column = 3 * (body - 2);
-                let origin = self.bodies[body].origin;
-                let [x, y] = [place[0] - origin[0], place[1] - origin[1]];
-                let rows = match guide {
-                    None => [[1.0, 0.0, -y], [0.0, 1.0, x]],
-                    Some(along) => {
-                        let (sin, cos) = libm::sincos(along);
-                        [[-sin, cos, cos * x + sin * y], [0.0, 0.0, 1.0]]
-                    }
-                };
-                for (row, values) in rows.into_iter().enumerate() {
-                    for (k, value) in values.into_iter().enumerate() {
-                        matrix[(2 * index + row, column + k)] = sign * value;
-                    }
-                }
-            }
-        }
-        let values = matrix.singular_values();
-        values.max() / values.min()
-    }
-
-    fn scene(&self) -> String {
-        let pair = |[x, y]: Pair| format!("[{:?}, {:?}]", self.scale * x, self.scale * y);
-        let ground: Vec<String> = self.bodies[0]
-            .points
-            .iter()
-            .map(|(name, place)| format!("\"{name}\": {}", pair(*place)))
-            .collect();
-        let mut text = format!(
-            "{{ \"kinegon\": 1, \"units\": {{ \"length\": \"mm\", \"time\": \"s\" }},\n  \"ground\": {{ {} }},\n  \"links\": {{",
-            ground.join(", ")
-        );
-        for (index, body) in self.bodies.iter().enumerate().skip(1) {
-            let shape: Vec<String> = body
-                .points
-                .iter()
-                .map(|(name, place)| format!("\"{name}\": {}", pair(body.own(*place))))
-                .collect();
-            let drive = match index {
-                1 => format!(
-                    ", \"drive\": {{ \"angle\": {:?}, \"omega\": 1 }}",
-                    body.angle.to_degrees()
-                ),
-                _ => String::new(),
-            };
-            let comma = if index == 1 { "" } else { "," };
-            let shape = shape.join(", ");
-            let _ = write!(
-                text,
-                "{comma}\n    \"b{index}\": {{ \"shape\": {{ {shape} }}{drive} }}"
-            );
-        }
-        text.push_str(" },\n  \"sliders\": [");
-        for (index, slider) in self.sliders.iter().enumerate() {
-            let on = &self.bodies[slider.on];
-            let name = match slider.on {
-                0 => "ground".to_owned(),
-                body => format!("b{body}"),
-            };
-            let (sin, cos) = libm::sincos(slider.along - on.angle);
-            let turned = (self.bodies[slider.link].angle - slider.along).to_degrees();
-            let comma = if index == 0 { "" } else { "," };
-            let _ = write!(
-                text,
-                "{comma}\n    {{ \"link\": \"b{}\", \"at\": \"{}\", \"on\": \"{name}\", \"through\": {}, \
-                 \"along\": [{cos:?}, {sin:?}], \"turned\": {turned:?} }}",
-                slider.link,
-                slider.at,
-                pair(on.own(slider.through)),
-            );
-        }
-        let near: Vec<String> = self
-            .inner()
-            .map(|(name, place)| format!("\"{name}\": {}", pair(place)))
-            .collect();
-        let _ = write!(text, " ],\n  \"near\": {{ {} }} }}", near.join(", "));
-        text
-    }
-
-    /// The points of the group.
-    fn inner(&self) -> impl Iterator<Item = (&str, Pair)> {
-        let points: BTreeMap<&str, Pair> = self.bodies[2..]
-            .iter()
-            .flat_map(|body| body.points.iter().map(|(n, p)| (n.as_str(), *p)))
-            .collect();
-        let known = self.bodies[..2].iter().flat_map(|body| &body.points);
-        let known: Vec<&str> = known.map(|(n, _)| n.as_str()).collect();
-        points.into_iter().filter(move |(n, _)| !known.contains(n))
-    }
-
-    /// Largest error of a point, in sizes of the mechanism, and the number of modes.
-    fn find(&self, class: &str) -> Result<(f64, usize), String> {
-        let scene = Scene::read(&self.scene()).map_err(|e| e.to_string())?;
-        let mechanism = mechanism(&scene).map_err(|e| e.to_string())?;
-        let classes: Vec<&str> = mechanism.groups.iter().map(|g| g.class.numeral()).collect();
-        if classes != [class] {
-            return Err(format!("groups of classes {classes:?} in place of {class}"));
-        }
-        let pose = pose(&mechanism, &scene.near).map_err(|e| e.to_string())?;
-        if !pose.warnings.is_empty() {
-            return Err(pose.warnings.join("; "));
-        }
-        let count = pose.assemblies.iter().flatten().map(|a| a.modes).product();
-        if count == 0 {
-            return Err("no modes are counted".to_owned());
-        }
-        let mut largest: f64 = 0.0;
-        for (name, [x, y]) in self.inner() {
-            let place = pose.point(mechanism.point(name).ok_or("a point is missing")?);
-            let off = libm::hypot(place.x / self.scale - x, place.y / self.scale - y);
-            // Places are within ±1, so the mechanism's size is about 2.
-            if off.is_nan() || off > 2.0 * BOUND {
-                let modes = format!("the closest of {count} modes");
-                return Err(format!("{name} is {off:.2e} off in {modes}"));
-            }
-            largest = largest.max(off / 2.0);
-        }
-        Ok((largest, count))
-    }
-}
-
-/// Splitmix64 (Steele, Lea, Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// From 0 to 1.
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn within(&mut self, bound: f64) -> f64 {
-        bound * (2.0 * self.unit() - 1.0)
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.next() % count as u64) as usize
-    }
-
-    fn place(&mut self) -> Pair {
-        [self.within(1.0), self.within(1.0)]
-    }
-
-    /// In radians, from −π to π.
-    fn angle(&mut self) -> f64 {
-        self.within(0.5 * TAU)
-    }
+    Ok((largest, count))
 }

@@ -79,7 +79,17 @@ fn agreement(construction: &Construction) -> String {
             power(worst.difference),
             power(worst.allowed)
         ),
-        _ => "A special point lies at infinity: rates are from the loop equations alone. Printed at 100 %, mm × μ is the value.".to_owned(),
+        _ => {
+            let mut special = construction.special.iter().flatten();
+            let why = if special.any(|s| s.place.finite().is_none()) {
+                "A special point lies at infinity"
+            } else {
+                "A group has no construction by two rays"
+            };
+            format!(
+                "{why}: rates are from the loop equations alone. Printed at 100 %, mm × μ is the value."
+            )
+        }
     }
 }
 

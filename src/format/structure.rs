@@ -97,7 +97,8 @@ fn joints(mechanism: &Mechanism, group: &Group) -> String {
     format!("{}-{}", of_link(group.links[0]), of_link(group.links[2]))
 }
 
-/// The ways to assemble a mechanism, numbered, with the places of its inner points and the angles of its group links.
+/// The ways to assemble a mechanism, numbered, with the places of its inner points and the angles of its group links; below them
+/// whether there may be more.
 #[must_use]
 pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
     let mut text = String::new();
@@ -126,6 +127,9 @@ pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
         // A lever and its block have no point that is looked for.
         lines.retain(|line| !line.is_empty());
         let _ = writeln!(text, "{:3}. {}", index + 1, lines.join("\n     "));
+    }
+    for remark in poses.iter().take(1).flat_map(|pose| &pose.warnings) {
+        let _ = writeln!(text, "{remark}");
     }
     text
 }

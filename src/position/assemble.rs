@@ -1,7 +1,7 @@
 use super::closing::places;
 use super::drawn::drawn_pose;
 use super::frames::Frames;
-use super::modes::modes;
+use super::modes::{NoMode, modes};
 use super::rough::Rough;
 use super::{Assembly, AssemblyError, Pose};
 use crate::geometry::Vector;
@@ -81,9 +81,21 @@ impl Way {
                 .map(Some)
                 .collect(),
             assemblies: self.assemblies.into_iter().map(Some).collect(),
-            warnings: Vec::new(),
+            warnings: searched(mechanism.for_positions()).collect(),
         }
     }
+}
+
+/// What to say of groups whose modes are not all the roots of a polynomial.
+fn searched(mechanism: &Mechanism) -> impl Iterator<Item = String> {
+    let groups = mechanism.groups.iter();
+    let higher = groups.filter(|group| group.class == Class::Higher);
+    higher.map(|group| {
+        format!(
+            "links {} form a group of higher class: its assembly modes were found by a search, and there may be more",
+            group.link_names(mechanism)
+        )
+    })
 }
 
 /// All ways, group after group. Of more ways than can be listed, the closest to the `rough` places are kept after each group.
@@ -107,11 +119,6 @@ fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError>
         assemblies: Vec::new(),
     }];
     for group in &mechanism.groups {
-        if group.class == Class::Higher {
-            return Err(AssemblyError::NotAvailable {
-                links: group.link_names(mechanism),
-            });
-        }
         let mut longer: Vec<Way> = Vec::new();
         let mut failure = None;
         for way in &ways {
@@ -129,14 +136,14 @@ fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError>
                         }
                     }));
                 }
-                Err(miss) => failure = failure.or(Some(miss)),
+                Err(no_mode) => failure = failure.or(Some(no_mode)),
             }
         }
-        if let (true, Some(miss)) = (longer.is_empty(), failure) {
-            return Err(AssemblyError::NoMode {
-                links: group.link_names(mechanism),
-                at: given_angles(whole),
-                miss,
+        if let (true, Some(failure)) = (longer.is_empty(), failure) {
+            let (links, at) = (group.link_names(mechanism), given_angles(whole));
+            return Err(match failure {
+                NoMode::Apart(miss) => AssemblyError::NoMode { links, at, miss },
+                NoMode::NotFound(tried) => AssemblyError::NotFound { links, at, tried },
             });
         }
         ways = closest(mechanism, rough, longer);

@@ -23,13 +23,17 @@ pub enum AssemblyError {
         /// How many modes there are.
         count: usize,
     },
-    /// The group is of a class whose positions cannot be found from lengths.
+    /// A search has found no assembly mode of a group of higher class.
     #[error(
-        "links {links} form a group of higher class, whose positions this version does not find from lengths\n  \
-         try: give the drawn configuration (`points` with the coordinates of every point)"
+        "no way to assemble links {links}{at} was found: {tried}\n  try: rough places of their points in `near`, another drive angle, or \
+         other lengths"
     )]
-    NotAvailable {
+    NotFound {
         /// The group's links.
         links: String,
+        /// The drive angles, in words, as in ` at angle(1) = 150°`.
+        at: String,
+        /// How hard it was tried, in words.
+        tried: String,
     },
 }

@@ -1,4 +1,4 @@
-use crate::geometry::{Placement, Point, Turn, Vector, quarter_turn, turn_of_degrees};
+use crate::geometry::{Placement, Point, Turn, Vector, cross, quarter_turn, turn_of_degrees};
 use crate::mechanism::{Body, BodyId, Guide, JointId, JointKind, Mechanism, PointId, Role, Slider};
 
 /// Where bodies are: the placement of each body's own frame in the fixed frame, as far as known.
@@ -119,6 +119,28 @@ impl Hold {
             }
         }
     }
+}
+
+/// The placement that brings local points closest to their places, by least squares; `None` unless two of either are apart.
+pub(super) fn fitted(pairs: &[(Point, Point)]) -> Option<Placement> {
+    let count = pairs.len() as f64;
+    let sums = pairs
+        .iter()
+        .fold([Vector::zeros(); 2], |sums, (own, place)| {
+            [sums[0] + own.coords, sums[1] + place.coords]
+        });
+    let [own_mean, place_mean] = sums.map(|sum| Point::from(sum / count));
+    let (mut cosine, mut sine) = (0.0, 0.0);
+    for (own, place) in pairs {
+        let (l, w) = (own - own_mean, place - place_mean);
+        cosine += l.dot(&w);
+        sine += cross(l, w);
+    }
+    let size = libm::hypot(cosine, sine);
+    (size > 0.0).then(|| {
+        let turn = Turn::from_cos_sin_unchecked(cosine / size, sine / size);
+        pinned(turn, own_mean, place_mean)
+    })
 }
 
 /// The placement (in the middle frame) of a body held by a pin, when a second place of it is known.

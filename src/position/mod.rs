@@ -13,6 +13,7 @@ mod modes;
 mod pose;
 mod roots;
 mod rough;
+mod search;
 mod truss;
 
 pub use assemble::{pose, poses};

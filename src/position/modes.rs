@@ -4,9 +4,10 @@ use super::closing::{Assembled, closed, places};
 use super::frames::Frames;
 use super::levers::Lever;
 use super::rough::Rough;
+use super::search::Search;
 use super::truss::Truss;
 use crate::geometry::{Vector, degrees_of, span};
-use crate::mechanism::{BodyId, Group, LoopEquations, Mechanism};
+use crate::mechanism::{BodyId, Class, Group, LoopEquations, Mechanism};
 
 /// A gap of a closed loop, relative to the mechanism's size, above which a candidate is no assembly mode.
 const CLOSED: f64 = 1e-10;
@@ -18,58 +19,132 @@ const SAME: f64 = 1e-8;
 /// In radians; where two modes come together, angles are as uncertain as the root of a rounding.
 const SAME_TURN: f64 = 1e-6;
 
-/// Every real assembly mode of `group`, ordered by the angle of its first link that turns, counter-clockwise from +x; where none
-/// turns, by the positions of its sliders. A slotted lever with one point has its slider on the positive side, in one mode; in two,
-/// turned by 180°, where `rough` gives its angle.
+/// Why a group has no assembly mode.
+pub(super) enum NoMode {
+    /// There is none: by how much its links fail to meet, in words.
+    Apart(String),
+    /// None was found: how hard it was tried, in words.
+    NotFound(String),
+}
+
+/// Every real assembly mode of `group`, of a higher class those that a search finds.
 ///
-/// # Errors
-/// By how much its links fail to meet, in words.
+/// They are ordered by the angle of its first link that turns, counter-clockwise from +x; where none turns, by the positions of its
+/// sliders. A slotted lever with one point has its slider on the positive side, in one mode; in two, turned by 180°, where `rough`
+/// gives its angle.
 pub(super) fn modes(
     mechanism: &Mechanism,
     group: &Group,
     known: &Frames,
     slides: &[f64],
     rough: &Rough,
-) -> Result<Vec<Assembled>, String> {
-    let Some(truss) = Truss::new(mechanism, group, known) else {
-        return Ok(Vec::new());
-    };
-    let equations = LoopEquations::new(mechanism, group);
-    let levers = Lever::all(mechanism, group, &equations);
-    let mut found: Vec<Assembled> = Vec::new();
-    for start in truss.starts(known, slides) {
-        let mut assembled = closed(mechanism, group, &equations, start);
-        for lever in &levers {
+) -> Result<Vec<Assembled>, NoMode> {
+    let mut modes = Modes::new(mechanism, group);
+    if let Some(truss) = Truss::new(mechanism, group, known) {
+        for start in truss.starts(known, slides) {
+            modes.close(start, f64::INFINITY);
+        }
+        if modes.found.is_empty() {
+            return Err(NoMode::Apart(truss.miss()));
+        }
+    } else {
+        let mut search = Search::new(mechanism, group, known, slides, rough);
+        while !search.is_over(modes.found.len()) {
+            let start = search.start();
+            if modes.close(start, search.reach) {
+                search.count_closed();
+            }
+        }
+        if modes.found.is_empty() {
+            let mut tried = format!("none of {} starts closes", search.starts);
+            if modes.smallest_gap.is_finite() {
+                let gap = modes.smallest_gap;
+                tried +=
+                    &format!(", the nearest leaves a gap of {gap:.1e} of the mechanism's size");
+            }
+            return Err(NoMode::NotFound(tried));
+        }
+    }
+    Ok(modes.sorted(rough))
+}
+
+/// The modes of a group, as they are found.
+struct Modes<'a> {
+    mechanism: &'a Mechanism,
+    group: &'a Group,
+    equations: LoopEquations,
+    levers: Vec<Lever>,
+    found: Vec<Assembled>,
+    smallest_gap: f64,
+}
+
+impl<'a> Modes<'a> {
+    fn new(mechanism: &'a Mechanism, group: &'a Group) -> Modes<'a> {
+        let equations = LoopEquations::new(mechanism, group);
+        Modes {
+            mechanism,
+            group,
+            levers: Lever::all(mechanism, group, &equations),
+            equations,
+            found: Vec::new(),
+            smallest_gap: f64::INFINITY,
+        }
+    }
+
+    /// Closes the loops from `start` and keeps what is a new mode; whether they close.
+    ///
+    /// Beside a slider that has run away any gap is small: it counts against a size of at most `reach`.
+    fn close(&mut self, start: Assembled, reach: f64) -> bool {
+        let (mechanism, group) = (self.mechanism, self.group);
+        let mut assembled = closed(mechanism, group, &self.equations, start);
+        let (points, _) = places(mechanism, &assembled.frames);
+        let gap = assembled.gap * (span(points) / reach).max(1.0);
+        self.smallest_gap = self.smallest_gap.min(gap);
+        if gap.is_nan() || gap > CLOSED {
+            return false;
+        }
+        if group.class == Class::Higher {
+            // From afar the steps may have run out just before the end; and a loop that closes on a link of the group was walked from
+            // where that link stood a step before.
+            let inner = group.loops.iter().filter(|chain| chain.closed);
+            for _ in 0..=inner.count() {
+                assembled = closed(mechanism, group, &self.equations, assembled);
+            }
+        }
+        for lever in &self.levers {
             assembled = lever.positive(mechanism, assembled);
         }
         let new = |other: &Assembled| !same(mechanism, group, other, &assembled);
-        if assembled.gap <= CLOSED && found.iter().all(new) {
-            found.push(assembled);
+        if self.found.iter().all(new) {
+            self.found.push(assembled);
         }
+        true
     }
-    if found.is_empty() {
-        return Err(truss.miss());
-    }
-    for lever in levers {
-        if lever.links.iter().any(|&link| rough.gives_angle(link)) {
-            let reversed = found.iter().map(|a| lever.reversed(mechanism, a));
-            found.extend(reversed.collect::<Vec<_>>());
+
+    /// All of them in order, with the levers both ways round whose angle `rough` gives.
+    fn sorted(self, rough: &Rough) -> Vec<Assembled> {
+        let mut found = self.found;
+        for lever in self.levers {
+            if lever.links.iter().any(|&link| rough.angle(link).is_some()) {
+                let reversed = found.iter().map(|a| lever.reversed(self.mechanism, a));
+                found.extend(reversed.collect::<Vec<_>>());
+            }
         }
+        let mut links = self.group.links.iter();
+        let turning = links.find(|&&link| self.equations.spin_unknown(link).is_some());
+        let angle = |a: &Assembled| {
+            let frame = turning.and_then(|&link| a.frames.of(link));
+            frame.map_or(0.0, |f| {
+                degrees_of(f.rotation * Vector::x()).rem_euclid(360.0)
+            })
+        };
+        found.sort_by(|a, b| {
+            let slides = a.slides.iter().zip(&b.slides);
+            let slides = slides.map(|(a, b)| a.total_cmp(b));
+            slides.fold(angle(a).total_cmp(&angle(b)), Ordering::then)
+        });
+        found
     }
-    let mut links = group.links.iter();
-    let turning = links.find(|&&link| equations.spin_unknown(link).is_some());
-    let angle = |a: &Assembled| {
-        let frame = turning.and_then(|&link| a.frames.of(link));
-        frame.map_or(0.0, |f| {
-            degrees_of(f.rotation * Vector::x()).rem_euclid(360.0)
-        })
-    };
-    found.sort_by(|a, b| {
-        let slides = a.slides.iter().zip(&b.slides);
-        let slides = slides.map(|(a, b)| a.total_cmp(b));
-        slides.fold(angle(a).total_cmp(&angle(b)), Ordering::then)
-    });
-    Ok(found)
 }
 
 /// Whether two assemblies put every point in the same place, and links with one point at the same angle.

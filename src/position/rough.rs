@@ -1,6 +1,6 @@
 use super::assemble::Way;
 use super::closing::places;
-use crate::geometry::{Point, Vector, degrees_of, span};
+use crate::geometry::{Point, Turn, Vector, degrees_of, span, turn_of_degrees};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role};
 use crate::scene::Near;
 
@@ -27,9 +27,16 @@ impl Rough {
         }
     }
 
-    /// Whether the angle of `link` is given.
-    pub(super) fn gives_angle(&self, link: BodyId) -> bool {
-        self.angles.iter().any(|(l, _)| *l == link)
+    /// The rough place of a point.
+    pub(super) fn place(&self, point: PointId) -> Option<Point> {
+        let found = self.points.iter().find(|(p, _)| *p == point);
+        found.map(|(_, place)| *place)
+    }
+
+    /// The rough angle of a link.
+    pub(super) fn angle(&self, link: BodyId) -> Option<Turn> {
+        let found = self.angles.iter().find(|(l, _)| *l == link);
+        found.map(|(_, angle)| turn_of_degrees(*angle))
     }
 
     /// Root mean square of the distances from the rough places that the way has reached; an angle counts by the chord that it

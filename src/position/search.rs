@@ -1,0 +1,189 @@
+use super::closing::Assembled;
+use super::frames::{Frames, across, fitted, local, local_guide, pinned};
+use super::rough::Rough;
+use crate::geometry::{Placement, Point, Turn, span};
+use crate::mechanism::{BodyId, Group, JointKind, Mechanism, SliderId};
+use std::f64::consts::TAU;
+
+/// Starts that take what the rough places say of the links; what they do not say is drawn by lot each time.
+const GUIDED: usize = 16;
+
+/// Starts by lot at least. Of 300 random groups of six links, 295 have as many modes with these as with ten times as many.
+const FEWEST: usize = 1000;
+
+/// Starts by lot at most.
+const MOST: usize = 20_000;
+
+/// Starting positions of a group for which no polynomial gives the assembly modes, one of a higher class.
+///
+/// The first ones are near the rough places, the others have every angle and slide by lot: from everywhere, so that each mode is reached
+/// from its own surroundings. The lots are the same each time. A list of modes found so may not be complete.
+pub(super) struct Search<'a> {
+    mechanism: &'a Mechanism,
+    group: &'a Group,
+    /// All known bodies, and the group's links as far as their frames are near the rough places.
+    guide: Frames,
+    known: &'a Frames,
+    slides: &'a [f64],
+    /// Size of the mechanism, from its given places and lengths: slides are up to about so long.
+    pub reach: f64,
+    random: Random,
+    /// How many starts were made, and how many of those by lot have closed.
+    pub starts: usize,
+    closed: usize,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(
+        mechanism: &'a Mechanism,
+        group: &'a Group,
+        known: &'a Frames,
+        slides: &'a [f64],
+        rough: &Rough,
+    ) -> Search<'a> {
+        let mut guide = known.clone();
+        for &link in &group.links {
+            if let Some(frame) = rough_frame(mechanism, link, known, rough) {
+                guide.set(link, frame);
+            }
+        }
+        let body = |link: &BodyId| span(mechanism.body(*link).local.iter().copied());
+        let places = mechanism.given.iter().flatten().copied();
+        let reach = span(places) + group.links.iter().map(body).sum::<f64>();
+        Search {
+            mechanism,
+            group,
+            guide,
+            known,
+            slides,
+            reach,
+            random: Random(0x6b69_6e65_676f_6e31),
+            starts: 0,
+            closed: 0,
+        }
+    }
+
+    /// Counts a start that has closed, of which `modes` different ones are known now.
+    pub(super) fn count_closed(&mut self) {
+        self.closed += usize::from(self.starts > GUIDED);
+    }
+
+    /// Whether it is time to stop, with `modes` found.
+    ///
+    /// If every mode were as easily reached as any other, fewer than half a mode would be expected to be missing once 2 w² + 3 w + 2
+    /// starts have closed, w the modes found (C. G. E. Boender, A. H. G. Rinnooy Kan, "Bayesian stopping rules for multistart global
+    /// optimization methods", Mathematical Programming 37, 1987). They are not, so this is a rule and no proof.
+    pub(super) fn is_over(&self, modes: usize) -> bool {
+        let by_lot = self.starts.saturating_sub(GUIDED);
+        let enough = modes == 0 || self.closed >= 2 * modes * modes + 3 * modes + 2;
+        by_lot >= MOST || (by_lot >= FEWEST && enough)
+    }
+
+    /// The next start.
+    pub(super) fn start(&mut self) -> Assembled {
+        let guided = self.starts < GUIDED;
+        self.starts += 1;
+        let mut frames = self.known.clone();
+        self.carry_turns(&mut frames);
+        if guided {
+            for &link in &self.group.links {
+                self.turn(&mut frames, link, self.guide.of(link).map(|f| f.rotation));
+            }
+        }
+        for &link in &self.group.links {
+            let (sine, cosine) = libm::sincos(self.random.unit() * TAU);
+            let lot = Turn::from_cos_sin_unchecked(cosine, sine);
+            self.turn(&mut frames, link, Some(lot));
+        }
+        let mut slides = self.slides.to_vec();
+        for &joint in &self.group.joints {
+            if let JointKind::Prismatic(id) = self.mechanism.joint(joint).kind {
+                let lot = (self.random.unit() - 0.5) * self.reach;
+                let near = self.near_slide(id).filter(|_| guided);
+                slides[id.0] = near.unwrap_or(lot);
+            }
+        }
+        Assembled {
+            frames,
+            slides,
+            gap: f64::INFINITY,
+        }
+    }
+
+    /// Turns a link that is not turned yet, and those that are tied to it.
+    fn turn(&self, frames: &mut Frames, link: BodyId, turn: Option<Turn>) {
+        if let (None, Some(turn)) = (frames.of(link), turn) {
+            frames.set(link, pinned(turn, Point::origin(), Point::origin()));
+            self.carry_turns(frames);
+        }
+    }
+
+    /// Turns the links that prismatic joints tie to links whose turn is known. Where they are is found by walking the loops.
+    fn carry_turns(&self, frames: &mut Frames) {
+        let mut carried = true;
+        while carried {
+            carried = false;
+            for &joint in &self.group.joints {
+                let JointKind::Prismatic(id) = self.mechanism.joint(joint).kind else {
+                    continue;
+                };
+                let slider = self.mechanism.slider(id);
+                for (from, to) in [(slider.on, slider.link), (slider.link, slider.on)] {
+                    if let (Some(&frame), None) = (frames.of(from), frames.of(to)) {
+                        frames.set(to, frame * across(self.mechanism, slider, from, 0.0));
+                        carried = true;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Where a slider stands on its guide if both are near the rough places.
+    fn near_slide(&self, id: SliderId) -> Option<f64> {
+        let slider = self.mechanism.slider(id);
+        let (on, link) = (self.guide.of(slider.on)?, self.guide.of(slider.link)?);
+        let (through, direction) = local_guide(slider);
+        let at = link * local(self.mechanism, slider.link, slider.at);
+        Some((on.inverse() * at - through).dot(&direction))
+    }
+}
+
+/// A link's frame from the rough or known places of its points, or from its rough angle.
+fn rough_frame(
+    mechanism: &Mechanism,
+    link: BodyId,
+    known: &Frames,
+    rough: &Rough,
+) -> Option<Placement> {
+    let body = mechanism.body(link);
+    let placed = |point| {
+        let mut bodies = (0..mechanism.bodies.len()).map(BodyId);
+        bodies
+            .find_map(|b| known.place(mechanism, b, point))
+            .or_else(|| rough.place(point))
+    };
+    let pairs = body.points.iter().zip(&body.local);
+    let pairs: Vec<(Point, Point)> = pairs
+        .filter_map(|(&p, &own)| Some((own, placed(p)?)))
+        .collect();
+    match (rough.angle(link), pairs.first()) {
+        (Some(turn), Some(&(own, place))) => Some(pinned(turn, own, place)),
+        (Some(turn), None) => Some(pinned(turn, Point::origin(), Point::origin())),
+        (None, _) => fitted(&pairs),
+    }
+}
+
+/// Splitmix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
+struct Random(u64);
+
+impl Random {
+    /// From 0 to 1.
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^= z >> 31;
+        (z >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
