@@ -53,6 +53,18 @@ pub enum Panel {
     Acceleration,
 }
 
+impl Panel {
+    /// The panel as a scene file writes it: `"scheme"`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Panel::Scheme => "scheme",
+            Panel::Velocity => "velocity",
+            Panel::Acceleration => "acceleration",
+        }
+    }
+}
+
 /// A sheet of paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Page {
@@ -112,6 +124,14 @@ impl Page {
             _ => return None,
         };
         Some(Page { size, landscape })
+    }
+
+    /// The page as a scene file writes it: `"a4"`, `"a4-portrait"`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        let names = Page::NAMES.into_iter();
+        let mut names = names.filter(|name| Page::from_name(name) == Some(self));
+        names.next().expect("every page has a name")
     }
 
     /// Width and height, in millimetres.

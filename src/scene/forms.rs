@@ -35,12 +35,33 @@ pub(super) enum NameOrPlace {
     Place([f64; 2]),
 }
 
-/// A direction: two points, degrees, or a vector.
+/// The direction of a guide as the file writes it.
 #[derive(Debug, Clone)]
-pub(super) enum Direction {
+pub enum Direction {
+    /// From the first to the second of two points, as `BE`, or `B-E` where names are longer or ambiguous.
     Points(String),
+    /// An angle in degrees: from +x on the ground, from the axis of the guide's carrier otherwise.
     Degrees(f64),
+    /// `[dx, dy]`.
     Vector([f64; 2]),
+}
+
+impl From<&str> for Direction {
+    fn from(points: &str) -> Self {
+        Direction::Points(points.to_owned())
+    }
+}
+
+impl From<f64> for Direction {
+    fn from(degrees: f64) -> Self {
+        Direction::Degrees(degrees)
+    }
+}
+
+impl From<[f64; 2]> for Direction {
+    fn from(vector: [f64; 2]) -> Self {
+        Direction::Vector(vector)
+    }
 }
 
 /// The frame's points: names, or names with coordinates.
@@ -124,13 +145,14 @@ impl<'de> Visitor<'de> for OneOf {
                 super::words::number(size)
             )));
         }
-        Ok(Given::Vector(vector(size, angle)))
+        Ok(Given::Vector(polar(size, angle)))
     }
 }
 
-/// The vector of this size at this angle in degrees; at multiples of 90° its zeros are exact.
-fn vector(size: f64, angle: f64) -> [f64; 2] {
-    let angle = angle % 360.0;
+/// The vector of this size at this angle from +x, in degrees; at multiples of 90° its zeros are exact.
+#[must_use]
+pub fn polar(size: f64, angle_deg: f64) -> [f64; 2] {
+    let angle = angle_deg % 360.0;
     match angle {
         0.0 => [size, 0.0],
         90.0 | -270.0 => [0.0, size],

@@ -77,3 +77,15 @@ pub enum At {
     /// Coordinates, in the fixed frame unless the field that holds it says otherwise.
     Place([f64; 2]),
 }
+
+impl From<&str> for At {
+    fn from(point: &str) -> Self {
+        At::Point(point.to_owned())
+    }
+}
+
+impl From<[f64; 2]> for At {
+    fn from(place: [f64; 2]) -> Self {
+        At::Place(place)
+    }
+}

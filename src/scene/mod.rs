@@ -5,6 +5,7 @@
 //! In reading order: `units`, `link`, `slider` and `figure` hold the types of a scene; `read` goes the whole way;
 //! `text` turns text into JSON, `file` and `forms` say what the file looks like, `names` and the `check_…` files hold
 //! what must be true; `error`, `place` and `words` say what is wrong and where; `schema` says all of it to editors.
+//! `build`, `build_parts` and `write` put the text of a scene together in Rust, which then goes the same way.
 
 mod figure;
 mod link;
@@ -25,12 +26,19 @@ mod check_points;
 mod check_sliders;
 mod names;
 
+mod build;
+mod build_parts;
+mod write;
+
 mod error;
 mod place;
 mod words;
 
+pub use build::Builder;
+pub use build_parts::{Guide, NewLink, Push, Turn};
 pub use error::{Place, SceneError};
 pub use figure::{Figure, Page, PageSize, Panel};
+pub use forms::{Direction, polar};
 pub use link::{At, Drive, Length, Link, LinkMotion, Shape};
 pub use slider::{Along, On, Slider, SliderDrive};
 pub use units::{LengthUnit, TimeUnit, Units};
@@ -81,7 +89,7 @@ pub enum Form {
 }
 
 /// The given motion of one point, in the fixed frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PointMotion {
     /// Velocity, in length per time.
     pub velocity: [f64; 2],

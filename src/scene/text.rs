@@ -177,7 +177,7 @@ fn not_json(body: &str, error: &ParseError) -> Wrong {
             Some(r#"write "key": value"#),
         ),
         Kind::NonFiniteNumbersNotAllowed => (format!("{word} is not a number"), Some(not_a_number)),
-        Kind::UnexpectedWord
+        Kind::UnexpectedWord | Kind::ExpectedDigitFollowingNegativeSign
             if ["nan", "inf", "infinity"].contains(&word.to_lowercase().as_str()) =>
         {
             (format!("{word} is not a number"), Some(not_a_number))
