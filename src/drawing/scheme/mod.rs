@@ -1,0 +1,88 @@
+//! The scheme of the mechanism: from back to front areas, cut lines, guides, links, the ground, blocks, joints, special points,
+//! then the names.
+
+mod ground;
+mod links;
+mod names;
+mod sliders;
+mod special;
+
+use super::canvas::Canvas;
+use super::view::{Extent, View};
+use crate::mechanism::{GROUND, Mechanism, PointId, Role, SliderId};
+use crate::plan::Construction;
+use crate::position::Pose;
+use crate::scene::{Figure, Scene};
+use kurbo::Point;
+
+/// Radius of a joint's circle in mm.
+const JOINT: f64 = 1.15;
+
+/// What the scheme shows.
+pub(super) struct Scheme<'a> {
+    pub figure: &'a Figure,
+    pub mechanism: &'a Mechanism,
+    pub pose: &'a Pose,
+    pub construction: &'a Construction,
+}
+
+impl<'a> Scheme<'a> {
+    /// The scheme of a scene after its construction.
+    pub(super) fn new(
+        scene: &'a Scene,
+        mechanism: &'a Mechanism,
+        pose: &'a Pose,
+        construction: &'a Construction,
+    ) -> Self {
+        Self {
+            figure: &scene.figure,
+            mechanism,
+            pose,
+            construction,
+        }
+    }
+
+    /// What must find room: all points, and the special points that are not too far away.
+    pub(super) fn extent(&self) -> Extent {
+        let points = self.pose.points.iter().copied();
+        let near = self.special().filter(|s| self.is_near(s));
+        let special = near.filter_map(|s| s.place.finite());
+        Extent::of(points.chain(special).chain(self.guide_ends()))
+    }
+
+    /// Draws the mechanism.
+    pub(super) fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
+        self.link_areas(canvas, view);
+        for special in self.special() {
+            self.cuts(canvas, view, special);
+        }
+        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
+            self.guide(canvas, view, slider);
+        }
+        self.link_lines(canvas, view);
+        for (body, role) in self.mechanism.bodies.iter().map(|b| (b, &b.role)) {
+            match role {
+                Role::Stub => self.stub(canvas, view, body.points[0], &body.name),
+                Role::Driver { pivot, omega, .. } => {
+                    self.turning(canvas, view, *pivot, &body.points, &body.name, *omega);
+                }
+                _ => {}
+            }
+        }
+        for &point in &self.mechanism.body(GROUND).points {
+            self.pivot(canvas, view.at(self.pose.point(point)));
+        }
+        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
+            self.block(canvas, view, slider);
+        }
+        self.joints(canvas, view);
+        for special in self.special() {
+            self.mark_special(canvas, view, special);
+        }
+        self.link_names(canvas, view);
+    }
+
+    fn at(&self, view: &View, point: PointId) -> Point {
+        view.at(self.pose.point(point))
+    }
+}

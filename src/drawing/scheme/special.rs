@@ -1,0 +1,145 @@
+//! Special points and the cut lines that cross there.
+
+use super::super::canvas::{Canvas, clipped_segment};
+use super::super::sheet::{Pen, Shape};
+use super::super::view::{View, on_sheet};
+use super::{JOINT, Scheme};
+use crate::geometry::{Place, span};
+use crate::plan::{LegKind, Special, display};
+use kurbo::{Point, Vec2};
+
+/// A special point that would make the scheme more than this many times larger is not drawn at its place.
+const REACH: f64 = 2.5;
+
+impl Scheme<'_> {
+    pub(super) fn special(&self) -> impl Iterator<Item = &Special> {
+        let shown = self.figure.special_points;
+        self.construction
+            .special
+            .iter()
+            .flatten()
+            .filter(move |s| shown && s.is_assur)
+    }
+
+    /// Whether a special point can be drawn at its place without making the rest small.
+    pub(super) fn is_near(&self, special: &Special) -> bool {
+        let own = span(self.pose.points.iter().copied());
+        special.place.finite().is_some_and(|place| {
+            let points = self.pose.points.iter().copied();
+            span(points.chain([place])) <= REACH * own
+        })
+    }
+
+    /// The cut lines of a special point, from their joints to it.
+    pub(super) fn cuts(&self, canvas: &mut Canvas<'_>, view: &View, special: &Special) {
+        if !self.figure.construction {
+            return;
+        }
+        let bounds = canvas.room();
+        for cut in &special.cuts {
+            let (Some(start), Some(direction)) = (cut.start(), cut.line.direction()) else {
+                continue;
+            };
+            let from = self.at(view, start);
+            // A far special point: the cut line runs to the panel's edge, towards it.
+            let to = match special.place {
+                Place::At(place) => view.at(place),
+                Place::AtInfinity(_) => {
+                    from + on_sheet(direction) * (bounds.width() + bounds.height())
+                }
+            };
+            let name = format!("cut-{}-{}", special.name, self.mechanism.point_name(start));
+            let over = (to - from).normalize() * 3.0;
+            let end = if self.is_near(special) { to + over } else { to };
+            if let Some((a, b)) = clipped_segment(bounds, from, end) {
+                canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b));
+            }
+            if let LegKind::PinThenSlider { inner: slider, .. }
+            | LegKind::SliderThenPin { outer: slider, .. } = cut.kind
+            {
+                let along = on_sheet(self.pose.guide(slider));
+                self.right_angle(canvas, from, along, (to - from).normalize());
+            }
+        }
+    }
+
+    /// The mark of a right angle at `corner`.
+    fn right_angle(&self, canvas: &mut Canvas<'_>, corner: Point, a: Vec2, b: Vec2) {
+        const SIDE: f64 = 2.4;
+        let chain = vec![
+            corner + a * SIDE,
+            corner + (a + b) * SIDE,
+            corner + b * SIDE,
+        ];
+        canvas.draw(Pen::Frame, Shape::Polyline(chain));
+    }
+
+    /// A special point at its place; one far away by an arrow with its distance.
+    pub(super) fn mark_special(&self, canvas: &mut Canvas<'_>, view: &View, special: &Special) {
+        let label = display(&special.name);
+        if self.is_near(special) {
+            let Some(place) = special.place.finite() else {
+                return;
+            };
+            let center = view.at(place);
+            let name = format!("point-{}", special.name);
+            let shape = Shape::Circle {
+                center,
+                radius: JOINT,
+            };
+            canvas.draw_named(&name, Pen::Special, shape);
+            canvas.label(&special.name, &label, center, JOINT + 0.7, None, 3);
+            return;
+        }
+        // The arrow lies on the first cut line that reaches the panel's edge.
+        let bounds = canvas.room().inset(-2.0);
+        let start = special
+            .cuts
+            .iter()
+            .find_map(|c| Some((c.start()?, c.line.direction()?)));
+        let Some((start, direction)) = start else {
+            return;
+        };
+        let from = self.at(view, start);
+        let towards = match special.place {
+            Place::At(place) => view.at(place) - from,
+            Place::AtInfinity(_) => on_sheet(direction),
+        };
+        let far = from + towards.normalize() * (bounds.width() + bounds.height());
+        let Some((_, edge)) = clipped_segment(bounds, from, far) else {
+            return;
+        };
+        let tail = edge - towards.normalize() * 9.0;
+        let distance = match special.place {
+            Place::At(place) => {
+                let distance = (place - self.pose.point(start)).norm();
+                let name = self.mechanism.point_name(start);
+                format!("{label}: {} from {name}", significant(distance))
+            }
+            Place::AtInfinity(_) => format!("{label} at infinity"),
+        };
+        let name = format!("point-{}", special.name);
+        canvas.draw_named(
+            &name,
+            Pen::Special,
+            Shape::Arrow {
+                from: tail,
+                to: edge,
+            },
+        );
+        canvas.words(&special.name, &distance, tail);
+    }
+}
+
+/// A number with four significant digits, for captions.
+fn significant(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let exponent = libm::floor(libm::log10(x.abs())) as i32;
+    if !(-3..6).contains(&exponent) {
+        let mantissa = x / libm::pow(10.0, f64::from(exponent));
+        return format!("{mantissa:.3}·10^{{{exponent}}}");
+    }
+    format!("{x:.*}", (3 - exponent).max(0) as usize)
+}
