@@ -114,6 +114,36 @@ fn both_routes_agree() {
     }
 }
 
+/// In a plan a ray comes from where its leg starts and ends where it crosses the other: two legs that start under one point, on
+/// different links, have places of their own.
+#[test]
+fn every_ray_runs_through_both_its_points() {
+    let mut seen = 0;
+    for (name, text) in templates() {
+        let scene = Scene::read(&text).expect("a template is a good scene");
+        let mechanism = mechanism(&scene).expect("a mechanism");
+        let pose = pose(&mechanism, &scene.near).expect("it can be assembled");
+        let motion = motion(&mechanism, &pose, Order::Acceleration).expect("it moves");
+        let construction = construction(&mechanism, &pose, &motion);
+        for plan in construction.plans() {
+            for ray in plan.rays() {
+                let along = plan.segment(&ray.through, &ray.to).expect("both are there");
+                let off = along.perp(&ray.direction) / ray.direction.norm();
+                let size = plan.points.values().map(|p| p.vector.norm());
+                let size = size.fold(0.0, f64::max);
+                assert!(
+                    off.abs() <= MOST * size,
+                    "{name}: the ray through {} misses {} by {off:e}",
+                    ray.through,
+                    ray.to
+                );
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 50);
+}
+
 /// Errors by kind of quantity, largest true magnitudes beside them.
 #[derive(Default)]
 struct Errors {

@@ -319,7 +319,7 @@ impl Writer<'_> {
         for (cut, leg) in point.cuts.iter().zip(&construct.legs[index]) {
             let Some(start) = cut.start() else { return };
             let from = self.start_name(cut.leg.base, start);
-            let normal = normal_name(self.mechanism.point_name(start), &point.name);
+            let normal = normal_name(&self.start_point(cut.leg.base, start), &point.name);
             let (equation, caption) = words::normal(self.mechanism, cut, point, &from, &normal);
             let arrow = Arrow {
                 from,
@@ -371,7 +371,7 @@ impl Writer<'_> {
                 let (from, signed) = match order {
                     Order::Velocity => (self.start_name(cut.leg.base, start), leg.velocity),
                     Order::Acceleration => (
-                        normal_name(self.mechanism.point_name(start), &point.name),
+                        normal_name(&self.start_point(cut.leg.base, start), &point.name),
                         leg.acceleration,
                     ),
                 };
