@@ -388,3 +388,66 @@ fn figure_2_shows_all_its_names() {
         );
     }
 }
+
+/// Half the width of a link's line, and white beside it, in mm.
+const BESIDE: f64 = 0.25 + 0.2;
+
+#[test]
+fn names_in_the_scheme_keep_off_links() {
+    let figures = [1, 2].map(|number| (format!("figure {number}"), example(number)));
+    let mut wrong = Vec::new();
+    for (name, drawing) in figures.into_iter().chain(templates()) {
+        let labels = drawing.marks.iter().filter(|mark| mark.pen == Pen::Label);
+        for label in labels.filter(|mark| id(mark).starts_with("scheme-")) {
+            let ink = label.shape.bounds().inflate(BESIDE, BESIDE);
+            for mark in drawing.marks.iter().filter(|mark| mark.pen == Pen::Link) {
+                let touched = match &mark.shape {
+                    Shape::Line(a, b) => covers(&[*a, *b], ink),
+                    Shape::Polygon(corners) => {
+                        let next = corners.iter().cycle().skip(1);
+                        corners
+                            .iter()
+                            .zip(next)
+                            .any(|(a, b)| covers(&[*a, *b], ink))
+                    }
+                    _ => false,
+                };
+                if touched {
+                    wrong.push(format!("{name}: {} touches {}", id(label), id(mark)));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn long_names_of_links_are_set_apart_in_special_points() {
+    let renamed = |text: &str, names: &[&str]| {
+        let mut scene: serde_json::Value = serde_json::from_str(text).expect("a template is JSON");
+        let links = scene["links"].as_object_mut().expect("links by name");
+        let values: Vec<_> = std::mem::take(links)
+            .into_iter()
+            .map(|(_, link)| link)
+            .collect();
+        links.extend(names.iter().map(|name| name.to_string()).zip(values));
+        drawn(&scene.to_string()).expect("it can be drawn").0
+    };
+    let says = |drawing: &Drawing, panel: &str, name: &str| {
+        let labels = labels(drawing, panel);
+        assert!(
+            labels.iter().any(|(_, shown)| shown == name),
+            "no {name} in {labels:?}"
+        );
+    };
+    let text = file("templates/third-class.json");
+    let third = renamed(&text, &["crank", "rod", "plate", "arm", "leg"]);
+    says(&third, "scheme", "Srod,arm");
+    says(&third, "velocity", "srod,leg");
+    says(&third, "acceleration", "nb,rod,arm,nb,rod,leg");
+    let text = file("templates/fourth-class.json");
+    let fourth = renamed(&text, &["crank", "left", "top", "right", "rod2"]);
+    says(&fourth, "scheme", "Stop");
+    says(&fourth, "scheme", "Srod2");
+    says(&fourth, "acceleration", "ne,rod2");
+}

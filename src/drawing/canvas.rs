@@ -71,9 +71,9 @@ impl<'a> Canvas<'a> {
             Shape::Text(text) => self.obstacles.boxes.push(text.ink_box()),
             Shape::Line(a, b) => self.obstacles.lines.push((*a, *b)),
             Shape::Arrow { from, to } => self.obstacles.lines.push((*from, *to)),
-            Shape::Polygon(points) if pen == Pen::Slider => {
-                self.obstacles.boxes.push(shape.bounds());
-                debug_assert!(points.len() > 2);
+            Shape::Polygon(corners) if pen == Pen::Slider => {
+                let boxes = pieces(corners).map(|piece| piece.inflate(0.4, 0.4));
+                self.obstacles.boxes.extend(boxes);
             }
             Shape::Polygon(points) if !matches!(pen, Pen::LinkFill(_) | Pen::ImageFill) => {
                 self.lines(points);
@@ -168,6 +168,24 @@ impl<'a> Canvas<'a> {
                 .draw_named(id, Pen::Label, Shape::Text(label.text));
         }
     }
+}
+
+/// Boxes that cover a polygon together; along a turned block several small ones leave more room than a large one.
+fn pieces(corners: &[Point]) -> impl Iterator<Item = Rect> {
+    let around = |points: &[Point]| {
+        let boxes = points.iter().map(|&p| Rect::from_points(p, p));
+        boxes.reduce(|all, one| all.union(one)).unwrap_or_default()
+    };
+    let cuts = match corners {
+        &[a, b, c, d] => {
+            let count = ((b - a).hypot() / (c - b).hypot()).ceil().clamp(1.0, 16.0);
+            let at = move |k: f64| [a.lerp(b, k / count), d.lerp(c, k / count)];
+            let piece = move |k: usize| [at(k as f64), at(k as f64 + 1.0)].concat();
+            (0..count as usize).map(piece).collect()
+        }
+        _ => vec![corners.to_vec()],
+    };
+    cuts.into_iter().map(move |piece| around(&piece))
 }
 
 /// A name fit for an XML id: other letters than ASCII ones by their code, so that names stay different.

@@ -121,7 +121,7 @@ fn panel(drawing: &mut Drawing, index: usize, placed: &Placed, scheme: &Scheme<'
     };
     if let Some(plan) = plan {
         let view = View::new(placed.mu, &plan_panel::extent(plan), placed.area);
-        plan_panel::draw(&mut canvas, &view, scheme.figure, scheme.mechanism, plan);
+        plan_panel::draw(&mut canvas, &view, scheme, plan);
     }
     canvas.finish();
 }

@@ -12,6 +12,7 @@ mod labels;
 mod layout;
 mod legend;
 mod look;
+mod names;
 mod plan_panel;
 mod scheme;
 mod sheet;

@@ -1,10 +1,11 @@
 use super::canvas::{Canvas, clipped_segment};
+use super::names::Names;
+use super::scheme::Scheme;
 use super::sheet::{Pen, Shape};
 use super::view::{Extent, View, on_sheet};
 use crate::geometry;
-use crate::mechanism::Mechanism;
-use crate::plan::{Part, Plan, PlanKind, PointRole, coincident_name, display, image_name};
-use crate::scene::Figure;
+use crate::mechanism::{Body, Mechanism};
+use crate::plan::{Part, Plan, PlanKind, PointRole, coincident_name, image_name};
 use kurbo::{Point, Vec2};
 
 /// Plan points closer than this on paper (mm) share one label.
@@ -18,13 +19,10 @@ pub(super) fn extent(plan: &Plan) -> Extent {
 }
 
 /// Draws a plan from its steps.
-pub(super) fn draw(
-    canvas: &mut Canvas<'_>,
-    view: &View,
-    figure: &Figure,
-    mechanism: &Mechanism,
-    plan: &Plan,
-) {
+pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, plan: &Plan) {
+    let Scheme {
+        figure, mechanism, ..
+    } = scheme;
     let at = |name: &str| {
         let point = plan.points.get(name);
         point.map(|p| view.at(p.vector.into()))
@@ -34,7 +32,10 @@ pub(super) fn draw(
         let special = matches!(role, Some(PointRole::Special | PointRole::Normal));
         special && !figure.special_points
     };
-    image_areas(canvas, view, mechanism, plan);
+    let images = images(view, mechanism, plan);
+    for corners in images.iter().filter(|corners| corners.len() > 2) {
+        canvas.draw(Pen::ImageFill, Shape::Polygon(corners.clone()));
+    }
     if figure.construction && figure.special_points {
         for ray in plan.rays() {
             let (Some(from), Some(to)) = (at(&ray.through), at(&ray.to)) else {
@@ -53,19 +54,30 @@ pub(super) fn draw(
             }
         }
     }
+    // Over all areas and rays, so that a line that lies on a ray is seen as one.
+    for corners in images {
+        match corners.as_slice() {
+            [a, b] => canvas.draw(Pen::Image, Shape::Line(*a, *b)),
+            [_, _, _] => canvas.draw(Pen::Image, Shape::Polygon(corners)),
+            _ => {}
+        }
+    }
     let whole = match plan.kind {
         PlanKind::Velocity => Pen::Velocity,
         PlanKind::Acceleration => Pen::Acceleration,
     };
     let pole = plan.kind.pole();
-    for (name, point) in &plan.points {
-        let is_crossing = || plan.rays().any(|ray| ray.to == *name);
-        if (point.role == PointRole::Special || is_crossing()) && !hidden(name) {
-            arrow(canvas, at(pole), at(name), whole, &format!("{pole}-{name}"));
-        }
+    let from_pole = |name: &str| {
+        let special = plan.points.get(name).map(|p| p.role) == Some(PointRole::Special);
+        (special || plan.rays().any(|ray| ray.to == name)) && !hidden(name)
+    };
+    for name in plan.points.keys().filter(|name| from_pole(name)) {
+        arrow(canvas, at(pole), at(name), whole, &format!("{pole}-{name}"));
     }
     for laid in plan.arrows() {
-        if hidden(&laid.to) {
+        // What slides on the ground has the vector from the pole already.
+        let again = at(&laid.from) == at(pole) && from_pole(&laid.to);
+        if hidden(&laid.to) || again {
             continue;
         }
         let pen = match laid.part {
@@ -77,7 +89,7 @@ pub(super) fn draw(
         let name = format!("{}-{}", laid.from, laid.to);
         arrow(canvas, at(&laid.from), at(&laid.to), pen, &name);
     }
-    points(canvas, view, plan, &hidden);
+    points(canvas, view, &scheme.names, plan, &hidden);
 }
 
 fn arrow(canvas: &mut Canvas<'_>, from: Option<Point>, to: Option<Point>, pen: Pen, name: &str) {
@@ -88,9 +100,9 @@ fn arrow(canvas: &mut Canvas<'_>, from: Option<Point>, to: Option<Point>, pen: P
     }
 }
 
-/// The images of links: the link turned and scaled.
-fn image_areas(canvas: &mut Canvas<'_>, view: &View, mechanism: &Mechanism, plan: &Plan) {
-    for (_, body) in mechanism.links() {
+/// The corners of the images of links: the link turned and scaled.
+fn images(view: &View, mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<Point>> {
+    let image = |body: &Body| {
         let own = body
             .points
             .iter()
@@ -100,21 +112,12 @@ fn image_areas(canvas: &mut Canvas<'_>, view: &View, mechanism: &Mechanism, plan
             .iter()
             .filter(|s| mechanism.body(s.on).name == body.name);
         let under = under.map(|s| coincident_name(mechanism.point_name(s.at), &body.name));
-        let corners: Vec<Point> = own
-            .chain(under)
+        own.chain(under)
             .filter_map(|name| plan.points.get(&image_name(&name)))
             .map(|p| view.at(p.vector.into()))
-            .collect();
-        match corners.as_slice() {
-            [] | [_] => {}
-            [a, b] => canvas.draw(Pen::Image, Shape::Line(*a, *b)),
-            [_, _, _] => {
-                canvas.draw(Pen::ImageFill, Shape::Polygon(corners.clone()));
-                canvas.draw(Pen::Image, Shape::Polygon(corners));
-            }
-            _ => canvas.draw(Pen::ImageFill, Shape::Polygon(corners)),
-        }
-    }
+            .collect()
+    };
+    mechanism.links().map(|(_, body)| image(body)).collect()
 }
 
 /// Whether a name is that of the end of a normal acceleration that is nothing at all: it lies on another kind of point.
@@ -126,7 +129,13 @@ fn is_vanished(plan: &Plan, name: &str) -> bool {
 }
 
 /// Dots and names of the plan points; points in one place share a label.
-fn points(canvas: &mut Canvas<'_>, view: &View, plan: &Plan, hidden: &dyn Fn(&str) -> bool) {
+fn points(
+    canvas: &mut Canvas<'_>,
+    view: &View,
+    names: &Names,
+    plan: &Plan,
+    hidden: &dyn Fn(&str) -> bool,
+) {
     let middle = view.at(nalgebra::center(&extent(plan).low, &extent(plan).high));
     let mut places: Vec<(Point, Vec<&str>, PointRole)> = Vec::new();
     let at_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
@@ -140,27 +149,27 @@ fn points(canvas: &mut Canvas<'_>, view: &View, plan: &Plan, hidden: &dyn Fn(&st
             .iter_mut()
             .find(|(p, ..)| (*p - place).hypot() < SHARED);
         match shared {
-            Some((_, names, _)) => names.push(name),
+            Some((_, here, _)) => here.push(name),
             None => places.push((place, vec![name], point.role)),
         }
     }
-    for (place, names, role) in places {
+    for (place, here, role) in places {
         let (pen, radius) = match role {
             PointRole::Pole => (Pen::Pole, 0.9),
             PointRole::Special => (Pen::Special, 0.8),
             _ => (Pen::ImagePoint, 0.45),
         };
         let center = place;
-        let id = format!("point-{}", names[0]);
+        let id = format!("point-{}", here[0]);
         canvas.draw_named(&id, pen, Shape::Circle { center, radius });
-        let shown: Vec<String> = names
+        let shown: Vec<String> = here
             .iter()
-            .map(|name| canvas.shown(name, &display(name)))
+            .map(|name| canvas.shown(name, &names.markup(name)))
             .collect();
         let away = place - middle;
         let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
         // The renamed names are joined already; the joint label goes by the first one's id.
-        let joined = format!("{} ", names[0]);
-        canvas.label(&joined, &shown.join(", "), place, radius + 0.6, prefer, 2);
+        let joined = format!("{} ", here[0]);
+        canvas.label(&joined, &shown.join(", "), place, radius + 0.7, prefer, 2);
     }
 }

@@ -14,7 +14,7 @@ mod write;
 
 pub use cut::{CutLine, LegKind, Special, special_points};
 pub use equations::{Agreement, Construct, LegMeasure};
-pub use name::{coincident_name, display, image_name, normal_name};
+pub use name::{coincident_name, display, image_name, normal_name, point_on};
 pub use quantity::{
     Asked, Quantity, QuantityError, Scales, is_acceleration, measured_names, quantity,
 };

@@ -1,5 +1,7 @@
 //! Names of plan points and how they are written.
 
+use crate::mechanism::{BodyId, Mechanism, PointId};
+
 /// The image of a point: its name in lower case, but for a link's name after `_`, as in `d_2` for `D_2`.
 ///
 /// The poles' own names are taken: the image of P is `p'`.
@@ -30,6 +32,17 @@ pub fn normal_name(start: &str, special: &str) -> String {
 #[must_use]
 pub fn coincident_name(point: &str, body: &str) -> String {
     format!("{point}_{body}")
+}
+
+/// The point of a body at `point`, as it is called: `B` where it is the body's own, else `B_2`.
+#[must_use]
+pub fn point_on(mechanism: &Mechanism, body: BodyId, point: PointId) -> String {
+    let (name, body) = (mechanism.point_name(point), mechanism.body(body));
+    if body.points.contains(&point) {
+        name.to_owned()
+    } else {
+        coincident_name(name, &body.name)
+    }
 }
 
 /// A name as it is written: what follows the first `_` and trailing digits are set low, as in `n_{b3}`, `S_{3}`.

@@ -1,7 +1,7 @@
 use super::cut::{CutLine, LegKind, Special, special_points};
 use super::equations::{Agreement, Construct, construct};
 use super::images::images;
-use super::name::{coincident_name, image_name, normal_name};
+use super::name::{image_name, normal_name, point_on};
 use super::step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};
 use super::words::{self, written};
 use crate::geometry::Vector;
@@ -183,20 +183,9 @@ impl Writer<'_> {
         starts
     }
 
-    /// The point from which a ray starts: `B`, or `C_iB` for the known body's point under C.
-    fn start_point(&self, base: BodyId, point: PointId) -> String {
-        let name = self.mechanism.point_name(point);
-        let body = self.mechanism.body(base);
-        if body.points.contains(&point) {
-            name.to_owned()
-        } else {
-            coincident_name(name, &body.name)
-        }
-    }
-
-    /// Its name in the plans.
+    /// The name in the plans of the point from which a ray starts.
     fn start_name(&self, base: BodyId, point: PointId) -> String {
-        image_name(&self.start_point(base, point))
+        image_name(&point_on(self.mechanism, base, point))
     }
 
     fn special_point(&mut self, point: &Special) {
@@ -295,7 +284,7 @@ impl Writer<'_> {
             let Some(start) = cut.start() else { return };
             let name = self.start_name(cut.leg.base, start);
             let mut ray = self.ray(cut, point, name.clone());
-            let from = self.start_point(cut.leg.base, start);
+            let from = point_on(self.mechanism, cut.leg.base, start);
             ray.equation = words::relative_velocity(&point.name, &from);
             self.velocity.steps.push(ray);
             through.push(name);
@@ -319,7 +308,7 @@ impl Writer<'_> {
         for (cut, leg) in point.cuts.iter().zip(&construct.legs[index]) {
             let Some(start) = cut.start() else { return };
             let from = self.start_name(cut.leg.base, start);
-            let normal = normal_name(&self.start_point(cut.leg.base, start), &point.name);
+            let normal = normal_name(&point_on(self.mechanism, cut.leg.base, start), &point.name);
             let (equation, caption) = words::normal(self.mechanism, cut, point, &from, &normal);
             let arrow = Arrow {
                 from,
@@ -328,7 +317,7 @@ impl Writer<'_> {
             };
             steps.push(step(Action::LayOff(arrow), equation, caption));
             let mut ray = self.ray(cut, point, normal.clone());
-            let start = self.start_point(cut.leg.base, start);
+            let start = point_on(self.mechanism, cut.leg.base, start);
             ray.equation = words::relative_acceleration(&point.name, &start);
             steps.push(ray);
             through.push((
@@ -371,7 +360,7 @@ impl Writer<'_> {
                 let (from, signed) = match order {
                     Order::Velocity => (self.start_name(cut.leg.base, start), leg.velocity),
                     Order::Acceleration => (
-                        normal_name(&self.start_point(cut.leg.base, start), &point.name),
+                        normal_name(&point_on(self.mechanism, cut.leg.base, start), &point.name),
                         leg.acceleration,
                     ),
                 };

@@ -12,9 +12,9 @@ pub(super) const FAR: [f64; 6] = [3.5, 5.0, 7.0, 9.5, 12.5, 16.0];
 /// Least white between the ink of two labels, in mm.
 pub(super) const LABEL_GAP: f64 = 0.4;
 /// Least white between a label's ink and an obstacle box, in mm.
-pub(super) const OBSTACLE_GAP: f64 = 0.1;
+pub(super) const OBSTACLE_GAP: f64 = 0.3;
 /// White around a label's ink that a line should not enter, in mm.
-pub(super) const LINE_GAP: f64 = 0.3;
+pub(super) const LINE_GAP: f64 = 0.6;
 /// White between a leader and the ink it leads to, in mm.
 pub(super) const LEADER_GAP: f64 = 0.4;
 

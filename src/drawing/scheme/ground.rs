@@ -2,7 +2,9 @@
 
 use super::super::canvas::Canvas;
 use super::super::sheet::{Pen, Shape};
+use super::super::view::View;
 use super::Scheme;
+use crate::mechanism::{Body, BodyId, PointId};
 use kurbo::{Point, Rect, Vec2};
 
 /// Height of a pivot's triangle, and half the length of the ground line under it, in mm.
@@ -12,30 +14,48 @@ const PIVOT_HALF: f64 = 4.2;
 pub(super) const HATCH: f64 = 1.7;
 
 impl Scheme<'_> {
-    /// A pivot on the ground.
-    pub(super) fn pivot(&self, canvas: &mut Canvas<'_>, apex: Point) {
+    /// A pivot on the ground, or hanging from it where that is out of its links' way.
+    pub(super) fn pivot(&self, canvas: &mut Canvas<'_>, view: &View, point: PointId) {
         const HALF: f64 = 2.3;
-        let base = apex.y + PIVOT;
-        let triangle = vec![
-            apex,
-            Point::new(apex.x - HALF, base),
-            Point::new(apex.x + HALF, base),
-        ];
+        let apex = self.at(view, point);
+        let down = self.down(view, point);
+        let base = apex + down * PIVOT;
+        let across = Vec2::new(1.0, 0.0);
+        let triangle = vec![apex, base - across * HALF, base + across * HALF];
         canvas.draw(Pen::Slider, Shape::Polygon(triangle));
-        let (a, b) = (
-            Point::new(apex.x - PIVOT_HALF, base),
-            Point::new(apex.x + PIVOT_HALF, base),
-        );
+        let (a, b) = (base - across * PIVOT_HALF, base + across * PIVOT_HALF);
         canvas.draw(Pen::Ground, Shape::Line(a, b));
-        hatch(canvas, a, b, Vec2::new(0.0, 1.0));
-        canvas.keep_off(pivot_box(apex));
+        hatch(canvas, a, b, down);
+        canvas.keep_off(self.pivot_box(view, point));
     }
-}
 
-/// The ground line under a pivot and its hatching.
-pub(super) fn pivot_box(apex: Point) -> Rect {
-    let base = apex.y + PIVOT;
-    Rect::new(apex.x - PIVOT_HALF, base, apex.x + PIVOT_HALF, base + HATCH)
+    /// The ground line under a pivot and its hatching.
+    pub(super) fn pivot_box(&self, view: &View, point: PointId) -> Rect {
+        let (apex, down) = (self.at(view, point), self.down(view, point));
+        let across = Vec2::new(PIVOT_HALF, 0.0);
+        Rect::from_points(
+            apex + down * PIVOT - across,
+            apex + down * (PIVOT + HATCH) + across,
+        )
+    }
+
+    /// Where the ground lies from a pivot: below it, but above it where links hang down and none stands up.
+    fn down(&self, view: &View, point: PointId) -> Vec2 {
+        // How far off the vertical a link is in the way.
+        let steep = libm::cos(45.0_f64.to_radians());
+        let links = self.mechanism.links();
+        let own: Vec<(BodyId, &Body)> = links.filter(|l| l.1.points.contains(&point)).collect();
+        let is_own = |link: BodyId| own.iter().any(|(id, _)| *id == link);
+        let blocks = self.mechanism.sliders.iter().filter(|s| is_own(s.on));
+        let places = own.iter().flat_map(|(_, body)| &body.points).copied();
+        let places = places.chain(blocks.map(|slider| slider.at));
+        let arms = places.map(|other| self.at(view, other) - self.at(view, point));
+        let arms = arms.filter(|arm| arm.hypot() > 0.0);
+        let downwards: Vec<f64> = arms.map(|arm| arm.y / arm.hypot()).collect();
+        let hang = downwards.iter().any(|&y| y > steep);
+        let stand = downwards.iter().any(|&y| y < -steep);
+        Vec2::new(0.0, if hang && !stand { -1.0 } else { 1.0 })
+    }
 }
 
 /// Hatches a ground line on the side of `away`.

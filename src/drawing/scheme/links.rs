@@ -2,16 +2,89 @@
 
 use super::super::canvas::Canvas;
 use super::super::sheet::{Pen, Shape};
-use super::super::view::View;
+use super::super::view::{View, on_sheet};
 use super::Scheme;
-use super::ground::pivot_box;
 use crate::geometry::{self, cross, span};
-use crate::mechanism::PointId;
-use kurbo::{Point, Vec2};
+use crate::mechanism::{BodyId, PointId, SliderId};
+use kurbo::{Line, ParamCurveNearest, Point, Vec2};
+
+/// A point this far from a line, in mm, is drawn on it.
+pub(super) const ON_LINE: f64 = 0.3;
+
+/// How a link is drawn.
+pub(super) enum LinkShape {
+    /// By its block or its guide alone.
+    Nothing,
+    /// By straight bars: one from end to end, or a slot and the arms that hold it.
+    Bars(Vec<[Point; 2]>),
+    /// By an area with these corners.
+    Plate(Vec<Point>),
+}
+
+impl LinkShape {
+    /// Its straight lines.
+    pub(super) fn lines(&self) -> Vec<[Point; 2]> {
+        match self {
+            LinkShape::Nothing => Vec::new(),
+            LinkShape::Bars(bars) => bars.clone(),
+            LinkShape::Plate(corners) => {
+                let next = corners.iter().cycle().skip(1);
+                corners.iter().zip(next).map(|(&a, &b)| [a, b]).collect()
+            }
+        }
+    }
+}
 
 impl Scheme<'_> {
+    /// How a link is drawn.
+    pub(super) fn shape(&self, view: &View, link: BodyId) -> LinkShape {
+        let points = &self.mechanism.body(link).points;
+        let outline = self.outline(points);
+        if let [_, _, _, ..] = outline.as_slice()
+            && let Some(bars) = self.yoke(view, link)
+        {
+            return LinkShape::Bars(bars);
+        }
+        let corners: Vec<Point> = outline.iter().map(|&p| view.at(p)).collect();
+        match corners.as_slice() {
+            [] | [_] => LinkShape::Nothing,
+            &[a, b] => LinkShape::Bars(vec![[a, b]]),
+            _ => LinkShape::Plate(corners),
+        }
+    }
+
+    /// The bars of a yoke, a link with a slot between two points that are nothing but the slot's ends: the slot, and from each
+    /// other point an arm square to it.
+    fn yoke(&self, view: &View, link: BodyId) -> Option<Vec<[Point; 2]>> {
+        let ids = (0..self.mechanism.sliders.len()).map(SliderId);
+        let mut slots = ids.filter(|&id| self.mechanism.slider(id).on == link);
+        let slot = slots.next().filter(|_| slots.next().is_none())?;
+        let at = self.at(view, self.mechanism.slider(slot).at);
+        let along = on_sheet(self.pose.guide(slot));
+        let points = &self.mechanism.body(link).points;
+        let (ends, others): (Vec<PointId>, Vec<PointId>) = points
+            .iter()
+            .partition(|&&point| (self.at(view, point) - at).cross(along).abs() <= ON_LINE);
+        let slides = |point| self.mechanism.sliders.iter().any(|s| s.at == point);
+        let held = |&point: &PointId| self.is_pin(point) || slides(point);
+        let &[a, b] = ends.as_slice() else {
+            return None;
+        };
+        if ends.iter().any(held) {
+            return None;
+        }
+        let [a, b] = [a, b].map(|end| self.at(view, end));
+        let mut bars = vec![[a, b]];
+        for point in others {
+            let from = self.at(view, point);
+            let share = (from - a).dot(b - a) / (b - a).hypot2();
+            bars.push([from, a.lerp(b, share.clamp(0.0, 1.0))]);
+        }
+        Some(bars)
+    }
+
     /// Corners of a link in order around it; two for a straight one.
-    pub(super) fn outline(&self, points: &[PointId]) -> Vec<geometry::Point> {
+    fn outline(&self, points: &[PointId]) -> Vec<geometry::Point> {
         let mut places: Vec<geometry::Point> = points.iter().map(|&p| self.pose.point(p)).collect();
         if places.len() < 3 {
             return places;
@@ -42,27 +115,28 @@ impl Scheme<'_> {
     }
 
     pub(super) fn link_areas(&self, canvas: &mut Canvas<'_>, view: &View) {
-        for (index, (_, body)) in self.mechanism.links().enumerate() {
-            let outline = self.outline(&body.points);
-            if outline.len() > 2 {
-                let corners = outline.iter().map(|&p| view.at(p)).collect();
+        for (index, (id, _)) in self.mechanism.links().enumerate() {
+            if let LinkShape::Plate(corners) = self.shape(view, id) {
                 canvas.draw(Pen::LinkFill(index as u8), Shape::Polygon(corners));
             }
         }
     }
 
     pub(super) fn link_lines(&self, canvas: &mut Canvas<'_>, view: &View) {
-        for (_, body) in self.mechanism.links() {
-            let corners: Vec<Point> = self
-                .outline(&body.points)
-                .iter()
-                .map(|&p| view.at(p))
-                .collect();
+        for (id, body) in self.mechanism.links() {
             let name = format!("link-{}", body.name);
-            match corners.as_slice() {
-                [] | [_] => {}
-                [a, b] => canvas.draw_named(&name, Pen::Link, Shape::Line(*a, *b)),
-                _ => canvas.draw_named(&name, Pen::Link, Shape::Polygon(corners)),
+            match self.shape(view, id) {
+                LinkShape::Nothing => {}
+                LinkShape::Bars(bars) => {
+                    let mut bars = bars.into_iter().map(|[a, b]| Shape::Line(a, b));
+                    if let Some(first) = bars.next() {
+                        canvas.draw_named(&name, Pen::Link, first);
+                    }
+                    bars.for_each(|bar| canvas.draw(Pen::Link, bar));
+                }
+                LinkShape::Plate(corners) => {
+                    canvas.draw_named(&name, Pen::Link, Shape::Polygon(corners));
+                }
             }
         }
     }
@@ -72,8 +146,10 @@ impl Scheme<'_> {
         const LENGTH: f64 = 11.0;
         let from = self.at(view, point);
         const HALF_WAVE: f64 = 2.6;
+        /// Cosine of the least angle between a piece and another line from its point, 40°.
+        const CLEAR: f64 = 0.766;
         let outward = self.outward(view, from).unwrap_or(Vec2::new(-1.0, 0.0));
-        // Outwards, or as little beside it as keeps the piece on the panel.
+        // Outwards, or as little beside it as keeps the piece on the panel and clear of the links and the guides that it meets.
         let turned = |degrees: f64| {
             let turn = geometry::direction_of_degrees(degrees);
             Vec2::new(
@@ -88,8 +164,12 @@ impl Scheme<'_> {
             let across = Vec2::new(-away.y, away.x) * HALF_WAVE;
             bounds.contains(tip - across) && bounds.contains(tip + across)
         };
-        let mut tries = turns.into_iter().map(turned);
-        let away = tries.find(fits).unwrap_or(outward);
+        let taken = self.directions(view, point);
+        let clear = |away: &Vec2| taken.iter().all(|other| away.dot(*other) < CLEAR);
+        let tries = turns.map(turned);
+        let on_panel = || tries.iter().filter(|away| fits(away));
+        let best = on_panel().find(|away| clear(away));
+        let away = *best.or(on_panel().next()).unwrap_or(&outward);
         let across = Vec2::new(-away.y, away.x);
         let end = from + away * LENGTH;
         canvas.draw_named(&format!("link-{name}"), Pen::Link, Shape::Line(from, end));
@@ -110,6 +190,26 @@ impl Scheme<'_> {
             Some(across),
             1,
         );
+    }
+
+    /// The directions in which links and guides are drawn from a point.
+    pub(super) fn directions(&self, view: &View, point: PointId) -> Vec<Vec2> {
+        let from = self.at(view, point);
+        let links = self.mechanism.links();
+        let lines = links.flat_map(|(id, _)| self.shape(view, id).lines());
+        let here = lines.filter(|&ends| is_on(ends, from));
+        let ends = here.flat_map(|ends| ends.map(|end| end - from));
+        let mut directions: Vec<Vec2> = ends
+            .filter(|end| end.hypot() > ON_LINE)
+            .map(Vec2::normalize)
+            .collect();
+        for id in (0..self.mechanism.sliders.len()).map(SliderId) {
+            if self.mechanism.slider(id).at == point {
+                let along = on_sheet(self.pose.guide(id));
+                directions.extend([along, -along]);
+            }
+        }
+        directions
     }
 
     /// The sense in which a driven link turns.
@@ -142,7 +242,7 @@ impl Scheme<'_> {
         };
         // Off the panel's edge and, where that can be, off the pivot's hatching: ahead of the link,
         // behind it, or smaller.
-        let (bounds, foot) = (canvas.bounds(), pivot_box(center));
+        let (bounds, foot) = (canvas.bounds(), self.pivot_box(view, pivot));
         let behind = -0.35 - SWEEP;
         let tries = [
             (RADIUS, 0.35),
@@ -175,4 +275,10 @@ impl Scheme<'_> {
             2,
         );
     }
+}
+
+/// Whether a point lies on a line as far as a reader sees.
+pub(super) fn is_on([a, b]: [Point; 2], point: Point) -> bool {
+    let nearest = Line::new(a, b).nearest(point, 0.1 * ON_LINE);
+    nearest.distance_sq <= ON_LINE * ON_LINE
 }

@@ -1,5 +1,5 @@
-//! The scheme of the mechanism: from back to front areas, cut lines, guides, links, the ground, blocks, joints, special points,
-//! then the names.
+//! The scheme of the mechanism: from back to front areas, cut lines, guides, the ground, links, blocks with the links on their
+//! pins, joints, special points, then the names.
 
 mod ground;
 mod links;
@@ -8,8 +8,9 @@ mod sliders;
 mod special;
 
 use super::canvas::Canvas;
+use super::names::Names;
 use super::view::{Extent, View};
-use crate::mechanism::{GROUND, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{GROUND, Mechanism, PointId, Role};
 use crate::plan::Construction;
 use crate::position::Pose;
 use crate::scene::{Figure, Scene};
@@ -24,6 +25,7 @@ pub(super) struct Scheme<'a> {
     pub mechanism: &'a Mechanism,
     pub pose: &'a Pose,
     pub construction: &'a Construction,
+    pub names: Names,
 }
 
 impl<'a> Scheme<'a> {
@@ -39,6 +41,7 @@ impl<'a> Scheme<'a> {
             mechanism,
             pose,
             construction,
+            names: Names::new(mechanism, construction),
         }
     }
 
@@ -56,10 +59,16 @@ impl<'a> Scheme<'a> {
         for special in self.special() {
             self.cuts(canvas, view, special);
         }
-        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
+        for slider in self.sliders() {
             self.guide(canvas, view, slider);
         }
+        for &point in &self.mechanism.body(GROUND).points {
+            self.pivot(canvas, view, point);
+        }
         self.link_lines(canvas, view);
+        for slider in self.sliders() {
+            self.block(canvas, view, slider);
+        }
         for (body, role) in self.mechanism.bodies.iter().map(|b| (b, &b.role)) {
             match role {
                 Role::Stub => self.stub(canvas, view, body.points[0], &body.name),
@@ -68,12 +77,6 @@ impl<'a> Scheme<'a> {
                 }
                 _ => {}
             }
-        }
-        for &point in &self.mechanism.body(GROUND).points {
-            self.pivot(canvas, view.at(self.pose.point(point)));
-        }
-        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
-            self.block(canvas, view, slider);
         }
         self.joints(canvas, view);
         for special in self.special() {

@@ -3,10 +3,10 @@
 use super::super::canvas::Canvas;
 use super::super::sheet::{Pen, Shape};
 use super::super::view::{Extent, View, on_sheet};
+use super::links::LinkShape;
 use super::sliders::BLOCK;
 use super::{JOINT, Scheme};
-use crate::geometry::Vector;
-use crate::mechanism::{BodyId, GROUND, JointKind, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, GROUND, JointKind, PointId, Role, Slider, SliderId};
 use crate::plan::display;
 use kurbo::{Point, Vec2};
 
@@ -16,8 +16,7 @@ impl Scheme<'_> {
         let mut named: Vec<Point> = Vec::new();
         for point in (0..self.mechanism.points.len()).map(PointId) {
             let center = self.at(view, point);
-            let is_pin = |j: &crate::mechanism::Joint| j.kind == JointKind::Revolute(point);
-            let pin = self.mechanism.joints.iter().any(is_pin);
+            let pin = self.is_pin(point);
             let slides = self.mechanism.sliders.iter().any(|s| s.at == point);
             let name = self.mechanism.point_name(point);
             let id = format!("point-{name}");
@@ -28,7 +27,7 @@ impl Scheme<'_> {
                 let radius = 0.5;
                 canvas.draw_named(&id, Pen::ImagePoint, Shape::Circle { center, radius });
             }
-            let clearance = if slides { BLOCK.y + 0.8 } else { JOINT + 0.6 };
+            let clearance = if slides { BLOCK.y + 0.8 } else { JOINT + 0.9 };
             // Two points in one place are told apart by their labels alone.
             let twin = named.iter().any(|p| (*p - center).hypot() < 0.3);
             let priority = if twin { 1 } else { 2 };
@@ -42,6 +41,12 @@ impl Scheme<'_> {
                 priority,
             );
         }
+    }
+
+    /// Whether links are joined by a pin there.
+    pub(super) fn is_pin(&self, point: PointId) -> bool {
+        let mut kinds = self.mechanism.joints.iter().map(|joint| joint.kind);
+        kinds.any(|kind| kind == JointKind::Revolute(point))
     }
 
     /// The direction away from the middle of the mechanism.
@@ -58,15 +63,11 @@ impl Scheme<'_> {
             if body.role == Role::Stub {
                 continue;
             }
-            let corners: Vec<Point> = self
-                .outline(&body.points)
-                .iter()
-                .map(|&p| view.at(p))
-                .collect();
-            let (anchor, clearance, prefer) = match corners.as_slice() {
-                [a, b] => {
+            let (anchor, clearance, prefer) = match self.shape(view, id) {
+                LinkShape::Bars(bars) => {
+                    let [a, b] = bars[bars.len() - 1];
                     let free = |share: f64| {
-                        let p = a.lerp(*b, share);
+                        let p = a.lerp(b, share);
                         let nearest = joints.iter().map(|j| (*j - p).hypot());
                         nearest.fold(f64::INFINITY, f64::min)
                     };
@@ -75,13 +76,20 @@ impl Scheme<'_> {
                     let good = shares.into_iter().find(|&s| free(s) > 8.0);
                     let best = |x: &f64, y: &f64| free(*x).total_cmp(&free(*y));
                     let share = good.or_else(|| shares.into_iter().max_by(best));
-                    (a.lerp(*b, share.unwrap_or(0.5)), 1.0, None)
+                    let anchor = a.lerp(b, share.unwrap_or(0.5));
+                    // Square off the line, on its outer side.
+                    let along = (b - a).normalize();
+                    let beside = Vec2::new(-along.y, along.x);
+                    let outer = self
+                        .outward(view, anchor)
+                        .is_some_and(|o| o.dot(beside) < 0.0);
+                    (anchor, 1.3, Some(if outer { -beside } else { beside }))
                 }
-                [] | [_] => match self.own_place(view, id) {
-                    Some((place, clearance)) => (place, clearance, None),
+                LinkShape::Nothing => match self.own_place(view, id) {
+                    Some(place) => place,
                     None => continue,
                 },
-                corners => {
+                LinkShape::Plate(corners) => {
                     let sum = corners.iter().fold(Vec2::ZERO, |s, p| s + p.to_vec2());
                     ((sum / corners.len() as f64).to_point(), 0.0, None)
                 }
@@ -98,16 +106,25 @@ impl Scheme<'_> {
         }
     }
 
-    /// Where a link with fewer than two points is: its block or its guide.
-    fn own_place(&self, view: &View, link: BodyId) -> Option<(Point, f64)> {
-        let own = |s: &crate::mechanism::Slider| s.link == link || s.on == link;
+    /// Where a link with fewer than two points is, how far its name stays off, and on which side: beside its block or its guide.
+    fn own_place(&self, view: &View, link: BodyId) -> Option<(Point, f64, Option<Vec2>)> {
+        let own = |s: &Slider| s.link == link || s.on == link;
         let index = self.mechanism.sliders.iter().position(own)?;
         let slider = &self.mechanism.sliders[index];
         let at = self.at(view, slider.at);
-        if slider.link == link {
-            return Some((at, 1.2 * BLOCK.x));
+        let along = on_sheet(self.pose.guide(SliderId(index)));
+        if slider.link != link {
+            return Some((at + along * (2.4 * BLOCK.x), 1.0, None));
         }
-        let along: Vector = self.pose.guide(SliderId(index));
-        Some((at + on_sheet(along) * (2.4 * BLOCK.x), 1.0))
+        // At an end of the block on the ground, else beside the guide, where fewer lines are.
+        let half = self.half(SliderId(index));
+        let (side, half) = match slider.on {
+            GROUND => (along, half.x),
+            _ => (Vec2::new(-along.y, along.x), half.y),
+        };
+        let lines = self.directions(view, slider.at);
+        let taken: f64 = lines.iter().map(|line| line.dot(side)).sum();
+        let side = if taken > 0.0 { -side } else { side };
+        Some((at, half + 0.8, Some(side)))
     }
 }

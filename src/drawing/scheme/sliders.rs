@@ -3,11 +3,12 @@
 use super::super::canvas::{Canvas, clipped_segment};
 use super::super::sheet::{Pen, Shape};
 use super::super::view::{View, on_sheet};
-use super::Scheme;
 use super::ground::{HATCH, hatch, strokes};
+use super::links::{ON_LINE, is_on};
+use super::{JOINT, Scheme};
 use crate::geometry::{self, span};
 use crate::mechanism::{GROUND, SliderId};
-use kurbo::{Rect, Vec2};
+use kurbo::{Point, Rect, Vec2};
 
 /// Half length and half width of a slider block in mm.
 pub(super) const BLOCK: Vec2 = Vec2::new(3.9, 2.2);
@@ -27,23 +28,66 @@ impl Scheme<'_> {
             })
     }
 
+    /// The sliders in drawing order: those on the ground lie behind.
+    pub(super) fn sliders(&self) -> Vec<SliderId> {
+        let ids = (0..self.mechanism.sliders.len()).map(SliderId);
+        let (back, front): (Vec<SliderId>, Vec<SliderId>) =
+            ids.partition(|&id| self.mechanism.slider(id).on == GROUND);
+        [back, front].concat()
+    }
+
+    /// Half length and half width of a block, or of the slot about a pin that has none; of two on one pin the one behind is
+    /// larger, so that both are seen.
+    pub(super) fn half(&self, id: SliderId) -> Vec2 {
+        const BEHIND: f64 = 1.5;
+        if self.mechanism.body(self.mechanism.slider(id).link).block {
+            return Vec2::new(2.2 * BLOCK.x, JOINT + 0.2);
+        }
+        let at = |id: SliderId| self.mechanism.slider(id).at;
+        let later = self.sliders().into_iter().skip_while(|other| *other != id);
+        let is_behind = later.skip(1).any(|other| at(other) == at(id));
+        BLOCK * if is_behind { BEHIND } else { 1.0 }
+    }
+
+    /// Which way a guide of the ground lies from its block: clockwise from its direction (below a level one), but away from the
+    /// links that hang on the block.
+    fn ground_side(&self, view: &View, id: SliderId) -> Vec2 {
+        // Sine of the angle, about 9°, from which a link comes from a side.
+        const CLEARLY: f64 = 0.15;
+        let slider = self.mechanism.slider(id);
+        let along = on_sheet(self.pose.guide(id));
+        let side = Vec2::new(-along.y, along.x);
+        let at = self.at(view, slider.at);
+        let mut towards = 0.0;
+        for (link, body) in self.mechanism.links() {
+            if link != slider.link && body.points.contains(&slider.at) {
+                let arms = body.points.iter().map(|&p| self.at(view, p) - at);
+                let arms = arms.filter(|arm| arm.hypot() > 0.0);
+                towards += arms.map(|arm| arm.dot(side) / arm.hypot()).sum::<f64>();
+            }
+        }
+        if towards > CLEARLY { -side } else { side }
+    }
+
     /// A guide that is no line between its body's points: a line about the block, joined to those
     /// points; so is one that runs on beyond them. It stays on the panel: an arm whose foot would lie far off goes to the guide's end.
     pub(super) fn guide(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId) {
-        const HALF: f64 = 3.0 * BLOCK.x;
+        let reach = 3.0 * BLOCK.x;
+        let half = self.half(id);
         let slider = self.mechanism.slider(id);
         let (at, along) = (self.at(view, slider.at), on_sheet(self.pose.guide(id)));
         let across = Vec2::new(-along.y, along.x);
         // Room for the ground line and its hatching beside the block.
-        let bounds = canvas.bounds().inset(-(BLOCK.y + HATCH));
-        let Some((a, b)) = clipped_segment(bounds, at - along * HALF, at + along * HALF) else {
+        let bounds = canvas.bounds().inset(-(half.y + HATCH));
+        let Some((a, b)) = clipped_segment(bounds, at - along * reach, at + along * reach) else {
             return;
         };
         if slider.on == GROUND {
-            let (a, b) = (a + across * BLOCK.y, b + across * BLOCK.y);
+            let side = self.ground_side(view, id);
+            let (a, b) = (a + side * half.y, b + side * half.y);
             canvas.draw(Pen::Ground, Shape::Line(a, b));
-            hatch(canvas, a, b, across);
-            for (from, to) in strokes(a, b, across) {
+            hatch(canvas, a, b, side);
+            for (from, to) in strokes(a, b, side) {
                 canvas.keep_off(Rect::from_points(from, to));
             }
             return;
@@ -52,7 +96,7 @@ impl Scheme<'_> {
         let points = &self.mechanism.body(slider.on).points;
         let offsets = points.iter().map(|&point| self.at(view, point) - at);
         let (on_line, off_line): (Vec<Vec2>, Vec<Vec2>) =
-            offsets.partition(|offset| offset.dot(across).abs() <= 0.3);
+            offsets.partition(|offset| offset.dot(across).abs() <= ON_LINE);
         let places: Vec<f64> = on_line.iter().map(|offset| offset.dot(along)).collect();
         // Between points of its body the block is on the drawn link already.
         if places.len() >= 2 && places.iter().any(|&x| x < 0.0) && places.iter().any(|&x| x > 0.0) {
@@ -69,18 +113,32 @@ impl Scheme<'_> {
         canvas.draw(Pen::Guide, Shape::Line(a, b));
     }
 
+    /// A block or a slot, and over it the links that hang on its pin.
     pub(super) fn block(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId) {
         let slider = self.mechanism.slider(id);
+        let half = self.half(id);
         let (at, along) = (self.at(view, slider.at), on_sheet(self.pose.guide(id)));
         let across = Vec2::new(-along.y, along.x);
-        let corner = |x: f64, y: f64| at + along * (x * BLOCK.x) + across * (y * BLOCK.y);
+        let on_sheet = |p: Point| at + along * p.x + across * p.y;
+        let area = Rect::from_center_size(Point::ORIGIN, (2.0 * half.x, 2.0 * half.y));
         let corners = vec![
-            corner(-1.0, -1.0),
-            corner(1.0, -1.0),
-            corner(1.0, 1.0),
-            corner(-1.0, 1.0),
+            Point::new(area.x0, area.y0),
+            Point::new(area.x1, area.y0),
+            Point::new(area.x1, area.y1),
+            Point::new(area.x0, area.y1),
         ];
         let name = format!("slider-{}", self.mechanism.body(slider.link).name);
+        let corners = corners.into_iter().map(on_sheet).collect();
         canvas.draw_named(&name, Pen::Slider, Shape::Polygon(corners));
+        let others = self.mechanism.links().map(|(link, _)| link);
+        for link in others.filter(|&link| link != slider.link && link != slider.on) {
+            let lines = self.shape(view, link).lines();
+            for [a, b] in lines.into_iter().filter(|&ends| is_on(ends, at)) {
+                let own = |p: Point| Point::new((p - at).dot(along), (p - at).dot(across));
+                if let Some((a, b)) = clipped_segment(area, own(a), own(b)) {
+                    canvas.draw(Pen::Link, Shape::Line(on_sheet(a), on_sheet(b)));
+                }
+            }
+        }
     }
 }

@@ -5,7 +5,7 @@ use super::super::sheet::{Pen, Shape};
 use super::super::view::{View, on_sheet};
 use super::{JOINT, Scheme};
 use crate::geometry::{Place, span};
-use crate::plan::{LegKind, Special, display};
+use crate::plan::{LegKind, Special};
 use kurbo::{Point, Vec2};
 
 /// A special point that would make the scheme more than this many times larger is not drawn at its place.
@@ -76,7 +76,7 @@ impl Scheme<'_> {
 
     /// A special point at its place; one far away by an arrow with its distance.
     pub(super) fn mark_special(&self, canvas: &mut Canvas<'_>, view: &View, special: &Special) {
-        let label = display(&special.name);
+        let label = self.names.markup(&special.name);
         if self.is_near(special) {
             let Some(place) = special.place.finite() else {
                 return;
