@@ -1,6 +1,11 @@
-//! Files in the repository that the program makes are what it makes now: the schemas and the two figures of the paper.
+//! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper, the gallery.
 //!
-//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, and `kinegon draw` make them anew.
+//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `kinegon draw` and
+//! `cargo run --release --example gallery` make them anew.
+
+#[allow(dead_code)] // it is a program, too
+#[path = "../examples/gallery.rs"]
+mod gallery;
 
 use kinegon::scene::Scene;
 use kinegon::{drawing, format, mechanism, motion, plan, position};
@@ -74,6 +79,30 @@ fn figures_are_redrawn_to_the_byte() {
     for name in ["figure-1", "figure-2"] {
         same(&format!("out/{name}.svg"), &format::svg(&figure(name)));
     }
+}
+
+#[test]
+fn the_gallery_is_current_and_complete() {
+    let files = gallery::files().expect("every scene can be drawn");
+    for (path, text) in &files {
+        same(path, text);
+    }
+    let names = |folder: &str, ending: &str| -> Vec<String> {
+        let files = std::fs::read_dir(committed(folder)).expect("the folder is there");
+        let names = files.map(|file| file.expect("the folder can be listed").file_name());
+        let names = names.filter_map(|name| Some(name.to_str()?.strip_suffix(ending)?.to_owned()));
+        names.filter(|name| !name.ends_with(".schema")).collect()
+    };
+    let is_shown = |name: &str| {
+        let picture = format!("docs/gallery/{name}.svg");
+        files.iter().any(|(path, _)| *path == picture)
+    };
+    let mut templates = names("templates", ".json");
+    templates.retain(|name| !is_shown(name));
+    assert!(templates.is_empty(), "not in the gallery: {templates:?}");
+    let mut pictures = names("docs/gallery", ".svg");
+    pictures.retain(|name| !is_shown(name));
+    assert!(pictures.is_empty(), "not made any more: {pictures:?}");
 }
 
 #[cfg(feature = "png")]

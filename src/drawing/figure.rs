@@ -142,11 +142,15 @@ fn description(mechanism: &Mechanism, layout: &Layout) -> String {
         .iter()
         .map(|g| {
             format!(
-                "class {} group of links {}",
+                "class {}, links {}",
                 g.class.numeral(),
                 g.link_names(mechanism)
             )
         })
         .collect();
-    format!("Panels: {}. {}.", panels.join(", "), groups.join("; "))
+    format!(
+        "Panels: {}. Assur groups: {}.",
+        panels.join(", "),
+        groups.join("; ")
+    )
 }
