@@ -5,8 +5,11 @@
 //! `figure-2-published.json` is that drawing, found again from the lengths read off it; [`table`] measures it and repeats
 //! the paper's arithmetic, early rounding and slips included. The exact values come from `figure-2.json`.
 
+mod columns;
+
 use std::error::Error;
 
+use columns::{COLUMNS, wrap};
 use kinegon::geometry::{Line, Point, Vector, quarter_turn};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
@@ -384,8 +387,6 @@ fn four_decimals(x: f64) -> f64 {
     (x * 1e4).round() / 1e4
 }
 
-const COLUMNS: usize = 100;
-
 /// Where the verdict begins.
 const VERDICT: usize = 54;
 
@@ -421,24 +422,6 @@ fn print_row(row: &Row) {
     for line in &verdict[1..] {
         println!("{:VERDICT$}{line}", "");
     }
-}
-
-/// The text in lines of at most `width` characters, at least one.
-fn wrap(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let line = lines.len() - 1;
-        let used = lines[line].chars().count();
-        if used == 0 {
-            lines[line].push_str(word);
-        } else if used + 1 + word.chars().count() <= width {
-            lines[line].push(' ');
-            lines[line].push_str(word);
-        } else {
-            lines.push(word.to_owned());
-        }
-    }
-    lines
 }
 
 const EXPLANATION: [&str; 4] = [

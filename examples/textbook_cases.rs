@@ -1,9 +1,12 @@
 //! Printed answers of 20 textbook cases (`tests/worked`) beside what Kinegon computes from the same lengths.
 //! Run with `cargo run --example textbook_cases`; with `-- --markdown` it writes docs/textbook-cases.md.
 
+mod columns;
+
 use std::error::Error;
 use std::fmt::Write;
 
+use columns::{COLUMNS, wrap};
 use kinegon::format::{self, Solved};
 use kinegon::mechanism::mechanism;
 use kinegon::motion::{Order, motion};
@@ -257,8 +260,6 @@ fn digits(x: f64) -> String {
     }
 }
 
-const COLUMNS: usize = 100;
-
 /// Where the verdict begins.
 const VERDICT: usize = 66;
 
@@ -333,24 +334,6 @@ pub fn markdown(cases: &[Case]) -> String {
         }
     }
     text
-}
-
-/// The text in lines of at most `width` characters, at least one.
-fn wrap(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let line = lines.len() - 1;
-        let used = lines[line].chars().count();
-        if used == 0 {
-            lines[line].push_str(word);
-        } else if used + 1 + word.chars().count() <= width {
-            lines[line].push(' ');
-            lines[line].push_str(word);
-        } else {
-            lines.push(word.to_owned());
-        }
-    }
-    lines
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -3,21 +3,21 @@
 //! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `kinegon draw` and
 //! `cargo run --release --example gallery` make them anew.
 
+mod files;
 #[allow(dead_code)] // it is a program, too
 #[path = "../examples/gallery.rs"]
 mod gallery;
+mod stages;
 
+use kinegon::drawing::Drawing;
+use kinegon::format;
 use kinegon::scene::Scene;
-use kinegon::{drawing, format, mechanism, motion, plan, position};
-use std::path::{Path, PathBuf};
-
-fn committed(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
+use stages::Stages;
+use std::path::PathBuf;
 
 /// Compares, and leaves what came out beside the test's other products for a look.
 fn same(path: &str, now: &str) {
-    let there = std::fs::read_to_string(committed(path)).unwrap_or_default();
+    let there = std::fs::read_to_string(files::path(path)).unwrap_or_default();
     // A checkout may have turned the line ends.
     if there.replace("\r\n", "\n") != now {
         let left = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(path.replace('/', "-"));
@@ -29,16 +29,9 @@ fn same(path: &str, now: &str) {
     }
 }
 
-fn figure(name: &str) -> drawing::Drawing {
-    let text = std::fs::read_to_string(committed(&format!("examples/{name}.json")))
-        .expect("the example is there");
-    let scene = Scene::read(&text).expect("a good scene");
-    let mechanism = mechanism::mechanism(&scene).expect("a mechanism");
-    let pose = position::pose(&mechanism, &scene.near).expect("it can be assembled");
-    let motion =
-        motion::motion(&mechanism, &pose, motion::Order::Acceleration).expect("it is not singular");
-    let plans = plan::construction(&mechanism, &pose, &motion);
-    drawing::figure(&scene, &mechanism, &pose, &plans)
+fn figure(name: &str) -> Drawing {
+    let stages = Stages::of(&files::read(&format!("examples/{name}.json")));
+    stages.expect("the example is sound").drawing()
 }
 
 #[test]
@@ -56,18 +49,15 @@ fn schemas_are_current() {
 #[test]
 fn examples_name_the_schema_and_fit_it() {
     // The schema's own rules are those of the reader; here only that every example reads and points to it.
-    let folder = std::fs::read_dir(committed("examples")).expect("the folder is there");
     let mut seen = 0;
-    for entry in folder {
-        let path = entry.expect("the folder can be listed").path();
-        if path.extension().is_some_and(|e| e == "json") {
-            let text = std::fs::read_to_string(&path).expect("it can be read");
+    for name in files::list("examples") {
+        if name.ends_with(".json") {
+            let text = files::read(&format!("examples/{name}"));
             assert!(
                 text.contains("\"$schema\": \"../templates/scene.schema.json\""),
-                "{}",
-                path.display()
+                "{name}"
             );
-            Scene::read(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+            Scene::read(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
             seen += 1;
         }
     }
@@ -83,26 +73,23 @@ fn figures_are_redrawn_to_the_byte() {
 
 #[test]
 fn the_gallery_is_current_and_complete() {
-    let files = gallery::files().expect("every scene can be drawn");
-    for (path, text) in &files {
+    let made = gallery::files().expect("every scene can be drawn");
+    for (path, text) in &made {
         same(path, text);
     }
-    let names = |folder: &str, ending: &str| -> Vec<String> {
-        let files = std::fs::read_dir(committed(folder)).expect("the folder is there");
-        let names = files.map(|file| file.expect("the folder can be listed").file_name());
-        let names = names.filter_map(|name| Some(name.to_str()?.strip_suffix(ending)?.to_owned()));
-        names.filter(|name| !name.ends_with(".schema")).collect()
-    };
     let is_shown = |name: &str| {
-        let picture = format!("docs/gallery/{name}.svg");
-        files.iter().any(|(path, _)| *path == picture)
+        let picture = format!("docs/gallery/{name}");
+        made.iter().any(|(path, _)| *path == picture)
     };
-    let mut templates = names("templates", ".json");
-    templates.retain(|name| !is_shown(name));
-    assert!(templates.is_empty(), "not in the gallery: {templates:?}");
-    let mut pictures = names("docs/gallery", ".svg");
-    pictures.retain(|name| !is_shown(name));
-    assert!(pictures.is_empty(), "not made any more: {pictures:?}");
+    for (name, _) in files::templates() {
+        assert!(
+            is_shown(&format!("{name}.svg")),
+            "{name} is not in the gallery"
+        );
+    }
+    for name in files::list("docs/gallery") {
+        assert!(is_shown(&name), "{name} is not made any more");
+    }
 }
 
 #[cfg(feature = "png")]
@@ -118,7 +105,7 @@ fn pictures_are_redrawn_within_one_level_per_channel() {
         (info.width, info.height, data)
     }
     for name in ["figure-1", "figure-2"] {
-        let there = std::fs::read(committed(&format!("out/{name}.png"))).expect("it is there");
+        let there = std::fs::read(files::path(&format!("out/{name}.png"))).expect("it is there");
         let now = format::png(&figure(name), 100.0).expect("a picture");
         let ((w, h, a), (x, y, b)) = (pixels(&there), pixels(&now));
         assert_eq!((w, h), (x, y), "{name}");

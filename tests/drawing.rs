@@ -2,16 +2,13 @@
 //!
 //! Drawn configurations are in `tests/drawn_scenes.jsonl`, one scene a line; a new case is a new line.
 
-use std::fs;
-use std::path::Path;
+mod files;
+mod stages;
 
-use kinegon::drawing::{Drawing, Mark, Pen, Point, Rect, Shape, figure};
+use files::read;
+use kinegon::drawing::{Drawing, Mark, Pen, Point, Rect, Shape};
 use kinegon::format::{Text, svg, svg_with};
-use kinegon::mechanism::mechanism;
-use kinegon::motion::{Order, motion};
-use kinegon::plan::construction;
-use kinegon::position::pose;
-use kinegon::scene::Scene;
+use stages::Stages;
 
 /// Most bytes of a figure's SVG file.
 const MOST_BYTES: usize = 60_000;
@@ -22,34 +19,21 @@ const ROUNDING: f64 = 1e-9;
 type Places = Vec<(String, [f64; 2])>;
 
 /// The drawing of a scene given as text, or why there is none; and where its points are.
-fn drawn(text: &str) -> Result<(Drawing, Places), Box<dyn std::error::Error>> {
-    let scene = Scene::read(text)?;
-    let mechanism = mechanism(&scene)?;
-    let pose = pose(&mechanism, &scene.near)?;
-    let motion = motion(&mechanism, &pose, Order::Acceleration)?;
-    let construction = construction(&mechanism, &pose, &motion);
-    let places = mechanism
-        .points
-        .iter()
-        .zip(&pose.points)
-        .map(|(name, place)| (name.clone(), [place.x, place.y]))
-        .collect();
-    Ok((figure(&scene, &mechanism, &pose, &construction), places))
-}
-
-fn file(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
-    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+fn drawn(text: &str) -> Result<(Drawing, Places), kinegon::Error> {
+    let stages = Stages::of(text)?;
+    let points = stages.mechanism.points.iter().zip(&stages.pose.points);
+    let places = points.map(|(name, place)| (name.clone(), [place.x, place.y]));
+    Ok((stages.drawing(), places.collect()))
 }
 
 fn example(number: u8) -> Drawing {
-    let text = file(&format!("examples/figure-{number}.json"));
+    let text = read(&format!("examples/figure-{number}.json"));
     drawn(&text).expect("the example can be drawn").0
 }
 
 /// Figure 2 at crank angles from 130° to −130°, each on the branch of its neighbour; angles that cannot be assembled are left out.
 fn turned() -> Vec<(String, Drawing)> {
-    let text = file("examples/figure-2.json");
+    let text = read("examples/figure-2.json");
     let at = |angle: i32, near: &[(String, [f64; 2])]| {
         let mut scene: serde_json::Value =
             serde_json::from_str(&text).expect("the example is JSON");
@@ -82,19 +66,11 @@ fn turned() -> Vec<(String, Drawing)> {
 
 /// The starting scenes of `kinegon new`.
 fn templates() -> Vec<(String, Drawing)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("templates");
-    let files = fs::read_dir(folder).expect("the folder is there");
-    let mut names: Vec<String> = files
-        .map(|entry| entry.expect("the folder can be listed").file_name())
-        .map(|name| name.to_string_lossy().into_owned())
-        .filter(|name| name.ends_with(".json") && !name.ends_with(".schema.json"))
-        .collect();
-    names.sort();
-    let template = |name: String| match drawn(&file(&format!("templates/{name}"))) {
+    let draw = |(name, text): (String, String)| match drawn(&text) {
         Ok((drawing, _)) => (name, drawing),
         Err(error) => panic!("{name}: {error}"),
     };
-    names.into_iter().map(template).collect()
+    files::templates().into_iter().map(draw).collect()
 }
 
 fn drawings() -> Vec<(String, Drawing)> {
@@ -103,7 +79,7 @@ fn drawings() -> Vec<(String, Drawing)> {
         .into();
     all.extend(turned());
     all.extend(templates());
-    for (index, line) in file("tests/drawn_scenes.jsonl").lines().enumerate() {
+    for (index, line) in read("tests/drawn_scenes.jsonl").lines().enumerate() {
         let name = format!("drawn scene {}", index + 1);
         match drawn(line) {
             Ok((drawing, _)) => all.push((name, drawing)),
@@ -331,7 +307,7 @@ fn draws(drawing: &Drawing, pen: Pen, ids: &str) {
 #[test]
 fn a_title_is_taken_letter_by_letter() {
     let text =
-        file("examples/figure-2.json").replace("Quintero et al. (2011), Figure 2", "four_bar^2");
+        read("examples/figure-2.json").replace("Quintero et al. (2011), Figure 2", "four_bar^2");
     let (drawing, _) = drawn(&text).expect("it can be drawn");
     let heading = drawing.marks.iter().find(|mark| mark.pen == Pen::Heading);
     let Some(Shape::Text(heading)) = heading.map(|mark| &mark.shape) else {
@@ -440,12 +416,12 @@ fn long_names_of_links_are_set_apart_in_special_points() {
             "no {name} in {labels:?}"
         );
     };
-    let text = file("templates/third-class.json");
+    let text = read("templates/third-class.json");
     let third = renamed(&text, &["crank", "rod", "plate", "arm", "leg"]);
     says(&third, "scheme", "Srod,arm");
     says(&third, "velocity", "srod,leg");
     says(&third, "acceleration", "nb,rod,arm,nb,rod,leg");
-    let text = file("templates/fourth-class.json");
+    let text = read("templates/fourth-class.json");
     let fourth = renamed(&text, &["crank", "left", "top", "right", "rod2"]);
     says(&fourth, "scheme", "Stop");
     says(&fourth, "scheme", "Srod2");

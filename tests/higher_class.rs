@@ -1,13 +1,15 @@
 //! Groups of higher class: random ones of six links, written down by lengths from an assembly that is known, and a truss of bars.
 
 mod planted;
+mod random;
 
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
 use kinegon::position::{AssemblyError, Pose, pose, poses};
 use kinegon::scene::Scene;
-use planted::{KNOWN, Planted, Random};
+use planted::{KNOWN, Planted};
+use random::Random;
 use serde_json::{Value, json};
 
 /// Random groups tried.

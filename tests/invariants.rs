@@ -3,14 +3,19 @@
 //!
 //! Half of the scenes are hard: near-parallel legs, nearly singular, nearly dead, extreme ratios, large common velocities.
 
-use kinegon::format::{self, PointResult, ResultFile, Solved};
+mod random;
+mod stages;
+
+use kinegon::Error;
+use kinegon::format::{PointResult, ResultFile};
 use kinegon::geometry::{Point, Vector, cross};
-use kinegon::mechanism::{LoopEquations, Mechanism, StructureError, mechanism};
-use kinegon::motion::{ClosedForm, Motion, Order, RightSide, motion};
-use kinegon::plan::{Construction, coincident_name, construction, image_name};
-use kinegon::position::{Pose, pose};
+use kinegon::mechanism::{LoopEquations, StructureError, mechanism};
+use kinegon::motion::{ClosedForm, RightSide};
+use kinegon::plan::{coincident_name, image_name};
 use kinegon::scene::Scene;
+use random::Random;
 use serde_json::{Map, Value, json};
+use stages::Stages;
 
 const U: f64 = f64::EPSILON / 2.0;
 
@@ -24,22 +29,7 @@ const ACCELERATION_BOUND: f64 = 64.0;
 /// The joints in the order of the patterns' letters, and the links that each joins.
 const JOINTS: [&str; 6] = ["B", "C", "D", "E", "F", "G"];
 
-/// Deterministic random numbers (splitmix64; Steele, Lea, Flood 2014).
-struct Dice(u64);
-
-impl Dice {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, n: u64) -> u64 {
-        self.next() % n
-    }
-
+impl Random {
     /// A multiple of 1/16 in (−8, 8): few bits, so that later changes stay exact.
     fn coarse(&mut self) -> f64 {
         (self.below(255) as f64 - 127.0) / 16.0
@@ -50,7 +40,7 @@ impl Dice {
     }
 
     /// A power of two from 2^−1 to 2^−`least`.
-    fn small(&mut self, least: u64) -> f64 {
+    fn small(&mut self, least: usize) -> f64 {
         let exponent = 1 + self.below(least);
         1.0 / (1_u64 << exponent) as f64
     }
@@ -85,7 +75,7 @@ struct Group {
 
 impl Group {
     /// A group without any special relation between its joints.
-    fn plain(dice: &mut Dice, pattern: &str) -> Group {
+    fn plain(dice: &mut Random, pattern: &str) -> Group {
         let mut places: [Pair; 6] = std::array::from_fn(|_| dice.pair());
         // Joints a good distance apart; what lies close together is made so on purpose.
         while (0..6).any(|i| (0..i).any(|j| distance(places[i], places[j]) < 1.0)) {
@@ -112,7 +102,7 @@ impl Group {
     }
 
     /// A group with something difficult about it. Its coordinates are multiples of 2^−`bits`, below 2^5.
-    fn hard(dice: &mut Dice, pattern: &str, bits: u64) -> Group {
+    fn hard(dice: &mut Random, pattern: &str, bits: usize) -> Group {
         let mut group = Group::plain(dice, pattern);
         let [b, c, d, e, f, g] = group.places;
         let shift = times(dice.pair(), dice.small(bits - 4));
@@ -155,9 +145,9 @@ impl Group {
     }
 
     /// Some hard, some not, of a pattern that is not singular.
-    fn any(dice: &mut Dice, bits: u64) -> Group {
+    fn any(dice: &mut Random, bits: usize) -> Group {
         let pattern = match dice.below(3) {
-            0 => regular_patterns()[usize::try_from(dice.below(54)).expect("small")].clone(),
+            0 => regular_patterns()[dice.below(54)].clone(),
             1 => "RPRRRR".to_owned(),
             _ => "RRRRRR".to_owned(),
         };
@@ -312,10 +302,7 @@ fn regular_patterns() -> Vec<String> {
 
 /// All that the library says of a scene.
 struct Solution {
-    mechanism: Mechanism,
-    pose: Pose,
-    motion: Motion,
-    construction: Construction,
+    stages: Stages,
     result: ResultFile,
 }
 
@@ -323,25 +310,14 @@ impl Solution {
     /// `None` where the motion is refused as singular.
     fn new(scene: &Value) -> Option<Solution> {
         let text = scene.to_string();
-        let read = Scene::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
-        let mechanism = mechanism(&read).unwrap_or_else(|e| panic!("{e}\n{text}"));
-        let pose = pose(&mechanism, &read.near).unwrap_or_else(|e| panic!("{e}\n{text}"));
-        let motion = motion(&mechanism, &pose, Order::Acceleration).ok()?;
-        let construction = construction(&mechanism, &pose, &motion);
-        let result = format::result(Solved {
-            units: read.units,
-            mechanism: &mechanism,
-            pose: &pose,
-            motion: &motion,
-            construction: &construction,
-        });
-        Some(Solution {
-            mechanism,
-            pose,
-            motion,
-            construction,
-            result,
-        })
+        match Stages::of(&text) {
+            Ok(stages) => Some(Solution {
+                result: stages.result(),
+                stages,
+            }),
+            Err(Error::Motion(_)) => None,
+            Err(error) => panic!("{error}\n{text}"),
+        }
     }
 
     fn condition(&self) -> f64 {
@@ -658,11 +634,11 @@ fn special(
 fn unchanged_but_for(
     what: &str,
     seed: u64,
-    bits: u64,
+    bits: usize,
     change: impl Fn() -> Change<'static>,
     changed: impl Fn(&Group, &Change<'_>) -> Group,
 ) {
-    let mut dice = Dice(seed);
+    let mut dice = Random(seed);
     let (mut worst, mut hardest, mut refused) = (Differences::default(), 1.0_f64, 0);
     for _ in 0..SCENES {
         let group = Group::any(&mut dice, bits);
@@ -705,10 +681,10 @@ fn unchanged_but_for(
 const SCENES: u32 = 250;
 
 /// Coordinates are multiples of 2^−40: changes by small whole numbers leave them exact.
-const FINE: u64 = 40;
+const FINE: usize = 40;
 
 /// Coordinates are multiples of 2^−20: they stay exact beside an origin 2^31 away.
-const FAR: u64 = 20;
+const FAR: usize = 20;
 
 fn mapped(group: &Group, change: &Change<'_>) -> Group {
     group.map(change.place, change.vector, change.order, change.turn)
@@ -825,7 +801,7 @@ fn names_do_not_matter() {
         ..Change::default()
     };
     unchanged_but_for("renamed", 9, FINE, renamed, |group, _| group.clone());
-    let mut dice = Dice(10);
+    let mut dice = Random(10);
     for _ in 0..SCENES {
         // Not a bit changes: no name takes part in a computation.
         let group = Group::any(&mut dice, FINE);
@@ -861,12 +837,12 @@ struct Imaged {
 
 /// The points of each link that have images.
 fn images(solution: &Solution) -> Vec<(String, Vec<Imaged>)> {
-    let Solution {
+    let Stages {
         mechanism,
         pose,
         construction,
         ..
-    } = solution;
+    } = &solution.stages;
     let plan = &construction.velocity;
     let mut links = Vec::new();
     for (id, body) in mechanism.links() {
@@ -906,7 +882,7 @@ fn images(solution: &Solution) -> Vec<(String, Vec<Imaged>)> {
 
 #[test]
 fn a_links_image_in_the_velocity_plan_is_similar_to_it() {
-    let mut dice = Dice(12);
+    let mut dice = Random(12);
     let (mut triples, mut worst) = (0, (0.0, String::new()));
     for _ in 0..SCENES {
         let scene = Group::any(&mut dice, FINE).scene();
@@ -957,7 +933,7 @@ fn a_links_image_in_the_velocity_plan_is_similar_to_it() {
 
 #[test]
 fn the_closed_form_agrees_with_the_whole_system() {
-    let mut dice = Dice(13);
+    let mut dice = Random(13);
     let (mut compared, mut worst) = (0, 0.0_f64);
     for round in 0..SCENES {
         let group = match round % 3 {
@@ -968,12 +944,12 @@ fn the_closed_form_agrees_with_the_whole_system() {
         let Some(solution) = Solution::new(&scene) else {
             continue;
         };
-        let Solution {
+        let Stages {
             mechanism,
             pose,
             motion,
             ..
-        } = &solution;
+        } = &solution.stages;
         let links = &mechanism.groups[0].links;
         let equations = LoopEquations::new(mechanism, &mechanism.groups[0]);
         let system = equations
@@ -1012,7 +988,7 @@ fn the_closed_form_agrees_with_the_whole_system() {
 
 #[test]
 fn the_patterns_that_are_singular_by_structure_are_refused() {
-    let mut dice = Dice(14);
+    let mut dice = Random(14);
     let mut refused = 0;
     for pattern in patterns() {
         for _ in 0..8 {

@@ -9,12 +9,10 @@
     reason = "facts stand here with all digits in which they are known"
 )]
 
-use kinegon::format::{self, ResultFile, Solved};
-use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{Motion, Order, motion};
-use kinegon::plan::{Construction, Plan, Quantity, construction, quantity};
-use kinegon::position::{Pose, pose};
-use kinegon::scene::Scene;
+mod stages;
+
+use kinegon::plan::{Plan, Quantity, quantity};
+use stages::Stages;
 
 const FIGURE_1: &str = r#"{ "kinegon": 1,
   "title": "Quintero et al. (2011), Figure 1",
@@ -43,49 +41,19 @@ const FIGURE_2: &str = r#"{ "kinegon": 1,
 /// Roughly where the paper draws its mechanism. F settles the hand of link 4's triangle.
 const AS_PRINTED: &str = r#"{ "D": [263, 300], "E": [406, 428], "F": [338, 136] }"#;
 
-fn figure_2(angle: f64, omega: f64, near: &str) -> Board {
+fn figure_2(angle: f64, omega: f64, near: &str) -> Stages {
     let text = FIGURE_2
         .replace("ANGLE", &angle.to_string())
         .replace("OMEGA", &omega.to_string())
         .replace("NEAR", near);
-    Board::new(&text)
+    board(&text)
 }
 
-/// All that is known of a scene.
-struct Board {
-    scene: Scene,
-    mechanism: Mechanism,
-    pose: Pose,
-    motion: Motion,
-    construction: Construction,
+fn board(text: &str) -> Stages {
+    Stages::of(text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-impl Board {
-    fn new(text: &str) -> Board {
-        let scene = Scene::read(text).expect("the scene is sound");
-        let mechanism = mechanism(&scene).expect("it is a fourth-class group");
-        let pose = pose(&mechanism, &scene.near).expect("it can be assembled");
-        let motion = motion(&mechanism, &pose, Order::Acceleration).expect("it is not singular");
-        let construction = construction(&mechanism, &pose, &motion);
-        Board {
-            scene,
-            mechanism,
-            pose,
-            motion,
-            construction,
-        }
-    }
-
-    fn result(&self) -> ResultFile {
-        format::result(Solved {
-            units: self.scene.units,
-            mechanism: &self.mechanism,
-            pose: &self.pose,
-            motion: &self.motion,
-            construction: &self.construction,
-        })
-    }
-
+impl Stages {
     fn quantity(&self, name: &str) -> Quantity {
         quantity(
             name,
@@ -152,7 +120,7 @@ fn within(relative: f64, what: &str, got: f64, want: f64) {
 
 #[test]
 fn figure_1_positions_and_rates() {
-    let board = Board::new(FIGURE_1);
+    let board = board(FIGURE_1);
     for (name, x, y) in [
         ("S3", "146.81208", "314.59732"),
         ("S5", "181.74274", "-257.46888"),
@@ -194,7 +162,7 @@ fn figure_1_positions_and_rates() {
 
 #[test]
 fn figure_1_measured_segments() {
-    let board = Board::new(FIGURE_1);
+    let board = board(FIGURE_1);
     let velocity = &board.construction.velocity;
     let acceleration = board.construction.acceleration.as_ref().expect("asked for");
     // Equation of the paper; plan; segment; the cut line from the outer joint to the special point.
@@ -365,7 +333,7 @@ fn figure_2_accelerations_do_not_depend_on_the_sense() {
 }
 
 /// Mode and number of modes of the only group.
-fn mode(board: &Board) -> (usize, usize) {
+fn mode(board: &Stages) -> (usize, usize) {
     let group = &board.result().groups[0];
     (
         group.mode.expect("from lengths"),
@@ -508,7 +476,7 @@ fn the_papers_own_drawing_gives_the_printed_values() {
     let d = dyad(g, 300.0, f, 180.0, 1.0);
     let off = ((d[1] - b[1]) * (e[0] - b[0]) - (d[0] - b[0]) * (e[1] - b[1])) / 500.0;
     to_the_digits_given("distance of D from the guide", off.abs(), "0.00933");
-    let board = Board::new(&format!(
+    let board = board(&format!(
         r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": ["A", "G"],
               "points": {{ "A": [0, 0], "G": {g:?}, "B": {b:?}, "D": {d:?}, "E": {e:?}, "F": {f:?} }},
               "links": {{ "1": {{ "points": ["A", "B"], "drive": {{ "omega": -1 }} }},

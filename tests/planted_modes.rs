@@ -5,13 +5,15 @@
 //! are not far enough apart. The Jacobian that says so is made here from the joints of all links, apart from the library.
 
 mod planted;
+mod random;
 
 use std::collections::BTreeMap;
 
 use kinegon::mechanism::mechanism;
 use kinegon::position::pose;
 use kinegon::scene::Scene;
-use planted::{KNOWN, Planted, Random};
+use planted::{KNOWN, Planted};
+use random::Random;
 
 /// Groups of each class.
 const GROUPS: usize = if cfg!(debug_assertions) { 800 } else { 4000 };

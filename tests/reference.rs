@@ -6,19 +6,20 @@
 
 mod comparison;
 mod exact;
-
-use std::path::Path;
+mod files;
+mod stages;
 
 use comparison::{Comparison, angle_error, decimal, entries, size, slider_name};
 use exact::{exceeds, minus};
-use kinegon::format::{self, ResultFile, Solved};
+use kinegon::Error;
+use kinegon::format::ResultFile;
 use kinegon::geometry::degrees_of;
 use kinegon::mechanism::mechanism;
-use kinegon::motion::{MotionError, Order, motion};
-use kinegon::plan::construction;
+use kinegon::motion::MotionError;
 use kinegon::position::{AssemblyError, pose};
 use kinegon::scene::Scene;
 use serde_json::Value;
+use stages::Stages;
 
 const U: f64 = f64::EPSILON / 2.0;
 
@@ -84,7 +85,7 @@ fn the_papers_mechanism_from_lengths() {
 /// that cannot be assembled is told so.
 #[test]
 fn assembly_modes() {
-    let text = read_set("modes");
+    let text = files::read("tests/reference/modes.jsonl");
     let (mut found, mut counted, mut impossible) = (0, 0, 0);
     let mut worst = (0.0, String::new());
     let mut failures = Vec::new();
@@ -176,7 +177,7 @@ struct Report {
 
 impl Report {
     fn of_set(set: &'static str) -> Report {
-        let text = read_set(set);
+        let text = files::read(&format!("tests/reference/{set}.jsonl"));
         let mut report = Report {
             set,
             cases: 0,
@@ -240,10 +241,10 @@ impl Report {
         let case: Value = serde_json::from_str(line).expect("a line is JSON");
         let name = case["name"].as_str().expect("a case has a name");
         self.cases += 1;
-        let solved = solve(scene_text(line));
+        let solved = Stages::of(scene_text(line)).map(|stages| stages.result());
         if case["expect"]["singular"] == true {
             self.singular += 1;
-            if !matches!(solved, Err(Refusal::Singular)) {
+            if !matches!(solved, Err(Error::Motion(MotionError::Singular { .. }))) {
                 let what = solved.map(|_| "solved");
                 self.failures
                     .push(format!("{name}: singular, but {what:?}"));
@@ -256,12 +257,14 @@ impl Report {
             .max(1.0);
         let result = match solved {
             Ok(result) => result,
-            Err(Refusal::Singular) if condition > self.may_be_refused() => {
+            Err(Error::Motion(MotionError::Singular { .. }))
+                if condition > self.may_be_refused() =>
+            {
                 self.refused += 1;
                 return;
             }
             Err(other) => {
-                self.failures.push(format!("{name}: {other:?}"));
+                self.failures.push(format!("{name}: {other}"));
                 return;
             }
         };
@@ -382,38 +385,6 @@ impl Report {
             }
         }
     }
-}
-
-/// Why there is no result.
-#[derive(Debug)]
-enum Refusal {
-    Singular,
-    #[expect(dead_code, reason = "shown when a case fails")]
-    Other(String),
-}
-
-fn solve(text: &str) -> Result<ResultFile, Refusal> {
-    let other = |e: &dyn std::error::Error| Refusal::Other(e.to_string());
-    let scene = Scene::read(text).map_err(|e| other(&e))?;
-    let mechanism = mechanism(&scene).map_err(|e| other(&e))?;
-    let pose = pose(&mechanism, &scene.near).map_err(|e| other(&e))?;
-    let motion = motion(&mechanism, &pose, Order::Acceleration).map_err(|e| match e {
-        MotionError::Singular { .. } => Refusal::Singular,
-        e @ MotionError::Overflow { .. } => other(&e),
-    })?;
-    let construction = construction(&mechanism, &pose, &motion);
-    Ok(format::result(Solved {
-        units: scene.units,
-        mechanism: &mechanism,
-        pose: &pose,
-        motion: &motion,
-        construction: &construction,
-    }))
-}
-
-fn read_set(set: &str) -> String {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/reference/{set}.jsonl"));
-    std::fs::read_to_string(file).expect("the cases can be read")
 }
 
 /// The scene's own text, so that its numbers are read by the library and nobody before it.

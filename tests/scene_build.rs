@@ -1,5 +1,7 @@
 //! A scene put together in Rust is the scene that its file says: every key of the format, the same checks, the same messages.
 
+mod files;
+
 use kinegon::scene::{
     Builder, Figure, Guide, LengthUnit, LinkMotion, NewLink, Page, PageSize, Panel, PointMotion,
     Push, Scene, TimeUnit, Turn, polar,
@@ -7,9 +9,7 @@ use kinegon::scene::{
 
 /// The scene in a file of the repository.
 fn file(path: &str) -> Scene {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-    let text = std::fs::read_to_string(path).expect("the scene can be read");
-    Scene::read(&text).expect("a good scene")
+    Scene::read(&files::read(path)).expect("a good scene")
 }
 
 /// Everything that a scene says, in words; its text is another matter.

@@ -4,19 +4,19 @@
 //! `tests/templates/README.md` says where the true numbers come from. An error counts relative to the largest magnitude
 //! of its kind of quantity (angles: to 180°); differences are taken in exact arithmetic.
 
+mod comparison;
 mod exact;
+mod files;
+mod stages;
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
+use comparison::entries;
 use exact::{Exact, exceeds, minus};
-use kinegon::format::{self, ResultFile, Solved};
-use kinegon::mechanism::mechanism;
-use kinegon::motion::{Order, motion};
-use kinegon::plan::construction;
-use kinegon::position::pose;
-use kinegon::scene::Scene;
+use files::{path, read, templates};
+use kinegon::format::ResultFile;
 use serde_json::Value;
+use stages::Stages;
 
 /// Largest error against the truth.
 const MOST: f64 = 1e-12;
@@ -27,71 +27,31 @@ const ORDER_WITHIN: f64 = 0.2;
 /// Kinds whose numbers are compared with the truth.
 const WITH_TRUTH: usize = 11;
 
-fn folder(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
-/// Names and texts of the templates, sorted.
-fn templates() -> Vec<(String, String)> {
-    let files = std::fs::read_dir(folder("templates")).expect("the folder is there");
-    let mut templates: Vec<(String, String)> = files
-        .map(|entry| entry.expect("the folder can be listed").path())
-        .filter_map(|path| {
-            let name = path
-                .file_name()?
-                .to_str()?
-                .strip_suffix(".json")?
-                .to_owned();
-            let text = std::fs::read_to_string(&path).expect("a template can be read");
-            (!name.ends_with(".schema")).then_some((name, text))
-        })
-        .collect();
-    templates.sort();
-    assert!(templates.len() >= WITH_TRUTH);
-    templates
-}
-
 /// The true numbers of a template, where there are some.
 fn truth(name: &str) -> Option<Value> {
-    let path = folder(&format!("tests/templates/{name}.expect.json"));
+    let path = path(&format!("tests/templates/{name}.expect.json"));
     let text = std::fs::read_to_string(path).ok()?;
     Some(serde_json::from_str(&text).expect("the truth is JSON"))
 }
 
-fn solve(text: &str) -> Result<ResultFile, kinegon::Error> {
-    let scene = Scene::read(text)?;
-    let mechanism = mechanism(&scene)?;
-    let pose = pose(&mechanism, &scene.near)?;
-    let motion = motion(&mechanism, &pose, Order::Acceleration)?;
-    let construction = construction(&mechanism, &pose, &motion);
-    Ok(format::result(Solved {
-        units: scene.units,
-        mechanism: &mechanism,
-        pose: &pose,
-        motion: &motion,
-        construction: &construction,
-    }))
-}
-
 fn solved(name: &str, text: &str) -> ResultFile {
-    solve(text).unwrap_or_else(|error| panic!("{name}: {error}"))
+    stages(name, text).result()
 }
 
-fn entries(json: &Value) -> impl Iterator<Item = (&str, &Value)> {
-    let object = json.as_object().into_iter().flatten();
-    object.map(|(key, value)| (key.as_str(), value))
+fn stages(name: &str, text: &str) -> Stages {
+    Stages::of(text).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
 #[test]
 fn every_template_has_a_title_and_solves_without_a_warning() {
     for (name, text) in templates() {
-        let scene = Scene::read(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        assert!(scene.title.is_some(), "{name}");
+        let stages = stages(&name, &text);
+        assert!(stages.scene.title.is_some(), "{name}");
         assert!(
             text.contains("\"$schema\": \"scene.schema.json\""),
             "{name}"
         );
-        let result = solved(&name, &text);
+        let result = stages.result();
         assert!(result.warnings.is_empty(), "{name}: {:?}", result.warnings);
     }
 }
@@ -120,12 +80,7 @@ fn both_routes_agree() {
 fn every_ray_runs_through_both_its_points() {
     let mut seen = 0;
     for (name, text) in templates() {
-        let scene = Scene::read(&text).expect("a template is a good scene");
-        let mechanism = mechanism(&scene).expect("a mechanism");
-        let pose = pose(&mechanism, &scene.near).expect("it can be assembled");
-        let motion = motion(&mechanism, &pose, Order::Acceleration).expect("it moves");
-        let construction = construction(&mechanism, &pose, &motion);
-        for plan in construction.plans() {
+        for plan in stages(&name, &text).construction.plans() {
             for ray in plan.rays() {
                 let along = plan.segment(&ray.through, &ray.to).expect("both are there");
                 let off = along.perp(&ray.direction) / ray.direction.norm();
@@ -245,8 +200,7 @@ fn a_driven_point_settles_a_triangles_hand() {
         ("stephenson-3", r#""B": [20, 35], "#),
         ("watt-1", r#""B": [25, 45], "#),
     ] {
-        let path = folder(&format!("templates/{kind}.json"));
-        let text = std::fs::read_to_string(path).expect("a template can be read");
+        let text = read(&format!("templates/{kind}.json"));
         let less = text.replace(place, "");
         assert_ne!(text, less, "{kind}");
         let result = solved(kind, &less);

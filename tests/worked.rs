@@ -3,21 +3,16 @@
 
 mod comparison;
 mod exact;
+mod files;
+mod stages;
 #[allow(dead_code)] // it is a program, too
 #[path = "../examples/textbook_cases.rs"]
 mod textbook_cases;
 
-use std::path::Path;
-
 use comparison::Comparison;
 use exact::exceeds;
-use kinegon::format::{self, ResultFile, Solved};
-use kinegon::mechanism::mechanism;
-use kinegon::motion::{Order, motion};
-use kinegon::plan::construction;
-use kinegon::position::pose;
-use kinegon::scene::Scene;
 use serde_json::Value;
+use stages::Stages;
 use textbook_cases::{Case, cases, markdown, plain};
 
 /// Errors allowed, relative to the largest quantity of a kind.
@@ -25,15 +20,18 @@ const BOUND: f64 = 1e-10;
 
 #[test]
 fn every_case_moves_as_it_must() {
-    let (mut worst, mut files, mut failures) = ((0.0, String::new()), 0, Vec::new());
+    let (mut worst, mut seen, mut failures) = ((0.0, String::new()), 0, Vec::new());
     for case in folders() {
-        let expect: Value = serde_json::from_str(&read(&case, "expect.json")).expect("JSON");
+        let expect: Value =
+            serde_json::from_str(&files::read(&format!("tests/worked/{case}/expect.json")))
+                .expect("JSON");
         for file in ["scene.json", "drawn.json"] {
-            files += 1;
-            let text = read(&case, file);
+            seen += 1;
+            let text = files::read(&format!("tests/worked/{case}/{file}"));
             let scene: Value = serde_json::from_str(&text).expect("JSON");
             let expect = decimals(&merged(&expect, &expect["per_file"][file]));
-            let result = solve(&text).unwrap_or_else(|e| panic!("{case}/{file}: {e}"));
+            let stages = Stages::of(&text).unwrap_or_else(|e| panic!("{case}/{file}: {e}"));
+            let result = stages.result();
             let mut comparison = Comparison::new(&expect, &scene, &result);
             comparison.all();
             let what = |what: &str| format!("{case}/{file}: {what}");
@@ -49,9 +47,9 @@ fn every_case_moves_as_it_must() {
             }
         }
     }
-    println!("{files} files, largest error {:.3e} ({})", worst.0, worst.1);
+    println!("{seen} files, largest error {:.3e} ({})", worst.0, worst.1);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert_eq!(files, 40);
+    assert_eq!(seen, 40);
 }
 
 #[test]
@@ -112,8 +110,7 @@ fn the_table_fits_100_columns_and_the_page_is_current() {
             "{line:?}"
         );
     }
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/textbook-cases.md");
-    let there = std::fs::read_to_string(path).unwrap_or_default();
+    let there = files::read("docs/textbook-cases.md");
     assert!(
         there.replace("\r\n", "\n") == markdown(&cases),
         "make it anew: cargo run --example textbook_cases -- --markdown > docs/textbook-cases.md"
@@ -127,35 +124,9 @@ fn last_digit(printed: &str) -> f64 {
 }
 
 fn folders() -> Vec<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/worked");
-    let entries = std::fs::read_dir(folder).expect("the folder is there");
-    let mut names: Vec<String> = entries
-        .map(|e| e.expect("it can be listed"))
-        .filter(|e| e.path().is_dir())
-        .map(|e| e.file_name().into_string().expect("a plain name"))
-        .collect();
-    names.sort_unstable();
+    let mut names = files::list("tests/worked");
+    names.retain(|name| files::path("tests/worked").join(name).is_dir());
     names
-}
-
-fn read(case: &str, file: &str) -> String {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/worked");
-    std::fs::read_to_string(folder.join(case).join(file)).expect("the file is there")
-}
-
-fn solve(text: &str) -> Result<ResultFile, kinegon::Error> {
-    let scene = Scene::read(text)?;
-    let mechanism = mechanism(&scene)?;
-    let pose = pose(&mechanism, &scene.near)?;
-    let motion = motion(&mechanism, &pose, Order::Acceleration)?;
-    let construction = construction(&mechanism, &pose, &motion);
-    Ok(format::result(Solved {
-        units: scene.units,
-        mechanism: &mechanism,
-        pose: &pose,
-        motion: &motion,
-        construction: &construction,
-    }))
 }
 
 /// The common expectation with what holds for one file only.

@@ -1,4 +1,5 @@
 //! One result against what is expected of it, number by number.
+#![allow(dead_code)] // not every test uses all of it
 
 use std::collections::BTreeMap;
 

@@ -1,10 +1,11 @@
 //! Random groups in a known position, written down by lengths.
 
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use nalgebra::DMatrix;
+
+use super::random::Random;
 
 /// Bodies from 0; the frame or the crank, as it falls.
 pub const KNOWN: usize = usize::MAX;
@@ -219,40 +220,5 @@ impl Planted {
         let known = self.bodies[..2].iter().flat_map(|body| &body.points);
         let known: Vec<&str> = known.map(|(n, _)| n.as_str()).collect();
         points.into_iter().filter(move |(n, _)| !known.contains(n))
-    }
-}
-
-/// Splitmix64 (Steele, Lea, Flood 2014).
-pub struct Random(pub u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// From 0 to 1.
-    pub fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    pub fn within(&mut self, bound: f64) -> f64 {
-        bound * (2.0 * self.unit() - 1.0)
-    }
-
-    pub fn below(&mut self, count: usize) -> usize {
-        (self.next() % count as u64) as usize
-    }
-
-    pub fn place(&mut self) -> Pair {
-        [self.within(1.0), self.within(1.0)]
-    }
-
-    /// In radians, from −π to π.
-    pub fn angle(&mut self) -> f64 {
-        self.within(0.5 * TAU)
     }
 }

@@ -1,0 +1,37 @@
+//! Files of the repository.
+#![allow(dead_code)] // not every test uses all of it
+
+use std::path::{Path, PathBuf};
+
+/// The path of a file or folder of the repository.
+pub fn path(of: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(of)
+}
+
+/// The text of a file of the repository.
+pub fn read(of: &str) -> String {
+    std::fs::read_to_string(path(of)).unwrap_or_else(|error| panic!("{of}: {error}"))
+}
+
+/// What lies in a folder of the repository, sorted.
+pub fn list(folder: &str) -> Vec<String> {
+    let entries = std::fs::read_dir(path(folder)).expect("the folder is there");
+    let names = entries.map(|entry| entry.expect("it can be listed").file_name());
+    let mut names: Vec<String> = names
+        .map(|name| name.into_string().expect("a plain name"))
+        .collect();
+    names.sort();
+    names
+}
+
+/// Names and texts of the starting scenes, sorted.
+pub fn templates() -> Vec<(String, String)> {
+    let files = list("templates").into_iter();
+    let names = files.filter_map(|file| Some(file.strip_suffix(".json")?.to_owned()));
+    let scenes = names.filter(|name| !name.ends_with(".schema"));
+    let with_text = |name: String| {
+        let text = read(&format!("templates/{name}.json"));
+        (name, text)
+    };
+    scenes.map(with_text).collect()
+}

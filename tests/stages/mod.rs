@@ -1,0 +1,50 @@
+//! A scene taken through all stages.
+#![allow(dead_code)] // not every test uses all of it
+
+use kinegon::drawing::{Drawing, figure};
+use kinegon::format::{self, ResultFile, Solved};
+use kinegon::mechanism::{Mechanism, mechanism};
+use kinegon::motion::{Motion, Order, motion};
+use kinegon::plan::{Construction, construction};
+use kinegon::position::{Pose, pose};
+use kinegon::scene::Scene;
+
+/// All that is known of a scene.
+pub struct Stages {
+    pub scene: Scene,
+    pub mechanism: Mechanism,
+    pub pose: Pose,
+    pub motion: Motion,
+    pub construction: Construction,
+}
+
+impl Stages {
+    pub fn of(text: &str) -> Result<Stages, kinegon::Error> {
+        let scene = Scene::read(text)?;
+        let mechanism = mechanism(&scene)?;
+        let pose = pose(&mechanism, &scene.near)?;
+        let motion = motion(&mechanism, &pose, Order::Acceleration)?;
+        let construction = construction(&mechanism, &pose, &motion);
+        Ok(Stages {
+            scene,
+            mechanism,
+            pose,
+            motion,
+            construction,
+        })
+    }
+
+    pub fn result(&self) -> ResultFile {
+        format::result(Solved {
+            units: self.scene.units,
+            mechanism: &self.mechanism,
+            pose: &self.pose,
+            motion: &self.motion,
+            construction: &self.construction,
+        })
+    }
+
+    pub fn drawing(&self) -> Drawing {
+        figure(&self.scene, &self.mechanism, &self.pose, &self.construction)
+    }
+}
