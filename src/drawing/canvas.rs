@@ -1,6 +1,7 @@
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
-use super::sheet::{Drawing, Pen, Shape};
+use super::shape::{Shape, around};
+use super::sheet::{Drawing, Pen};
 use super::text::RichText;
 use indexmap::IndexMap;
 use kurbo::{Point, Rect, Vec2};
@@ -67,47 +68,16 @@ impl<'a> Canvas<'a> {
 
     fn remember(&mut self, pen: Pen, shape: &Shape) {
         match shape {
-            Shape::Circle { .. } => self.obstacles.boxes.push(shape.bounds()),
-            Shape::Text(text) => self.obstacles.boxes.push(text.ink_box()),
-            Shape::Line(a, b) => self.obstacles.lines.push((*a, *b)),
-            Shape::Arrow { from, to } => self.obstacles.lines.push((*from, *to)),
+            Shape::Circle { .. } | Shape::Text(_) => self.obstacles.boxes.push(shape.bounds()),
             Shape::Polygon(corners) if pen == Pen::Slider => {
                 let boxes = pieces(corners).map(|piece| piece.inflate(0.4, 0.4));
                 self.obstacles.boxes.extend(boxes);
             }
-            Shape::Polygon(points) if !matches!(pen, Pen::LinkFill(_) | Pen::ImageFill) => {
-                self.lines(points);
-                if let (Some(a), Some(b)) = (points.last(), points.first()) {
-                    self.obstacles.lines.push((*a, *b));
-                }
-            }
-            Shape::Polyline(points) => self.lines(points),
-            Shape::Arc {
-                center,
-                radius,
-                start,
-                sweep,
-            }
-            | Shape::ArcArrow {
-                center,
-                radius,
-                start,
-                sweep,
-            } => {
-                let on = |k: u8| {
-                    let angle = start + sweep * f64::from(k) / 8.0;
-                    *center + Vec2::new(libm::cos(angle), libm::sin(angle)) * *radius
-                };
-                self.lines(&(0..=8).map(on).collect::<Vec<_>>());
-            }
-            Shape::Polygon(_) => {}
+            // Areas without outline: names may stand in them.
+            _ if matches!(pen, Pen::LinkFill(_) | Pen::ImageFill) => {}
+            _ => self.obstacles.lines.extend(shape.lines()),
         }
         self.obstacles.boxes.extend(shape.head_box());
-    }
-
-    fn lines(&mut self, points: &[Point]) {
-        let pairs = points.windows(2).map(|p| (p[0], p[1]));
-        self.obstacles.lines.extend(pairs);
     }
 
     /// Keeps labels off a box.
@@ -172,10 +142,6 @@ impl<'a> Canvas<'a> {
 
 /// Boxes that cover a polygon together; along a turned block several small ones leave more room than a large one.
 fn pieces(corners: &[Point]) -> impl Iterator<Item = Rect> {
-    let around = |points: &[Point]| {
-        let boxes = points.iter().map(|&p| Rect::from_points(p, p));
-        boxes.reduce(|all, one| all.union(one)).unwrap_or_default()
-    };
     let cuts = match corners {
         &[a, b, c, d] => {
             let count = ((b - a).hypot() / (c - b).hypot()).ceil().clamp(1.0, 16.0);

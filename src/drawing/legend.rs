@@ -1,6 +1,7 @@
 use super::canvas::CAPTION;
 use super::layout::Placed;
-use super::sheet::{Drawing, Pen, Shape};
+use super::shape::Shape;
+use super::sheet::{Drawing, Pen};
 use super::text::{PlacedText, RichText};
 use crate::plan::Construction;
 use crate::scene::{Panel, Units};

@@ -4,7 +4,9 @@
 //! of marks in drawing order with every text measured and every label placed. The formats write
 //! that list and decide nothing.
 
-// In reading order: the figure, its layout and panels; then the display list, the looks of its pens, its texts, where labels go.
+// In reading order: `figure`, its `layout` and panels; then the display list: `sheet`, `shape`, `arrow`, the `look` of its pens, its
+// `text`, where `labels` go.
+mod arrow;
 mod canvas;
 mod figure;
 mod fonts;
@@ -15,15 +17,18 @@ mod look;
 mod names;
 mod plan_panel;
 mod scheme;
+mod shape;
 mod sheet;
 mod text;
 mod view;
 
+pub use arrow::arrow_head;
 pub use figure::{figure, scales};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Look, look};
-pub use sheet::{Drawing, Mark, Pen, Shape, arrow_head};
+pub use shape::Shape;
+pub use sheet::{Drawing, Mark, Pen};
 pub use text::{PlacedRun, PlacedText, RichText, Run};
 pub use view::{Extent, View, fitting_scale, next_scale};
 

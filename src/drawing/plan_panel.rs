@@ -1,7 +1,8 @@
 use super::canvas::{Canvas, clipped_segment};
 use super::names::Names;
 use super::scheme::Scheme;
-use super::sheet::{Pen, Shape};
+use super::shape::Shape;
+use super::sheet::Pen;
 use super::view::{Extent, View, on_sheet};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};

@@ -1,7 +1,8 @@
 //! The ground: pivots, ground lines and their hatching.
 
 use super::super::canvas::Canvas;
-use super::super::sheet::{Pen, Shape};
+use super::super::shape::Shape;
+use super::super::sheet::Pen;
 use super::super::view::View;
 use super::Scheme;
 use crate::mechanism::{Body, BodyId, PointId};

@@ -1,7 +1,8 @@
 //! Links as lines and areas, pieces of the neighbouring mechanism, the sense in which drives turn.
 
 use super::super::canvas::Canvas;
-use super::super::sheet::{Pen, Shape};
+use super::super::shape::Shape;
+use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
 use super::Scheme;
 use crate::geometry::{self, cross, span};

@@ -1,7 +1,8 @@
 //! Joints and the names of points and links.
 
 use super::super::canvas::Canvas;
-use super::super::sheet::{Pen, Shape};
+use super::super::shape::Shape;
+use super::super::sheet::Pen;
 use super::super::view::{Extent, View, on_sheet};
 use super::links::LinkShape;
 use super::sliders::BLOCK;

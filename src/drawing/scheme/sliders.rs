@@ -1,7 +1,8 @@
 //! Guides and the blocks on them.
 
 use super::super::canvas::{Canvas, clipped_segment};
-use super::super::sheet::{Pen, Shape};
+use super::super::shape::Shape;
+use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
 use super::ground::{HATCH, hatch, strokes};
 use super::links::{ON_LINE, is_on};

@@ -1,7 +1,8 @@
 //! Special points and the cut lines that cross there.
 
 use super::super::canvas::{Canvas, clipped_segment};
-use super::super::sheet::{Pen, Shape};
+use super::super::shape::Shape;
+use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
 use super::{JOINT, Scheme};
 use crate::geometry::{Place, span};

@@ -1,0 +1,180 @@
+use kurbo::{Point, Rect, Vec2};
+
+use super::shape::{Shape, around, on_circle};
+
+/// Length of an arrowhead in mm where its vector leaves room for it.
+const HEAD_LENGTH: f64 = 2.6;
+/// Longest share of its vector that a head may take, so that a head never hides how long a short
+/// vector is.
+const HEAD_SHARE: f64 = 0.5;
+/// Half width of a head over its length: slim, as drawn with a ruling pen.
+const HEAD_SLIMNESS: f64 = 0.17;
+/// Where the notch between the barbs is, from the tip, over the length of the head.
+const HEAD_NOTCH: f64 = 0.84;
+/// Where the shaft ends, from the tip, over the length of the head: inside the head, so that its
+/// blunt end never shows.
+const SHAFT_END: f64 = 0.7;
+
+/// The head of an arrow from `from` to `to`: tip, one barb, the notch where the shaft enters, the
+/// other barb; none for an arrow without length.
+///
+/// The head is `min(2.6 mm, half the arrow)` long.
+pub fn arrow_head(from: Point, to: Point) -> Option<[Point; 4]> {
+    let (unit, length) = head_along(from, to)?;
+    Some(head_at(to, unit, length))
+}
+
+/// The direction of an arrow and the length of its head.
+fn head_along(from: Point, to: Point) -> Option<(Vec2, f64)> {
+    let along = to - from;
+    let size = along.hypot2().sqrt();
+    // Written so that a NaN has no head either.
+    (size > 0.0 && size.is_finite()).then(|| (along / size, head_length(size)))
+}
+
+fn head_length(arrow: f64) -> f64 {
+    HEAD_LENGTH.min(HEAD_SHARE * arrow)
+}
+
+/// A head of the given length whose tip is at `tip` and which points along `unit`.
+fn head_at(tip: Point, unit: Vec2, length: f64) -> [Point; 4] {
+    let across = Vec2::new(-unit.y, unit.x) * (HEAD_SLIMNESS * length);
+    let back = tip - unit * length;
+    [
+        tip,
+        back + across,
+        tip - unit * (HEAD_NOTCH * length),
+        back - across,
+    ]
+}
+
+impl Shape {
+    /// The filled head of an [`Arrow`](Shape::Arrow) or [`ArcArrow`](Shape::ArcArrow): tip, barb,
+    /// notch, barb; none for other shapes and for arrows without length.
+    pub fn head(&self) -> Option<[Point; 4]> {
+        match *self {
+            Shape::Arrow { from, to } => arrow_head(from, to),
+            Shape::ArcArrow {
+                center,
+                radius,
+                start,
+                sweep,
+            } => {
+                let run = (radius * sweep).abs();
+                if !(run > 0.0 && run.is_finite()) {
+                    return None;
+                }
+                let length = head_length(run);
+                // The head is straight and lies along the chord of the arc it covers, so that both
+                // its ends are on the circle.
+                let end = start + sweep;
+                let tip = on_circle(center, radius, end);
+                let back = on_circle(
+                    center,
+                    radius,
+                    end - (length / radius.abs()).copysign(sweep),
+                );
+                let (unit, _) = head_along(back, tip)?;
+                Some(head_at(tip, unit, length))
+            }
+            _ => None,
+        }
+    }
+
+    /// The line of an arrow as it is drawn, ending inside its head: a [`Line`](Shape::Line) or an
+    /// [`Arc`](Shape::Arc); none where there is no head.
+    pub fn shaft(&self) -> Option<Self> {
+        match *self {
+            Shape::Arrow { from, to } => {
+                let (unit, length) = head_along(from, to)?;
+                Some(Shape::Line(from, to - unit * (SHAFT_END * length)))
+            }
+            Shape::ArcArrow {
+                center,
+                radius,
+                start,
+                sweep,
+            } => {
+                self.head()?;
+                let covered = SHAFT_END * head_length((radius * sweep).abs()) / radius.abs();
+                Some(Shape::Arc {
+                    center,
+                    radius,
+                    start,
+                    sweep: sweep - covered.copysign(sweep),
+                })
+            }
+            _ => None,
+        }
+    }
+
+    /// The box around the arrowhead, for keeping labels off it; none where [`head`](Shape::head)
+    /// gives none.
+    pub fn head_box(&self) -> Option<Rect> {
+        self.head().map(|corners| around(&corners))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heads_are_shorter_than_their_vectors() {
+        for size in [1e-6, 0.01, 0.3, 1.0, 2.0, 5.2, 5.3, 40.0, 1e4] {
+            for turn in 0..12 {
+                let angle = f64::from(turn) * 0.55;
+                let from = Point::new(20.0, 30.0);
+                let to = on_circle(from, size, angle);
+                let [tip, left, notch, right] = arrow_head(from, to).expect("the arrow has length");
+                assert_eq!(tip, to);
+                let unit = (to - from) / size;
+                for corner in [left, notch, right] {
+                    let back = (to - corner).dot(unit);
+                    assert!(
+                        back > 0.0 && back <= 0.5001 * size && back <= 2.6001,
+                        "{back} of {size}"
+                    );
+                }
+                let Some(Shape::Line(start, end)) = (Shape::Arrow { from, to }).shaft() else {
+                    panic!("no shaft")
+                };
+                assert_eq!(start, from);
+                assert!((end - from).hypot2() < size * size);
+            }
+        }
+        assert_eq!(arrow_head(Point::new(1.0, 1.0), Point::new(1.0, 1.0)), None);
+        assert_eq!(
+            arrow_head(Point::new(f64::NAN, 1.0), Point::new(1.0, 1.0)),
+            None
+        );
+    }
+
+    #[test]
+    fn heads_of_arcs_point_along_them() {
+        for sweep in [2.0, -2.0, 0.1, -5.0] {
+            let arrow = Shape::ArcArrow {
+                center: Point::new(5.0, 5.0),
+                radius: 8.0,
+                start: 0.3,
+                sweep,
+            };
+            let [tip, .., right] = arrow.head().expect("the arc has length");
+            let (_, end) = arrow.ends_of_arc().expect("it is an arc");
+            assert!((tip - end).hypot2() < 1e-20);
+            let tangent =
+                Vec2::new(-libm::sin(0.3 + sweep), libm::cos(0.3 + sweep)) * sweep.signum();
+            assert!((tip - right).dot(tangent) > 0.0);
+            assert!(
+                matches!(arrow.shaft(), Some(Shape::Arc { sweep: less, .. }) if less.abs() < sweep.abs() && less * sweep > 0.0)
+            );
+        }
+        let none = Shape::ArcArrow {
+            center: Point::ORIGIN,
+            radius: 8.0,
+            start: 0.3,
+            sweep: 0.0,
+        };
+        assert_eq!((none.head(), none.shaft()), (None, None));
+    }
+}
