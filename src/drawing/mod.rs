@@ -14,6 +14,7 @@ mod labels;
 mod layout;
 mod legend;
 mod look;
+mod markup;
 mod names;
 mod plan_panel;
 mod scheme;

@@ -12,6 +12,7 @@
 use kurbo::{Point, Rect, Vec2};
 
 mod boxes;
+mod moves;
 mod places;
 mod search;
 

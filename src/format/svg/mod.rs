@@ -2,9 +2,17 @@ use svg::Node;
 use svg::node::element::Element;
 use svg::node::{Blob, Text as TextNode};
 
+#[cfg(test)]
+mod ink;
+mod shapes;
+
+#[cfg(test)]
+pub(crate) use ink::ink_in;
+
 use super::number::{number, push_number};
 use super::outline::{FINEST, IN_FINEST, Tracer};
-use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Point, Shape, look};
+use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Shape, look};
+use shapes::{write_path, write_shape};
 
 /// How texts stand in an SVG file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -174,75 +182,6 @@ fn write_label(written: &mut String, text: Text, mark: &Mark, id: Option<&str>) 
     }
 }
 
-/// One shape in the group of its pen.
-fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: Option<&str>) {
-    // An open line stays clear inside whatever its pen does to areas.
-    let open = if look.fill.is_some() {
-        " fill=\"none\""
-    } else {
-        ""
-    };
-    match shape {
-        Shape::Line(from, to) => {
-            write_path(written, id, "", |data| chain(data, &[*from, *to], false))
-        }
-        Shape::Polyline(points) => write_path(written, id, open, |data| chain(data, points, false)),
-        Shape::Polygon(points) => write_path(written, id, "", |data| chain(data, points, true)),
-        Shape::Circle { center, radius } => {
-            written.push_str("<circle");
-            write_id(written, id);
-            for (name, value) in [("cx", center.x), ("cy", center.y), ("r", radius.abs())] {
-                length(written, name, value);
-            }
-            written.push_str("/>");
-        }
-        Shape::Arc {
-            center,
-            radius,
-            start,
-            sweep,
-        } => {
-            write_path(written, id, open, |data| {
-                arc(data, *center, *radius, *start, *sweep)
-            });
-        }
-        Shape::Arrow { .. } | Shape::ArcArrow { .. } => {
-            // Shaft and head, together under one name.
-            written.push_str("<g");
-            write_id(written, id);
-            written.push('>');
-            if let Some(shaft) = shape.shaft() {
-                write_shape(written, look, &shaft, None);
-            }
-            if let Some(head) = shape.head() {
-                // Without stroke, so that the tip is where the vector ends.
-                let ink = format!(
-                    " fill=\"{}\" stroke=\"none\"",
-                    colour(look.stroke.unwrap_or(look.ink))
-                );
-                write_path(written, None, &ink, |data| chain(data, &head, true));
-            }
-            written.push_str("</g>");
-        }
-        // Texts are written by themselves, in groups of their own.
-        Shape::Text(_) => {}
-    }
-}
-
-fn write_path(
-    written: &mut String,
-    id: Option<&str>,
-    attributes: &str,
-    data: impl FnOnce(&mut String),
-) {
-    written.push_str("<path");
-    write_id(written, id);
-    written.push_str(attributes);
-    written.push_str(" d=\"");
-    data(written);
-    written.push_str("\"/>");
-}
-
 fn write_id(written: &mut String, id: Option<&str>) {
     let Some(id) = id else { return };
     // Names are nearly always plain already.
@@ -260,40 +199,6 @@ fn length(written: &mut String, name: &str, value: f64) {
     }
     push_number(written, value);
     written.push('"');
-}
-
-/// Path data of straight lines through points.
-fn chain(data: &mut String, points: &[Point], closed: bool) {
-    for (index, &point) in points.iter().enumerate() {
-        data.push(if index == 0 { 'M' } else { 'L' });
-        push_point(data, point);
-    }
-    if closed && !points.is_empty() {
-        data.push('Z');
-    }
-}
-
-/// Path data of part of a circle.
-fn arc(data: &mut String, center: Point, radius: f64, start: f64, sweep: f64) {
-    // One arc command cannot say a full turn, and is badly conditioned near one and near a half:
-    // thirds of a turn are safe.
-    let sweep = sweep.clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
-    let parts = (sweep.abs() / 2.1).ceil().max(1.0);
-    let at = |angle: f64| {
-        Point::new(
-            center.x + radius * libm::cos(angle),
-            center.y + radius * libm::sin(angle),
-        )
-    };
-    data.push('M');
-    push_point(data, at(start));
-    let (size, turning) = (number(radius.abs()), if sweep > 0.0 { "1" } else { "0" });
-    for part in 1..=parts as u32 {
-        for piece in ["A", &size, " ", &size, " 0 0 ", turning, " "] {
-            data.push_str(piece);
-        }
-        push_point(data, at(start + sweep * f64::from(part) / parts));
-    }
 }
 
 /// One text as one path, in hundredths of a mm.
@@ -389,91 +294,10 @@ fn colour(Colour { red, green, blue }: Colour) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
-fn push_point(data: &mut String, point: Point) {
-    push_number(data, point.x);
-    data.push(' ');
-    push_number(data, point.y);
-}
-
-/// The box around the ink of all marks but the white ones, in mm of the sheet: left, top, right,
-/// bottom. Another program's letters are the judge of our own.
-#[cfg(test)]
-pub(crate) fn ink_in(svg: &str) -> [f64; 4] {
-    use resvg::usvg::fontdb::{Database, Source};
-    use resvg::usvg::{self, Group, Node, Options, Paint, Tree};
-    use std::sync::Arc;
-    fn gather(group: &Group, ink: &mut [f64; 4]) {
-        for node in group.children() {
-            let own = match node {
-                Node::Group(inner) => {
-                    gather(inner, ink);
-                    continue;
-                }
-                Node::Text(text) => text.flattened().abs_bounding_box(),
-                Node::Path(path) => match path.fill().map(usvg::Fill::paint) {
-                    Some(Paint::Color(colour)) if *colour != usvg::Color::white() => {
-                        path.abs_bounding_box()
-                    }
-                    _ => continue,
-                },
-                Node::Image(_) => continue,
-            };
-            // 96 pixels in an inch.
-            let own = [own.left(), own.top(), own.right(), own.bottom()]
-                .map(|side| f64::from(side) * 25.4 / 96.0);
-            for (side, own) in own.into_iter().enumerate() {
-                ink[side] = if side < 2 {
-                    ink[side].min(own)
-                } else {
-                    ink[side].max(own)
-                };
-            }
-        }
-    }
-    let mut fonts = Database::new();
-    for face in [crate::drawing::REGULAR, crate::drawing::ITALIC] {
-        fonts.load_font_source(Source::Binary(Arc::new(face)));
-    }
-    let fontdb = Arc::new(fonts);
-    let options = Options {
-        fontdb,
-        ..Options::default()
-    };
-    let tree = Tree::from_str(svg, &options).expect("it is SVG");
-    let (least, most) = (f64::INFINITY, f64::NEG_INFINITY);
-    let mut ink = [least, least, most, most];
-    gather(tree.root(), &mut ink);
-    ink
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Pen, RichText};
-
-    #[test]
-    fn numbers_are_short_and_rounded_to_a_micrometre() {
-        let cases = [
-            (0.0, "0"),
-            (-0.0, "0"),
-            (-0.0004, "0"),
-            (0.0005, "0.001"),
-            (1.0, "1"),
-            (-1.5, "-1.5"),
-            (12.3456, "12.346"),
-            (0.05, "0.05"),
-            (0.1 + 0.2, "0.3"),
-            (210.0, "210"),
-            (-0.001, "-0.001"),
-            (1.02, "1.02"),
-            (f64::NAN, "0"),
-            (1e6, "1000000"),
-        ];
-        for (value, text) in cases {
-            assert_eq!(number(value), text);
-        }
-        assert_eq!(number(f64::INFINITY), "9223372036854775.807");
-    }
+    use crate::drawing::{Pen, Point, RichText};
 
     #[test]
     fn hostile_texts_are_escaped() {
@@ -556,21 +380,5 @@ mod tests {
         let arrow = "<g id=\"vector-v\"><path d=\"M0 10L18.18 10\"/><path fill=\"#0b4f8a\" stroke=\"none\" \
                      d=\"M20 10L17.4 10.442L17.816 10L17.4 9.558Z\"/></g>";
         assert!(file.contains(arrow), "{file}");
-    }
-
-    #[test]
-    fn a_full_turn_is_drawn() {
-        let mut data = String::new();
-        arc(
-            &mut data,
-            Point::new(5.0, 5.0),
-            2.0,
-            0.0,
-            std::f64::consts::TAU,
-        );
-        assert_eq!(
-            data,
-            "M7 5A2 2 0 0 1 4 6.732A2 2 0 0 1 4 3.268A2 2 0 0 1 7 5"
-        );
     }
 }

@@ -1,0 +1,336 @@
+//! From letters with markup to runs: which face each letter takes, where scripts stand.
+
+use kurbo::{Point, Rect};
+
+use super::fonts::{self, Extent};
+use super::text::Run;
+
+// Proportions of scripts, in em of what they hang on; near those of TeX for a serif of this
+// x-height.
+const SCRIPT_SCALE: f64 = 0.7;
+const SMALLEST_SCALE: f64 = 0.5;
+const SUBSCRIPT_DROP: f64 = 0.2;
+/// Deeper where a superscript stands above, so that the two keep apart.
+const SUBSCRIPT_DROP_BELOW_SUPERSCRIPT: f64 = 0.27;
+const SUPERSCRIPT_RISE: f64 = 0.38;
+/// White before and after scripts, and after a slanted letter that leans towards an upright one.
+const SCRIPT_GAP: f64 = 0.03;
+/// Scripts of scripts of scripts are as deep as any label goes; beyond, markup is taken literally.
+const DEEPEST: usize = 3;
+
+/// How letters are set.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Style {
+    /// Letters slanted, digits and signs upright.
+    Math,
+    /// All upright.
+    Plain,
+}
+
+/// Which face a letter takes and whether it must stand in a run of its own.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Italic,
+    Upright,
+    /// A sign that only some fonts have. One missing glyph makes some viewers take another font for
+    /// the whole run, so such signs stand alone.
+    Sign,
+}
+
+/// A letter as it will be drawn, or none for one that must not reach a file.
+fn printable(letter: char) -> Option<char> {
+    match letter {
+        letter if letter.is_whitespace() => Some(' '),
+        letter if letter.is_control() => None,
+        // Not allowed in XML.
+        '\u{FFFE}' | '\u{FFFF}' => None,
+        letter => Some(letter),
+    }
+}
+
+/// Sets letters one after another and keeps the runs, the pen and the ink.
+pub(super) struct Setter {
+    style: Style,
+    pub(super) runs: Vec<Run>,
+    pub(super) ink: Option<Rect>,
+    pub(super) pen: Point,
+    scale: f64,
+    /// The run being gathered.
+    content: String,
+    kind: Kind,
+    /// By how much the last run leans over the pen.
+    lean: f64,
+}
+
+impl Setter {
+    /// Sets a line of text; without `markup` letter by letter.
+    pub(super) fn set(source: &str, style: Style, markup: bool) -> Self {
+        let letters: Vec<char> = source.chars().filter_map(printable).collect();
+        let mut setter = Setter::new(style);
+        setter.line(&letters, if markup { DEEPEST } else { 0 });
+        setter
+    }
+
+    fn new(style: Style) -> Self {
+        let (pen, kind) = (Point::ORIGIN, Kind::Upright);
+        Self {
+            style,
+            runs: Vec::new(),
+            ink: None,
+            pen,
+            scale: 1.0,
+            content: String::new(),
+            kind,
+            lean: 0.0,
+        }
+    }
+
+    /// Sets letters with scripts up to a depth, and ends the last run.
+    fn line(&mut self, letters: &[char], depth: usize) {
+        let mut rest = letters;
+        while let Some((&letter, after)) = rest.split_first() {
+            if depth > 0 && script(rest).is_some() {
+                rest = self.scripts(rest, depth);
+            } else {
+                self.letter(letter);
+                rest = after;
+            }
+        }
+        self.end_run();
+    }
+
+    /// Sets the one or two scripts that `letters` starts with; returns what follows.
+    fn scripts<'a>(&mut self, letters: &'a [char], depth: usize) -> &'a [char] {
+        self.end_run();
+        let (base, scale, lean) = (self.pen, self.scale, self.lean);
+        let (mut subscript, mut superscript, mut rest) = (None, None, letters);
+        while let Some((mark, body, after)) = script(rest) {
+            let place = if mark == '_' {
+                &mut subscript
+            } else {
+                &mut superscript
+            };
+            if place.is_some() {
+                break;
+            }
+            *place = Some(body);
+            rest = after;
+        }
+        let drop = if superscript.is_some() {
+            SUBSCRIPT_DROP_BELOW_SUPERSCRIPT
+        } else {
+            SUBSCRIPT_DROP
+        };
+        let mut end: f64 = base.x;
+        for (body, lean, shift) in [
+            (subscript, 0.0, drop),
+            (superscript, lean, -SUPERSCRIPT_RISE),
+        ] {
+            let Some(body) = body else { continue };
+            self.pen = Point::new(base.x + lean + SCRIPT_GAP * scale, base.y + shift * scale);
+            self.scale = (scale * SCRIPT_SCALE).max(SMALLEST_SCALE);
+            self.lean = 0.0;
+            self.line(body, depth - 1);
+            end = end.max(self.pen.x + self.lean);
+        }
+        self.pen = Point::new(end + SCRIPT_GAP * scale, base.y);
+        self.scale = scale;
+        self.lean = 0.0;
+        rest
+    }
+
+    fn letter(&mut self, letter: char) {
+        if letter == ' ' {
+            return self.space();
+        }
+        let letter = match (self.style, letter) {
+            (Style::Math, '\'') => '′',
+            (Style::Math, '-') => '−',
+            _ => letter,
+        };
+        // Two primes are one sign of their own, closer together.
+        if letter == '′' && self.content == "′" {
+            self.content.clear();
+            self.content.push('″');
+            return;
+        }
+        let kind = self.kind_of(letter);
+        if kind != self.kind || kind == Kind::Sign {
+            self.end_run();
+        }
+        if self.content.is_empty()
+            && kind != Kind::Italic
+            && !matches!(letter, '.' | ',' | ';' | ':')
+        {
+            self.pen.x += self.lean;
+        }
+        self.kind = kind;
+        self.content.push(letter);
+    }
+
+    /// A space joins the run it stands in; where a run cannot keep it, the pen moves instead.
+    fn space(&mut self) {
+        if self.content.is_empty() || self.content.ends_with(' ') {
+            self.end_run();
+            self.pen.x += self.scale * fonts::face(false).measure(" ").advance;
+            self.lean = 0.0;
+        } else {
+            self.content.push(' ');
+        }
+    }
+
+    fn kind_of(&self, letter: char) -> Kind {
+        let slanted =
+            self.style == Style::Math && letter.is_alphabetic() && fonts::face(true).has(letter);
+        // Latin, Greek, Cyrillic and the marks of Western texts are in every serif font.
+        let common = matches!(letter, ' '..='~' | '\u{A0}'..='\u{4FF}' | '–' | '—' | '‘' | '’' | '“' | '”' | '…')
+            && fonts::face(false).has(letter);
+        match (slanted, common) {
+            (true, _) => Kind::Italic,
+            (false, true) => Kind::Upright,
+            (false, false) => Kind::Sign,
+        }
+    }
+
+    /// Measures the run gathered so far and moves the pen past it.
+    fn end_run(&mut self) {
+        let content = std::mem::take(&mut self.content);
+        let letters = content.trim_end();
+        if letters.is_empty() {
+            return;
+        }
+        let italic = self.kind == Kind::Italic;
+        let face = fonts::face(italic);
+        let Extent { advance, ink } = face.measure(letters);
+        let spaces =
+            (content.len() - letters.len()) as f64 * fonts::face(false).measure(" ").advance;
+        self.runs.push(Run {
+            content: letters.to_owned(),
+            italic,
+            scale: self.scale,
+            x: self.pen.x,
+            y: self.pen.y,
+        });
+        if let Some(ink) = ink {
+            let scale = self.scale;
+            let here = Rect::new(
+                ink.x0 * scale,
+                ink.y0 * scale,
+                ink.x1 * scale,
+                ink.y1 * scale,
+            ) + self.pen.to_vec2();
+            self.ink = Some(self.ink.map_or(here, |all| all.union(here)));
+        }
+        let over = ink.map_or(0.0, |ink| ink.x1 - advance).max(0.0);
+        let leans = italic && spaces == 0.0 && over > 0.0;
+        self.lean = if leans {
+            (over + SCRIPT_GAP) * self.scale
+        } else {
+            0.0
+        };
+        self.pen.x += (advance + spaces) * self.scale;
+    }
+}
+
+/// The script that letters start with: its mark, its body, what follows; none where the mark is
+/// literal.
+fn script(letters: &[char]) -> Option<(char, &[char], &[char])> {
+    let (&mark, after) = letters.split_first()?;
+    if !matches!(mark, '_' | '^') {
+        return None;
+    }
+    let (&first, rest) = after.split_first()?;
+    match first {
+        '{' => {
+            let mut open = 1;
+            let close = rest.iter().position(|&letter| {
+                open += match letter {
+                    '{' => 1,
+                    '}' => -1,
+                    _ => 0,
+                };
+                open == 0
+            })?;
+            Some((mark, &rest[..close], &rest[close + 1..]))
+        }
+        '_' | '^' | ' ' => None,
+        _ => Some((mark, &after[..1], rest)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::text::RichText;
+    use kurbo::Rect;
+
+    fn contents(text: &RichText) -> Vec<(&str, bool)> {
+        text.runs()
+            .iter()
+            .map(|run| (run.content.as_str(), run.italic))
+            .collect()
+    }
+
+    #[test]
+    fn letters_slant_and_signs_stand_alone() {
+        let text = RichText::math("v_{CB} ⊥ (B'C) 2ω");
+        let expected = [
+            ("v", true),
+            ("CB", true),
+            ("⊥", false),
+            ("(", false),
+            ("B", true),
+            ("′", false),
+            ("C", true),
+            (") 2", false),
+            ("ω", true),
+        ];
+        assert_eq!(contents(&text), expected);
+        assert_eq!(
+            contents(&RichText::plain("v = 2 mm")),
+            [("v = 2 mm", false)]
+        );
+        assert_eq!(
+            contents(&RichText::verbatim("a_b^{c}")),
+            [("a_b^{c}", false)]
+        );
+        assert_eq!(
+            contents(&RichText::math("d''")),
+            [("d", true), ("″", false)]
+        );
+    }
+
+    #[test]
+    fn scripts_of_one_base_stand_one_above_the_other() {
+        for source in ["a^{n}_{CB}", "a_{CB}^n"] {
+            let text = RichText::math(source);
+            let find = |content: &str| {
+                text.runs()
+                    .iter()
+                    .find(|run| run.content == content)
+                    .expect("it was set")
+            };
+            let (above, below) = (find("n"), find("CB"));
+            assert!(above.y < 0.0 && below.y > 0.0 && above.scale == 0.7);
+            assert!((above.x - below.x).abs() < 0.15);
+        }
+    }
+
+    #[test]
+    fn odd_markup_is_literal() {
+        for (source, content) in [
+            ("a_", "a_"),
+            ("a_{b", "a_{b"),
+            ("_", "_"),
+            ("a__b", "a_b"),
+            ("a_{}", "a"),
+            ("", ""),
+            ("a}", "a}"),
+        ] {
+            assert_eq!(RichText::plain(source).content(), content, "{source}");
+        }
+        let deep = RichText::plain(&"a_{".repeat(40));
+        assert!(deep.width(1.0).is_finite());
+        assert_eq!(RichText::plain("a\u{0}\u{7}b\tc").content(), "ab c");
+        assert_eq!(RichText::plain("   ").ink_box(4.0), Rect::ZERO);
+    }
+}
