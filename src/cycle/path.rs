@@ -1,6 +1,6 @@
 use super::event::dead_positions;
 use super::segment::{Node, Segment};
-use super::start::start;
+use super::start::{stands, start};
 use super::trace::{Traced, trace};
 use super::{CycleError, Event, Position, Walker};
 use crate::geometry::{Number, span};
@@ -144,9 +144,9 @@ impl<'a> Path<'a> {
             }
         };
         let inputs: Vec<[f64; 2]> = (0..kernel.inputs.len())
-            .map(|i| [kernel.inputs[i].value, ratio(i)])
+            .map(|i| [stands(&kernel.inputs[i], pose), ratio(i)])
             .collect();
-        let origin = kernel.inputs[drive.input].value;
+        let origin = inputs[drive.input][0];
         let mut block = start(&kernel, mechanism, pose);
         let closed = kernel.assemble(&mut block).closed;
         let path = Path {

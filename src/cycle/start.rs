@@ -1,5 +1,5 @@
-use crate::geometry::{Pair, Turn};
-use crate::kernel::{Block, Kernel, Single, Unknown};
+use crate::geometry::{Pair, Turn, degrees_of};
+use crate::kernel::{Block, Input, InputKind, Kernel, Single, Unknown};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 
@@ -7,7 +7,7 @@ use crate::position::Pose;
 pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Single {
     let mut block = Block::new(kernel);
     for (index, input) in kernel.inputs.iter().enumerate() {
-        kernel.set_input(&mut block, index, &[input.value]);
+        kernel.set_input(&mut block, index, &[stands(input, pose)]);
     }
     for unknown in kernel.unknowns.iter().flatten() {
         match *unknown {
@@ -28,4 +28,13 @@ pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Sing
         }
     }
     block
+}
+
+/// Where a drive stands: what the scene says, or what the pose has found.
+pub(super) fn stands(input: &Input, pose: &Pose) -> f64 {
+    let found = match input.kind {
+        InputKind::Turning { .. } => pose.axes[input.body.0].map(degrees_of),
+        InputKind::Sliding { slider } => pose.slides[slider],
+    };
+    input.value.or(found).unwrap_or(0.0)
 }

@@ -49,8 +49,8 @@ pub struct Input {
     pub body: BodyId,
     /// Whether it turns or slides.
     pub kind: InputKind,
-    /// The scene's angle in degrees, or position along the guide.
-    pub value: f64,
+    /// The scene's angle in degrees, or position along the guide; none where something else says where it stands.
+    pub value: Option<f64>,
     /// The scene's angular velocity, or speed along the guide.
     pub rate: f64,
     /// The scene's angular acceleration, or acceleration along the guide.
@@ -233,7 +233,7 @@ impl<'a> Compiler<'a> {
                     self.kernel.inputs.push(Input {
                         body: id,
                         kind: InputKind::Turning { class },
-                        value: angle.unwrap_or(0.0),
+                        value: angle,
                         rate: omega,
                         second: alpha,
                     });
@@ -247,7 +247,7 @@ impl<'a> Compiler<'a> {
                     self.kernel.inputs.push(Input {
                         body: id,
                         kind: InputKind::Sliding { slider: slider.0 },
-                        value: position.unwrap_or(0.0),
+                        value: position,
                         rate: speed,
                         second: acceleration,
                     });
