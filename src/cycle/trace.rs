@@ -21,15 +21,23 @@ const OFF: f64 = 0.1;
 /// The part that must be left of a group's determinant after a step: a limit is approached by ever smaller steps.
 const DETERMINANT_LEFT: f64 = 0.2;
 
-/// Steps below this part of a turn have met something.
-const SMALLEST: f64 = 1e-13;
+/// Steps below this part of a turn have met something, and are as near to it as is known in f64: much shorter ones could
+/// hop to another branch.
+const SMALLEST: f64 = 1e-11;
 
 /// How near a limit must have been approached, in parts of a turn, for its estimate to be exact: what it leaves out is of the
-/// size of the distance's square.
+/// size of the distance's square, over the distance to the next limit.
 const NEAR_LIMIT: f64 = 1e-7;
 
-/// How far before a change position its leap begins, in parts of a turn.
-const LEAP: f64 = 0.004;
+/// How far before a change position a leap may begin, in parts of a turn: shorter ones are for motions that are quick there.
+const LEAPS: [f64; 4] = [4e-3, 4e-4, 4e-5, 4e-6];
+
+/// How near a change position is approached before the leap, in parts of a turn: there rates are still known well.
+const NEAR_CHANGE: f64 = 4e-7;
+
+/// By how much rates may grow from the beginning of a leap to there. They grow more before two limits with nothing between
+/// them, and where two branches only come near each other; but what is less than about 1e-6 of a turn wide counts as one change position.
+const GROWTH: f64 = 1.3;
 
 /// The largest first correction after a leap, in radians or parts of the group's size.
 const LEAP_OFF: f64 = 1e-5;
@@ -58,6 +66,11 @@ pub(super) fn trace(path: &Path, first: Node, target: f64) -> Traced {
         if left <= 0.0 {
             break;
         }
+        if let Some(leap) = leap(path, &nodes, forward, NEAR_CHANGE) {
+            traced.changes.push(leap.land(&mut nodes));
+            step = unit / 360.0;
+            continue;
+        }
         let tried = step.min(left);
         let to = if tried < left {
             last.value + forward * tried
@@ -76,35 +89,27 @@ pub(super) fn trace(path: &Path, first: Node, target: f64) -> Traced {
             }
             None => {
                 step = 0.5 * tried;
-                let limit = limit_ahead(path, &nodes, forward);
-                let limit = limit.filter(|[_, away]| away.abs() < NEAR_LIMIT * unit);
-                let near = limit.is_some_and(|[_, away]| step < 0.3 * away.abs());
-                if step > SMALLEST * unit && !near {
+                if step > SMALLEST * unit {
                     continue;
                 }
-                let links = path.mechanism.groups[dullest(last)].link_names(path.mechanism);
-                // A leap proves itself; what rounding has left of the rates near a change position may look like a limit.
-                if let Some((kept, node, at)) = leap(path, &nodes, forward) {
-                    nodes.truncate(kept);
-                    nodes.push(node);
-                    traced.changes.push(Event {
-                        at,
-                        what: Happening::Change { links },
-                    });
+                // Very unequal links leave rates too little known to come as near as that.
+                if let Some(leap) = leap(path, &nodes, forward, LEAPS[0]) {
+                    traced.changes.push(leap.land(&mut nodes));
                     step = unit / 360.0;
                     continue;
                 }
-                if let Some([at, _]) = limit {
-                    traced.end = Some(Event {
+                let links = dullest_links(path, last);
+                let limit = limit_ahead(path, &nodes, forward);
+                let limit = limit.filter(|[_, away]| away.abs() < NEAR_LIMIT * unit);
+                traced.end = Some(match limit {
+                    Some([at, _]) => Event {
                         at,
                         what: Happening::Limit { links },
-                    });
-                    break;
-                }
-                let at = last.value;
-                traced.end = Some(Event {
-                    at,
-                    what: Happening::Singular { links },
+                    },
+                    None => Event {
+                        at: last.value,
+                        what: Happening::Singular { links },
+                    },
                 });
                 break;
             }
@@ -171,10 +176,27 @@ fn allowed(step: f64) -> f64 {
 }
 
 /// The group nearest to a singular position.
-fn dullest(node: &Node) -> usize {
+fn dullest(node: &Node) -> Option<usize> {
     let sharpness = node.determinants.iter().map(|[_, sharpness]| sharpness);
     let least = sharpness.enumerate().min_by(|a, b| a.1.total_cmp(b.1));
-    least.map_or(0, |(group, _)| group)
+    least.map(|(group, _)| group)
+}
+
+/// Names of the links of the group nearest to a singular position.
+fn dullest_links(path: &Path, node: &Node) -> String {
+    let name = |group: usize| path.mechanism.groups[group].link_names(path.mechanism);
+    dullest(node).map_or_else(String::new, name)
+}
+
+/// The fastest rate of a group's unknowns; slides count in parts of the mechanism's size.
+fn fastest(path: &Path, node: &Node, group: usize) -> f64 {
+    let size = path.size();
+    let unknowns = path.kernel.unknowns[group].iter();
+    let rates = unknowns.map(|unknown| match *unknown {
+        Unknown::Spin(class) => node.block.omegas[class][0].abs(),
+        Unknown::Slide(slider) => node.block.speeds[slider][0].abs() / size,
+    });
+    rates.fold(0.0, f64::max)
 }
 
 /// Where the limit lies whose approach shows in the rates, and how far ahead; `None` if there is none.
@@ -183,7 +205,7 @@ fn dullest(node: &Node) -> usize {
 /// d = (dx/dv) / (2 d²x/dv²), but for a term of the power 3/2 of d, which two nodes remove (Richardson, 1911).
 fn limit_ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<[f64; 2]> {
     let last = &nodes[nodes.len() - 1];
-    let group = dullest(last);
+    let group = dullest(last)?;
     let determinant = |node: &Node| node.determinants[group][0];
     // A node that is some way back, seen by the determinant.
     let back = |n: &&Node| determinant(n) / determinant(last) >= 2.0;
@@ -216,53 +238,97 @@ fn limit_ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<[f64; 2]> {
     Some([place, near])
 }
 
-/// Leaps over a change position, where a determinant passes through zero while the motion stays smooth.
+/// A way over a change position.
+struct Leap {
+    /// How many nodes lie before it.
+    kept: usize,
+    /// The node on the other side.
+    node: Node,
+    /// The change position.
+    event: Event,
+}
+
+impl Leap {
+    /// Goes on from the other side.
+    fn land(self, nodes: &mut Vec<Node>) -> Event {
+        nodes.truncate(self.kept);
+        nodes.push(self.node);
+        self.event
+    }
+}
+
+/// The leap over a change position less than this part of a turn ahead, where a determinant passes through zero while the
+/// motion stays smooth.
 ///
-/// Returns how many nodes are kept, the node on the other side, and the position. The polynomial of a segment well before it is
-/// followed to the other side; the leap is sure where that meets the mechanism to [`LEAP_OFF`] and the determinant has changed its sign.
-fn leap(path: &Path, nodes: &[Node], forward: f64) -> Option<(usize, Node, f64)> {
-    let last = &nodes[nodes.len() - 1];
-    let group = dullest(last);
+/// A leap proves itself; going on by steps, rounding would take what rates are left for a limit, or for the branch that crosses this one.
+fn leap(path: &Path, nodes: &[Node], forward: f64, within: f64) -> Option<Leap> {
+    let [.., before, last] = nodes else {
+        return None;
+    };
+    let group = dullest(last)?;
     let determinant = |node: &Node| node.determinants[group][0];
-    let before = &nodes[nodes.len().checked_sub(2)?];
     // The determinant goes to zero in proportion to the distance.
     let fall = (determinant(before) - determinant(last)) / (before.value - last.value);
-    let rough = last.value - determinant(last) / fall;
-    let away = |node: &Node| (rough - node.value) * forward;
-    let far = nodes.iter().rposition(|n| away(n) >= LEAP * path.unit())?;
-    let near = far + 1;
-    let segment = Segment::new(&path.kernel, &nodes[far], nodes.get(near)?);
+    let zero = last.value - determinant(last) / fall;
+    let away = |node: &Node| (zero - node.value) * forward / path.unit();
+    if away(last).is_nan() || away(last).abs() > within {
+        return None;
+    }
+    let known = nodes.iter().rfind(|n| away(n) >= NEAR_CHANGE)?;
+    LEAPS.into_iter().find_map(|length| {
+        let far = nodes.iter().rposition(|n| away(n) >= length)?;
+        let grown = fastest(path, known, group) > GROWTH * fastest(path, &nodes[far], group);
+        let (node, at) = leap_from(path, &nodes[far..], group, zero).filter(|_| !grown)?;
+        let links = path.mechanism.groups[group].link_names(path.mechanism);
+        let what = Happening::Change { links };
+        Some(Leap {
+            kept: far + 1,
+            node,
+            event: Event { at, what },
+        })
+    })
+}
+
+/// Leaps from the first of these nodes to the other side of the `zero` of a group's determinant.
+///
+/// The polynomial from there to the next node is followed to the other side; the leap is sure where that meets the mechanism to
+/// [`LEAP_OFF`] and the determinant has changed its sign: on the branch that crosses this one it has not.
+fn leap_from(path: &Path, nodes: &[Node], group: usize, zero: f64) -> Option<(Node, f64)> {
+    let [far, near, ..] = nodes else {
+        return None;
+    };
+    let determinant = |node: &Node| node.determinants[group][0];
+    let width = zero - far.value;
+    let segment = Segment::new(&path.kernel, far, near);
     let land = |value: f64, segment: &Segment| {
-        let mut block = nodes[near].block.clone();
+        let mut block = near.block.clone();
         path.set_inputs(&mut block, &[value]);
         segment.predict(&[value], &mut block);
         let found = path.kernel.assemble(&mut block);
         (found.closed && found.first <= LEAP_OFF).then(|| Node::new(path, value, block))
     };
-    let mut node = land(rough + away(&nodes[far]) * forward, &segment)?;
+    let mut node = land(zero + width, &segment)?;
     path.unit_rates(&mut node.block);
-    let ratio = determinant(&node) / determinant(&nodes[far]);
-    if !(-5.0..=-0.2).contains(&ratio) {
+    if !(-5.0..=-0.2).contains(&(determinant(&node) / determinant(far))) {
         return None;
     }
     // The determinant's zero by inverse interpolation through four positions around it.
-    let whole = Segment::new(&path.kernel, &nodes[far], &node);
-    let width = away(&nodes[far]) / 8.0;
-    let around = [-2.0, -1.0, 1.0, 2.0].map(|k| land(rough + k * width, &whole));
+    let whole = Segment::new(&path.kernel, far, &node);
+    let around = [-0.25, -0.125, 0.125, 0.25].map(|part| land(zero + part * width, &whole));
     let samples: Vec<[f64; 2]> = around
         .iter()
         .flatten()
-        .map(|n| [determinant(n), n.value - rough])
+        .map(|n| [determinant(n), n.value - zero])
         .collect();
     if samples.len() < around.len() {
         return None;
     }
-    let mut at = rough;
+    let mut at = zero;
     for (i, [own, offset]) in samples.iter().enumerate() {
         let others = samples.iter().enumerate().filter(|(j, _)| *j != i);
         at += others.fold(*offset, |term, (_, [other, _])| {
             term * other / (other - own)
         });
     }
-    Some((far + 1, node, at))
+    Some((node, at))
 }
