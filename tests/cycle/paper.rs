@@ -40,7 +40,7 @@ fn rates_grow_as_the_square_root_says() {
     path.cover(None, None).expect("it can be followed");
     let limit: f64 = LIMIT.parse().expect("a number");
     let [two, four] = ["2", "4"].map(|name| mechanism.link(name).expect("a link"));
-    let mut walker = path.walker::<1>();
+    let mut walker = path.walker();
     let coefficients = [
         0.208_316_168_621_543_87,
         -0.497_530_652_798_679_3,
