@@ -43,7 +43,7 @@ impl Scheme<'_> {
     /// Where the ground lies from a pivot: below it, but above it where links hang down and none stands up.
     fn down(&self, view: &View, point: PointId) -> Vec2 {
         // How far off the vertical a link is in the way.
-        let steep = libm::cos(45.0_f64.to_radians());
+        let steep = libm::cos(50.0_f64.to_radians());
         let links = self.mechanism.links();
         let own: Vec<(BodyId, &Body)> = links.filter(|l| l.1.points.contains(&point)).collect();
         let is_own = |link: BodyId| own.iter().any(|(id, _)| *id == link);

@@ -75,6 +75,9 @@ impl Scheme<'_> {
             return None;
         }
         let [a, b] = [a, b].map(|end| self.at(view, end));
+        if (b - a).hypot() <= ON_LINE {
+            return None;
+        }
         let mut bars = vec![[a, b]];
         for point in others {
             let from = self.at(view, point);
