@@ -187,3 +187,47 @@ impl Random {
         (z >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::mechanism;
+    use crate::scene::Scene;
+
+    /// Shapes in the coordinates of the fixed frame: where the rough places are true, no link is turned.
+    #[test]
+    fn the_first_starts_are_near_the_rough_places() {
+        let scene = Scene::read(
+            r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [100, -10] },
+            "links": {
+                "1": { "shape": { "A": [0, 0], "B": [30, 25] }, "drive": { "angle": 0, "omega": 1 } },
+                "2": { "shape": { "B": [30, 25], "J": [40, 60], "K": [75, 90] } },
+                "3": { "shape": { "K": [75, 90], "L": [95, 70] } },
+                "4": { "shape": { "L": [95, 70], "C": [110, 50] } },
+                "5": { "shape": { "C": [110, 50], "D": [100, -10] } } },
+            "sliders": [{ "link": "4", "at": "L", "on": "2", "through": [40, 60], "along": [55, 10], "turned": -10.304846468766033 }],
+            "near": { "J": [40, 60], "K": [75, 90], "angle(3)": 0, "C": [110, 50] } }"#,
+        )
+        .expect("a scene");
+        let mechanism = mechanism(&scene).expect("a mechanism");
+        let known = Frames::known(&mechanism);
+        let rough = Rough::new(&mechanism, &scene.near);
+        let mut search = Search::new(&mechanism, &mechanism.groups[0], &known, &[0.0], &rough);
+        let angle =
+            |start: &Assembled, link: &BodyId| start.frames.of(*link).map(|f| f.rotation.angle());
+        let links = mechanism.groups[0].links.clone();
+        for _ in 0..GUIDED {
+            let start = search.start();
+            for link in &links {
+                let angle = angle(&start, link).expect("all links are placed");
+                assert!(angle.abs() < 1e-12, "{link:?} is turned by {angle}");
+            }
+        }
+        let by_lot = search.start();
+        assert!(
+            links
+                .iter()
+                .any(|link| angle(&by_lot, link).is_some_and(|a| a.abs() > 0.1))
+        );
+    }
+}
