@@ -183,7 +183,7 @@ fn largest_correction<T: Number, const M: usize>(block: &Block<T, M>, closing: &
     if slides == 0.0 {
         return turns;
     }
-    let mut size: f64 = 0.0;
+    let mut size = closing.reach;
     for member in &closing.members {
         for arm in &block.arms[member.arm] {
             size = size.max(arm.x.largest()).max(arm.y.largest());

@@ -116,6 +116,9 @@ pub(super) struct Closing {
     pub unknowns: Vec<Unknown>,
     /// Whether and how two equations can be split off; unknowns are then in the order shared, shared, own, own.
     pub reduction: Option<Reduction>,
+    /// The largest component of a member's vector with all sliders at zero; not zero. All of a loop may be of one class,
+    /// whose vector is zero where the loop closes.
+    pub reach: f64,
 }
 
 /// All that a loop passes of one class.
@@ -435,10 +438,16 @@ impl<'a> Compiler<'a> {
             columns: Vec::new(),
             reduction: equations.reduction,
             unknowns,
+            reach: 0.0,
         };
         for chain in &group.loops {
             self.chain(chain, &mut closing);
         }
+        let components = closing
+            .members
+            .iter()
+            .flat_map(|m| [m.local.x.abs(), m.local.y.abs()]);
+        closing.reach = components.fold(f64::MIN_POSITIVE, f64::max);
         closing
     }
 

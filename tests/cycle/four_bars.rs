@@ -4,8 +4,8 @@ use crate::exact::Exact;
 use crate::random::Random;
 use crate::{LOCATED, path, posed};
 use kinegon::cycle::Happening;
-use kinegon::plan::State;
 use kinegon::geometry::Point;
+use kinegon::plan::State;
 
 pub struct FourBar {
     pub crank: f64,
@@ -49,12 +49,13 @@ impl FourBar {
         let d = square.sqrt();
         // Heron's formula as Kahan wrote it, by the four sums.
         let area = (d + b + c) * (d + b - c) * (d - b + c) * (b + c - d);
-        if area < 0.0 { return None; }
+        if area < 0.0 {
+            return None;
+        }
         let across = hand * area.sqrt() / (2.0 * square);
         Some([x + along * dx - across * dy, y + along * dy + across * dx])
     }
 }
-
 
 /// sin²(θ/2) where the diagonal is as long as this, in exact arithmetic up to the last division.
 fn half_sine_square(bar: &FourBar, diagonal: Exact) -> f64 {
@@ -73,34 +74,68 @@ fn nasty() {
         for trial in 0..60 {
             let deficit = -libm::pow(10.0, -f64::from(exponent));
             let crank = 1.0 + random.unit();
-            let ground = crank + 2.0*random.unit()+0.2;
-            let coupler = crank + 2.0*random.unit()+0.2;
-            let rocker = match random.below(3) { 0 => ground + coupler - crank - deficit, 1 => ground - coupler + crank + deficit, _ => coupler - ground + crank + deficit };
-            if rocker < crank*1.01 { continue; }
-            let bar = FourBar { crank, coupler, rocker, ground };
-            let at = random.unit()*360.0;
+            let ground = crank + 2.0 * random.unit() + 0.2;
+            let coupler = crank + 2.0 * random.unit() + 0.2;
+            let rocker = match random.below(3) {
+                0 => ground + coupler - crank - deficit,
+                1 => ground - coupler + crank + deficit,
+                _ => coupler - ground + crank + deficit,
+            };
+            if rocker < crank * 1.01 {
+                continue;
+            }
+            let bar = FourBar {
+                crank,
+                coupler,
+                rocker,
+                ground,
+            };
+            let at = random.unit() * 360.0;
             for hand in [1.0, -1.0] {
-                let Some(c) = bar.joint(at, hand) else { continue };
+                let Some(c) = bar.joint(at, hand) else {
+                    continue;
+                };
                 let (mechanism, pose) = posed(&bar.scene(at, c));
                 let mut path = path(&mechanism, &pose);
                 path.cover(None, None).unwrap();
-                for event in path.events() { match event.what {
-                    Happening::Change{..} => stats[0] += 1,
-                    Happening::Singular{..} => stats[1] += 1,
-                    Happening::Limit{..} => { stats[2] += 1;
-                        let squares = [Exact::from(coupler)+rocker.into(), Exact::from(coupler)-rocker.into()].map(|d| half_sine_square(&bar, d)).into_iter().filter(|s| *s>=0.0 && *s <= 1.0);
-                        let half = 0.5 * event.at.to_radians();
-                        let (s, c) = libm::sincos(half);
-                        let err = squares.map(|q| { ((s*s - q) / (s*c).abs()).abs() }).fold(f64::MAX, f64::min);
-                        let allowed = 2e-12*3.14159 + 4e-16/(s*c).abs();
-                        let err = err / allowed;
-                        if err > 1.0 { println!("{deficit:e} {crank} {coupler} {rocker} {ground} at {at} hand {hand} {event:?} err {err:e} {:e}", (s*c).abs()); stats[3] += 1 }
-                        lim = lim.max(err);
-                    },
-                    _ => {} } }
+                for event in path.events() {
+                    match event.what {
+                        Happening::Change { .. } => stats[0] += 1,
+                        Happening::Singular { .. } => stats[1] += 1,
+                        Happening::Limit { .. } => {
+                            stats[2] += 1;
+                            let squares = [
+                                Exact::from(coupler) + rocker.into(),
+                                Exact::from(coupler) - rocker.into(),
+                            ]
+                            .map(|d| half_sine_square(&bar, d))
+                            .into_iter()
+                            .filter(|s| *s >= 0.0 && *s <= 1.0);
+                            let half = 0.5 * event.at.to_radians();
+                            let (s, c) = libm::sincos(half);
+                            let err = squares
+                                .map(|q| ((s * s - q) / (s * c).abs()).abs())
+                                .fold(f64::MAX, f64::min);
+                            let allowed = 2e-12 * 3.14159 + 4e-16 / (s * c).abs();
+                            let err = err / allowed;
+                            if err > 1.0 {
+                                println!(
+                                    "{deficit:e} {crank} {coupler} {rocker} {ground} at {at} hand {hand} {event:?} err {err:e} {:e}",
+                                    (s * c).abs()
+                                );
+                                stats[3] += 1
+                            }
+                            lim = lim.max(err);
+                        }
+                        _ => {}
+                    }
+                }
             }
         }
-        println!("{exponent} change {} singular {} limit {} wrong {}", stats[0], stats[1], stats[2], stats[3]);
+        println!(
+            "{exponent} change {} singular {} limit {} wrong {}",
+            stats[0], stats[1], stats[2], stats[3]
+        );
     }
     println!("worst {worst:e} {lim:e}");
 }

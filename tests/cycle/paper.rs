@@ -29,7 +29,12 @@ fn both_limits_are_located() {
         };
         assert_eq!(links, "2, 3, 4, 5");
     }
-    println!("{} {:e} {:e}", path.node_count(), path.end(true).unwrap().at-path.high(), path.low()-path.end(false).unwrap().at);
+    println!(
+        "{} {:e} {:e}",
+        path.node_count(),
+        path.end(true).unwrap().at - path.high(),
+        path.low() - path.end(false).unwrap().at
+    );
 }
 
 /// θ ≈ θ* + c √δ, so the rate for a crank that runs away from the limit is c / (2 √δ), and wrong by a part of the order √δ.
@@ -64,7 +69,10 @@ fn rates_grow_as_the_square_root_says() {
             let law = coefficients[k] / (2.0 * delta.sqrt());
             errors[k] = rates[k] / law - 1.0;
         }
-        println!("{delta:e} {errors:?} {:?}", before.map(|b| [0,1,2].map(|k| b[k]/errors[k])));
+        println!(
+            "{delta:e} {errors:?} {:?}",
+            before.map(|b| [0, 1, 2].map(|k| b[k] / errors[k]))
+        );
         before = Some(errors);
     }
 }
