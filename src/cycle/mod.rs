@@ -18,4 +18,4 @@ pub use event::{Event, Happening};
 pub use path::{Drive, Path, alone};
 pub use position::Position;
 pub use sweep::{Column, Numbers, Steps, Sweep};
-pub use walker::Walker;
+pub use walker::{MANY, Walker};

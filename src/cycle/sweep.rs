@@ -1,3 +1,4 @@
+use super::walker::MANY;
 use super::{CycleError, Drive, Path, Position};
 use crate::geometry::{Eight, Number};
 use crate::mechanism::{GROUND, Mechanism, PointId, SliderId};
@@ -9,7 +10,7 @@ use std::ops::Range;
 const MOST: f64 = 1e12;
 
 /// How many positions go through the kernel side by side.
-const LANES: usize = 32;
+const LANES: usize = 8 * MANY;
 
 /// Values of a drive at equal steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -193,14 +194,18 @@ impl<'a> Sweep<'a> {
     #[must_use]
     pub fn rows(&self, rows: Range<usize>) -> Numbers {
         let mut numbers = Numbers::with_capacity(rows.len() * self.header().len());
-        let mut many = self.path.walker_of::<Eight, { LANES / 8 }>();
+        let mut many = self.path.walker_of::<Eight, MANY>();
         let mut one = self.path.walker();
         let mut next = rows.start;
         while next < rows.end {
             let full = rows.end - next >= LANES;
             let value = |i: usize| self.steps.value(next + i);
             let values = std::array::from_fn(|k| Eight::from_lanes(|i| value(8 * k + i)));
-            let block = if full { many.motions(&values) } else { None };
+            let block = if full {
+                many.many_motions(&values)
+            } else {
+                None
+            };
             if let Some(block) = block {
                 for lane in 0..LANES {
                     let position = self.path.position(block, lane);

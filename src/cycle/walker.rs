@@ -1,6 +1,10 @@
 use super::{Path, Position};
-use crate::geometry::Number;
+use crate::geometry::{Eight, Number};
 use crate::kernel::Block;
+use multiversion::multiversion;
+
+/// Vectors in a block of many positions: enough that being general costs little, few enough to stay in the nearest cache.
+pub const MANY: usize = 4;
 
 /// Computes positions and rates anywhere on a path in memory of its own, one at a time or M times the lanes of T.
 #[derive(Clone, Debug)]
@@ -43,11 +47,16 @@ impl<'a, T: Number, const M: usize> Walker<'a, T, M> {
     /// Positions and the rates for the drives running as the scene says; `None` as for [`Self::positions`].
     #[inline]
     pub fn motions(&mut self, values: &[T; M]) -> Option<&Block<T, M>> {
+        self.move_to(values).then_some(&self.block)
+    }
+
+    #[inline(always)]
+    fn move_to(&mut self, values: &[T; M]) -> bool {
         let found = self.assemble(values);
         if found {
             self.path.scene_rates(&mut self.block);
         }
-        found.then_some(&self.block)
+        found
     }
 
     /// The rates at the positions computed last, for the drives running as the scene says.
@@ -55,6 +64,19 @@ impl<'a, T: Number, const M: usize> Walker<'a, T, M> {
     pub fn rates(&mut self) -> &Block<T, M> {
         self.path.scene_rates(&mut self.block);
         &self.block
+    }
+}
+
+/// Vectors of eight numbers in blocks: the widest registers that the processor has do the work.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn motions_of_many(walker: &mut Walker<Eight, MANY>, values: &[Eight; MANY]) -> bool {
+    walker.move_to(values)
+}
+
+impl Walker<'_, Eight, MANY> {
+    /// The same as [`Self::motions`], with the widest registers that the processor has.
+    pub fn many_motions(&mut self, values: &[Eight; MANY]) -> Option<&Block<Eight, MANY>> {
+        motions_of_many(self, values).then_some(&self.block)
     }
 }
 
