@@ -344,6 +344,18 @@ fn modes_are_numbered_and_can_be_asked_for() {
 }
 
 #[test]
+fn modes_are_numbered_from_1() {
+    for task in ["solve", "draw", "steps"] {
+        let output = with_scene(&[task, "-", "--mode", "0"], FIGURE_2.as_bytes());
+        let message = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{task}: {message}");
+        assert!(output.stdout.is_empty());
+        let words = "invalid value '0' for '--mode <MODE>': assembly modes are numbered from 1";
+        assert!(message.contains(words), "{message}");
+    }
+}
+
+#[test]
 fn too_many_or_too_few_drives_name_the_links() {
     let second = r#""4": { "drive": { "angle": 92, "omega": 1 }, "#;
     let scene = FIGURE_2.replacen("\"4\": { ", second, 1);
@@ -393,6 +405,44 @@ fn a_pin_in_a_slot_moves_as_a_block_on_a_lever() {
     assert_eq!(pin["links"].as_object().expect("links").len(), 2);
     let coriolis = |r: &serde_json::Value, name: &str| r["sliders"][name]["coriolis"].clone();
     assert_eq!(coriolis(&pin, "B/3"), coriolis(&block, "2/3"));
+}
+
+/// A pin in two crossing slots of a link is held like a pin of that link: both sliders have names of their own.
+#[test]
+fn two_sliders_of_the_same_two_have_two_names() {
+    let scene = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "Q": [120, -30] },
+        "links": { "1": { "points": ["A", "P"], "lengths": { "AP": 40 }, "drive": { "angle": 30, "omega": 2 } },
+                   "3": { "shape": { "M": [0, 0] } } },
+        "sliders": [{ "pin": "P", "on": "3", "along": 0 }, { "pin": "P", "on": "3", "through": [50, -10], "along": 90 },
+                    { "pin": "Q", "on": "3", "along": 0 }],
+        "near": { "M": [-10, 40] }, "want": ["v_r(P/3)", "v_r(P/3#2)", "v_r(Q/3)"] }"#;
+    let output = with_scene(&["solve", "-"], scene.as_bytes());
+    let result: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let keys: Vec<&String> = result["sliders"]
+        .as_object()
+        .expect("sliders")
+        .keys()
+        .collect();
+    assert_eq!(keys, ["P/3", "P/3#2", "Q/3"]);
+    let near = |value: &serde_json::Value, want: f64| {
+        let got = value.as_f64().expect("a number");
+        assert!((got - want).abs() < 1e-10, "{got} in place of {want}");
+    };
+    // Link 3 turns with the line from P to Q, along which Q slides by the change of their distance.
+    let (sin, cos) = libm::sincos(30_f64.to_radians());
+    let (x, y) = (120.0 - 40.0 * cos, -30.0 - 40.0 * sin);
+    let (u, v) = (80.0 * sin, -80.0 * cos);
+    let length = libm::hypot(x, y);
+    near(&result["sliders"]["P/3"]["position"], 50.0);
+    near(&result["sliders"]["P/3#2"]["position"], 10.0);
+    near(&result["sliders"]["Q/3"]["position"], 50.0 + length);
+    near(
+        &result["links"]["3"]["omega"],
+        (x * v - y * u) / (length * length),
+    );
+    near(&result["quantities"]["v_r(P/3)"], 0.0);
+    near(&result["quantities"]["v_r(P/3#2)"], 0.0);
+    near(&result["quantities"]["v_r(Q/3)"], (x * u + y * v) / length);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 use super::files::{self, Source};
 use super::message::Failure;
-use super::work::work;
+use super::work::{Mode, work};
 use crate::drawing::figure;
 use crate::format::{self, Text};
 use crate::motion::Order;
@@ -31,9 +31,8 @@ pub(super) struct Draw {
     /// Resolution of PNG in dots per inch.
     #[arg(long, default_value_t = 100.0, value_parser = dots_per_inch)]
     dpi: f64,
-    /// Assembly mode by its number in `kinegon modes`, in place of the one that `near` picks.
-    #[arg(long)]
-    mode: Option<usize>,
+    #[command(flatten)]
+    mode: Mode,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -82,7 +81,7 @@ impl Draw {
         };
         let mut written = Vec::new();
         for (name, source) in &scenes {
-            let work = work(source, self.mode, needed)?;
+            let work = work(source, self.mode.number, needed)?;
             work.warn();
             let drawing = figure(&work.scene, &work.mechanism, &work.pose, &work.construction);
             let text = if self.outlines {

@@ -1,6 +1,6 @@
 use super::files;
 use super::message::Failure;
-use super::work::{Work, work};
+use super::work::{Mode, Work, work};
 use crate::drawing::scales;
 use crate::format::{self, QuantityResult, ResultFile, Solved};
 use crate::motion::Order;
@@ -14,15 +14,14 @@ use std::path::PathBuf;
 pub(super) struct Solve {
     /// Scene file, `-` for stdin.
     scene: PathBuf,
-    /// Assembly mode by its number in `kinegon modes`, in place of the one that `near` picks.
-    #[arg(long)]
-    mode: Option<usize>,
+    #[command(flatten)]
+    mode: Mode,
 }
 
 impl Solve {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let work = work(&source, self.mode, needed)?;
+        let work = work(&source, self.mode.number, needed)?;
         let mut result = format::result(Solved {
             units: work.scene.units,
             mechanism: &work.mechanism,

@@ -1,6 +1,6 @@
 use super::files;
 use super::message::Failure;
-use super::work::work;
+use super::work::{Mode, work};
 use crate::drawing::scales;
 use crate::format;
 use crate::motion::Order;
@@ -12,15 +12,14 @@ use std::path::PathBuf;
 pub(super) struct Steps {
     /// Scene file, `-` for stdin.
     scene: PathBuf,
-    /// Assembly mode by its number in `kinegon modes`, in place of the one that `near` picks.
-    #[arg(long)]
-    mode: Option<usize>,
+    #[command(flatten)]
+    mode: Mode,
 }
 
 impl Steps {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let work = work(&source, self.mode, |_| Order::Acceleration)?;
+        let work = work(&source, self.mode.number, |_| Order::Acceleration)?;
         let scales = scales(&work.scene, &work.mechanism, &work.pose, &work.construction);
         let text = format::steps(&work.scene, &work.construction, &scales);
         work.warn();

@@ -1,6 +1,6 @@
 use super::files::{self, Growing, Source};
 use super::message::{Failure, note};
-use super::work::start;
+use super::work::{Mode, start};
 use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
 use crate::format;
 use crate::mechanism::Mechanism;
@@ -56,9 +56,8 @@ pub(super) struct Range {
     /// Quantities by name, as in "omega(4), v_r(3/2), L(B,S3)"; without it those that the scene wants, else all.
     #[arg(long)]
     pub want: Vec<String>,
-    /// Assembly mode by its number in `kinegon modes`, in place of the one that `near` picks.
-    #[arg(long)]
-    pub mode: Option<usize>,
+    #[command(flatten)]
+    pub mode: Mode,
 }
 
 /// A scene ready to be moved.
@@ -82,7 +81,7 @@ enum Form {
 impl Range {
     /// Reads the scene and finds its position.
     pub(super) fn moved(&self) -> Result<Moved, Failure> {
-        let (source, (scene, mechanism, pose)) = start(&self.scene, self.mode)?;
+        let (source, (scene, mechanism, pose)) = start(&self.scene, self.mode.number)?;
         let fail = |error: crate::Error| Failure::Scene(source.clone(), Box::new(error));
         let drive = Drive::new(&mechanism, self.drive.as_deref()).map_err(|e| fail(e.into()))?;
         let mechanism = if self.alone {

@@ -5,7 +5,24 @@ use crate::motion::{Motion, Order, motion};
 use crate::plan::{Construction, construction};
 use crate::position::{AssemblyError, Pose, pose, poses};
 use crate::scene::{Near, Scene};
+use clap::Args;
 use std::path::Path;
+
+/// Which assembly mode is wanted.
+#[derive(Debug, Args)]
+pub(super) struct Mode {
+    /// Assembly mode by its number in `kinegon modes`, in place of the one that `near` picks.
+    #[arg(long = "mode", value_name = "MODE", value_parser = mode_number)]
+    pub number: Option<usize>,
+}
+
+fn mode_number(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(0) => Err("assembly modes are numbered from 1".to_owned()),
+        Ok(number) => Ok(number),
+        Err(_) => Err("not the number of an assembly mode".to_owned()),
+    }
+}
 
 /// A scene after all stages before drawing.
 pub(super) struct Work {

@@ -19,7 +19,7 @@ pub struct ResultFile {
     pub links: IndexMap<String, LinkResult>,
     /// By point name; also special points (`S3`) and the points of guides under sliders (`D_2`).
     pub points: IndexMap<String, PointResult>,
-    /// By slider name, as in `3/2`.
+    /// By slider name, as in `3/2`; of further sliders between the same two, in scene order, `3/2#2`.
     pub sliders: IndexMap<String, SliderResult>,
     /// The Assur groups in solving order.
     pub groups: Vec<GroupResult>,
@@ -112,15 +112,16 @@ pub struct GroupResult {
     pub special_points: Vec<String>,
     /// Condition number of its loop equations, at least 1: input errors grow by up to this factor.
     pub condition: f64,
-    /// The largest difference between the two routes to its rates, relative to the largest rate; none where a
-    /// special point at infinity leaves only one route.
+    /// The largest difference between the two routes to its rates, relative to the largest rate; `null`, never left out, where a
+    /// special point at infinity or a higher class leaves only one route.
     pub disagreement: Option<f64>,
-    /// The difference that rounding and the crossings' angles allow.
+    /// The difference that rounding and the crossings' angles allow; `null` together with `disagreement`.
     pub disagreement_allowed: Option<f64>,
-    /// Number of this assembly mode; none in a drawn configuration.
+    /// Number of this assembly mode; none in a drawn configuration. Where a link's angle is given in place of a drive's, it is that of
+    /// the whole mechanism.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mode: Option<usize>,
-    /// How many assembly modes there are.
+    /// How many assembly modes there are; of a group of higher class, how many were found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub modes: Option<usize>,
 }

@@ -243,15 +243,18 @@ impl Mechanism {
         &self.points[id.0]
     }
 
-    /// The name of a slider in results: sliding link / guide body, as in `3/2`.
+    /// The name of a slider in results: sliding link / guide body, as in `3/2`, or pin / guide body, as in `P/3`.
+    ///
+    /// Of further sliders with the same two, as where a pin rides in two slots of a link, `P/3#2`, in scene order.
     #[must_use]
     pub fn slider_name(&self, id: SliderId) -> String {
-        let slider = self.slider(id);
-        format!(
-            "{}/{}",
-            self.body(slider.link).name,
-            self.body(slider.on).name
-        )
+        let names = |slider: &Slider| [slider.link, slider.on].map(|b| self.body(b).name.as_str());
+        let own = names(self.slider(id));
+        let before = self.sliders[..id.0].iter().filter(|s| names(s) == own);
+        match before.count() {
+            0 => own.join("/"),
+            count => format!("{}#{}", own.join("/"), count + 1),
+        }
     }
 
     /// The point of that name.

@@ -4,7 +4,7 @@ use crate::mechanism::{BodyId, Mechanism, PointId};
 
 /// The image of a point: its name in lower case, but for a link's name after `_`, as in `d_2` for `D_2`.
 ///
-/// The poles' own names are taken: the image of P is `p'`.
+/// The poles' own names are taken: the image of P is `p'`, that of P' is `p''`.
 #[must_use]
 pub fn image_name(point: &str) -> String {
     let (point, link) = match point.split_once('_') {
@@ -12,7 +12,7 @@ pub fn image_name(point: &str) -> String {
         None => (point, None),
     };
     let mut image = point.to_lowercase();
-    if link.is_none() && matches!(image.as_str(), "p" | "π") {
+    if link.is_none() && matches!(image.trim_end_matches('\''), "p" | "π") {
         image.push('\'');
     }
     match link {
@@ -70,6 +70,7 @@ mod tests {
     fn names_as_on_the_blackboard() {
         assert_eq!(image_name("S3"), "s3");
         assert_eq!(image_name("P"), "p'");
+        assert_eq!(image_name("P'"), "p''");
         assert_eq!(image_name("P_3"), "p_3");
         assert_eq!(normal_name("B", "S3"), "n_b3");
         assert_eq!(display("n_b3"), "n_{b3}");

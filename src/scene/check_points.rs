@@ -12,6 +12,7 @@ use super::forms::{Ground, NearValue, Vector};
 use super::link::Link;
 use super::names::{Names, check_name};
 use super::place::{Source, Spot};
+use super::slider::Slider;
 use super::words::close;
 use super::{Form, Near, PointMotion};
 
@@ -174,6 +175,52 @@ pub(super) fn known(
         );
     }
     Ok(known)
+}
+
+/// Errors at points whose motion is given twice: by `known`, by the motion or the drive of a link, by the drive of a slider.
+pub(super) fn check_given_once(
+    source: Source<'_>,
+    names: &Names<'_>,
+    known: &IndexMap<String, PointMotion>,
+    sliders: &[Slider],
+) -> Result<(), SceneError> {
+    // What gives the motion of a point, in words, by the point.
+    let mut given: IndexMap<&str, String> = IndexMap::new();
+    let mut give = |point, whose: &str, path: &[&str]| match given.insert(point, whose.to_owned()) {
+        None => Ok(()),
+        Some(first) => {
+            let message =
+                format!("the motion of point {point} is given twice: by {first} and by {whose}");
+            Err(source.error(path, message).hint("keep one of them"))
+        }
+    };
+    for (name, link) in names.links() {
+        let pushes = |s: &Slider| s.drive.is_some() && s.link.as_ref() == Some(name);
+        let whose = match (&link.motion, &link.drive) {
+            (Some(_), _) => format!("the `motion` of link {name}"),
+            (None, Some(_)) => format!("the drive of link {name}"),
+            (None, None) if sliders.iter().any(pushes) => format!("the drive of slider {name}"),
+            (None, None) => continue,
+        };
+        for point in link.points.iter().filter(|point| !names.on_ground(point)) {
+            give(point, &whose, &["links", name])?;
+        }
+    }
+    for (index, slider) in sliders.iter().enumerate() {
+        if let (Some(pin), Some(_)) = (&slider.pin, slider.drive) {
+            let path = ["sliders", &index.to_string()];
+            give(pin, "the drive of its slider", &path)?;
+        }
+    }
+    for point in known.keys() {
+        if let Some(whose) = given.get(point.as_str()) {
+            let message = format!("the motion of point {point} is given already, by {whose}");
+            return Err(source
+                .key_error(&["known", point], message)
+                .hint("keep one of them"));
+        }
+    }
+    Ok(())
 }
 
 /// The approximate positions.

@@ -1,6 +1,6 @@
 //! Names of points and links: what they may be made of, and which are kept for results.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use indexmap::IndexMap;
 
@@ -66,6 +66,8 @@ pub(super) struct Names<'a> {
     on_ground: HashSet<&'a str>,
     on_link: HashSet<(&'a str, &'a str)>,
     on_any_link: HashSet<&'a str>,
+    /// The first point of each name in lower case, which is its image in the plans.
+    images: HashMap<String, &'a str>,
 }
 
 impl<'a> Names<'a> {
@@ -78,10 +80,16 @@ impl<'a> Names<'a> {
         let pairs = links
             .iter()
             .flat_map(|(name, link)| link.points.iter().map(move |p| (name.as_str(), p.as_str())));
+        let mut images = HashMap::new();
+        let on_links = links.values().flat_map(|link| &link.points);
+        for point in ground.iter().chain(on_links) {
+            images.entry(point.to_lowercase()).or_insert(point.as_str());
+        }
         Names {
             source,
             ground,
             links,
+            images,
             on_ground: ground.iter().map(String::as_str).collect(),
             on_any_link: pairs.clone().map(|(_, point)| point).collect(),
             on_link: pairs.collect(),
@@ -159,9 +167,16 @@ impl<'a> Names<'a> {
             .error(path, no_point(&format!("link {link}"), point, points)))
     }
 
-    /// What is wrong with a name that results need: `S3` beside link 3, `D_2` beside link 2.
+    /// What is wrong with a name that results need: `S3` beside link 3, `D_2` beside link 2, `d` beside D.
     pub fn check_reserved(&self, point: &str) -> Result<(), (String, Option<String>)> {
         let hint = Some("choose another name for the point".into());
+        let first = self.images.get(&point.to_lowercase());
+        if let Some(first) = first.filter(|first| **first != point) {
+            return Err((
+                format!("the name `{point}` is kept for the image of {first} in the plans"),
+                hint,
+            ));
+        }
         if let Some(link) = point
             .strip_prefix('S')
             .filter(|link| self.links.contains_key(*link))

@@ -6,7 +6,7 @@ use serde_path_to_error::Segment;
 
 use super::check_figure::figure;
 use super::check_links::{check_motions, links};
-use super::check_points::{check_points, ground, known, near};
+use super::check_points::{check_given_once, check_points, ground, known, near};
 use super::check_sliders::sliders;
 use super::error::SceneError;
 use super::file::SceneFile;
@@ -37,6 +37,7 @@ pub(super) fn read(text: &str) -> Result<Scene, SceneError> {
     check_points(source, form, &names, &ground, &links, &coordinates)?;
     let sliders = sliders(source, form, &names, &coordinates, file.sliders, pushes)?;
     let known = known(source, form, &names, file.known)?;
+    check_given_once(source, &names, &known, &sliders)?;
     let near = near(source, form, &names, file.near)?;
     check_motions(&names, &links)?;
     let figure = figure(source, file.figure)?;
