@@ -10,6 +10,7 @@ mod solve;
 mod steps;
 mod structure;
 mod sweep;
+mod table;
 mod work;
 
 use clap::{Parser, Subcommand};

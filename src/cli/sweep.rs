@@ -1,21 +1,12 @@
-use super::files::{self, Growing, Source};
+use super::files::{self, Source};
 use super::message::{Failure, note};
+use super::table::{self, Form};
 use super::work::{Mode, start};
 use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
-use crate::format;
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
-use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressStyle};
-use std::io::{IsTerminal, Write};
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
-
-/// Rows that are computed in one piece.
-const ROWS: usize = 2048;
-
-/// Numbers from which a table counts as long, so that a terminal sees how far it has come.
-const LONG: usize = 3_000_000;
+use clap::Args;
+use std::path::PathBuf;
 
 /// Write a table of a scene's motion while a drive moves, along the branch of the scene's own position.
 ///
@@ -68,14 +59,6 @@ pub(super) struct Moved {
     pub drive: Drive,
     /// The quantities asked for.
     pub names: Option<Vec<String>>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Form {
-    /// A line of names, then a line for each position.
-    Csv,
-    /// A JSON object a line for each position.
-    Jsonl,
 }
 
 impl Range {
@@ -156,11 +139,7 @@ impl SweepCommand {
         let sweep = Sweep::new(&branch, steps, moved.names.as_deref());
         let sweep = sweep.map_err(|error| moved.fail(error))?;
         files::keep_input(Some(&self.range.scene), &self.output)?;
-        if self.output == Path::new("-") {
-            write(&sweep, form, Piece::Stdout)?;
-        } else {
-            write(&sweep, form, Piece::File(&self.output))?;
-        }
+        table::write(&sweep, form, &self.output)?;
         for event in branch.events() {
             let inside = (from.min(to)..=from.max(to)).contains(&event.at);
             if inside && !event.is_end() {
@@ -199,14 +178,20 @@ impl SweepCommand {
         if let Some(form) = self.format {
             return Ok(form);
         }
-        match self.output.extension().and_then(|e| e.to_str()) {
-            None | Some("csv") => Ok(Form::Csv),
-            Some("jsonl" | "ndjson") => Ok(Form::Jsonl),
-            Some(other) => Err(Failure::Misuse(
-                format!("no form of table for files ending in `.{other}`"),
-                Some("known endings: csv, jsonl; or give --format".into()),
-            )),
-        }
+        let ending = self.output.extension().and_then(|e| e.to_str());
+        Form::of_ending(ending.unwrap_or("csv")).ok_or_else(|| {
+            let known: Vec<&str> = Form::ENDINGS.iter().map(|(ending, _)| *ending).collect();
+            Failure::Misuse(
+                format!(
+                    "no form of table for files ending in `.{}`",
+                    ending.unwrap_or_default()
+                ),
+                Some(format!(
+                    "known endings: {}; or give --format",
+                    known.join(", ")
+                )),
+            )
+        })
     }
 }
 
@@ -219,82 +204,4 @@ fn default_step(branch: &Branch, from: f64, to: f64) -> f64 {
     let decade = libm::exp10(libm::floor(libm::log10(rough)));
     let round = [1.0, 2.0, 5.0, 10.0].map(|k| k * decade);
     round.into_iter().rfind(|s| *s <= rough).unwrap_or(1.0)
-}
-
-/// Where a table goes.
-enum Piece<'a> {
-    Stdout,
-    File(&'a Path),
-}
-
-fn write(sweep: &Sweep, form: Form, place: Piece) -> Result<(), Failure> {
-    static STOPPED: AtomicBool = AtomicBool::new(false);
-    // Where a handler cannot be set, Ctrl-C ends the program as it would have without one.
-    let _ = ctrlc::set_handler(|| STOPPED.store(true, Ordering::Relaxed));
-    let mut file = match place {
-        Piece::Stdout => None,
-        Piece::File(path) => Some((Growing::new(path)?, path)),
-    };
-    let mut put = |text: &str| -> Result<(), Failure> {
-        if STOPPED.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted);
-        }
-        match &mut file {
-            None => files::print(text.as_bytes()),
-            Some((file, path)) => file
-                .write_all(text.as_bytes())
-                .map_err(|error| files::unwritable(path, &error)),
-        }
-    };
-    if form == Form::Csv {
-        put(&format::csv_header(sweep))?;
-    }
-    let text = |first: &usize| {
-        let rows = *first..(first + ROWS).min(sweep.steps().count());
-        let numbers = sweep.rows(rows);
-        match form {
-            Form::Csv => format::csv_rows(sweep, &numbers),
-            Form::Jsonl => format::json_lines(sweep, &numbers),
-        }
-    };
-    let firsts: Vec<usize> = (0..sweep.steps().count()).step_by(ROWS).collect();
-    let progress = progress(sweep);
-    for window in firsts.chunks(window()) {
-        for piece in in_order(window, text) {
-            put(&piece)?;
-            progress.inc(ROWS as u64);
-        }
-    }
-    progress.finish_and_clear();
-    file.map_or(Ok(()), |(file, _)| file.finish())
-}
-
-/// How many pieces are in memory at a time: some for each core.
-fn window() -> usize {
-    #[cfg(feature = "parallel")]
-    return 4 * rayon::current_num_threads();
-    #[cfg(not(feature = "parallel"))]
-    1
-}
-
-/// The pieces of a window, computed on all cores.
-#[cfg(feature = "parallel")]
-fn in_order(window: &[usize], text: impl Fn(&usize) -> String + Sync + Send) -> Vec<String> {
-    use rayon::prelude::*;
-    window.par_iter().map(text).collect()
-}
-
-#[cfg(not(feature = "parallel"))]
-fn in_order(window: &[usize], text: impl Fn(&usize) -> String) -> Vec<String> {
-    window.iter().map(text).collect()
-}
-
-/// A bar on a terminal's stderr for a long table.
-fn progress(sweep: &Sweep) -> ProgressBar {
-    let rows = sweep.steps().count();
-    if rows * sweep.header().len() < LONG || !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{wide_bar} {percent}% of {len} rows, {eta} left");
-    ProgressBar::new(rows as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

@@ -2,6 +2,8 @@
 //! Out: the bytes of a file in a form that people or other programs read.
 //! Nothing is decided or computed here; the same input gives the same bytes everywhere.
 
+#[cfg(feature = "arrow")]
+mod columns;
 mod json;
 mod number;
 mod outline;
@@ -13,6 +15,8 @@ mod structure;
 mod svg;
 mod table;
 
+#[cfg(feature = "arrow")]
+pub use self::columns::{Columns, ColumnsError};
 pub use self::json::json;
 #[cfg(feature = "png")]
 pub use self::png::{PngError, png};
