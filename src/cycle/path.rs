@@ -310,10 +310,13 @@ impl<'a> Path<'a> {
             added.append(&mut self.nodes);
             self.nodes = added;
         }
-        let pairs = self.nodes.windows(2);
-        self.segments = pairs
-            .map(|w| Segment::new(&self.kernel, &w[0], &w[1]))
-            .collect();
+        let segments = self.nodes.windows(2).map(|w| {
+            let mut segment = Segment::new(&self.kernel, &w[0], &w[1]);
+            let mut changes = self.changes.iter();
+            segment.changes = changes.any(|c| segment.holds(&[c.at]));
+            segment
+        });
+        self.segments = segments.collect();
     }
 
     /// The lowest value of the drive that has been reached.

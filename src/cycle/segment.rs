@@ -27,6 +27,8 @@ impl Node {
 pub(super) struct Segment {
     pub from: f64,
     pub to: f64,
+    /// Whether it passes a change position.
+    pub changes: bool,
     turns: Vec<(usize, [Quintic; 2])>,
     slides: Vec<(usize, Quintic)>,
 }
@@ -67,6 +69,7 @@ impl Segment {
         let mut segment = Segment {
             from: start.value,
             to: end.value,
+            changes: false,
             turns: Vec::new(),
             slides: Vec::new(),
         };

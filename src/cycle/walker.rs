@@ -3,6 +3,10 @@ use crate::geometry::{Eight, Number};
 use crate::kernel::Block;
 use multiversion::multiversion;
 
+/// Near a change position the equations' sharpness goes to zero, but the rates stay finite: below the root of this their errors,
+/// rounding over the sharpness's third power, can be seen.
+const TOLD: f64 = 1e-6;
+
 /// Vectors in a block of many positions: enough that being general costs little, few enough to stay in the nearest cache.
 pub const MANY: usize = 4;
 
@@ -40,8 +44,11 @@ impl<'a, T: Number, const M: usize> Walker<'a, T, M> {
             }
         }
         self.path.set_inputs(&mut self.block, values);
-        segments[self.segment].predict(values, &mut self.block);
-        self.path.kernel.assemble(&mut self.block).closed
+        let segment = &segments[self.segment];
+        segment.predict(values, &mut self.block);
+        let kernel = &self.path.kernel;
+        kernel.assemble(&mut self.block).closed
+            && !(segment.changes && kernel.squared_sharpness(&self.block) < TOLD)
     }
 
     /// Positions and the rates for the drives running as the scene says; `None` as for [`Self::positions`].

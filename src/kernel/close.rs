@@ -89,6 +89,13 @@ impl Kernel {
         worst
     }
 
+    /// The smallest of Hadamard's ratios of all groups and lanes, squared: 1 down to 0 in a singular position.
+    #[must_use]
+    pub fn squared_sharpness<T: Number, const M: usize>(&self, block: &Block<T, M>) -> f64 {
+        let systems = block.systems.iter().map(dullest);
+        systems.fold(1.0, |least, s| if s < least { s } else { least })
+    }
+
     /// By group, in the first lane: the determinant of its equations, whose sign changes where two branches meet, and the square
     /// of Hadamard's ratio, 1 down to 0 in a singular position.
     #[must_use]
@@ -138,7 +145,8 @@ fn close<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) 
         solve(block, closing);
         let largest = largest_correction(block, closing);
         // Newton's method squares an error and divides it by the sharpness; what that leaves must be rounding.
-        let doubt = largest * largest / (dullest(block, closing).sqrt() * UNIT_ROUNDOFF);
+        let doubt =
+            largest * largest / (dullest(&block.systems[closing.group]).sqrt() * UNIT_ROUNDOFF);
         let [first, first_doubt] = start.unwrap_or([largest, doubt]);
         let found = |closed| Correction {
             first,
@@ -193,11 +201,11 @@ fn largest_correction<T: Number, const M: usize>(block: &Block<T, M>, closing: &
     if slides <= turns { turns } else { slides }
 }
 
-/// The smallest squared sharpness of a group's equations in the block.
+/// The smallest squared sharpness of a group's equations.
 #[inline(always)]
-fn dullest<T: Number, const M: usize>(block: &Block<T, M>, closing: &Closing) -> f64 {
+fn dullest<T: Number, const M: usize>(system: &System<T, M>) -> f64 {
     let least = |sharpness: f64, least: f64| if sharpness < least { sharpness } else { least };
-    match &block.systems[closing.group] {
+    match system {
         System::One(systems) => systems
             .iter()
             .fold(1.0, |l, s| least(s.squared_sharpness.smallest(), l)),
