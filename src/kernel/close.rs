@@ -1,5 +1,5 @@
 use super::compile::{Action, Closing, InputKind, Placing, Source, Unknown};
-use super::{Block, Kernel};
+use super::{Block, Kernel, Single};
 use crate::geometry::{LinearSystem, Number, Pair, Reduced, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::Reduction;
 use nalgebra::DMatrix;
@@ -89,6 +89,49 @@ impl Kernel {
         worst
     }
 
+    /// One Newton step for a group from anywhere; the largest gap of its loops before it.
+    ///
+    /// Not a number or not finite where the step cannot be made.
+    pub fn step(&self, block: &mut Single, group: usize) -> f64 {
+        let Some(closing) = self.closing(group) else {
+            return f64::NAN;
+        };
+        arms(block, closing);
+        factor(block, closing);
+        gaps(block, closing);
+        let sides = block.sides[..closing.ends.len()].iter().flatten();
+        let gap = sides
+            .flat_map(|side| [side.x.abs(), side.y.abs()])
+            .fold(0.0, larger);
+        solve(block, closing);
+        let steps = &block.solution[..closing.unknowns.len()];
+        if !steps.iter().flatten().all(|x| x.is_finite()) {
+            return f64::INFINITY;
+        }
+        correct(block, closing);
+        gap
+    }
+
+    /// Places the points of a group's links from its angles and slides.
+    pub fn place(&self, block: &mut Single, group: usize) {
+        let mut actions = self.actions.iter();
+        let _ = actions.find(|a| matches!(a, Action::Close(closing) if closing.group == group));
+        for action in actions {
+            match action {
+                Action::Place(placing) => place(block, placing),
+                Action::Close(_) => break,
+            }
+        }
+    }
+
+    fn closing(&self, group: usize) -> Option<&Closing> {
+        let mut actions = self.actions.iter();
+        actions.find_map(|action| match action {
+            Action::Close(closing) if closing.group == group => Some(closing),
+            _ => None,
+        })
+    }
+
     /// The smallest of Hadamard's ratios of all groups and lanes, squared: 1 down to 0 in a singular position.
     #[must_use]
     pub fn squared_sharpness<T: Number, const M: usize>(&self, block: &Block<T, M>) -> f64 {
@@ -131,6 +174,12 @@ fn place<T: Number, const M: usize>(block: &mut Block<T, M>, placing: &Placing) 
     for k in 0..M {
         block.points[placing.to][k] = block.points[placing.from][k] + reach[k];
     }
+}
+
+/// The larger of two magnitudes; not a number if one is not.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if b <= a { a } else { b }
 }
 
 /// Newton's method for one group.

@@ -384,32 +384,38 @@ impl<'a> Compiler<'a> {
         let at = at_local(self.mechanism, slider);
         let (slot, anchor) = self.anchors[from.0].unwrap_or((0, Point::origin()));
         if slider.on == from {
-            if !self.placed[slider.at.0] {
-                self.place(
-                    slider.at.0,
-                    slot,
-                    from,
-                    through - anchor,
-                    Some((id.0, direction)),
-                );
+            // A carriage slides without a point of its own.
+            let own = self.mechanism.body(to).points.contains(&slider.at);
+            let here = if own { slider.at.0 } else { self.new_slot() };
+            if !own || !self.placed[here] {
+                self.place(here, slot, from, through - anchor, Some((id.0, direction)));
             }
-            self.anchor(to, slider.at.0, at);
+            self.anchor(to, here, at);
         } else {
             let own = self.mechanism.body(to);
-            let first = own
-                .points
-                .iter()
-                .zip(&own.local)
-                .find(|(p, _)| !self.placed[p.0]);
-            let (next, local) = match first {
+            let first = own.points.iter().zip(&own.local);
+            let (next, local) = match first.clone().find(|(p, _)| !self.placed[p.0]) {
                 Some((point, local)) => (point.0, *local),
                 None => (self.new_slot(), through),
             };
             // The guide's place lies one slide behind the sliding point.
             let behind = Some((id.0, -direction));
-            self.place(next, slider.at.0, to, local - through, behind);
+            let here = self.slot_of(from, slider.at.0);
+            self.place(next, here, to, local - through, behind);
             self.anchor(to, next, local);
         }
+    }
+
+    /// The slot of a body's point; of a carriage without points its own place.
+    fn slot_of(&self, body: BodyId, point: usize) -> usize {
+        let own = self
+            .mechanism
+            .body(body)
+            .points
+            .iter()
+            .any(|p| p.0 == point);
+        let place = self.anchors[body.0].map(|(slot, _)| slot);
+        if own { point } else { place.unwrap_or(point) }
     }
 
     fn closing(&mut self, index: usize, group: &Group) -> Closing {

@@ -118,11 +118,11 @@ fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError>
         slides,
         assemblies: Vec::new(),
     }];
-    for group in &mechanism.groups {
+    for (index, group) in mechanism.groups.iter().enumerate() {
         let mut longer: Vec<Way> = Vec::new();
         let mut failure = None;
         for way in &ways {
-            match modes(mechanism, group, &way.frames, &way.slides, rough) {
+            match modes(mechanism, index, &way.frames, &way.slides, rough) {
                 Ok(found) => {
                     let modes = found.len();
                     longer.extend(found.into_iter().enumerate().map(|(index, assembled)| {

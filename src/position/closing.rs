@@ -1,7 +1,7 @@
-use super::frames::{Frames, across, local, local_guide, pinned};
-use crate::geometry::{Numbers, Point, Turn, UNIT_ROUNDOFF, Vector, span};
-use crate::mechanism::{BodyId, Group, JointKind, Loop, LoopEquations, Mechanism, SliderId};
-use smallvec::smallvec;
+use super::frames::{Frames, local_guide, pinned};
+use crate::geometry::{Pair, Point, UNIT_ROUNDOFF, Vector, span};
+use crate::kernel::{Kernel, Single};
+use crate::mechanism::{BodyId, Group, Mechanism};
 
 /// Newton steps at most; from a polynomial's root two or three are needed, at a double root ten.
 const STEPS: usize = 16;
@@ -17,129 +17,102 @@ pub(super) struct Assembled {
     pub gap: f64,
 }
 
-/// Closes the loops of `group` from the approximate `start`, by Newton's method on the loop equations themselves.
+/// Closes the loops of a group from approximate starts, by Newton's method on the loop equations themselves.
 ///
 /// The matrix is that of the velocity equations, the right side the gaps; so a pose is as exact as the
 /// condition of its velocities allows.
-pub(super) fn closed(
-    mechanism: &Mechanism,
-    group: &Group,
-    equations: &LoopEquations,
-    start: Assembled,
-) -> Assembled {
-    let mut state = start;
-    let mut best: Option<Assembled> = None;
-    for _ in 0..STEPS {
-        let gaps = walk(mechanism, group, &mut state);
-        let (points, guides) = places(mechanism, &state.frames);
-        let size = span(points.iter().copied());
-        let gap = gaps.iter().fold(0.0, |m: f64, g| m.max(g.abs())) / size;
-        if !gap.is_finite() {
-            break;
+pub(super) struct Closer<'a> {
+    mechanism: &'a Mechanism,
+    group: &'a Group,
+    index: usize,
+    kernel: Kernel,
+    block: Single,
+}
+
+impl<'a> Closer<'a> {
+    /// For the group of that index of a mechanism given by lengths.
+    pub(super) fn new(mechanism: &'a Mechanism, index: usize) -> Closer<'a> {
+        let kernel = Kernel::new(mechanism);
+        let kernel = kernel.expect("only a mechanism given by lengths is put together");
+        Closer {
+            mechanism,
+            group: &mechanism.groups[index],
+            index,
+            block: Single::new(&kernel),
+            kernel,
         }
-        state.gap = gap;
-        let better = best.as_ref().is_none_or(|b| gap < b.gap);
-        if better {
-            best = Some(state.clone());
+    }
+
+    /// The group as the steps leave it, where its gap is smallest.
+    pub(super) fn closed(&mut self, start: Assembled) -> Assembled {
+        self.load(&start);
+        let mut best = (f64::INFINITY, self.state());
+        for _ in 0..STEPS {
+            let state = self.state();
+            let points = self.block.points[..self.mechanism.points.len()].iter();
+            let size = span(points.map(|[p]| Point::new(p.x, p.y)));
+            let gap = self.kernel.step(&mut self.block, self.index) / size;
+            if !gap.is_finite() {
+                break;
+            }
+            let better = gap < best.0;
+            if better {
+                best = (gap, state);
+            }
+            // At the level of rounding one more step changes nothing; a gap that grows there has reached it.
+            if gap <= UNIT_ROUNDOFF || (!better && gap < 1e-12) {
+                break;
+            }
+            self.kernel.place(&mut self.block, self.index);
         }
-        // At the level of rounding one more step changes nothing; a gap that grows there has reached it.
-        if gap <= UNIT_ROUNDOFF || (!better && gap < 1e-12) {
-            break;
+        let (gap, (turns, slides)) = best;
+        (self.block.turns, self.block.slides) = (turns, slides);
+        self.kernel.place(&mut self.block, self.index);
+        self.unload(start.frames, gap)
+    }
+
+    fn state(&self) -> (Vec<[Pair<f64>; 1]>, Vec<[f64; 1]>) {
+        (self.block.turns.clone(), self.block.slides.clone())
+    }
+
+    /// Sets the block to what is known and to the start of what is not.
+    fn load(&mut self, start: &Assembled) {
+        let pair = |v: Vector| [Pair::from(v)];
+        for (slide, position) in self.block.slides.iter_mut().zip(&start.slides) {
+            *slide = [*position];
         }
-        let Some(system) = equations.factored(&points, &guides) else {
-            break;
-        };
-        let correction = system.solve(&gaps);
-        for &link in &group.links {
-            if let (Some(unknown), Some(frame)) =
-                (equations.spin_unknown(link), state.frames.of(link).copied())
-            {
-                let (sine, cosine) = libm::sincos(correction[unknown]);
-                let turn = frame.rotation * Turn::from_cos_sin_unchecked(cosine, sine);
-                let size = libm::hypot(turn.re, turn.im);
-                let turn = Turn::from_cos_sin_unchecked(turn.re / size, turn.im / size);
-                state.frames.set(
-                    link,
-                    pinned(turn, Point::origin(), frame.translation.vector.into()),
-                );
+        for (id, body) in self.mechanism.bodies.iter().enumerate() {
+            let id = BodyId(id);
+            let Some(frame) = start.frames.of(id) else {
+                continue;
+            };
+            let seat = self.kernel.seat(id);
+            let turn = frame.rotation * seat.turn.inverse();
+            self.block.turns[seat.class] = pair(Vector::new(turn.re, turn.im));
+            if self.group.links.contains(&id) {
+                continue;
+            }
+            self.block.points[seat.slot] = pair((frame * seat.local).coords);
+            for (point, local) in body.points.iter().zip(&body.local) {
+                self.block.points[point.0] = pair((frame * local).coords);
             }
         }
-        for slider in (0..mechanism.sliders.len()).map(SliderId) {
-            if let Some(unknown) = equations.slide_unknown(slider) {
-                state.slides[slider.0] += correction[unknown];
-            }
+        self.kernel.place(&mut self.block, self.index);
+    }
+
+    fn unload(&self, mut frames: Frames, gap: f64) -> Assembled {
+        for &link in &self.group.links {
+            let seat = self.kernel.seat(link);
+            let turn = self.block.turn(seat.class, 0) * seat.turn;
+            let place = self.block.place(seat.slot, 0);
+            frames.set(link, pinned(turn, seat.local, place));
+        }
+        Assembled {
+            frames,
+            slides: self.block.slides.iter().map(|[s]| *s).collect(),
+            gap,
         }
     }
-    best.unwrap_or(Assembled {
-        gap: f64::INFINITY,
-        ..state
-    })
-}
-
-/// Places the links along the loops and returns the gaps, from-end minus from-start.
-fn walk(mechanism: &Mechanism, group: &Group, state: &mut Assembled) -> Numbers {
-    let mut gaps: Numbers = smallvec![0.0; 2 * group.loops.len()];
-    // The first loop has the last word on the links that loops share.
-    for (chain, gap) in group.loops.iter().zip(gaps.chunks_exact_mut(2)).rev() {
-        let g = walk_loop(mechanism, chain, state).unwrap_or_else(|| Vector::repeat(f64::NAN));
-        gap.copy_from_slice(&[g.x, g.y]);
-    }
-    gaps
-}
-
-/// Walks a loop from both ends to its last pin; the gap there.
-fn walk_loop(mechanism: &Mechanism, chain: &Loop, state: &mut Assembled) -> Option<Vector> {
-    let last_pin = chain
-        .joints
-        .iter()
-        .rposition(|&j| !mechanism.is_prismatic(j))?;
-    for i in 0..last_pin {
-        step(
-            mechanism,
-            state,
-            chain,
-            i,
-            chain.bodies[i],
-            chain.bodies[i + 1],
-        )?;
-    }
-    for i in (last_pin + 1..chain.joints.len()).rev() {
-        step(
-            mechanism,
-            state,
-            chain,
-            i,
-            chain.bodies[i + 1],
-            chain.bodies[i],
-        )?;
-    }
-    let pin = mechanism.joint_point(chain.joints[last_pin]);
-    let place = |body| state.frames.place(mechanism, body, pin);
-    Some(place(chain.bodies[last_pin + 1])? - place(chain.bodies[last_pin])?)
-}
-
-/// Places body `to` from body `from`, across the loop's joint of that index.
-fn step(
-    mechanism: &Mechanism,
-    state: &mut Assembled,
-    chain: &Loop,
-    joint: usize,
-    from: BodyId,
-    to: BodyId,
-) -> Option<()> {
-    let base = *state.frames.of(from)?;
-    let frame = match mechanism.joint(chain.joints[joint]).kind {
-        JointKind::Revolute(point) => {
-            let place = base * local(mechanism, from, point);
-            let turn = state.frames.of(to)?.rotation;
-            pinned(turn, local(mechanism, to, point), place)
-        }
-        JointKind::Prismatic(id) => {
-            base * across(mechanism, mechanism.slider(id), from, state.slides[id.0])
-        }
-    };
-    state.frames.set(to, frame);
-    Some(())
 }
 
 /// Places of all points and directions of all guides; what has no frame yet stands at the origin.

@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
 
-use super::closing::{Assembled, closed, places};
+use super::closing::{Assembled, Closer, places};
 use super::frames::Frames;
 use super::levers::Lever;
 use super::rough::Rough;
@@ -34,12 +34,13 @@ pub(super) enum NoMode {
 /// gives its angle.
 pub(super) fn modes(
     mechanism: &Mechanism,
-    group: &Group,
+    index: usize,
     known: &Frames,
     slides: &[f64],
     rough: &Rough,
 ) -> Result<Vec<Assembled>, NoMode> {
-    let mut modes = Modes::new(mechanism, group);
+    let group = &mechanism.groups[index];
+    let mut modes = Modes::new(mechanism, index);
     if let Some(truss) = Truss::new(mechanism, group, known) {
         for start in truss.starts(known, slides) {
             modes.close(start, f64::INFINITY);
@@ -73,19 +74,22 @@ struct Modes<'a> {
     mechanism: &'a Mechanism,
     group: &'a Group,
     equations: LoopEquations,
+    closer: Closer<'a>,
     levers: Vec<Lever>,
     found: Vec<Assembled>,
     smallest_gap: f64,
 }
 
 impl<'a> Modes<'a> {
-    fn new(mechanism: &'a Mechanism, group: &'a Group) -> Modes<'a> {
+    fn new(mechanism: &'a Mechanism, index: usize) -> Modes<'a> {
+        let group = &mechanism.groups[index];
         let equations = LoopEquations::new(mechanism, group);
         Modes {
             mechanism,
             group,
             levers: Lever::all(mechanism, group, &equations),
             equations,
+            closer: Closer::new(mechanism, index),
             found: Vec::new(),
             smallest_gap: f64::INFINITY,
         }
@@ -96,7 +100,7 @@ impl<'a> Modes<'a> {
     /// Beside a slider that has run away any gap is small: it counts against a size of at most `reach`.
     fn close(&mut self, start: Assembled, reach: f64) -> bool {
         let (mechanism, group) = (self.mechanism, self.group);
-        let mut assembled = closed(mechanism, group, &self.equations, start);
+        let mut assembled = self.closer.closed(start);
         let (points, _) = places(mechanism, &assembled.frames);
         let gap = assembled.gap * (span(points) / reach).max(1.0);
         self.smallest_gap = self.smallest_gap.min(gap);
@@ -104,12 +108,8 @@ impl<'a> Modes<'a> {
             return false;
         }
         if group.class == Class::Higher {
-            // From afar the steps may have run out just before the end; and a loop that closes on a link of the group was walked from
-            // where that link stood a step before.
-            let inner = group.loops.iter().filter(|chain| chain.closed);
-            for _ in 0..=inner.count() {
-                assembled = closed(mechanism, group, &self.equations, assembled);
-            }
+            // From afar the steps may have run out just before the end.
+            assembled = self.closer.closed(assembled);
         }
         for lever in &self.levers {
             assembled = lever.positive(mechanism, assembled);
