@@ -9,8 +9,9 @@ use super::truss::Truss;
 use crate::geometry::{Vector, degrees_of, span};
 use crate::mechanism::{BodyId, Class, Group, LoopEquations, Mechanism};
 
-/// A gap of a closed loop, relative to the mechanism's size, above which a candidate is no assembly mode.
-const CLOSED: f64 = 1e-10;
+/// A gap of a closed loop, relative to the mechanism's size, above which a candidate is no assembly mode: far more than the rounding
+/// that Newton's method leaves, less than what is missing a billionth of a degree beyond a limit position.
+const CLOSED: f64 = 1e-12;
 
 /// Two assemblies whose points lie closer than this part of the mechanism's size are one, if their links with one point are turned by
 /// less than [`SAME_TURN`] against each other.
