@@ -148,7 +148,7 @@ impl<'a> Path<'a> {
             .collect();
         let origin = inputs[drive.input][0];
         let mut block = start(&kernel, mechanism, pose);
-        let closed = kernel.assemble(&mut block).closed;
+        let closed = kernel.assemble(&mut block, 0.0).closed;
         let path = Path {
             mechanism,
             inputs,
@@ -313,7 +313,9 @@ impl<'a> Path<'a> {
         let segments = self.nodes.windows(2).map(|w| {
             let mut segment = Segment::new(&self.kernel, &w[0], &w[1]);
             let mut changes = self.changes.iter();
-            segment.changes = changes.any(|c| segment.holds(&[c.at]));
+            if changes.any(|c| segment.holds(&[c.at])) {
+                (segment.changes, segment.sure) = (true, 0.0);
+            }
             segment
         });
         self.segments = segments.collect();

@@ -1,5 +1,5 @@
 use super::Path;
-use crate::geometry::{Number, Pair, Vector, quarter_turn};
+use crate::geometry::{Number, Pair, UNIT_ROUNDOFF, Vector, quarter_turn};
 use crate::kernel::{Block, Kernel, Single, Unknown, unit, vector};
 
 /// A position on the path, with its rates for a unit rate of the drive.
@@ -29,6 +29,8 @@ pub(super) struct Segment {
     pub to: f64,
     /// Whether it passes a change position.
     pub changes: bool,
+    /// The largest first Newton step from a prediction, in radians or parts of a group's size, that leaves only rounding.
+    pub sure: f64,
     turns: Vec<(usize, [Quintic; 2])>,
     slides: Vec<(usize, Quintic)>,
 }
@@ -66,10 +68,14 @@ fn slope(q: &Quintic, x: f64) -> f64 {
 impl Segment {
     pub fn new(kernel: &Kernel, start: &Node, end: &Node) -> Segment {
         let step = end.value - start.value;
+        // A step leaves its square over the sharpness, which between the nodes is not much less than at them.
+        let groups = start.determinants.iter().chain(&end.determinants);
+        let sharpness = groups.fold(1.0, |least: f64, [_, s]| least.min(s.sqrt())) / 4.0;
         let mut segment = Segment {
             from: start.value,
             to: end.value,
             changes: false,
+            sure: 0.5 * (UNIT_ROUNDOFF * sharpness).sqrt(),
             turns: Vec::new(),
             slides: Vec::new(),
         };

@@ -47,7 +47,7 @@ impl<'a, T: Number, const M: usize> Walker<'a, T, M> {
         let segment = &segments[self.segment];
         segment.predict(values, &mut self.block);
         let kernel = &self.path.kernel;
-        kernel.assemble(&mut self.block).closed
+        kernel.assemble(&mut self.block, segment.sure).closed
             && !(segment.changes && kernel.squared_sharpness(&self.block) < TOLD)
     }
 

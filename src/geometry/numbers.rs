@@ -30,6 +30,9 @@ pub trait Number:
     /// The number of a lane.
     fn lane(&self, index: usize) -> f64;
 
+    /// The square roots.
+    fn sqrt(self) -> Self;
+
     /// The largest magnitude; not a number if one of them is not.
     fn largest(self) -> f64;
 
@@ -56,6 +59,11 @@ impl Number for f64 {
     #[inline(always)]
     fn lane(&self, _: usize) -> f64 {
         *self
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        f64::sqrt(self)
     }
 
     #[inline(always)]
@@ -137,6 +145,14 @@ impl Number for Eight {
     #[inline(always)]
     fn lane(&self, index: usize) -> f64 {
         self.0[index]
+    }
+
+    #[inline(always)]
+    fn sqrt(mut self) -> Eight {
+        for x in &mut self.0 {
+            *x = x.sqrt();
+        }
+        self
     }
 
     #[inline(always)]

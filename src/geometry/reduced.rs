@@ -16,9 +16,6 @@ pub struct Reduced<const EQUATIONS: usize, T> {
     inverse_squares: [T; EQUATIONS],
     /// The determinant.
     pub determinant: T,
-    /// Square of the determinant over the product of its columns' lengths (Hadamard's ratio): 1 where all unknowns act at
-    /// right angles, 0 in a singular position.
-    pub squared_sharpness: T,
 }
 
 impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
@@ -30,19 +27,13 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
         let one = T::splat(1.0);
         let [_, s, t] = columns[0];
         let mut rows = [[s.x, t.x], [s.y, t.y]];
-        let (mut s_square, mut t_square) = (s.dot(s), t.dot(t));
         let mut inverse_squares = [one; EQUATIONS];
-        let mut inverse_h_squares = one;
         if EQUATIONS == 2 {
-            let [_, s, t] = columns[EQUATIONS - 1];
-            s_square = s_square + s.dot(s);
-            t_square = t_square + t.dot(t);
             let squares = [0, EQUATIONS - 1].map(|k| columns[k][0].dot(columns[k][0]));
             // One division for both.
             let both = one / (squares[0] * squares[1]);
             inverse_squares = [squares[1] * both; EQUATIONS];
-            inverse_squares[1] = squares[0] * both;
-            inverse_h_squares = both;
+            inverse_squares[EQUATIONS - 1] = squares[0] * both;
             rows = [0, EQUATIONS - 1].map(|k| {
                 let [h, s, t] = columns[k];
                 [h.cross(s), h.cross(t)]
@@ -55,9 +46,23 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
             inverse_determinant: one / determinant,
             inverse_squares,
             determinant,
-            squared_sharpness: determinant * determinant * inverse_h_squares
-                / (s_square * t_square),
         }
+    }
+
+    /// Square of the determinant over the product of its columns' lengths (Hadamard's ratio): 1 where all unknowns act at
+    /// right angles, 0 in a singular position.
+    #[must_use]
+    pub fn squared_sharpness(&self) -> T {
+        let square = |column: usize| {
+            let squares = self.columns.iter().map(|c| c[column].dot(c[column]));
+            squares.fold(T::splat(0.0), |sum, square| sum + square)
+        };
+        let own = self
+            .inverse_squares
+            .iter()
+            .fold(T::splat(1.0), |p, i| p * *i);
+        let own = if EQUATIONS == 2 { own } else { T::splat(1.0) };
+        self.determinant * self.determinant * own / (square(1) * square(2))
     }
 
     /// Sum of the magnitudes of the determinant's two products: in units of rounding, how uncertain it is.

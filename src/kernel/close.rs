@@ -10,6 +10,9 @@ const STEPS: usize = 12;
 /// The largest part of a group's size, or of a radian, by which a first step may correct a start that counts as good.
 const GOOD: f64 = 0.5;
 
+/// Corrections, in radians, that change a direction's length by so little that [`unit`] mends it.
+const SMALL: f64 = 1e-3;
+
 /// How a block's positions were found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correction {
@@ -65,8 +68,13 @@ impl Kernel {
     ///
     /// The matrix is that of the velocities, so a position is as exact as the condition of its velocities allows. It must start near:
     /// where a first step is larger than half a radian, or steps do not get smaller, the loops count as not closed.
+    /// A first step of at most `sure`, in radians or parts of a group's size, is known to leave only rounding.
     #[inline(always)]
-    pub fn assemble<T: Number, const M: usize>(&self, block: &mut Block<T, M>) -> Correction {
+    pub fn assemble<T: Number, const M: usize>(
+        &self,
+        block: &mut Block<T, M>,
+        sure: f64,
+    ) -> Correction {
         let mut worst = Correction {
             first: 0.0,
             closed: true,
@@ -76,7 +84,7 @@ impl Kernel {
             match action {
                 Action::Place(placing) => place(block, placing),
                 Action::Close(closing) => {
-                    let found = close(block, closing);
+                    let found = close(block, closing, sure);
                     worst.first = worst.first.max(found.first);
                     worst.doubt = worst.doubt.max(found.doubt);
                     worst.closed &= found.closed;
@@ -108,7 +116,7 @@ impl Kernel {
         if !steps.iter().flatten().all(|x| x.is_finite()) {
             return f64::INFINITY;
         }
-        correct(block, closing);
+        correct(block, closing, f64::INFINITY);
         gap
     }
 
@@ -144,8 +152,8 @@ impl Kernel {
     #[must_use]
     pub fn determinants(&self, block: &Block<f64, 1>) -> Vec<[f64; 2]> {
         let systems = block.systems.iter().map(|system| match system {
-            System::One([s]) => [s.determinant, s.squared_sharpness],
-            System::Two([s]) => [s.determinant, s.squared_sharpness],
+            System::One([s]) => [s.determinant, s.squared_sharpness()],
+            System::Two([s]) => [s.determinant, s.squared_sharpness()],
             System::Any(systems) => {
                 let determinant = |s: &LinearSystem| [s.determinant(), s.condition().powi(-2)];
                 systems
@@ -184,7 +192,11 @@ fn larger(a: f64, b: f64) -> f64 {
 
 /// Newton's method for one group.
 #[inline(always)]
-fn close<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) -> Correction {
+fn close<T: Number, const M: usize>(
+    block: &mut Block<T, M>,
+    closing: &Closing,
+    sure: f64,
+) -> Correction {
     let mut before = f64::INFINITY;
     let mut start: Option<[f64; 2]> = None;
     for _ in 0..STEPS {
@@ -193,6 +205,15 @@ fn close<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) 
         gaps(block, closing);
         solve(block, closing);
         let largest = largest_correction(block, closing);
+        if start.is_none() && largest <= sure {
+            correct(block, closing, largest);
+            arms(block, closing);
+            return Correction {
+                first: largest,
+                closed: true,
+                doubt: 0.0,
+            };
+        }
         // Newton's method squares an error and divides it by the sharpness; what that leaves must be rounding.
         let doubt =
             largest * largest / (dullest(&block.systems[closing.group]).sqrt() * UNIT_ROUNDOFF);
@@ -207,7 +228,7 @@ fn close<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) 
         if doubt.is_nan() || far || (stuck && doubt > 1e3) {
             return found(false);
         }
-        correct(block, closing);
+        correct(block, closing, largest);
         if doubt <= 0.25 || stuck {
             arms(block, closing);
             return found(true);
@@ -257,10 +278,10 @@ fn dullest<T: Number, const M: usize>(system: &System<T, M>) -> f64 {
     match system {
         System::One(systems) => systems
             .iter()
-            .fold(1.0, |l, s| least(s.squared_sharpness.smallest(), l)),
+            .fold(1.0, |l, s| least(s.squared_sharpness().smallest(), l)),
         System::Two(systems) => systems
             .iter()
-            .fold(1.0, |l, s| least(s.squared_sharpness.smallest(), l)),
+            .fold(1.0, |l, s| least(s.squared_sharpness().smallest(), l)),
         System::Any(systems) => systems.iter().fold(1.0, |l, s| {
             let condition = s.as_ref().map_or(f64::INFINITY, LinearSystem::condition);
             least(condition.powi(-2), l)
@@ -426,10 +447,9 @@ pub(super) fn solve<T: Number, const M: usize>(block: &mut Block<T, M>, closing:
     }
 }
 
-/// Adds the corrections of the unknowns.
+/// Adds the corrections of the unknowns, of which `largest` is the largest in radians.
 #[inline(always)]
-fn correct<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
-    let one = T::splat(1.0);
+fn correct<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing, largest: f64) {
     for (unknown, correction) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
             Unknown::Slide(slider) => {
@@ -441,16 +461,13 @@ fn correct<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing
             Unknown::Spin(class) => {
                 let turns = &mut block.turns[class];
                 for k in 0..M {
-                    // The rotation whose half angle has this tangent (Cayley, 1846): to third order the correction.
-                    let half = correction[k] * 0.5;
-                    let scale = one / (one + half * half);
-                    let (cosine, sine) = ((one - half * half) * scale, half * scale * 2.0);
-                    let Pair { x: c, y: s } = turns[k];
-                    let turned = Pair {
-                        x: c * cosine - s * sine,
-                        y: s * cosine + c * sine,
+                    // The turn whose tangent is the correction: to third order the correction itself, and never more than 90°.
+                    let turned = turns[k] + turns[k].quarter_turn() * correction[k];
+                    turns[k] = if largest < SMALL {
+                        unit(turned)
+                    } else {
+                        turned * (T::splat(1.0) / turned.dot(turned).sqrt())
                     };
-                    turns[k] = unit(turned);
                 }
             }
         }
