@@ -5,7 +5,7 @@ use super::trace::{Traced, trace};
 use super::{CycleError, Event, Position, Walker};
 use crate::geometry::{Number, span};
 use crate::kernel::{Block, InputKind, Kernel, vector};
-use crate::mechanism::{Mechanism, Role};
+use crate::mechanism::{Mechanism, Role, SliderId};
 use crate::position::Pose;
 
 /// The widest range that is followed, in turns to each side.
@@ -14,24 +14,20 @@ const MOST_TURNS: f64 = 100.0;
 /// A drive that is moved through a range; its value is in degrees, or in lengths along the guide.
 #[derive(Clone, Debug)]
 pub struct Drive {
-    /// The driven link's name.
+    /// Its name: that of the driven link, or of the slider on a moving link, as in `3/2`.
     pub name: String,
     pub(super) input: usize,
     pub(super) turns: bool,
 }
 
 impl Drive {
-    /// The drive of the link of that name; without a name the scene's first.
+    /// The drive of that name, one of [`Mechanism::drive_names`]; without a name the first of them.
     ///
     /// # Errors
     /// There is no such drive, or no drive at all.
     pub fn new(mechanism: &Mechanism, name: Option<&str>) -> Result<Self, CycleError> {
         let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
-        let names = kernel
-            .inputs
-            .iter()
-            .map(|i| mechanism.body(i.body).name.clone());
-        let names: Vec<String> = names.collect();
+        let names = mechanism.drive_names();
         let input = match name {
             None if names.is_empty() => return Err(CycleError::NoDrive),
             None => 0,
@@ -84,14 +80,15 @@ impl Drive {
 pub fn alone(mechanism: &Mechanism, drive: &str) -> Mechanism {
     let mut alone = mechanism.clone();
     for body in alone.bodies.iter_mut().filter(|b| b.name != drive) {
-        match &mut body.role {
-            Role::Driver { omega, alpha, .. } => (*omega, *alpha) = (0.0, 0.0),
-            Role::Pushed {
-                speed,
-                acceleration,
-                ..
-            } => (*speed, *acceleration) = (0.0, 0.0),
-            _ => {}
+        if let Role::Driver { omega, alpha, .. } = &mut body.role {
+            (*omega, *alpha) = (0.0, 0.0);
+        }
+    }
+    for (id, slider) in alone.sliders.iter_mut().enumerate() {
+        if let Some(push) = &mut slider.drive
+            && mechanism.push_name(SliderId(id)) != drive
+        {
+            (push.speed, push.acceleration) = (0.0, 0.0);
         }
     }
     alone

@@ -30,8 +30,14 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
     };
     let hidden = |name: &str| {
         let role = plan.points.get(name).map(|p| p.role);
-        let special = matches!(role, Some(PointRole::Special | PointRole::Normal));
-        special && !figure.special_points
+        let on_the_way = match plan.kind {
+            PlanKind::Velocity => matches!(role, Some(PointRole::Special)),
+            PlanKind::Acceleration => matches!(
+                role,
+                Some(PointRole::Special | PointRole::Normal | PointRole::Slid)
+            ),
+        };
+        on_the_way && !figure.special_points
     };
     let images = images(view, mechanism, plan);
     for corners in images.iter().filter(|corners| corners.len() > 2) {
@@ -86,6 +92,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
             Part::Normal => Pen::Normal,
             Part::Relative => Pen::Image,
             Part::Sliding => Pen::Vector,
+            Part::Coriolis => Pen::Coriolis,
         };
         let name = format!("{}-{}", laid.from, laid.to);
         arrow(canvas, at(&laid.from), at(&laid.to), pen, &name);

@@ -200,7 +200,7 @@ pub fn result(solved: Solved<'_>) -> ResultFile {
         let name = |&b: &BodyId| mechanism.body(b).name.clone();
         let agreement = construction.agreement[index];
         GroupResult {
-            links: group.links.iter().map(name).collect(),
+            links: group.bodies.iter().map(name).collect(),
             class: group.class.numeral(),
             joints: group.pattern(mechanism),
             special_points: construction.special[index]
@@ -258,9 +258,7 @@ fn points(solved: Solved<'_>) -> IndexMap<String, PointResult> {
         // A known body first: it has the point's motion exactly.
         let bodies = || (0..mechanism.bodies.len()).map(BodyId);
         let holds = |b: &BodyId| mechanism.body(*b).points.contains(&point);
-        let known = bodies()
-            .filter(holds)
-            .find(|&b| mechanism.body(b).role.is_known());
+        let known = bodies().filter(holds).find(|&b| mechanism.is_known(b));
         if let Some(body) = known.or_else(|| bodies().find(holds)) {
             let name = mechanism.point_name(point).to_owned();
             points.insert(name, moving(body, pose.point(point), None));

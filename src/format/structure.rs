@@ -8,12 +8,7 @@ use std::fmt::Write;
 #[must_use]
 pub fn structure(mechanism: &Mechanism) -> String {
     let mut text = String::new();
-    let drives: Vec<&str> = mechanism
-        .bodies
-        .iter()
-        .filter(|b| matches!(b.role, Role::Driver { .. } | Role::Pushed { .. }))
-        .map(|b| b.name.as_str())
-        .collect();
+    let drives = mechanism.drive_names();
     let known = mechanism
         .bodies
         .iter()
@@ -84,7 +79,10 @@ fn joints(mechanism: &Mechanism, group: &Group) -> String {
         return group.pattern(mechanism);
     }
     let of_link = |link: BodyId| {
-        let own = |j: &&JointId| mechanism.joint(**j).bodies.contains(&link);
+        let own = |j: &&JointId| {
+            let bodies = mechanism.joint(**j).bodies;
+            bodies.into_iter().any(|b| mechanism.lead(b) == link)
+        };
         let mut letters: Vec<char> = group
             .joints
             .iter()
@@ -116,7 +114,7 @@ pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
             let q = pose.point(p);
             format!("{} ({:.6}, {:.6})", mechanism.point_name(p), q.x, q.y)
         });
-        let members = mechanism.links().filter(|(_, b)| b.role == Role::Member);
+        let members = mechanism.links().filter(|(id, _)| mechanism.is_sought(*id));
         let angles = members.filter_map(|(id, body)| {
             let axis = pose.axes[id.0]?;
             Some(format!("angle({}) {:.6}", body.name, degrees_of(axis)))

@@ -10,7 +10,7 @@ use crate::scene::Form;
 pub struct Kernel {
     /// By body: how it sits in its class.
     pub seats: Vec<Seat>,
-    /// The drives, in the order of the bodies.
+    /// The drives, in the order of [`Mechanism::drive_names`].
     pub inputs: Vec<Input>,
     /// By group: what its equations solve for.
     pub unknowns: Vec<Vec<Unknown>>,
@@ -45,7 +45,7 @@ pub struct Seat {
 /// A drive: what a scene or a sweep sets.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// The driven body.
+    /// The driven body; of a slider the sliding link.
     pub body: BodyId,
     /// Whether it turns or slides.
     pub kind: InputKind,
@@ -241,25 +241,23 @@ impl<'a> Compiler<'a> {
                         second: alpha,
                     });
                 }
-                Role::Pushed {
-                    slider,
-                    position,
-                    speed,
-                    acceleration,
-                } => {
-                    self.kernel.inputs.push(Input {
-                        body: id,
-                        kind: InputKind::Sliding { slider: slider.0 },
-                        value: position,
-                        rate: speed,
-                        second: acceleration,
-                    });
-                }
                 _ => {}
             }
         }
+        for (id, slider) in self.mechanism.sliders.iter().enumerate() {
+            if let Some(drive) = slider.drive {
+                self.kernel.inputs.push(Input {
+                    body: slider.link,
+                    kind: InputKind::Sliding { slider: id },
+                    value: drive.position,
+                    rate: drive.speed,
+                    second: drive.acceleration,
+                });
+            }
+        }
         let all: Vec<JointId> = (0..self.mechanism.joints.len()).map(JointId).collect();
-        self.reach(&all, |body| body.role.is_known());
+        let mechanism = self.mechanism;
+        self.reach(&all, |body| mechanism.is_known(body));
         for (index, group) in self.mechanism.groups.iter().enumerate() {
             let closing = self.closing(index, group);
             self.kernel.unknowns.push(closing.unknowns.clone());
@@ -353,10 +351,8 @@ impl<'a> Compiler<'a> {
     }
 
     /// Places every body of the kind asked for that hangs by one of `joints` on a body placed before.
-    fn reach(&mut self, joints: &[JointId], wanted: impl Fn(&Body) -> bool) {
-        let open = |this: &Self, body: BodyId| {
-            this.anchors[body.0].is_none() && wanted(this.mechanism.body(body))
-        };
+    fn reach(&mut self, joints: &[JointId], wanted: impl Fn(BodyId) -> bool) {
+        let open = |this: &Self, body: BodyId| this.anchors[body.0].is_none() && wanted(body);
         while let Some((joint, from, to)) = joints.iter().find_map(|&j| {
             let joint = self.mechanism.joint(j);
             let [a, b] = joint.bodies;

@@ -18,10 +18,11 @@ use indexmap::IndexMap;
 pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
     let mut builder = Builder::new(scene);
     builder.add_bodies()?;
-    builder.add_sliders()?;
+    builder.add_sliders();
     let mut mechanism = builder.mechanism;
     let given = angle_in_place(scene)?;
     let unpinned = given.map(|_| mechanism.clone());
+    mechanism.join_driven();
     add_pins(&mut mechanism);
     mechanism.groups = groups(scene, &mechanism)?;
     if let (Some((link, angle)), Some(unpinned)) = (given, unpinned) {
@@ -36,10 +37,7 @@ pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>,
         .map(BodyId)
         .filter(|&b| mechanism.body(b).role == Role::Member)
         .collect();
-    if members.is_empty() {
-        return Err(StructureError::nothing_to_solve(scene));
-    }
-    let index = |b: BodyId| members.iter().position(|&m| m == b);
+    let index = |b: BodyId| members.iter().position(|&m| m == mechanism.lead(b));
     let edges: Vec<Edge> = mechanism
         .joints
         .iter()
@@ -47,22 +45,37 @@ pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>,
             ends: joint.bodies.map(index),
         })
         .collect();
+    let (mut surplus, mut over) = mechanism.surplus();
+    let (mut missing, mut under) = (0, Vec::new());
+    let links = |found: Vec<usize>| {
+        let leads = found.into_iter().map(|i| members[i]);
+        leads.flat_map(|lead| mechanism.compound(lead))
+    };
     let components = match structure(members.len(), &edges) {
         Structure::Groups(components) => components,
         Structure::Misfit {
-            under,
-            missing,
-            over,
-            surplus,
+            under: movable,
+            missing: free,
+            over: fixed,
+            surplus: more,
         } => {
-            let links =
-                |found: Vec<usize>| found.into_iter().map(|i| members[i]).collect::<Vec<_>>();
-            let (under, over) = (links(under), links(over));
-            return Err(StructureError::misfit(
-                scene, mechanism, &under, missing, &over, surplus,
-            ));
+            under.extend(links(movable));
+            over.extend(links(fixed));
+            missing += free;
+            surplus += more;
+            Vec::new()
         }
     };
+    if missing + surplus > 0 {
+        over.sort_unstable();
+        over.dedup();
+        return Err(StructureError::misfit(
+            scene, mechanism, &under, missing, &over, surplus,
+        ));
+    }
+    if members.is_empty() {
+        return Err(StructureError::nothing_to_solve(scene));
+    }
     let mut found = Vec::new();
     for component in components {
         let links: Vec<BodyId> = component.links.iter().map(|&i| members[i]).collect();
@@ -163,22 +176,8 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    fn add_sliders(&mut self) -> Result<(), StructureError> {
-        for (index, slider) in self.scene.sliders.iter().enumerate() {
-            let place = index.to_string();
-            let refuse = |key: &str, what: &str, hint: &str| -> StructureError {
-                let path = ["sliders", &place, key];
-                self.scene
-                    .error_at(&path, what, Some(hint.to_owned()))
-                    .into()
-            };
-            if slider.drive.is_some() && slider.on != On::Ground {
-                return Err(refuse(
-                    "drive",
-                    "a driven slider on a moving link is not available in this version",
-                    "drive a slider whose guide is on the ground, or a link that turns about a ground point",
-                ));
-            }
+    fn add_sliders(&mut self) {
+        for slider in &self.scene.sliders {
             let on = match &slider.on {
                 On::Ground => GROUND,
                 On::Link(name) => self.mechanism.link(name).expect("checked by the scene"),
@@ -202,22 +201,14 @@ impl<'a> Builder<'a> {
                 on,
                 guide,
                 turned: slider.turned_deg,
+                drive: slider.drive,
             });
             let id = SliderId(self.mechanism.sliders.len() - 1);
-            if let Some(drive) = slider.drive {
-                self.mechanism.bodies[link.0].role = Role::Pushed {
-                    slider: id,
-                    position: drive.position,
-                    speed: drive.speed,
-                    acceleration: drive.acceleration,
-                };
-            }
             self.mechanism.joints.push(Joint {
                 kind: JointKind::Prismatic(id),
                 bodies: [on, link],
             });
         }
-        Ok(())
     }
 
     /// The block of a pin that rides in a slot: a body with that one point.
@@ -283,7 +274,7 @@ pub(super) fn add_pins(mechanism: &mut Mechanism) {
             .map(BodyId)
             .filter(|&b| mechanism.body(b).points.contains(&point))
             .collect();
-        bodies.sort_by_key(|&b| !mechanism.body(b).role.is_known());
+        bodies.sort_by_key(|&b| !mechanism.is_known(b));
         let Some((&first, others)) = bodies.split_first() else {
             continue;
         };

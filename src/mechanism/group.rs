@@ -1,4 +1,4 @@
-use super::{BodyId, JointId, JointKind, Mechanism, PointId};
+use super::{BodyId, DrivenSlide, JointId, JointKind, Mechanism, PointId};
 use std::collections::VecDeque;
 
 /// The class of an Assur group, by the convention that two links make class II, four links with a central link that hangs on
@@ -34,8 +34,10 @@ pub struct Group {
     /// Its class.
     pub class: Class,
     /// Its links. Class III: first leg, central link, the other legs. Class IV: drag link, closure link, drag link, closure link
-    /// (2, 3, 4, 5 of the source paper).
+    /// (2, 3, 4, 5 of the source paper). Links that driven sliders join count as one, of which the lead stands here.
     pub links: Vec<BodyId>,
+    /// All its links one by one: after each lead those that driven sliders push from it.
+    pub bodies: Vec<BodyId>,
     /// Its joints, outer ones included.
     pub joints: Vec<JointId>,
     /// Its independent loops, two unknown rates each.
@@ -46,7 +48,8 @@ pub struct Group {
 
 /// A chain of joints from one known body to another, or around a closed contour from a link back to it.
 ///
-/// `bodies[i]` and `bodies[i + 1]` meet in `joints[i]`.
+/// `bodies[i]` and `bodies[i + 1]` meet in `joints[i]`; for a compound link its lead stands here, whichever of its links the joint
+/// touches.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Loop {
     /// Known body, links of the group, known body; or a link, others, the same link.
@@ -62,7 +65,7 @@ pub struct Loop {
 pub struct SpecialPoint {
     /// Its name, as in `S3`; for a dyad that of the joint, or of the link's point under it, as in `B_3`.
     pub name: String,
-    /// The link to which it belongs.
+    /// The link to which it belongs, of a compound link the very one.
     pub link: BodyId,
     /// The joint at which it is; none for a special (Assur) point, which is where the cut lines of the legs cross.
     pub target: Option<PointId>,
@@ -81,10 +84,22 @@ pub struct Leg {
     pub carried: Option<Carried>,
 }
 
+impl Leg {
+    /// The driven sliders within the carrying link, from its outer to its inner joint.
+    #[must_use]
+    pub fn carrier_slides(&self, mechanism: &Mechanism) -> Vec<DrivenSlide> {
+        let Some(Carried { carrier, inner }) = self.carried else {
+            return Vec::new();
+        };
+        let [from, to] = [self.outer, inner].map(|joint| mechanism.side(joint, carrier));
+        mechanism.way(from, to)
+    }
+}
+
 /// The second half of a leg.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Carried {
-    /// The carrying link, between known body and link.
+    /// The carrying link, between known body and link; of a compound link its lead.
     pub carrier: BodyId,
     /// The joint between carrying link and link.
     pub inner: JointId,
@@ -131,10 +146,10 @@ impl Group {
         .into_iter()
     }
 
-    /// Names of the links, as in `2, 3, 4, 5`.
+    /// Names of the links, as in `2, 3, 4, 5`; of a compound link all, as in `2+3`.
     #[must_use]
     pub fn link_names(&self, mechanism: &Mechanism) -> String {
-        let names = self.links.iter().map(|&l| mechanism.body(l).name.as_str());
+        let names = self.links.iter().map(|&l| mechanism.compound_name(l));
         // A carriage has none.
         let names = names.filter(|name| !name.is_empty());
         names.collect::<Vec<_>>().join(", ")
@@ -154,7 +169,7 @@ impl Group {
     }
 }
 
-/// The group that `links` form with `joints`; bodies other than these links count as known.
+/// The group that `links`, leads of compound links or links by themselves, form with `joints`; other bodies count as known.
 pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId]) -> Group {
     let builder = Builder {
         mechanism,
@@ -179,8 +194,10 @@ pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId])
             ordered.push(*body);
         }
     }
+    let compounds = ordered.iter().map(|&lead| mechanism.compound(lead));
     Group {
         class,
+        bodies: compounds.flatten().collect(),
         links: ordered,
         joints: joints.to_vec(),
         loops,
@@ -199,12 +216,29 @@ impl Builder<'_> {
         !self.links.contains(&body)
     }
 
+    /// The bodies that a joint joins: of the group's compound links the leads.
+    fn ends(&self, joint: JointId) -> [BodyId; 2] {
+        let bodies = self.mechanism.joint(joint).bodies;
+        bodies.map(|body| {
+            let lead = self.mechanism.lead(body);
+            if self.known(lead) { body } else { lead }
+        })
+    }
+
+    /// The body on the other side of `link`, if the joint is one of its.
+    fn other(&self, joint: JointId, link: BodyId) -> Option<BodyId> {
+        match self.ends(joint) {
+            [a, b] if a == link => Some(b),
+            [a, b] if b == link => Some(a),
+            _ => None,
+        }
+    }
+
     /// The first joint by which a link hangs on a known body, and that body.
     fn outer(&self, link: BodyId) -> Option<(JointId, BodyId)> {
         self.joints.iter().find_map(|&j| {
-            let joint = self.mechanism.joint(j);
-            let other = joint.other(link);
-            (joint.bodies.contains(&link) && self.known(other)).then_some((j, other))
+            let other = self.other(j, link).filter(|b| self.known(*b));
+            Some((j, other?))
         })
     }
 
@@ -223,12 +257,10 @@ impl Builder<'_> {
         }
         while let Some(body) = queue.pop_front() {
             for &j in self.joints {
-                let joint = self.mechanism.joint(j);
-                let other = joint.other(body);
-                let new = joint.bodies.contains(&body)
-                    && !self.known(other)
-                    && !reached.iter().any(|r| r.0 == other);
-                if new {
+                let Some(other) = self.other(j, body) else {
+                    continue;
+                };
+                if !self.known(other) && !reached.iter().any(|r| r.0 == other) {
                     reached.push((other, j, body));
                     used.push(j);
                     queue.push_back(other);
@@ -248,7 +280,7 @@ impl Builder<'_> {
         let outside = self.joints.iter().filter(|j| !used.contains(j));
         let mut loops: Vec<Loop> = outside
             .map(|&j| {
-                let [a, b] = self.mechanism.joint(j).bodies.map(way);
+                let [a, b] = self.ends(j).map(way);
                 // Start on the side whose first link the tree reached first.
                 let root = |(bodies, _): &(Vec<BodyId>, Vec<JointId>)| {
                     let root = bodies.iter().rev().nth(1);
@@ -337,7 +369,7 @@ impl Builder<'_> {
         if let Some(point) = pin(inner) {
             return Some(SpecialPoint {
                 name: mechanism.point_name(point).to_owned(),
-                link: a,
+                link: mechanism.side(inner, a),
                 target: Some(point),
                 legs: legs((start, outer_a), end, outer_b, b),
             });
@@ -345,7 +377,7 @@ impl Builder<'_> {
         // At a slider the sliding link's own pin is taken as a point of the other link, as one does with a crank pin in a slot; the
         // other link's pin where the sliding link slides at both ends.
         let slides = |link: BodyId| match mechanism.joint(inner).kind {
-            JointKind::Prismatic(id) => mechanism.slider(id).link == link,
+            JointKind::Prismatic(id) => mechanism.lead(mechanism.slider(id).link) == link,
             JointKind::Revolute(_) => false,
         };
         let ways = [
@@ -363,7 +395,7 @@ impl Builder<'_> {
             ),
         ];
         let best = ways.iter().filter(|w| w.0.is_some()).max_by_key(|w| w.3)?;
-        let (point, link) = (best.0?, best.1);
+        let (point, link) = (best.0?, mechanism.side(inner, best.1));
         Some(SpecialPoint {
             name: format!(
                 "{}_{}",

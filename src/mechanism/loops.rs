@@ -1,4 +1,4 @@
-use super::{BodyId, Group, JointKind, Loop, Mechanism, PointId, SliderId};
+use super::{BodyId, DrivenSlide, Group, JointKind, Loop, Mechanism, PointId, SliderId};
 use crate::geometry::{LinearSystem, Point, Vector, quarter_turn};
 use nalgebra::DMatrix;
 
@@ -11,6 +11,7 @@ use nalgebra::DMatrix;
 /// acceleration: Σ α_k J r_k + Σ s̈ u = a_end(p_m) − a_start(p_1) + Σ ω_k² r_k − Σ 2 ω ṡ J u
 ///
 /// Both have the same matrix. A loop that closes on a link of the group has one arm more, back to p_1, and zero for the ends.
+/// The rates of driven sliders are known: their terms stand on the right.
 /// Made once for a mechanism; positions come with each pose. The unknowns are the angular rates of classes of links that turn
 /// together, then the slide rates: two for each loop.
 #[derive(Clone, Debug)]
@@ -48,6 +49,15 @@ pub enum Spin {
     Known(BodyId),
 }
 
+/// The rate of a slider: an unknown of the system, or what its drive says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SlideRate {
+    /// This unknown.
+    Unknown(usize),
+    /// Driven: speed and acceleration along the guide.
+    Driven([f64; 2]),
+}
+
 /// What one loop sums.
 #[derive(Clone, Debug)]
 pub struct LoopTerms {
@@ -59,7 +69,7 @@ pub struct LoopTerms {
     pub last: PointId,
     /// The arms between successive revolute joints.
     pub arms: Vec<Arm>,
-    /// The prismatic joints.
+    /// The prismatic joints, and the driven sliders within compound links.
     pub slides: Vec<Slide>,
 }
 
@@ -74,13 +84,13 @@ pub struct Arm {
     pub spin: Spin,
 }
 
-/// A prismatic joint of a loop.
+/// A slider of a loop.
 #[derive(Clone, Copy, Debug)]
 pub struct Slide {
     /// The slider.
     pub slider: SliderId,
-    /// The unknown that is its rate.
-    pub unknown: usize,
+    /// Its rate.
+    pub rate: SlideRate,
     /// +1 where the loop walks from the guide to the sliding link, −1 the other way.
     pub sign: f64,
     /// The rotation of its guide.
@@ -98,13 +108,16 @@ impl LoopTerms {
             }
         }
         for slide in &self.slides {
-            columns[slide.unknown] += guides[slide.slider.0] * slide.sign;
+            if let SlideRate::Unknown(unknown) = slide.rate {
+                columns[unknown] += guides[slide.slider.0] * slide.sign;
+            }
         }
     }
 
     fn has(&self, unknown: usize) -> bool {
         let arms = self.arms.iter().any(|a| a.spin == Spin::Unknown(unknown));
-        arms || self.slides.iter().any(|s| s.unknown == unknown)
+        let rate = SlideRate::Unknown(unknown);
+        arms || self.slides.iter().any(|s| s.rate == rate)
     }
 }
 
@@ -133,7 +146,7 @@ impl LoopEquations {
         }
     }
 
-    /// The unknown that is the slide rate of `slider`.
+    /// The unknown that is the slide rate of `slider`; `None` for one of another group and for a driven one.
     #[must_use]
     pub fn slide_unknown(&self, slider: SliderId) -> Option<usize> {
         let found = self.slides.iter().find(|(s, _)| *s == slider);
@@ -197,8 +210,23 @@ fn terms(
     let mut pins = Vec::new();
     let mut arms: Vec<Arm> = Vec::new();
     let mut sliding = Vec::new();
+    let driven = |way: Vec<DrivenSlide>, spin| {
+        way.into_iter().map(move |way| Slide {
+            slider: way.slider,
+            rate: driven_rate(mechanism, way.slider),
+            sign: way.sign,
+            spin,
+        })
+    };
+    // By which of a compound link's links the loop has entered it; it may leave by another.
+    let mut entered = None;
     for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
         let spin = spin_of(spins, sides[0]);
+        if let Some(from) = entered {
+            let left = mechanism.side(joint, sides[0]);
+            sliding.extend(driven(mechanism.way(from, left), spin));
+        }
+        entered = Some(mechanism.side(joint, sides[1]));
         match mechanism.joint(joint).kind {
             JointKind::Revolute(to) => {
                 if let Some(&from) = pins.last() {
@@ -213,12 +241,10 @@ fn terms(
                     slides.push((slider, unknown));
                     *unknowns += 1;
                 }
-                let forward = mechanism.slider(slider).on == sides[0];
-                let sign = if forward { 1.0 } else { -1.0 };
                 sliding.push(Slide {
                     slider,
-                    unknown,
-                    sign,
+                    rate: SlideRate::Unknown(unknown),
+                    sign: mechanism.slide_sign(slider, sides[0]),
                     spin,
                 });
             }
@@ -233,6 +259,9 @@ fn terms(
         let (from, to) = (last, first);
         let spin = spin_of(spins, ends[0]);
         arms.push(Arm { from, to, spin });
+        let left = mechanism.side(chain.joints[0], ends[0]);
+        let way = mechanism.way(entered.unwrap_or(left), left);
+        sliding.extend(driven(way, spin));
     }
     LoopTerms {
         ends: (!chain.closed).then_some(ends),
@@ -241,6 +270,12 @@ fn terms(
         arms,
         slides: sliding,
     }
+}
+
+/// What the drive says of the rate of a driven slider.
+fn driven_rate(mechanism: &Mechanism, slider: SliderId) -> SlideRate {
+    let drive = mechanism.slider(slider).drive;
+    SlideRate::Driven(drive.map_or([0.0; 2], |drive| [drive.speed, drive.acceleration]))
 }
 
 /// How the unknowns split; `None` where a closure link has two sliders, and for higher classes.
@@ -267,7 +302,11 @@ fn reduction(loops: &[LoopTerms], unknowns: usize) -> Option<Reduction> {
 
 /// The spin of every link of the group: links tied by prismatic joints turn together.
 fn spins(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, Spin)> {
-    let mut classes: Vec<Vec<BodyId>> = group.links.iter().map(|&l| vec![l]).collect();
+    let mut classes: Vec<Vec<BodyId>> = group
+        .links
+        .iter()
+        .map(|&lead| mechanism.compound(lead))
+        .collect();
     for &joint in &group.joints {
         if !mechanism.is_prismatic(joint) {
             continue;
@@ -287,10 +326,11 @@ fn spins(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, Spin)> {
     let mut spins = Vec::new();
     let mut unknowns = 0;
     for class in classes {
-        let anchor = class.iter().find(|b| !group.links.contains(b));
+        let own = |b: &BodyId| group.bodies.contains(b);
+        let anchor = class.iter().find(|b| !own(b));
         let spin = anchor.map_or(Spin::Unknown(unknowns), |&body| Spin::Known(body));
         unknowns += usize::from(anchor.is_none());
-        let links = class.into_iter().filter(|b| group.links.contains(b));
+        let links = class.into_iter().filter(own);
         spins.extend(links.map(|link| (link, spin)));
     }
     spins

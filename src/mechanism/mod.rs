@@ -3,6 +3,7 @@
 //! No position is computed here: a mechanism is the same at every crank angle.
 
 mod build;
+mod compound;
 mod drives;
 mod error;
 mod group;
@@ -12,12 +13,13 @@ mod shape;
 mod structure;
 
 pub use build::mechanism;
+pub use compound::DrivenSlide;
 pub use error::StructureError;
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
-pub use loops::{Arm, LoopEquations, LoopTerms, Reduction, Slide, Spin};
+pub use loops::{Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate, Spin};
 
 use crate::geometry::{Point, Vector};
-use crate::scene::Form;
+use crate::scene::{Form, SliderDrive};
 
 /// Index of a named point in [`Mechanism::points`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -104,16 +106,12 @@ pub enum Role {
         /// Angular acceleration.
         alpha: f64,
     },
-    /// It is pushed along a guide of the ground as the scene says.
+    /// A driven slider joins it to another body: it turns as that one does and slides against it as the scene says.
     Pushed {
-        /// Its slider.
+        /// The driven slider, of which it is the sliding link or the guide's body.
         slider: SliderId,
-        /// Position along the guide; none in a drawn configuration and where a link's angle is given in its place.
-        position: Option<f64>,
-        /// Velocity along the guide.
-        speed: f64,
-        /// Acceleration along the guide.
-        acceleration: f64,
+        /// The other body.
+        from: BodyId,
     },
     /// Its whole motion is given: that of one of its places, and its rotation.
     Moving {
@@ -141,14 +139,6 @@ pub enum Role {
     Member,
 }
 
-impl Role {
-    /// Whether the body's motion (or at least its carried point's) is known before any group is solved.
-    #[must_use]
-    pub fn is_known(&self) -> bool {
-        !matches!(self, Role::Member | Role::Stub)
-    }
-}
-
 /// A link that slides along a straight guide of another body and keeps its angle to it.
 #[derive(Clone, Debug)]
 pub struct Slider {
@@ -164,6 +154,8 @@ pub struct Slider {
     pub counted_from: Option<PointId>,
     /// Degrees from the guide to the sliding link's axis.
     pub turned: f64,
+    /// How it is pushed along the guide, if it is driven; the position is none in a drawn configuration.
+    pub drive: Option<SliderDrive>,
 }
 
 /// A straight guide.
@@ -198,18 +190,6 @@ pub enum JointKind {
     Revolute(PointId),
     /// A slider on its guide.
     Prismatic(SliderId),
-}
-
-impl Joint {
-    /// The body on the other side of `body`.
-    #[must_use]
-    pub fn other(&self, body: BodyId) -> BodyId {
-        if self.bodies[0] == body {
-            self.bodies[1]
-        } else {
-            self.bodies[0]
-        }
-    }
 }
 
 impl Mechanism {
@@ -257,6 +237,30 @@ impl Mechanism {
         }
     }
 
+    /// Names of the drives: turned links first, then pushed ones: by link on the ground, by slider on a moving link, as in `3/2`.
+    #[must_use]
+    pub fn drive_names(&self) -> Vec<String> {
+        let turned = self.bodies.iter();
+        let turned = turned.filter(|b| matches!(b.role, Role::Driver { .. }));
+        let pushed = (0..self.sliders.len()).map(SliderId);
+        let pushed = pushed.filter(|&id| self.slider(id).drive.is_some());
+        turned
+            .map(|body| body.name.clone())
+            .chain(pushed.map(|id| self.push_name(id)))
+            .collect()
+    }
+
+    /// The name by which a driven slider is called as a drive.
+    #[must_use]
+    pub fn push_name(&self, id: SliderId) -> String {
+        let slider = self.slider(id);
+        if slider.on == GROUND {
+            self.body(slider.link).name.clone()
+        } else {
+            self.slider_name(id)
+        }
+    }
+
     /// The point of that name.
     #[must_use]
     pub fn point(&self, name: &str) -> Option<PointId> {
@@ -284,8 +288,8 @@ impl Mechanism {
     #[must_use]
     pub fn inner_points(&self) -> Vec<PointId> {
         let holds = |p: &PointId, known: bool| {
-            let mut bodies = self.bodies.iter();
-            bodies.any(|b| b.role.is_known() == known && b.points.contains(p))
+            let mut bodies = (0..self.bodies.len()).map(BodyId);
+            bodies.any(|b| self.is_known(b) == known && self.body(b).points.contains(p))
         };
         let points = (0..self.points.len()).map(PointId);
         points

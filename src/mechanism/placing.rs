@@ -10,7 +10,7 @@ use crate::scene::Scene;
 ///
 /// That drive lets go of its link, and a carriage without mass or size holds the given link at its angle: it slides along y of the
 /// ground, and the link along x of it. So the same groups, loops and assembly modes serve as for a drive. `mechanism` has its bodies
-/// and sliders, but not yet its pins.
+/// and sliders, but not yet its compound links and pins.
 ///
 /// # Errors
 /// Where the angle does not change with the drive: one part of the mechanism is then held twice, another not at all.
@@ -21,14 +21,14 @@ pub(super) fn placing(
     angle: f64,
 ) -> Result<Placing, StructureError> {
     for body in &mut mechanism.bodies {
-        let open = matches!(
-            body.role,
-            Role::Driver { angle: None, .. } | Role::Pushed { position: None, .. }
-        );
-        if open {
+        if matches!(body.role, Role::Driver { angle: None, .. }) {
             body.role = Role::Member;
         }
     }
+    for slider in &mut mechanism.sliders {
+        slider.drive = slider.drive.filter(|drive| drive.position.is_some());
+    }
+    mechanism.join_driven();
     let held = mechanism.link(link).expect("it is a link of the scene");
     hold(&mut mechanism, held, angle);
     add_pins(&mut mechanism);
@@ -76,6 +76,7 @@ fn hold(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
             guide: Guide::Local { through, direction },
             counted_from: None,
             turned,
+            drive: None,
         });
         let slider = SliderId(mechanism.sliders.len() - 1);
         mechanism.joints.push(Joint {

@@ -1,6 +1,6 @@
-use super::{BodyMotion, Order};
+use super::{BodyMotion, Order, SlideMotion};
 use crate::geometry::quarter_turn;
-use crate::mechanism::{Body, Mechanism, Role};
+use crate::mechanism::{Body, BodyId, Mechanism, Role, Slider, SliderId};
 use crate::position::Pose;
 
 /// The motion of a body that moves as the scene says; rest for one that is still to be found.
@@ -37,20 +37,10 @@ pub(super) fn known_motion(
                 alpha: *alpha,
             }
         }
-        Role::Pushed {
-            slider,
-            speed,
-            acceleration,
-            ..
-        } => {
-            let along = pose.guide(*slider);
-            BodyMotion {
-                at: pose.point(mechanism.slider(*slider).at),
-                velocity: along * *speed,
-                acceleration: along * *acceleration,
-                omega: 0.0,
-                alpha: 0.0,
-            }
+        Role::Pushed { slider, from } => {
+            let source = known_motion(mechanism, pose, mechanism.body(*from), order);
+            let slide = driven_motion(mechanism.slider(*slider), order);
+            slid(mechanism, pose, *slider, *from, &source, &slide)
         }
         Role::Moving {
             at,
@@ -90,4 +80,40 @@ pub(super) fn known_motion(
         motion.alpha = 0.0;
     }
     motion
+}
+
+/// How a slider moves by its drive; at rest without one.
+pub(super) fn driven_motion(slider: &Slider, order: Order) -> SlideMotion {
+    let Some(drive) = slider.drive else {
+        return SlideMotion::default();
+    };
+    let second = order == Order::Acceleration;
+    SlideMotion {
+        velocity: drive.speed,
+        acceleration: if second { drive.acceleration } else { 0.0 },
+        ..SlideMotion::default()
+    }
+}
+
+/// The motion of the body on the other side of a slider from `from`, which moves as `source` says.
+///
+/// a = a_from + u s̈ + 2 ω ṡ J u, the last part Coriolis's.
+pub(super) fn slid(
+    mechanism: &Mechanism,
+    pose: &Pose,
+    slider: SliderId,
+    from: BodyId,
+    source: &BodyMotion,
+    slide: &SlideMotion,
+) -> BodyMotion {
+    let Slider { at, on, .. } = *mechanism.slider(slider);
+    let at = pose.point(at);
+    let u = pose.guide(slider) * if on == from { 1.0 } else { -1.0 };
+    let coriolis = quarter_turn(u) * (2.0 * source.omega * slide.velocity);
+    BodyMotion {
+        at,
+        velocity: source.velocity_at(at) + u * slide.velocity,
+        acceleration: source.acceleration_at(at) + (u * slide.acceleration + coriolis),
+        ..*source
+    }
 }

@@ -1,6 +1,6 @@
 use super::BodyMotion;
 use crate::geometry::{Numbers, UNIT_ROUNDOFF, Vector, quarter_turn};
-use crate::mechanism::{LoopEquations, LoopTerms, Spin};
+use crate::mechanism::{LoopEquations, LoopTerms, SlideRate, Spin};
 use crate::position::Pose;
 
 /// The right side of one loop's equations: a vector and, if `BOUNDED`, how uncertain rounding has left it.
@@ -72,6 +72,12 @@ impl<const BOUNDED: bool> LoopSide<BOUNDED> {
                 side.add(-turned * known[body.0].omega, 2.0);
             }
         }
+        for slide in &terms.slides {
+            if let SlideRate::Driven([speed, _]) = slide.rate {
+                let u = pose.guide(slide.slider) * slide.sign;
+                side.add(-u * speed, 1.0);
+            }
+        }
         side
     }
 
@@ -114,20 +120,30 @@ impl<const BOUNDED: bool> LoopSide<BOUNDED> {
             }
         }
         for slide in &terms.slides {
-            let u = quarter_turn(pose.guide(slide.slider)) * slide.sign;
+            let u = pose.guide(slide.slider) * slide.sign;
             let omega = match slide.spin {
                 Spin::Unknown(unknown) => rates[unknown],
                 Spin::Known(body) => known[body.0].omega,
             };
-            let rate = rates[slide.unknown];
-            side.add(-u * (2.0 * omega * rate), 4.0);
+            let rate = match slide.rate {
+                SlideRate::Unknown(unknown) => rates[unknown],
+                SlideRate::Driven([speed, acceleration]) => {
+                    side.add(-u * acceleration, 1.0);
+                    speed
+                }
+            };
+            let across = quarter_turn(u);
+            side.add(-across * (2.0 * omega * rate), 4.0);
             if BOUNDED {
                 let omega_error = match slide.spin {
                     Spin::Unknown(unknown) => rate_errors[unknown],
                     Spin::Known(_) => 0.0,
                 };
-                let rate_error = rate_errors[slide.unknown];
-                side.doubt(u * (2.0 * (omega.abs() * rate_error + rate.abs() * omega_error)));
+                let rate_error = match slide.rate {
+                    SlideRate::Unknown(unknown) => rate_errors[unknown],
+                    SlideRate::Driven(_) => 0.0,
+                };
+                side.doubt(across * (2.0 * (omega.abs() * rate_error + rate.abs() * omega_error)));
             }
         }
         side

@@ -1,12 +1,12 @@
-use super::known::known_motion;
+use super::known::{driven_motion, known_motion, slid};
 use super::singular::singular;
 use super::{
     BodyMotion, ClosedForm, GroupAccuracy, Motion, MotionError, Order, RateErrors, RightSide,
     SlideMotion,
 };
-use crate::geometry::{Numbers, UNIT_ROUNDOFF, Vector, quarter_turn};
+use crate::geometry::{Numbers, UNIT_ROUNDOFF};
 use crate::mechanism::{
-    BodyId, Group, JointId, JointKind, LoopEquations, Mechanism, Role, SliderId,
+    BodyId, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, SliderId,
 };
 use crate::position::Pose;
 use smallvec::smallvec;
@@ -23,31 +23,17 @@ const NEARLY_SINGULAR_CONDITION: f64 = 1e-8 / UNIT_ROUNDOFF;
 /// [`MotionError::Singular`] names the links and lines where a group has no definite motion.
 pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion, MotionError> {
     let bodies = mechanism.bodies.iter();
+    let sliders = mechanism.sliders.iter();
     let mut motion = Motion {
         order,
         bodies: bodies
             .map(|body| known_motion(mechanism, pose, body, order))
             .collect(),
         errors: vec![RateErrors::default(); mechanism.bodies.len()],
-        slides: vec![SlideMotion::default(); mechanism.sliders.len()],
+        slides: sliders.map(|s| driven_motion(s, order)).collect(),
         groups: Vec::new(),
         warnings: Vec::new(),
     };
-    for body in &mechanism.bodies {
-        if let Role::Pushed {
-            slider,
-            speed,
-            acceleration,
-            ..
-        } = body.role
-        {
-            let slide = &mut motion.slides[slider.0];
-            slide.velocity = speed;
-            if order == Order::Acceleration {
-                slide.acceleration = acceleration;
-            }
-        }
-    }
     for group in &mechanism.groups {
         move_group(mechanism, group, pose, &mut motion)?;
     }
@@ -119,7 +105,7 @@ fn move_group(
     }
     motion.groups.push(GroupAccuracy { condition });
 
-    for &link in &group.links {
+    for &link in &group.bodies {
         let omega = equations.spin(link, &rates, |b| motion.body(b).omega);
         let alpha = equations.spin(link, &seconds, |b| motion.body(b).alpha);
         let body = &mut motion.bodies[link.0];
@@ -145,10 +131,16 @@ fn move_group(
     Ok(())
 }
 
-/// Gives each link a place whose motion is known: from the start of its loop, the last link from the end.
+/// Gives each link a place whose motion is known: from the start of its loop, the last link from the end; the links of a compound
+/// link from that of them which the loop enters.
 fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, motion: &mut Motion) {
     let mut placed: Vec<BodyId> = Vec::new();
-    for chain in &group.loops {
+    let mut waiting: Vec<&Loop> = group.loops.iter().collect();
+    // A loop that closes on a link of the group waits for that link.
+    let starts =
+        |chain: &&Loop, placed: &[BodyId]| !chain.closed || placed.contains(&chain.bodies[0]);
+    while let Some(next) = waiting.iter().position(|chain| starts(chain, &placed)) {
+        let chain = waiting.remove(next);
         let last = chain.bodies.len() - 2;
         let end = (
             chain.joints[last],
@@ -157,9 +149,16 @@ fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, motion: &mut
         );
         let forward = (0..last).map(|i| (chain.joints[i], chain.bodies[i], chain.bodies[i + 1]));
         for (joint, from, to) in std::iter::once(end).chain(forward) {
-            if !placed.contains(&to) {
-                carry_over(mechanism, pose, motion, joint, from, to);
-                placed.push(to);
+            if placed.contains(&to) {
+                continue;
+            }
+            placed.push(to);
+            let [from, entered] = [from, to].map(|link| mechanism.side(joint, link));
+            carry_over(mechanism, pose, motion, joint, from, entered);
+            for link in mechanism.compound(to) {
+                for slide in mechanism.way(entered, link) {
+                    slide_over(mechanism, pose, motion, slide.slider, slide.from, slide.to);
+                }
             }
         }
     }
@@ -174,25 +173,39 @@ fn carry_over(
     from: BodyId,
     to: BodyId,
 ) {
-    let at = pose.point(mechanism.joint_point(joint));
-    let source = *motion.body(from);
-    let (mut velocity, mut acceleration) = (source.velocity_at(at), source.acceleration_at(at));
-    if let JointKind::Prismatic(id) = mechanism.joint(joint).kind {
-        let slide = *motion.slide(id);
-        let forward = mechanism.slider(id).on == from;
-        let u = pose.guide(id) * if forward { 1.0 } else { -1.0 };
-        velocity += u * slide.velocity;
-        acceleration +=
-            u * slide.acceleration + quarter_turn(u) * (2.0 * source.omega * slide.velocity);
+    match mechanism.joint(joint).kind {
+        JointKind::Prismatic(slider) => slide_over(mechanism, pose, motion, slider, from, to),
+        JointKind::Revolute(point) => {
+            let at = pose.point(point);
+            let source = *motion.body(from);
+            let mut acceleration = source.acceleration_at(at);
+            if motion.order == Order::Velocity {
+                acceleration.fill(0.0);
+            }
+            let body = &mut motion.bodies[to.0];
+            *body = BodyMotion {
+                at,
+                velocity: source.velocity_at(at),
+                acceleration,
+                ..*body
+            };
+        }
     }
+}
+
+/// The motion of body `to`, from that of body `from` on the other side of a slider; they turn alike.
+fn slide_over(
+    mechanism: &Mechanism,
+    pose: &Pose,
+    motion: &mut Motion,
+    slider: SliderId,
+    from: BodyId,
+    to: BodyId,
+) {
+    let (source, slide) = (motion.body(from), motion.slide(slider));
+    let mut body = slid(mechanism, pose, slider, from, source, slide);
     if motion.order == Order::Velocity {
-        acceleration = Vector::zeros();
+        body.acceleration.fill(0.0);
     }
-    let body = &mut motion.bodies[to.0];
-    *body = BodyMotion {
-        at,
-        velocity,
-        acceleration,
-        ..*body
-    };
+    motion.bodies[to.0] = body;
 }

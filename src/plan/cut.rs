@@ -1,5 +1,8 @@
+use super::name::normal_name;
 use crate::geometry::{Crossing, Line, Place, quarter_turn};
-use crate::mechanism::{BodyId, Group, JointKind, Leg, Mechanism, PointId, SliderId, SpecialPoint};
+use crate::mechanism::{
+    BodyId, DrivenSlide, Group, JointKind, Leg, Mechanism, PointId, SliderId, SpecialPoint,
+};
 use crate::position::Pose;
 
 /// The kinds of a leg's joints.
@@ -43,7 +46,7 @@ pub enum LegKind {
 }
 
 /// The cut line of a leg: the line along which the motion of the link is known whatever the carrying link does.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct CutLine {
     /// The leg.
     pub leg: Leg,
@@ -53,6 +56,8 @@ pub struct CutLine {
     pub line: Line,
     /// The carrying link, or the link itself where it hangs on the known body.
     pub carrier: BodyId,
+    /// The driven sliders within its compound links, from the outer joint to the point looked for: what they add is known.
+    pub slides: Vec<DrivenSlide>,
 }
 
 impl CutLine {
@@ -99,6 +104,7 @@ impl CutLine {
             kind,
             line: line.unwrap_or(Line::AtInfinity),
             carrier: leg.carried.map_or(point.link, |c| c.carrier),
+            slides: driven_slides(mechanism, point, leg),
         }
     }
 
@@ -143,6 +149,15 @@ impl CutLine {
     }
 }
 
+/// The driven sliders of a leg: those of the carrying link, then those of the link itself up to the point looked for.
+fn driven_slides(mechanism: &Mechanism, point: &SpecialPoint, leg: &Leg) -> Vec<DrivenSlide> {
+    let link = mechanism.lead(point.link);
+    let mut slides = leg.carrier_slides(mechanism);
+    let last = leg.carried.map_or(leg.outer, |carried| carried.inner);
+    slides.extend(mechanism.way(mechanism.side(last, link), point.link));
+    slides
+}
+
 /// A point of a link found by two legs: a special (Assur) point, where their cut lines cross, or a dyad's joint.
 #[derive(Clone, Debug)]
 pub struct Special {
@@ -158,6 +173,22 @@ pub struct Special {
     pub crossing: Crossing,
     /// Where it is.
     pub place: Place,
+}
+
+impl Special {
+    /// The ends of the normal parts on both legs, as in `n_b3`; a prime tells two apart that start from one point.
+    #[must_use]
+    pub fn normal_names(&self, mechanism: &Mechanism) -> [String; 2] {
+        let name = |cut: &CutLine| {
+            let start = cut.start().map_or("", |point| mechanism.point_name(point));
+            normal_name(start, &self.name)
+        };
+        let [first, mut second] = [0, 1].map(|side| name(&self.cuts[side]));
+        if first == second {
+            second = second.replacen('_', "'_", 1);
+        }
+        [first, second]
+    }
 }
 
 /// The points by which the plans of `group` are drawn.

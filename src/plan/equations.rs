@@ -1,4 +1,5 @@
 use super::cut::{CutLine, LegKind, Special};
+use super::driven::SlideMeasure;
 use crate::geometry::{
     Line, LinearSystem, Numbers, Point, UNIT_ROUNDOFF, Vector, quarter_turn, span,
 };
@@ -8,11 +9,13 @@ use crate::position::Pose;
 use nalgebra::{DMatrix, DVector};
 
 /// One leg of a special point as constructed: the ray that it gives in each plan and what is measured along it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct LegMeasure {
-    /// Plan vector from which the velocity ray starts (v_B).
+    /// What the driven sliders on the way add, one after the other.
+    pub slides: Vec<SlideMeasure>,
+    /// Plan vector from which the velocity ray starts (v_B, and what driven sliders add).
     pub velocity_start: Vector,
-    /// Plan vector of the acceleration from which the normal part is laid off (a_B).
+    /// Plan vector of the acceleration from which the normal part is laid off (a_B, and what driven sliders add).
     pub acceleration_start: Vector,
     /// The normal part (Coriolis included), along the cut line.
     pub normal: Vector,
@@ -76,15 +79,11 @@ pub(super) fn construct(
     };
     let mut legs: Vec<[LegMeasure; 2]> = Vec::new();
     for (index, point) in special.iter().enumerate() {
-        let mut pair = [None; 2];
         for (side, cut) in point.cuts.iter().enumerate() {
             board.equation(2 * index + side, cut, point, size)?;
-            pair[side] = Some(board.start(cut)?);
         }
-        let [Some(a), Some(b)] = pair else {
-            return None;
-        };
-        legs.push([a, b]);
+        let [first, second] = &point.cuts;
+        legs.push([board.start(first)?, board.start(second)?]);
     }
     let mut velocities = Vec::new();
     let mut sides = Sides::new(unknowns);
@@ -101,9 +100,10 @@ pub(super) fn construct(
         let mut sides = Sides::new(unknowns);
         for (index, (point, pair)) in special.iter().zip(&mut legs).enumerate() {
             for (side, (cut, leg)) in point.cuts.iter().zip(pair.iter_mut()).enumerate() {
+                let slid = board.slide_accelerations(leg, &first);
                 let (normal, doubt) = board.normal(cut, point, &first, size)?;
                 leg.normal = normal;
-                sides.uncertain[2 * index + side] += doubt;
+                sides.uncertain[2 * index + side] += doubt + slid;
             }
             let start = |leg: &LegMeasure| leg.acceleration_start + leg.normal;
             let doubts = [sides.uncertain[2 * index], sides.uncertain[2 * index + 1]];
@@ -126,7 +126,8 @@ pub(super) fn construct(
 }
 
 fn group_points(mechanism: &Mechanism, group: &Group, pose: &Pose) -> impl Iterator<Item = Point> {
-    let points = group.links.iter().flat_map(|&l| &mechanism.body(l).points);
+    let points = group.bodies.iter();
+    let points = points.flat_map(|&l| &mechanism.body(l).points);
     points.map(|&p| pose.point(p))
 }
 
@@ -256,16 +257,44 @@ impl Board<'_> {
 
     /// The guide's direction, signed away from body `from`.
     fn guide(&self, slider: SliderId, from: BodyId) -> Vector {
-        let forward = self.mechanism.slider(slider).on == from;
-        self.pose.guide(slider) * if forward { 1.0 } else { -1.0 }
+        self.pose.guide(slider) * self.mechanism.slide_sign(slider, from)
+    }
+
+    /// The angular velocity of a body from the constructed rates, and a bound of its error.
+    fn spin(&self, link: BodyId, first: &Solution) -> (f64, f64) {
+        let known = |b: BodyId| self.motion.body(b).omega;
+        let unknown = self.equations.spin_unknown(link);
+        let omega = self.equations.spin(link, &first.rates, known);
+        (omega, unknown.map_or(0.0, |u| first.errors[u]))
+    }
+
+    /// Adds to the start of a leg's normal part what driven sliders add to accelerations; bounds the error of that.
+    fn slide_accelerations(&self, leg: &mut LegMeasure, first: &Solution) -> f64 {
+        let mut doubt = 0.0;
+        for measure in &mut leg.slides {
+            let (omega, error) = self.spin(measure.slide.to, first);
+            *measure = SlideMeasure::new(self.mechanism, self.pose, &measure.slide, omega);
+            leg.acceleration_start += measure.acceleration;
+            leg.acceleration_start += measure.coriolis;
+            doubt += 2.0 * measure.velocity.norm() * error
+                + 4.0 * UNIT_ROUNDOFF * (measure.acceleration.norm() + measure.coriolis.norm());
+        }
+        doubt
     }
 
     /// Where the rays of a leg start, in both plans.
     fn start(&self, cut: &CutLine) -> Option<LegMeasure> {
         let base: &BodyMotion = self.motion.body(cut.leg.base);
         let at = self.pose.point(cut.start()?);
+        // The Coriolis parts follow when the rates are known.
+        let slides = cut.slides.iter();
+        let slides: Vec<SlideMeasure> = slides
+            .map(|slide| SlideMeasure::new(self.mechanism, self.pose, slide, 0.0))
+            .collect();
+        let add = |sum: Vector, slide: &SlideMeasure| sum + slide.velocity;
         Some(LegMeasure {
-            velocity_start: base.velocity_at(at),
+            velocity_start: slides.iter().fold(base.velocity_at(at), add),
+            slides,
             acceleration_start: base.acceleration_at(at),
             normal: Vector::zeros(),
             ray: quarter_turn(cut.line.direction()?),
@@ -282,13 +311,7 @@ impl Board<'_> {
         first: &Solution,
         size: f64,
     ) -> Option<(Vector, f64)> {
-        let spin = |link: BodyId| {
-            let omega = self
-                .equations
-                .spin(link, &first.rates, |b| self.motion.body(b).omega);
-            let unknown = self.equations.spin_unknown(link);
-            (omega, unknown.map_or(0.0, |u| first.errors[u]))
-        };
+        let spin = |link: BodyId| self.spin(link, first);
         let rate = |slider: SliderId| {
             let unknown = self.equations.slide_unknown(slider);
             unknown.map_or((0.0, 0.0), |u| (first.rates[u], first.errors[u]))
@@ -373,7 +396,7 @@ impl Board<'_> {
         for (order, solution) in [Some(first), second].into_iter().enumerate() {
             let Some(solution) = solution else { continue };
             let mut spins = Vec::new();
-            for &link in &group.links {
+            for &link in &group.bodies {
                 let (body, errors) = (self.motion.body(link), self.motion.errors[link.0]);
                 let (rate, error) = match order {
                     0 => (body.omega, errors.omega),

@@ -1,3 +1,4 @@
+use super::driven::{self, SlideMeasure};
 use super::name::{coincident_name, image_name};
 use super::step::{Action, Arrow, Part, Plan, PlanPoint, PointRole, Step};
 use super::words;
@@ -50,21 +51,22 @@ struct Images<'a> {
 impl Images<'_> {
     fn leg(&mut self, leg: &Leg, second: &Carried) {
         let outer = self.mechanism.joint_point(leg.outer);
-        let carrier = &self.mechanism.body(second.carrier).name;
         let outer_name = self.mechanism.point_name(outer);
         let mut from = image_name(outer_name);
         if let JointKind::Prismatic(slider) = self.mechanism.joint(leg.outer).kind {
             let (under, image) = self.slide(slider);
-            let guide_on_carrier = self.mechanism.slider(slider).on == second.carrier;
+            let guide_on_carrier = self.mechanism.slide_sign(slider, second.carrier) > 0.0;
             from = if guide_on_carrier { under } else { image };
         }
+        let from = self.driven(leg, from);
+        // The link of a compound one that holds the inner joint.
+        let holder = self.mechanism.side(second.inner, second.carrier);
+        let carrier = &self.mechanism.body(holder).name;
         match self.mechanism.joint(second.inner).kind {
             JointKind::Revolute(point) => {
                 let name = self.mechanism.point_name(point);
-                let velocity = self
-                    .motion
-                    .body(second.carrier)
-                    .velocity_at(self.pose.point(point));
+                let place = self.pose.point(point);
+                let velocity = self.motion.body(holder).velocity_at(place);
                 let words = words::image(carrier, outer_name, name);
                 self.lay_off(&from, image_name(name), velocity, Part::Relative, words);
             }
@@ -72,20 +74,26 @@ impl Images<'_> {
                 let slider = self.mechanism.slider(id);
                 let at = self.mechanism.point_name(slider.at);
                 let under = coincident_name(at, &self.mechanism.body(slider.on).name);
-                let own = if slider.on == second.carrier {
+                let own = if slider.on == holder {
                     under
                 } else {
                     at.to_owned()
                 };
-                let velocity = self
-                    .motion
-                    .body(second.carrier)
-                    .velocity_at(self.pose.point(slider.at));
+                let place = self.pose.point(slider.at);
+                let velocity = self.motion.body(holder).velocity_at(place);
                 let words = words::image(carrier, outer_name, &own);
                 self.lay_off(&from, image_name(&own), velocity, Part::Relative, words);
                 self.slide(id);
             }
         }
+    }
+
+    /// What driven sliders within the carrying link add from the plan point `from` on; the point reached.
+    fn driven(&mut self, leg: &Leg, from: String) -> String {
+        let way = leg.carrier_slides(self.mechanism);
+        let slides = SlideMeasure::on_way(self.mechanism, self.pose, self.motion, &way);
+        let parts = driven::parts(self.mechanism, self.plan.kind, &from, &slides);
+        driven::lay_off(self.plan, PointRole::Slid, from, parts)
     }
 
     /// The sliding velocity at a slider, from the image of the guide's point to that of the slider's; returns both names.

@@ -3,6 +3,7 @@
 //! solved apart from the loop equations and compared with them. Drawings, texts and checks read the steps and cross nothing again.
 
 mod cut;
+mod driven;
 mod equations;
 mod images;
 mod name;
@@ -13,8 +14,11 @@ mod words;
 mod write;
 
 pub use cut::{CutLine, LegKind, Special, special_points};
+pub use driven::SlideMeasure;
 pub use equations::{Agreement, Construct, LegMeasure};
-pub use name::{coincident_name, display, image_name, normal_name, point_on};
+pub use name::{
+    coincident_name, coriolis_name, display, image_name, normal_name, point_on, slide_name,
+};
 pub use quantity::{
     Asked, Quantity, QuantityError, Scales, is_acceleration, measured_names, quantity,
 };

@@ -28,6 +28,19 @@ pub fn normal_name(start: &str, special: &str) -> String {
     format!("n_{}{link}", image_name(start))
 }
 
+/// The end of what a driven slider adds along its guide, laid off from plan point `start`, as in `r_a3`: sliding velocity or
+/// acceleration of link 3. `entered` are the names of the links that the driven sliders lead to, one after the other.
+#[must_use]
+pub fn slide_name(start: &str, entered: &str) -> String {
+    format!("r_{start}{entered}")
+}
+
+/// The end of the Coriolis acceleration of a driven slider, laid off after its sliding acceleration, as in `k_a3`.
+#[must_use]
+pub fn coriolis_name(start: &str, entered: &str) -> String {
+    format!("k_{start}{entered}")
+}
+
 /// The point of `body` that lies under `point`, as in `D_2`.
 #[must_use]
 pub fn coincident_name(point: &str, body: &str) -> String {

@@ -500,8 +500,10 @@ impl<S: State> Reader<'_, S> {
         if let (Spot::Special(special), Some(plan)) = (a, plan) {
             let normal = normal_name(b.name(), special);
             let image = super::name::image_name;
-            let parts = plan
-                .segment(&image(b.name()), &normal)
+            // It starts at the image of `b`, or where driven sliders have led from there.
+            let laid = plan.arrows().find(|arrow| arrow.to == normal);
+            let parts = laid
+                .and_then(|laid| plan.segment(&laid.from, &normal))
                 .zip(plan.segment(&normal, &image(special)));
             if let Some((normal, tangential)) = parts {
                 return Ok([normal, tangential]);

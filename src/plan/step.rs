@@ -59,6 +59,8 @@ pub enum PointRole {
     Known,
     /// The end of a normal part.
     Normal,
+    /// The end of what a driven slider adds.
+    Slid,
     /// The image of a special point.
     Special,
     /// The image of another point.
@@ -155,8 +157,10 @@ pub enum Part {
     Normal,
     /// A relative velocity of two points of one link.
     Relative,
-    /// A sliding velocity.
+    /// A sliding velocity or acceleration.
     Sliding,
+    /// The Coriolis acceleration of a driven slider.
+    Coriolis,
 }
 
 /// A line of known direction through a plan point, on which a crossing will lie.

@@ -1,10 +1,10 @@
 //! Captions and equations of the steps. Names of points stand between backticks in captions; `_{…}` is low, `^{…}` high.
 
 use super::cut::{CutLine, LegKind, Special};
-use super::name::image_name;
+use super::name::{image_name, point_on};
 use super::step::{PlanKind, Relation};
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
 
 /// A name within a caption.
@@ -64,15 +64,16 @@ pub(super) fn measure_length(from: &str, to: &str) -> String {
     )
 }
 
-/// Equation and caption of a known vector.
+/// Equation and caption of a known vector: that of body `base` at a point.
 pub(super) fn known(
     mechanism: &Mechanism,
     base: BodyId,
     point: PointId,
     kind: PlanKind,
 ) -> (String, String) {
-    let name = mechanism.point_name(point);
     let body = mechanism.body(base);
+    let under = mechanism.point_name(point);
+    let name = &point_on(mechanism, base, point);
     let letter = match kind {
         PlanKind::Velocity => "v",
         PlanKind::Acceleration => "a",
@@ -83,21 +84,26 @@ pub(super) fn known(
             let arm = format!("L{}", low(&[k, name]));
             match kind {
                 PlanKind::Velocity => (
-                    format!("v_{name} = ω_{link} {arm}"),
+                    format!("v{} = ω_{link} {arm}", low(&[name])),
                     format!(
                         "Lay off the velocity of {name}, normal to {k}{name}, in the sense of ω_{link}."
                     ),
                 ),
                 PlanKind::Acceleration if *alpha == 0.0 => (
-                    format!("a_{name} = a^n{} = ω_{link}^2 {arm}", low(&[name, k])),
+                    format!(
+                        "a{} = a^n{} = ω_{link}^2 {arm}",
+                        low(&[name]),
+                        low(&[name, k])
+                    ),
                     format!(
                         "Lay off the acceleration of {name}, from {name} towards {k}: link {link} turns uniformly."
                     ),
                 ),
                 PlanKind::Acceleration => (
                     format!(
-                        "a_{name} = a^n{0} + a^t{0}, a^n{0} = ω_{link}^2 {arm}, a^t{0} = α_{link} {arm}",
-                        low(&[name, k])
+                        "a{1} = a^n{0} + a^t{0}, a^n{0} = ω_{link}^2 {arm}, a^t{0} = α_{link} {arm}",
+                        low(&[name, k]),
+                        low(&[name])
                     ),
                     format!(
                         "Lay off the acceleration of {name}: normal part from {name} towards {k}, tangential part normal to {k}{name}."
@@ -110,11 +116,11 @@ pub(super) fn known(
             format!("Lay off the given vector {letter}_{name} from the pole."),
         ),
         _ => (
-            format!("{letter}{}", low(&[name, &body.name])),
+            format!("{letter}{}", low(&[under, &body.name])),
             format!(
                 "Lay off the known vector of the point of {} under {}.",
                 body.name,
-                written(name)
+                written(under)
             ),
         ),
     }
@@ -132,22 +138,48 @@ pub(super) fn ray(through: &str, relation: Relation, line: &str, to: &str) -> St
     )
 }
 
-pub(super) fn relative_velocity(special: &str, start: &str) -> String {
+/// The equation behind a velocity ray; driven sliders on the way add their sliding velocities.
+pub(super) fn relative_velocity(
+    mechanism: &Mechanism,
+    slides: &[DrivenSlide],
+    special: &str,
+    start: &str,
+) -> String {
+    let driven = slides.iter().map(|slide| {
+        let name = mechanism.slider_name(slide.slider);
+        format!(" {} v_r({name})", plus_or_minus(slide))
+    });
     format!(
-        "v{} = v{} + v{}",
+        "v{} = v{}{} + v{}",
         low(&[special]),
         low(&[start]),
+        driven.collect::<String>(),
         low(&[special, start])
     )
 }
 
-pub(super) fn relative_acceleration(special: &str, start: &str) -> String {
+/// The equation behind an acceleration ray; driven sliders on the way add their sliding and Coriolis accelerations.
+pub(super) fn relative_acceleration(
+    mechanism: &Mechanism,
+    slides: &[DrivenSlide],
+    special: &str,
+    start: &str,
+) -> String {
+    let driven = slides.iter().map(|slide| {
+        let (name, sign) = (mechanism.slider_name(slide.slider), plus_or_minus(slide));
+        format!(" {sign} a_r({name}) {sign} a_c({name})")
+    });
     let both = low(&[special, start]);
     format!(
-        "a{} = a{} + a^n{both} + a^t{both}",
+        "a{} = a{}{} + a^n{both} + a^t{both}",
         low(&[special]),
-        low(&[start])
+        low(&[start]),
+        driven.collect::<String>(),
     )
+}
+
+fn plus_or_minus(slide: &DrivenSlide) -> char {
+    if slide.sign < 0.0 { '−' } else { '+' }
 }
 
 pub(super) fn cross(image: &str) -> String {
@@ -169,63 +201,57 @@ pub(super) fn measured(kind: PlanKind, from: &str, to: &str) -> String {
 /// Equation and caption of a normal part.
 pub(super) fn normal(
     mechanism: &Mechanism,
+    pose: &Pose,
     cut: &CutLine,
     point: &Special,
     from: &str,
     to: &str,
 ) -> (String, String) {
     let name = |p: PointId| mechanism.point_name(p);
-    let carrier = &mechanism.body(cut.carrier).name;
-    let link = &mechanism.body(point.link).name;
+    let body = |b: BodyId| mechanism.body(b).name.as_str();
+    let (carrier, link, base) = (body(cut.carrier), body(point.link), body(cut.leg.base));
     let s = &point.name;
+    let turning =
+        |link: &str, to: &str, from: PointId| format!("ω_{link}^2 L{}", low(&[to, name(from)]));
+    // A length that is nothing has no place in an equation.
+    let to_special = |link: &str, from: PointId| {
+        let arm = point.crossing.vector_from(pose.point(from));
+        let turns = arm.is_some_and(|arm| arm != Vector::zeros());
+        turns.then(|| turning(link, s, from))
+    };
     let sliding = |slider: SliderId, omega: &str| {
-        format!("2 ω_{omega} v_r({})", mechanism.slider_name(slider))
+        format!(
+            "Coriolis 2 ω_{omega} v_r({})",
+            mechanism.slider_name(slider)
+        )
     };
-    let (start, parts, what) = match cut.kind {
-        LegKind::Pin { outer } => (
-            name(outer),
-            format!("ω_{link}^2 L{}", low(&[s, name(outer)])),
-            "the normal part",
-        ),
-        LegKind::Slider { outer, at } => (
-            name(at),
-            format!(
-                "Coriolis {}",
-                sliding(outer, &mechanism.body(cut.leg.base).name)
-            ),
-            "the Coriolis part",
-        ),
-        LegKind::Pins { outer, inner } => (
-            name(outer),
-            format!(
-                "ω_{carrier}^2 L{} and ω_{link}^2 L{}",
-                low(&[name(inner), name(outer)]),
-                low(&[s, name(inner)])
-            ),
-            "the normal parts of both links",
-        ),
-        LegKind::PinThenSlider { outer, inner } => (
-            name(outer),
-            format!(
-                "ω_{carrier}^2 L{} and Coriolis {}",
-                low(&[s, name(outer)]),
-                sliding(inner, carrier)
-            ),
-            "the normal and the Coriolis part",
-        ),
-        LegKind::SliderThenPin { outer, inner } => (
-            name(inner),
-            format!(
-                "ω_{link}^2 L{} and Coriolis {}",
-                low(&[s, name(inner)]),
-                sliding(outer, &mechanism.body(cut.leg.base).name)
-            ),
-            "the normal and the Coriolis part",
-        ),
-        LegKind::Sliders => ("", String::new(), "nothing"),
+    let (start, normals, coriolis) = match cut.kind {
+        LegKind::Pin { outer } => (name(outer), vec![to_special(link, outer)], None),
+        LegKind::Slider { outer, at } => (name(at), vec![], Some(sliding(outer, base))),
+        LegKind::Pins { outer, inner } => {
+            let own = turning(carrier, name(inner), outer);
+            (name(outer), vec![Some(own), to_special(link, inner)], None)
+        }
+        LegKind::PinThenSlider { outer, inner } => {
+            let own = to_special(carrier, outer);
+            (name(outer), vec![own], Some(sliding(inner, carrier)))
+        }
+        LegKind::SliderThenPin { outer, inner } => {
+            let own = to_special(link, inner);
+            (name(inner), vec![own], Some(sliding(outer, base)))
+        }
+        LegKind::Sliders => ("", vec![], None),
     };
+    let mut parts: Vec<String> = normals.into_iter().flatten().collect();
+    let what = match (parts.len(), coriolis.is_some()) {
+        (2, _) => "the normal parts of both links",
+        (1, true) => "the normal and the Coriolis part",
+        (_, true) => "the Coriolis part",
+        (_, false) => "the normal part",
+    };
+    parts.extend(coriolis);
     (
-        format!("a^n{} from {parts}", low(&[s, start])),
+        format!("a^n{} from {}", low(&[s, start]), parts.join(" and ")),
         format!(
             "Lay off {what} along {} from {} to {}.",
             cut.name(mechanism, s),
@@ -265,8 +291,7 @@ pub(super) fn leg_equation(
         arm.unwrap_or_else(Vector::zeros)
     };
     let sliding = |slider: SliderId, from: BodyId| {
-        let forward = mechanism.slider(slider).on == from;
-        let u = pose.guide(slider) * if forward { 1.0 } else { -1.0 };
+        let u = pose.guide(slider) * mechanism.slide_sign(slider, from);
         let along = u.dot(&quarter_turn(direction));
         (
             along,
@@ -344,12 +369,45 @@ pub(super) fn image(link: &str, from: &str, to: &str) -> (String, String) {
 
 /// Equation and caption of a sliding velocity.
 pub(super) fn sliding(slider: &str, from: &str, to: &str) -> (String, String) {
-    (
-        format!("v_r({slider})"),
-        format!(
-            "Lay off the sliding velocity of {slider} along its guide, from {} to {}.",
-            written(from),
-            written(to)
-        ),
-    )
+    let what = format!("the sliding velocity of {slider} along its guide");
+    (format!("v_r({slider})"), lay_off(&what, from, to))
+}
+
+/// Caption of a vector laid off between two plan points.
+pub(super) fn lay_off(what: &str, from: &str, to: &str) -> String {
+    format!("Lay off {what}, from {} to {}.", written(from), written(to))
+}
+
+/// What a driven slider adds, as it stands in an equation and in words: sliding velocity `v`, sliding acceleration `a`.
+pub(super) fn driven(mechanism: &Mechanism, slide: &DrivenSlide, letter: char) -> [String; 2] {
+    let name = mechanism.slider_name(slide.slider);
+    let (minus, reversed) = reversal(slide);
+    let what = match letter {
+        'v' => "velocity",
+        _ => "acceleration",
+    };
+    [
+        format!("{minus}{letter}_r({name})"),
+        format!("the sliding {what} of {name}{reversed} along its guide"),
+    ]
+}
+
+/// The same for its Coriolis acceleration.
+pub(super) fn driven_coriolis(mechanism: &Mechanism, slide: &DrivenSlide) -> [String; 2] {
+    let name = mechanism.slider_name(slide.slider);
+    let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
+    let (minus, reversed) = reversal(slide);
+    [
+        format!("{minus}a_c({name}) = {minus}2 ω_{on} v_r({name})"),
+        format!("the Coriolis acceleration of {name}{reversed}, normal to its guide"),
+    ]
+}
+
+/// Sign and word for a slider whose way leads from the sliding link to the guide.
+fn reversal(slide: &DrivenSlide) -> (&'static str, &'static str) {
+    if slide.sign < 0.0 {
+        ("−", " reversed")
+    } else {
+        ("", "")
+    }
 }

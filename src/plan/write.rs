@@ -1,11 +1,12 @@
 use super::cut::{CutLine, LegKind, Special, special_points};
-use super::equations::{Agreement, Construct, construct};
+use super::driven::{self, SlideMeasure, SlidePart};
+use super::equations::{Agreement, Construct, LegMeasure, construct};
 use super::images::images;
-use super::name::{image_name, normal_name, point_on};
+use super::name::{image_name, point_on};
 use super::step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};
 use super::words::{self, written};
 use crate::geometry::Vector;
-use crate::mechanism::{BodyId, Group, LoopEquations, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, GROUND, Group, LoopEquations, Mechanism, PointId, Role, SliderId};
 use crate::motion::{Motion, Order};
 use crate::position::Pose;
 use indexmap::IndexMap;
@@ -183,9 +184,20 @@ impl Writer<'_> {
         starts
     }
 
-    /// The name in the plans of the point from which a ray starts.
+    /// The name in the plans of the point from which a leg starts: `b`, or `c_iB` for the known body's point under C.
     fn start_name(&self, base: BodyId, point: PointId) -> String {
         image_name(&point_on(self.mechanism, base, point))
+    }
+
+    /// What driven sliders add on the way of a leg.
+    fn slide_parts(&self, kind: PlanKind, cut: &CutLine, leg: &LegMeasure) -> Vec<SlidePart> {
+        let start = cut.start().map(|p| self.start_name(cut.leg.base, p));
+        driven::parts(
+            self.mechanism,
+            kind,
+            &start.unwrap_or_default(),
+            &leg.slides,
+        )
     }
 
     fn special_point(&mut self, point: &Special) {
@@ -222,6 +234,13 @@ impl Writer<'_> {
 
     /// Lays off the known vector of a start in both plans.
     fn known_vector(&mut self, base: BodyId, point: PointId) {
+        if let Role::Pushed { from, .. } = self.mechanism.body(base).role
+            && from != GROUND
+            && self.mechanism.is_known(base)
+        {
+            self.pushed_vector(base, point);
+            return;
+        }
         let name = self.start_name(base, point);
         let body = *self.motion.body(base);
         let at = self.pose.point(point);
@@ -247,6 +266,27 @@ impl Writer<'_> {
             };
             plan.steps
                 .push(step(Action::LayOff(arrow), equation, caption));
+        }
+    }
+
+    /// Lays off the vector of a body that drives push from one of known motion: that one's own point first, then what the driven
+    /// sliders add.
+    fn pushed_vector(&mut self, base: BodyId, point: PointId) {
+        let (mechanism, pose, motion) = (self.mechanism, self.pose, self.motion);
+        let root = mechanism.root(base);
+        self.known_vector(root, point);
+        let (start, name) = (self.start_name(root, point), self.start_name(base, point));
+        let slides = SlideMeasure::on_way(mechanism, pose, motion, &mechanism.way(root, base));
+        for plan in self.plans() {
+            let mut parts = driven::parts(mechanism, plan.kind, &start, &slides);
+            match parts.last_mut() {
+                Some(last) => last.to = name.clone(),
+                None => {
+                    let here = plan.points[&start];
+                    plan.points.insert(name.clone(), here);
+                }
+            }
+            driven::lay_off(plan, PointRole::Known, start.clone(), parts);
         }
     }
 
@@ -280,12 +320,15 @@ impl Writer<'_> {
     fn velocity_of(&mut self, point: &Special, construct: &Construct, index: usize) {
         let image = image_name(&point.name);
         let mut through = Vec::new();
-        for cut in &point.cuts {
+        for (cut, leg) in point.cuts.iter().zip(&construct.legs[index]) {
             let Some(start) = cut.start() else { return };
             let name = self.start_name(cut.leg.base, start);
+            let parts = self.slide_parts(PlanKind::Velocity, cut, leg);
+            let name = driven::lay_off(&mut self.velocity, PointRole::Slid, name, parts);
             let mut ray = self.ray(cut, point, name.clone());
             let from = point_on(self.mechanism, cut.leg.base, start);
-            ray.equation = words::relative_velocity(&point.name, &from);
+            ray.equation =
+                words::relative_velocity(self.mechanism, &cut.slides, &point.name, &from);
             self.velocity.steps.push(ray);
             through.push(name);
         }
@@ -303,48 +346,46 @@ impl Writer<'_> {
 
     fn acceleration_of(&mut self, point: &Special, construct: &Construct, index: usize) {
         let image = image_name(&point.name);
-        let mut steps = Vec::new();
+        let Some(mut plan) = self.acceleration.take() else {
+            return;
+        };
         let mut through = Vec::new();
-        for (cut, leg) in point.cuts.iter().zip(&construct.legs[index]) {
-            let Some(start) = cut.start() else { return };
+        let legs = point.cuts.iter().zip(&construct.legs[index]);
+        for ((cut, leg), normal) in legs.zip(point.normal_names(self.mechanism)) {
+            let Some(start) = cut.start() else { continue };
             let from = self.start_name(cut.leg.base, start);
-            let normal = normal_name(&point_on(self.mechanism, cut.leg.base, start), &point.name);
-            let (equation, caption) = words::normal(self.mechanism, cut, point, &from, &normal);
+            let parts = self.slide_parts(plan.kind, cut, leg);
+            let from = driven::lay_off(&mut plan, PointRole::Slid, from, parts);
+            let (equation, caption) =
+                words::normal(self.mechanism, self.pose, cut, point, &from, &normal);
             let arrow = Arrow {
                 from,
                 to: normal.clone(),
                 part: Part::Normal,
             };
-            steps.push(step(Action::LayOff(arrow), equation, caption));
+            plan.steps
+                .push(step(Action::LayOff(arrow), equation, caption));
+            let (vector, role) = (leg.acceleration_start + leg.normal, PointRole::Normal);
+            plan.points
+                .insert(normal.clone(), PlanPoint { vector, role });
             let mut ray = self.ray(cut, point, normal.clone());
             let start = point_on(self.mechanism, cut.leg.base, start);
-            ray.equation = words::relative_acceleration(&point.name, &start);
-            steps.push(ray);
-            through.push((
-                normal,
-                leg.acceleration_start + leg.normal,
-                leg.acceleration,
-            ));
+            ray.equation =
+                words::relative_acceleration(self.mechanism, &cut.slides, &point.name, &start);
+            plan.steps.push(ray);
+            through.push((normal, leg.acceleration));
         }
-        let Some(plan) = &mut self.acceleration else {
-            return;
-        };
-        for (name, vector, _) in &through {
-            let role = PointRole::Normal;
-            let vector = *vector;
-            plan.points.insert(name.clone(), PlanPoint { vector, role });
-        }
-        plan.steps.extend(steps);
         let vector = construct.accelerations[index];
         let role = role(point);
         plan.points
             .insert(image.clone(), PlanPoint { vector, role });
         let names: Vec<String> = through.iter().map(|t| t.0.clone()).collect();
         plan.steps.push(cross_step(point, &image, &names));
-        for (name, _, segment) in through {
+        for (name, segment) in through {
             plan.steps
                 .push(measure_step(PlanKind::Acceleration, name, &image, segment));
         }
+        self.acceleration = Some(plan);
     }
 
     /// The four equations and what they give.
@@ -355,14 +396,17 @@ impl Writer<'_> {
         };
         let mut equations = Vec::new();
         for (point, legs) in special.iter().zip(&construct.legs) {
-            for (cut, leg) in point.cuts.iter().zip(legs) {
+            let normals = point.normal_names(self.mechanism);
+            for ((cut, leg), normal) in point.cuts.iter().zip(legs).zip(normals) {
                 let Some(start) = cut.start() else { continue };
                 let (from, signed) = match order {
-                    Order::Velocity => (self.start_name(cut.leg.base, start), leg.velocity),
-                    Order::Acceleration => (
-                        normal_name(&point_on(self.mechanism, cut.leg.base, start), &point.name),
-                        leg.acceleration,
-                    ),
+                    Order::Velocity => {
+                        let parts = self.slide_parts(kind, cut, leg);
+                        let last = parts.into_iter().next_back().map(|part| part.to);
+                        let start = || self.start_name(cut.leg.base, start);
+                        (last.unwrap_or_else(start), leg.velocity)
+                    }
+                    Order::Acceleration => (normal, leg.acceleration),
                 };
                 let what = (kind, signed);
                 equations.push(words::leg_equation(
@@ -397,7 +441,7 @@ impl Writer<'_> {
         let equations = LoopEquations::new(self.mechanism, group);
         let second = order == Order::Acceleration;
         let mut unknowns = Vec::new();
-        for &link in &group.links {
+        for &link in &group.bodies {
             if equations.spin_unknown(link).is_some() {
                 let (body, name) = (self.motion.body(link), &self.mechanism.body(link).name);
                 unknowns.push(if second {

@@ -1,11 +1,11 @@
 use super::closing::places;
 use super::drawn::drawn_pose;
-use super::frames::Frames;
+use super::frames::{Frames, driven_position};
 use super::modes::{NoMode, modes};
 use super::rough::Rough;
 use super::{Assembly, AssemblyError, Pose};
 use crate::geometry::Vector;
-use crate::mechanism::{BodyId, Class, Mechanism, Role};
+use crate::mechanism::{BodyId, Class, Mechanism, Role, SliderId};
 use crate::scene::{Form, Near};
 
 /// Ways to assemble a whole mechanism beyond which each group is decided by itself.
@@ -102,20 +102,9 @@ fn searched(mechanism: &Mechanism) -> impl Iterator<Item = String> {
 fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError> {
     let whole = mechanism;
     let mechanism = whole.for_positions();
-    let mut slides = vec![0.0; mechanism.sliders.len()];
-    for body in &mechanism.bodies {
-        if let Role::Pushed {
-            slider,
-            position: Some(position),
-            ..
-        } = body.role
-        {
-            slides[slider.0] = position;
-        }
-    }
     let mut ways = vec![Way {
         frames: Frames::known(mechanism),
-        slides,
+        slides: mechanism.sliders.iter().map(driven_position).collect(),
         assemblies: Vec::new(),
     }];
     for (index, group) in mechanism.groups.iter().enumerate() {
@@ -176,19 +165,24 @@ fn closest(mechanism: &Mechanism, rough: &Rough, ways: Vec<Way>) -> Vec<Way> {
 
 /// The given angles and positions in words, as in ` at angle(1) = 70°`.
 fn given_angles(mechanism: &Mechanism) -> String {
-    let drives = mechanism.bodies.iter().filter_map(|b| match b.role {
+    let turned = mechanism.bodies.iter().filter_map(|b| match b.role {
         Role::Driver {
             angle: Some(angle), ..
         } => Some(format!(" at angle({}) = {angle}°", b.name)),
-        Role::Pushed {
-            position: Some(position),
-            ..
-        } => Some(format!(" at position({}) = {position}", b.name)),
         _ => None,
+    });
+    let pushed = (0..mechanism.sliders.len()).map(SliderId).filter_map(|id| {
+        let position = mechanism.slider(id).drive?.position?;
+        let name = mechanism.push_name(id);
+        Some(format!(" at position({name}) = {position}"))
     });
     let in_place = mechanism.placing.iter().map(|placing| {
         let name = &mechanism.body(placing.link).name;
         format!(" at angle({name}) = {}°", placing.angle)
     });
-    drives.chain(in_place).collect::<Vec<_>>().join(",")
+    turned
+        .chain(pushed)
+        .chain(in_place)
+        .collect::<Vec<_>>()
+        .join(",")
 }

@@ -89,7 +89,7 @@ impl<'a> Closer<'a> {
             let seat = self.kernel.seat(id);
             let turn = frame.rotation * seat.turn.inverse();
             self.block.turns[seat.class] = pair(Vector::new(turn.re, turn.im));
-            if self.group.links.contains(&id) {
+            if self.group.bodies.contains(&id) {
                 continue;
             }
             self.block.points[seat.slot] = pair((frame * seat.local).coords);
@@ -101,7 +101,7 @@ impl<'a> Closer<'a> {
     }
 
     fn unload(&self, mut frames: Frames, gap: f64) -> Assembled {
-        for &link in &self.group.links {
+        for &link in &self.group.bodies {
             let seat = self.kernel.seat(link);
             let turn = self.block.turn(seat.class, 0) * seat.turn;
             let place = self.block.place(seat.slot, 0);
@@ -125,7 +125,7 @@ pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec
     // Known bodies last: they have the last word on shared points.
     let bodies = (0..mechanism.bodies.len()).map(BodyId);
     let (known, members): (Vec<BodyId>, Vec<BodyId>) =
-        bodies.partition(|&b| mechanism.body(b).role.is_known());
+        bodies.partition(|&b| mechanism.is_known(b));
     for id in members.into_iter().rev().chain(known.into_iter().rev()) {
         let body = mechanism.body(id);
         for &point in &body.points {

@@ -6,21 +6,24 @@ use crate::mechanism::{Body, BodyId, Guide, JointId, JointKind, Mechanism, Point
 pub(super) struct Frames(Vec<Option<Placement>>);
 
 impl Frames {
-    /// The frames of the ground and the drivers.
+    /// The frames of the ground and the drivers, and of what drives push from them.
     pub(super) fn known(mechanism: &Mechanism) -> Frames {
-        let frame = |body: &Body| match &body.role {
+        let own = |body: &Body| match &body.role {
             Role::Ground => Some(Placement::identity()),
             Role::Driver { pivot, angle, .. } => {
                 let turn = turn_of_degrees((*angle)?);
                 let at = mechanism.given[pivot.0]?;
                 Some(pinned(turn, body.local_of(*pivot)?, at))
             }
-            Role::Pushed {
-                slider, position, ..
-            } => Some(slid(mechanism, mechanism.slider(*slider), (*position)?)),
             _ => None,
         };
-        Frames(mechanism.bodies.iter().map(frame).collect())
+        let mut frames = Frames(mechanism.bodies.iter().map(own).collect());
+        for body in (0..mechanism.bodies.len()).map(BodyId) {
+            if let Some(frame) = frames.of(body).copied() {
+                frames.set_compound(mechanism, body, frame);
+            }
+        }
+        frames
     }
 
     pub(super) fn of(&self, body: BodyId) -> Option<&Placement> {
@@ -29,6 +32,14 @@ impl Frames {
 
     pub(super) fn set(&mut self, body: BodyId, frame: Placement) {
         self.0[body.0] = Some(frame);
+    }
+
+    /// Places a body and with it all those of its compound link.
+    pub(super) fn set_compound(&mut self, mechanism: &Mechanism, body: BodyId, frame: Placement) {
+        let lead = mechanism.lead(body);
+        for other in mechanism.compound(lead) {
+            self.set(other, frame * within(mechanism, body, other));
+        }
     }
 
     /// Where a body holds one of its points; `None` while the body has no place.
@@ -80,6 +91,21 @@ pub(super) fn across(mechanism: &Mechanism, slider: &Slider, from: BodyId, s: f6
     } else {
         forward.inverse()
     }
+}
+
+/// The position that a slider's drive sets; zero for a free one.
+pub(super) fn driven_position(slider: &Slider) -> f64 {
+    let position = slider.drive.and_then(|drive| drive.position);
+    position.unwrap_or(0.0)
+}
+
+/// The placement of body `to` in the frame of `from`, both of one compound link.
+pub(super) fn within(mechanism: &Mechanism, from: BodyId, to: BodyId) -> Placement {
+    let way = mechanism.way(from, to).into_iter();
+    way.fold(Placement::identity(), |frame, slide| {
+        let slider = mechanism.slider(slide.slider);
+        frame * across(mechanism, slider, slide.from, driven_position(slider))
+    })
 }
 
 /// How one of the two bodies that a leg joins is held by the leg's middle body, in the middle body's frame.

@@ -26,7 +26,7 @@ impl Lever {
         let spins = 0..equations.unknowns;
         for spin in spins {
             let turns = |link: &&BodyId| equations.spin_unknown(**link) == Some(spin);
-            let links: Vec<BodyId> = group.links.iter().filter(turns).copied().collect();
+            let links: Vec<BodyId> = group.bodies.iter().filter(turns).copied().collect();
             let sliders: Vec<SliderId> = (0..mechanism.sliders.len())
                 .map(SliderId)
                 .filter(|&id| links.contains(&mechanism.slider(id).on))
@@ -41,6 +41,8 @@ impl Lever {
 
     fn is_its_own_reverse(&self, mechanism: &Mechanism) -> bool {
         let one_point = |&link: &BodyId| mechanism.body(link).points.len() == 1;
+        // Turned round, a driven slider would stand elsewhere.
+        let driven = |&id: &SliderId| mechanism.slider(id).drive.is_some();
         let through_it = |&id: &SliderId| {
             let slider = mechanism.slider(id);
             let own = local(mechanism, slider.on, mechanism.body(slider.on).points[0]);
@@ -49,6 +51,7 @@ impl Lever {
             cross(through - own, direction) == 0.0
         };
         !self.sliders.is_empty()
+            && !self.sliders.iter().any(driven)
             && self.links.iter().all(one_point)
             && self.sliders.iter().all(through_it)
     }

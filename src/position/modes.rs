@@ -151,7 +151,7 @@ impl<'a> Modes<'a> {
 /// Whether two assemblies put every point in the same place, and links with one point at the same angle.
 fn same(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled) -> bool {
     let mut one_point = group
-        .links
+        .bodies
         .iter()
         .filter(|&&link| mechanism.body(link).points.len() == 1);
     let turned = |&link: &BodyId| {

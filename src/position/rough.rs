@@ -1,7 +1,7 @@
 use super::assemble::Way;
 use super::closing::places;
 use crate::geometry::{Point, Turn, Vector, degrees_of, span, turn_of_degrees};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role};
+use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::scene::Near;
 
 /// Rough places of points and angles of links, by which a way to assemble is chosen.
@@ -12,7 +12,7 @@ pub(super) struct Rough {
 
 impl Rough {
     pub(super) fn new(mechanism: &Mechanism, near: &Near) -> Rough {
-        let member = |link: BodyId| mechanism.body(link).role == Role::Member;
+        let member = |link: BodyId| mechanism.is_sought(link);
         let of_group = |p: PointId| {
             let mut links = mechanism.links();
             links.any(|(id, body)| member(id) && body.points.contains(&p))

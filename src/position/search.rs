@@ -1,5 +1,5 @@
 use super::closing::Assembled;
-use super::frames::{Frames, across, fitted, local, local_guide, pinned};
+use super::frames::{Frames, across, fitted, local, local_guide, pinned, within};
 use super::rough::Rough;
 use crate::geometry::{Placement, Point, Turn, span};
 use crate::mechanism::{BodyId, Group, JointKind, Mechanism, SliderId};
@@ -44,12 +44,12 @@ impl<'a> Search<'a> {
         let mut guide = known.clone();
         for &link in &group.links {
             if let Some(frame) = rough_frame(mechanism, link, known, rough) {
-                guide.set(link, frame);
+                guide.set_compound(mechanism, link, frame);
             }
         }
         let body = |link: &BodyId| span(mechanism.body(*link).local.iter().copied());
         let places = mechanism.given.iter().flatten().copied();
-        let reach = span(places) + group.links.iter().map(body).sum::<f64>();
+        let reach = span(places) + group.bodies.iter().map(body).sum::<f64>();
         Search {
             mechanism,
             group,
@@ -113,7 +113,8 @@ impl<'a> Search<'a> {
     /// Turns a link that is not turned yet, and those that are tied to it.
     fn turn(&self, frames: &mut Frames, link: BodyId, turn: Option<Turn>) {
         if let (None, Some(turn)) = (frames.of(link), turn) {
-            frames.set(link, pinned(turn, Point::origin(), Point::origin()));
+            let turned = pinned(turn, Point::origin(), Point::origin());
+            frames.set_compound(self.mechanism, link, turned);
             self.carry_turns(frames);
         }
     }
@@ -130,7 +131,8 @@ impl<'a> Search<'a> {
                 let slider = self.mechanism.slider(id);
                 for (from, to) in [(slider.on, slider.link), (slider.link, slider.on)] {
                     if let (Some(&frame), None) = (frames.of(from), frames.of(to)) {
-                        frames.set(to, frame * across(self.mechanism, slider, from, 0.0));
+                        let frame = frame * across(self.mechanism, slider, from, 0.0);
+                        frames.set_compound(self.mechanism, to, frame);
                         carried = true;
                     }
                 }
@@ -148,25 +150,31 @@ impl<'a> Search<'a> {
     }
 }
 
-/// A link's frame from the rough or known places of its points, or from its rough angle.
+/// A link's frame from the rough or known places of its points, or from its rough angle; of a compound link, from those of all its links.
 fn rough_frame(
     mechanism: &Mechanism,
     link: BodyId,
     known: &Frames,
     rough: &Rough,
 ) -> Option<Placement> {
-    let body = mechanism.body(link);
     let placed = |point| {
         let mut bodies = (0..mechanism.bodies.len()).map(BodyId);
         bodies
             .find_map(|b| known.place(mechanism, b, point))
             .or_else(|| rough.place(point))
     };
-    let pairs = body.points.iter().zip(&body.local);
-    let pairs: Vec<(Point, Point)> = pairs
-        .filter_map(|(&p, &own)| Some((own, placed(p)?)))
-        .collect();
-    match (rough.angle(link), pairs.first()) {
+    let mut pairs = Vec::new();
+    let mut angle = None;
+    for other in mechanism.compound(link) {
+        let (body, frame) = (mechanism.body(other), within(mechanism, link, other));
+        let own = body.points.iter().zip(&body.local);
+        pairs.extend(own.filter_map(|(&p, own)| Some((frame * own, placed(p)?))));
+        let turned = rough
+            .angle(other)
+            .map(|turn| turn * frame.rotation.inverse());
+        angle = angle.or(turned);
+    }
+    match (angle, pairs.first()) {
         (Some(turn), Some(&(own, place))) => Some(pinned(turn, own, place)),
         (Some(turn), None) => Some(pinned(turn, Point::origin(), Point::origin())),
         (None, _) => fitted(&pairs),

@@ -1,5 +1,5 @@
 use super::closing::Assembled;
-use super::frames::{Frames, Hold, local, local_guide, pinned, turned_towards};
+use super::frames::{Frames, Hold, local, local_guide, pinned, turned_towards, within};
 use super::legs::{LegCondition, joined_placements, placements, smallest_miss};
 use crate::geometry::{Placement, cross};
 use crate::mechanism::{BodyId, Class, Group, JointId, JointKind, Mechanism, SliderId};
@@ -34,7 +34,11 @@ impl<'a> Truss<'a> {
             let frame = known.of(body).copied();
             (body, frame.unwrap_or_else(Placement::identity))
         };
-        let own = |body: BodyId| (body, Placement::identity());
+        // A link holds its frame; one of a compound link stands at its place in the lead's.
+        let own = |link: BodyId, joint: JointId| {
+            let side = mechanism.side(joint, link);
+            (side, within(mechanism, link, side))
+        };
         // A leg along part of a loop: side a, joint, middle, joint, side b.
         let hold = |joint, side, middle| Hold::new(mechanism, joint, side, middle);
         let chain = |k: usize| &group.loops[k];
@@ -61,9 +65,11 @@ impl<'a> Truss<'a> {
         };
         let mut leg = |near: JointId, a, middle: BodyId, far: JointId, b| {
             let number = truss.legs.len();
-            truss
-                .legs
-                .push([hold(near, a, own(middle)), hold(far, b, own(middle))]);
+            let holds = [
+                hold(near, a, own(middle, near)),
+                hold(far, b, own(middle, far)),
+            ];
+            truss.legs.push(holds);
             truss.names.push(name([near, far]));
             truss.middles.push((number, middle));
         };
@@ -77,8 +83,9 @@ impl<'a> Truss<'a> {
                     |forward: usize, backward: usize| if from_end { backward } else { forward };
                 let (start, b) = (bodies[at(0, 3)], bodies[at(1, 2)]);
                 let (middle, end) = (bodies[at(2, 1)], bodies[at(3, 0)]);
-                leg(joints[at(2, 0)], fixed(end), middle, joints[1], own(b));
-                truss.direct = Some(hold(joints[at(0, 2)], own(b), fixed(start)));
+                let (near, far, direct) = (joints[at(2, 0)], joints[1], joints[at(0, 2)]);
+                leg(near, fixed(end), middle, far, own(b, far));
+                truss.direct = Some(hold(direct, own(b, direct), fixed(start)));
                 truss.b = b;
             }
             Class::Third => {
@@ -89,20 +96,20 @@ impl<'a> Truss<'a> {
                         |forward: usize, backward: usize| if from_end { backward } else { forward };
                     let (base, middle) = (bodies[at(0, 4)], bodies[at(1, 3)]);
                     let (outer, inner) = (joints[at(0, 3)], joints[at(1, 2)]);
-                    leg(outer, fixed(base), middle, inner, own(central));
+                    leg(outer, fixed(base), middle, inner, own(central, inner));
                 }
                 truss.b = central;
             }
             Class::Fourth => {
                 let (a, b) = (chain(0).bodies[1], chain(0).bodies[3]);
                 for k in 0..2 {
-                    let joints = &chain(k).joints;
-                    leg(joints[1], own(a), chain(k).bodies[2], joints[2], own(b));
+                    let (near, far) = (chain(k).joints[1], chain(k).joints[2]);
+                    leg(near, own(a, near), chain(k).bodies[2], far, own(b, far));
                 }
                 let (bodies, joints) = (&chain(0).bodies, &chain(0).joints);
                 let base = [
-                    hold(joints[0], own(a), fixed(bodies[0])),
-                    hold(joints[3], own(b), fixed(bodies[4])),
+                    hold(joints[0], own(a, joints[0]), fixed(bodies[0])),
+                    hold(joints[3], own(b, joints[3]), fixed(bodies[4])),
                 ];
                 truss.legs.push(base);
                 truss.names.push(name([joints[0], joints[3]]));
@@ -137,11 +144,12 @@ impl<'a> Truss<'a> {
         if let Some(a) = self.a {
             // The last leg's middle is the fixed frame: where a's frame stands in it is what is looked for.
             frame_a = middle(self.legs.last()?, relative)?.inverse();
-            frames.set(a, frame_a);
+            frames.set_compound(self.mechanism, a, frame_a);
         }
-        frames.set(self.b, frame_a * relative);
+        frames.set_compound(self.mechanism, self.b, frame_a * relative);
         for &(leg, body) in &self.middles {
-            frames.set(body, frame_a * middle(&self.legs[leg], relative)?);
+            let frame = frame_a * middle(&self.legs[leg], relative)?;
+            frames.set_compound(self.mechanism, body, frame);
         }
         let mut slides = slides.to_vec();
         for id in &self.sliders {

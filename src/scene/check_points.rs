@@ -14,7 +14,7 @@ use super::names::{Names, check_name};
 use super::place::{Source, Spot};
 use super::slider::Slider;
 use super::words::close;
-use super::{Form, Near, PointMotion};
+use super::{Form, Near, On, PointMotion};
 
 /// Coordinates by the name of a point.
 type Coordinates = IndexMap<String, [f64; 2]>;
@@ -177,7 +177,8 @@ pub(super) fn known(
     Ok(known)
 }
 
-/// Errors at points whose motion is given twice: by `known`, by the motion or the drive of a link, by the drive of a slider.
+/// Errors at points whose motion is given twice: by `known`, by the motion or the drive of a link, by the drive of a
+/// slider on the ground.
 pub(super) fn check_given_once(
     source: Source<'_>,
     names: &Names<'_>,
@@ -194,8 +195,10 @@ pub(super) fn check_given_once(
             Err(source.error(path, message).hint("keep one of them"))
         }
     };
+    // A slider driven along a moving link says how two links move against each other, of no point how it moves.
+    let driven = |s: &Slider| s.drive.is_some() && s.on == On::Ground;
     for (name, link) in names.links() {
-        let pushes = |s: &Slider| s.drive.is_some() && s.link.as_ref() == Some(name);
+        let pushes = |s: &Slider| driven(s) && s.link.as_ref() == Some(name);
         let whose = match (&link.motion, &link.drive) {
             (Some(_), _) => format!("the `motion` of link {name}"),
             (None, Some(_)) => format!("the drive of link {name}"),
@@ -207,7 +210,7 @@ pub(super) fn check_given_once(
         }
     }
     for (index, slider) in sliders.iter().enumerate() {
-        if let (Some(pin), Some(_)) = (&slider.pin, slider.drive) {
+        if let Some(pin) = slider.pin.as_ref().filter(|_| driven(slider)) {
             let path = ["sliders", &index.to_string()];
             give(pin, "the drive of its slider", &path)?;
         }

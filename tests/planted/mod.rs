@@ -1,9 +1,10 @@
 //! Random groups in a known position, written down by lengths.
+#![allow(dead_code)] // not every test uses all of it
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::random::Random;
 
@@ -36,6 +37,8 @@ pub struct Slider {
     through: Pair,
     /// The guide's angle.
     along: f64,
+    /// Position along the guide and speed, where it is driven.
+    drive: Option<Pair>,
 }
 
 /// A group with its surroundings in a known position: body 0 is the frame, body 1 a crank, the others are the group.
@@ -44,6 +47,9 @@ pub struct Planted {
     sliders: Vec<Slider>,
     /// Two bodies, and the place of a pin or the angle of a guide.
     joints: Vec<(usize, usize, Pair, Option<f64>)>,
+    /// For a link cut in two by a driven slider: the link, for each joint whether the piece cut off has it, and the velocity of
+    /// that piece against the other.
+    pub piece: Option<(usize, Vec<bool>, Pair)>,
     pub scale: f64,
 }
 
@@ -76,6 +82,7 @@ impl Planted {
             bodies,
             sliders: Vec::new(),
             joints: Vec::new(),
+            piece: None,
             scale: libm::pow(10.0, 5.0 * random.unit() - 2.0),
         };
         // Pins first, so that a slider can sit on one.
@@ -118,22 +125,92 @@ impl Planted {
                 on,
                 through,
                 along,
+                drive: None,
             });
         }
         planted
     }
 
-    /// That of the velocities of all links under all joints.
+    /// Cuts a link of the group in two, which share its joints and which a driven slider joins.
+    pub fn cut(&mut self, random: &mut Random) {
+        let (link, piece) = (2 + random.below(self.bodies.len() - 2), self.bodies.len());
+        let mut points = vec![(format!("T{piece}"), random.place())];
+        // The sliding link's points move with the joints that they are in.
+        let mut moved = Vec::new();
+        let own: Vec<(String, Pair)> = self.bodies[link].points.split_off(1);
+        for point in own {
+            let goes = random.below(2) == 0;
+            moved.push((point.1, goes));
+            let to = if goes {
+                &mut points
+            } else {
+                &mut self.bodies[link].points
+            };
+            to.push(point);
+        }
+        let goes = |place: Pair| moved.iter().any(|(at, goes)| *at == place && *goes);
+        let mut on_piece = Vec::new();
+        let mut sliders = self.sliders.iter_mut();
+        for &(a, b, place, guide) in &self.joints {
+            let slider = guide.and_then(|_| sliders.next());
+            on_piece.push(match slider {
+                None => (a == link || b == link) && goes(place),
+                Some(slider) if slider.link == link && goes(place) => {
+                    slider.link = piece;
+                    true
+                }
+                Some(slider) if slider.on == link && random.below(2) == 0 => {
+                    slider.on = piece;
+                    true
+                }
+                Some(_) => false,
+            });
+        }
+        self.bodies.push(Body {
+            angle: random.angle(),
+            origin: random.place(),
+            points,
+        });
+        let (along, speed) = (random.angle(), random.within(1.0));
+        let (sin, cos) = libm::sincos(along);
+        let position = random.within(1.0);
+        let (slides, on) = if random.below(2) == 0 {
+            (piece, link)
+        } else {
+            (link, piece)
+        };
+        let (at, place) = self.bodies[slides].points[0].clone();
+        self.sliders.push(Slider {
+            link: slides,
+            at,
+            on,
+            through: [place[0] - position * cos, place[1] - position * sin],
+            along,
+            drive: Some([position, speed]),
+        });
+        let sense = if slides == piece { speed } else { -speed };
+        self.piece = Some((link, on_piece, [sense * cos, sense * sin]));
+    }
+
+    /// The condition number of the velocities of all links under all joints.
     pub fn condition(&self) -> f64 {
+        let values = self.jacobian().0.singular_values();
+        values.max() / values.min()
+    }
+
+    /// The equations of the velocities of all links under all joints, and their right sides with the crank turning at 1.
+    pub fn jacobian(&self) -> (DMatrix<f64>, DVector<f64>) {
         let size = 2 * self.joints.len();
         let mut matrix = DMatrix::<f64>::zeros(size, size);
+        let mut right = DVector::<f64>::zeros(size);
+        let pivot = self.bodies[0].points[0].1;
         for (index, &(a, b, place, guide)) in self.joints.iter().enumerate() {
             for (body, sign) in [(a, 1.0), (b, -1.0)] {
-                if body < 2 {
-                    continue;
-                }
-                let column = 3 * (body - 2);
-                let origin = self.bodies[body].origin;
+                let origin = if body == 1 {
+                    pivot
+                } else {
+                    self.bodies[body].origin
+                };
                 let [x, y] = [place[0] - origin[0], place[1] - origin[1]];
                 let rows = match guide {
                     None => [[1.0, 0.0, -y], [0.0, 1.0, x]],
@@ -142,15 +219,25 @@ impl Planted {
                         [[-sin, cos, cos * x + sin * y], [0.0, 0.0, 1.0]]
                     }
                 };
+                // What moves the body's point besides the unknown rates: the crank, or the slider of a link cut in two.
+                let known = match &self.piece {
+                    _ if body == 1 => [0.0, 0.0, 1.0],
+                    Some((link, on_piece, [x, y])) if body == *link && on_piece[index] => {
+                        [*x, *y, 0.0]
+                    }
+                    _ => [0.0; 3],
+                };
                 for (row, values) in rows.into_iter().enumerate() {
                     for (k, value) in values.into_iter().enumerate() {
-                        matrix[(2 * index + row, column + k)] = sign * value;
+                        right[2 * index + row] -= sign * value * known[k];
+                        if body >= 2 {
+                            matrix[(2 * index + row, 3 * (body - 2) + k)] = sign * value;
+                        }
                     }
                 }
             }
         }
-        let values = matrix.singular_values();
-        values.max() / values.min()
+        (matrix, right)
     }
 
     pub fn scene(&self) -> String {
@@ -194,10 +281,14 @@ impl Planted {
             let (sin, cos) = libm::sincos(slider.along - on.angle);
             let turned = (self.bodies[slider.link].angle - slider.along).to_degrees();
             let comma = if index == 0 { "" } else { "," };
+            let drive = slider.drive.map_or_else(String::new, |drive| {
+                let [position, speed] = drive.map(|x| self.scale * x);
+                format!(", \"drive\": {{ \"position\": {position:?}, \"speed\": {speed:?} }}")
+            });
             let _ = write!(
                 text,
                 "{comma}\n    {{ \"link\": \"b{}\", \"at\": \"{}\", \"on\": \"{name}\", \"through\": {}, \
-                 \"along\": [{cos:?}, {sin:?}], \"turned\": {turned:?} }}",
+                 \"along\": [{cos:?}, {sin:?}], \"turned\": {turned:?}{drive} }}",
                 slider.link,
                 slider.at,
                 pair(on.own(slider.through)),
