@@ -80,6 +80,18 @@ impl<'a> Canvas<'a> {
         self.obstacles.boxes.extend(shape.head_box());
     }
 
+    /// How many of the lines and things drawn so far a short segment would cross.
+    pub(super) fn in_the_way(&self, from: Point, to: Point) -> usize {
+        let side = |a: Point, b: Point, p: Point| (b - a).cross(p - a);
+        let crosses = |&&(a, b): &&(Point, Point)| {
+            side(a, b, from) * side(a, b, to) < 0.0 && side(from, to, a) * side(from, to, b) < 0.0
+        };
+        let own = Rect::from_points(from, to);
+        let touches = |area: &&Rect| area.overlaps(own);
+        let lines = self.obstacles.lines.iter().filter(crosses).count();
+        lines + self.obstacles.boxes.iter().filter(touches).count()
+    }
+
     /// Keeps labels off a box.
     pub(super) fn keep_off(&mut self, area: Rect) {
         self.obstacles.boxes.push(area);

@@ -1,4 +1,4 @@
-//! Links as lines and areas, pieces of the neighbouring mechanism, the sense in which drives turn.
+//! Links as lines and areas, pieces of the neighbouring mechanism.
 
 use super::super::canvas::Canvas;
 use super::super::shape::Shape;
@@ -214,70 +214,6 @@ impl Scheme<'_> {
             }
         }
         directions
-    }
-
-    /// The sense in which a driven link turns.
-    pub(super) fn turning(
-        &self,
-        canvas: &mut Canvas<'_>,
-        view: &View,
-        pivot: PointId,
-        points: &[PointId],
-        name: &str,
-        omega: f64,
-    ) {
-        const RADIUS: f64 = 7.5;
-        const SWEEP: f64 = 1.5;
-        let Some(&tip) = points.iter().find(|&&p| p != pivot) else {
-            return;
-        };
-        let center = self.at(view, pivot);
-        let arm = self.at(view, tip) - center;
-        if omega == 0.0 || arm.hypot() < 1.0 {
-            return;
-        }
-        // Counter-clockwise is against the sheet's own sense of angles.
-        let sense = -omega.signum();
-        let arc = |radius: f64, lead: f64| Shape::ArcArrow {
-            center,
-            radius,
-            start: libm::atan2(arm.y, arm.x) + sense * lead,
-            sweep: sense * SWEEP,
-        };
-        // Off the panel's edge and, where that can be, off the pivot's hatching: ahead of the link,
-        // behind it, or smaller.
-        let (bounds, foot) = (canvas.bounds(), self.pivot_box(view, pivot));
-        let behind = -0.35 - SWEEP;
-        let tries = [
-            (RADIUS, 0.35),
-            (RADIUS, behind),
-            (0.8 * RADIUS, 0.35),
-            (0.8 * RADIUS, behind),
-        ];
-        let fits =
-            |&&(radius, lead): &&(f64, f64)| arc(radius, lead).drawn_box().union(bounds) == bounds;
-        let clear = |&&(radius, lead): &&(f64, f64)| {
-            let both = arc(radius, lead).drawn_box().intersect(foot);
-            both.area() <= 0.0
-        };
-        let best = tries.iter().filter(fits).find(clear);
-        let &(radius, lead) = best.or(tries.iter().find(fits)).unwrap_or(&tries[2]);
-        let start = libm::atan2(arm.y, arm.x) + sense * lead;
-        let sweep = sense * SWEEP;
-        let shape = arc(radius, lead);
-        canvas.draw_named(&format!("omega-{name}"), Pen::Turning, shape);
-        let middle = start + 0.6 * sweep;
-        let direction = Vec2::new(libm::cos(middle), libm::sin(middle));
-        let label = format!("ω_{{{}}}", canvas.shown(name, name));
-        let anchor = center + direction * radius;
-        canvas.label(
-            &format!("omega({name})"),
-            &label,
-            anchor,
-            0.8,
-            Some(direction),
-            2,
-        );
     }
 }
 

@@ -1,6 +1,7 @@
 //! The scheme of the mechanism: from back to front areas, cut lines, guides, the ground, links, blocks with the links on their
 //! pins, joints, special points, then the names.
 
+mod drives;
 mod ground;
 mod links;
 mod names;
@@ -66,18 +67,16 @@ impl<'a> Scheme<'a> {
             self.pivot(canvas, view, point);
         }
         self.link_lines(canvas, view);
+        self.pushed_sliders(canvas, view);
         for slider in self.sliders() {
             self.block(canvas, view, slider);
         }
-        for (body, role) in self.mechanism.bodies.iter().map(|b| (b, &b.role)) {
-            match role {
-                Role::Stub => self.stub(canvas, view, body.points[0], &body.name),
-                Role::Driver { pivot, omega, .. } => {
-                    self.turning(canvas, view, *pivot, &body.points, &body.name, *omega);
-                }
-                _ => {}
+        for body in &self.mechanism.bodies {
+            if body.role == Role::Stub {
+                self.stub(canvas, view, body.points[0], &body.name);
             }
         }
+        self.turned_links(canvas, view);
         self.joints(canvas, view);
         for special in self.special() {
             self.mark_special(canvas, view, special);

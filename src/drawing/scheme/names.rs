@@ -115,6 +115,12 @@ impl Scheme<'_> {
         let at = self.at(view, slider.at);
         let along = on_sheet(self.pose.guide(SliderId(index)));
         if slider.link != link {
+            // Between its own point and the block, where there is room.
+            let own = self.mechanism.body(link).points.first();
+            let own = own.map(|&point| self.at(view, point));
+            if let Some(own) = own.filter(|own| (*own - at).hypot() > 5.0 * BLOCK.x) {
+                return Some((own.midpoint(at), 1.0, None));
+            }
             return Some((at + along * (2.4 * BLOCK.x), 1.0, None));
         }
         // At an end of the block on the ground, else beside the guide, where fewer lines are.

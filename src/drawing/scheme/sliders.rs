@@ -52,7 +52,7 @@ impl Scheme<'_> {
 
     /// Which way a guide of the ground lies from its block: clockwise from its direction (below a level one), but away from the
     /// links that hang on the block.
-    fn ground_side(&self, view: &View, id: SliderId) -> Vec2 {
+    pub(super) fn ground_side(&self, view: &View, id: SliderId) -> Vec2 {
         // Sine of the angle, about 9°, from which a link comes from a side.
         const CLEARLY: f64 = 0.15;
         let slider = self.mechanism.slider(id);

@@ -1,0 +1,136 @@
+//! Arrows beside driven links and sliders: which way the drives move them.
+
+use super::super::canvas::Canvas;
+use super::super::shape::Shape;
+use super::super::sheet::Pen;
+use super::super::view::{View, on_sheet};
+use super::Scheme;
+use crate::mechanism::{GROUND, PointId, Role, SliderId};
+use kurbo::{Point, Vec2};
+
+impl Scheme<'_> {
+    pub(super) fn turned_links(&self, canvas: &mut Canvas<'_>, view: &View) {
+        for body in &self.mechanism.bodies {
+            if let Role::Driver { pivot, omega, .. } = body.role {
+                self.turning(canvas, view, pivot, &body.points, &body.name, omega);
+            }
+        }
+    }
+
+    pub(super) fn pushed_sliders(&self, canvas: &mut Canvas<'_>, view: &View) {
+        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
+            if let Some(drive) = self.mechanism.slider(slider).drive {
+                self.pushing(canvas, view, slider, drive.speed);
+            }
+        }
+    }
+
+    /// The sense in which a driven link turns.
+    fn turning(
+        &self,
+        canvas: &mut Canvas<'_>,
+        view: &View,
+        pivot: PointId,
+        points: &[PointId],
+        name: &str,
+        omega: f64,
+    ) {
+        const RADIUS: f64 = 7.5;
+        const SWEEP: f64 = 1.5;
+        let Some(&tip) = points.iter().find(|&&p| p != pivot) else {
+            return;
+        };
+        let center = self.at(view, pivot);
+        let arm = self.at(view, tip) - center;
+        if omega == 0.0 || arm.hypot() < 1.0 {
+            return;
+        }
+        // Counter-clockwise is against the sheet's own sense of angles.
+        let sense = -omega.signum();
+        let arc = |radius: f64, lead: f64| Shape::ArcArrow {
+            center,
+            radius,
+            start: libm::atan2(arm.y, arm.x) + sense * lead,
+            sweep: sense * SWEEP,
+        };
+        // Off the panel's edge and, where that can be, off the pivot's hatching: ahead of the link,
+        // behind it, or smaller.
+        let (bounds, foot) = (canvas.bounds(), self.pivot_box(view, pivot));
+        let behind = -0.35 - SWEEP;
+        let tries = [
+            (RADIUS, 0.35),
+            (RADIUS, behind),
+            (0.8 * RADIUS, 0.35),
+            (0.8 * RADIUS, behind),
+        ];
+        let fits =
+            |&&(radius, lead): &&(f64, f64)| arc(radius, lead).drawn_box().union(bounds) == bounds;
+        let clear = |&&(radius, lead): &&(f64, f64)| {
+            let both = arc(radius, lead).drawn_box().intersect(foot);
+            both.area() <= 0.0
+        };
+        let best = tries.iter().filter(fits).find(clear);
+        let &(radius, lead) = best.or(tries.iter().find(fits)).unwrap_or(&tries[2]);
+        let start = libm::atan2(arm.y, arm.x) + sense * lead;
+        let sweep = sense * SWEEP;
+        let shape = arc(radius, lead);
+        canvas.draw_named(&format!("omega-{name}"), Pen::Turning, shape);
+        let middle = start + 0.6 * sweep;
+        let direction = Vec2::new(libm::cos(middle), libm::sin(middle));
+        let label = format!("ω_{{{}}}", canvas.shown(name, name));
+        let anchor = center + direction * radius;
+        canvas.label(
+            &format!("omega({name})"),
+            &label,
+            anchor,
+            0.8,
+            Some(direction),
+            2,
+        );
+    }
+
+    /// The sense in which a driven slider is pushed along its guide, seen from the guide's body.
+    fn pushing(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId, speed: f64) {
+        const LENGTH: f64 = 10.0;
+        const BESIDE: f64 = 2.0;
+        if speed == 0.0 {
+            return;
+        }
+        let slider = self.mechanism.slider(id);
+        let along = on_sheet(self.pose.guide(id));
+        let (block, half) = (self.at(view, slider.at), self.half(id));
+        let free = match slider.on {
+            GROUND => -self.ground_side(view, id),
+            _ => Vec2::new(along.y, -along.x),
+        };
+        let outward = self.outward(view, block).unwrap_or(free);
+        let sides = match (slider.on == GROUND, free.dot(outward) > 0.0) {
+            (true, _) => [free, free],
+            (false, true) => [free, -free],
+            (false, false) => [-free, free],
+        };
+        let arm = along * (0.5 * LENGTH * speed.signum());
+        // Beside the block or a little further on: where the panel has room and the least is in the way.
+        let bounds = canvas.bounds();
+        let places = sides
+            .into_iter()
+            .flat_map(|side| [0.0, -LENGTH, LENGTH].map(|shift| (side, shift)));
+        let arrows = places.map(|(side, shift)| {
+            let middle = block + along * shift + side * (half.y + BESIDE);
+            (side, middle - arm, middle + arm)
+        });
+        let cost = |&(_, from, to): &(Vec2, Point, Point)| {
+            let drawn = Shape::Arrow { from, to }.drawn_box();
+            (drawn.union(bounds) != bounds, canvas.in_the_way(from, to))
+        };
+        let best = arrows.min_by_key(cost);
+        let (side, from, to) = best.expect("there are six places to choose from");
+        let name = self.mechanism.push_name(id);
+        let shape = Shape::Arrow { from, to };
+        canvas.draw_named(&format!("speed-{name}"), Pen::Turning, shape);
+        let label = format!("v_{{{}}}", canvas.shown(&name, &name));
+        let anchor = from.midpoint(to);
+        let name = format!("speed({name})");
+        canvas.label(&name, &label, anchor, 0.8, Some(side), 2);
+    }
+}
