@@ -15,7 +15,7 @@ use kinegon::position::pose;
 use kinegon::scene::Scene;
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
-const KINDS: [(&str, &str, &str); 18] = [
+const KINDS: [(&str, &str, &str); 19] = [
     (
         "four-bar",
         "templates/four-bar.json",
@@ -40,6 +40,11 @@ const KINDS: [(&str, &str, &str); 18] = [
         "toggle-press",
         "templates/toggle-press.json",
         "Three links on one pin; the ram slows down, and its force grows, as the toggle straightens.",
+    ),
+    (
+        "hydraulic-boom",
+        "templates/hydraulic-boom.json",
+        "Cylinder and rod are one link of changing length: sliding velocity, sliding and Coriolis acceleration are laid off before the ray.",
     ),
     (
         "watt-1",

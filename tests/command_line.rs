@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 const FIGURE_2: &str = include_str!("../examples/figure-2.json");
+const BOOM: &str = include_str!("../templates/hydraulic-boom.json");
 
 fn kinegon() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_kinegon"));
@@ -53,6 +54,10 @@ fn refused() -> Vec<(i32, Vec<&'static str>, Vec<u8>)> {
             "links": {{ "2": ["B", "C", "G"], "3": ["C", "D"], "4": ["E", "D", "F"], "5": ["G", "F"] }} }}"#
         )
         .into_bytes()
+    };
+    let boom = |from: &str, to: &str| {
+        assert!(BOOM.contains(from), "{from}");
+        BOOM.replacen(from, to, 1).into_bytes()
     };
     let mut huge = FIGURE_2.as_bytes().to_vec();
     huge.resize(50 << 20, b' ');
@@ -132,6 +137,63 @@ fn refused() -> Vec<(i32, Vec<&'static str>, Vec<u8>)> {
             2,
             vec!["links 2, 3, 4 can still move", "add 1 drive"],
             changed("\"5\": {", "\"note\": {"),
+        ),
+        // A cylinder: without a stroke, without a drive, too long, with all its pins in one line.
+        (
+            2,
+            vec!["gives no `position`", "sliders[0].drive"],
+            boom("\"position\": 450, ", ""),
+        ),
+        (
+            2,
+            vec!["links 2, 3, 4 can still move (1 free motion left)", "add 1 drive"],
+            boom("\"drive\"", "\"note\""),
+        ),
+        (
+            1,
+            vec!["links 2+3, 4 cannot be assembled", "position(3/2) = 4500", "longer"],
+            boom("\"position\": 450", "\"position\": 4500"),
+        ),
+        (
+            1,
+            vec!["links 2+3, 4 are in a singular position", "AC and CO lie in one line"],
+            boom("\"position\": 450", "\"position\": 1382.6237921249264"),
+        ),
+        // Drives too many: one that turns the boom, one that turns the cylinder, a ring of two, a pin of cylinder and rod together.
+        (
+            2,
+            vec!["links 2, 3 cannot move as driven (1 constraint too many)"],
+            boom("\"4\": {", "\"4\": { \"drive\": { \"angle\": 50, \"omega\": 1 },"),
+        ),
+        (
+            2,
+            vec!["link 4 cannot move as driven (1 constraint too many)"],
+            boom("\"points\": [\"A\", \"B\"]", "\"drive\": { \"angle\": 50, \"omega\": 1 }, \"points\": [\"A\", \"B\"]"),
+        ),
+        (
+            2,
+            vec!["links 2, 3 cannot move as driven (3 constraints too many)"],
+            boom(
+                "\"sliders\": [",
+                "\"sliders\": [{ \"link\": \"2\", \"at\": \"B\", \"on\": \"3\", \"drive\": { \"position\": 450, \"speed\": 0 } },",
+            ),
+        ),
+        (
+            2,
+            vec!["links 2, 3 cannot move as driven (2 constraints too many)"],
+            boom(
+                "\"points\": [\"D\", \"C\"], \"lengths\": { \"DC\": 900 }",
+                "\"points\": [\"D\", \"C\", \"B\"], \"lengths\": { \"DC\": 900, \"DB\": 450, \"BC\": 450 }",
+            ),
+        ),
+        // Two cranks pinned together.
+        (
+            2,
+            vec!["point C is given twice: by the drive of link 1 and by the drive of link 2"],
+            br#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "B": [100, 0] },
+                "links": { "1": { "points": ["A", "C"], "lengths": { "AC": 80 }, "drive": { "angle": 50, "omega": 1 } },
+                           "2": { "points": ["B", "C"], "lengths": { "BC": 80 }, "drive": { "angle": 130, "omega": 1 } } } }"#
+                .to_vec(),
         ),
     ]
 }
@@ -323,6 +385,58 @@ fn structure_is_written_as_a_formula() {
 }
 
 #[test]
+fn a_cylinder_and_its_rod_are_one_link() {
+    let output = |task: &str| {
+        let output = with_scene(&[task, "-"], BOOM.as_bytes());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        String::from_utf8(output.stdout).expect("UTF-8")
+    };
+    let structure = output("structure");
+    assert!(
+        structure
+            .starts_with("I(3/2) → II(2+3, 4; RRR)\ndegrees of freedom: 1, as many as drives\n"),
+        "{structure}"
+    );
+    let modes = output("modes");
+    assert!(modes.starts_with("2 assembly modes"), "{modes}");
+    // 2 ω_2 v_r and ω_2² L_AC, with ω_2 = 0.09740614212 and AC = 1350.
+    let steps = output("steps");
+    for line in [
+        "Lay off the sliding velocity of 3/2 along its guide, from a to r_a3.",
+        "a r_a3 = 80.00000 mm/s (40.00 mm on paper), direction 68.46°",
+        "v_C = v_A + v_r(3/2) + v_CA; direction 158.46°",
+        "ω_3 L_CA = μ_v (r_a3 c)",
+        "omega(4) = 0.1026143 rad/s",
+        "a r_a3 = 30.00000 mm/s² (30.00 mm on paper), direction 68.46°",
+        "Lay off the Coriolis acceleration of 3/2, normal to its guide, from r_a3 to k_a3.",
+        "r_a3 k_a3 = 15.58498 mm/s² (15.58 mm on paper), direction 158.46°",
+        "k_a3 n_aC = 12.80874 mm/s² (12.81 mm on paper), direction -111.54°",
+        "a_C = a_A + a_r(3/2) + a_c(3/2) + a^n_CA + a^t_CA; direction 158.46°",
+    ] {
+        assert!(steps.contains(line), "no `{line}` in\n{steps}");
+    }
+    // The normal part starts where the Coriolis acceleration ends.
+    let want = r#""want": ["a_n(C/A)", "a_c(3/2)", "a_r(3/2)"], "figure""#;
+    let output = with_scene(&["solve", "-"], BOOM.replace("\"figure\"", want).as_bytes());
+    let result: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let size = |name: &str| {
+        let vector = [0, 1].map(|i| result["quantities"][name][i].as_f64().expect("a number"));
+        libm::hypot(vector[0], vector[1])
+    };
+    assert!(
+        (size("a_n(C/A)") - 12.808741305796).abs() < 1e-8,
+        "{}",
+        size("a_n(C/A)")
+    );
+    assert!(
+        (size("a_c(3/2)") - 15.584982739290568).abs() < 1e-12,
+        "{}",
+        size("a_c(3/2)")
+    );
+    assert_eq!(result["quantities"]["a_r(3/2)"], 30.0);
+}
+
+#[test]
 fn modes_are_numbered_and_can_be_asked_for() {
     let output = with_scene(&["modes", "-"], FIGURE_2.as_bytes());
     let text = String::from_utf8(output.stdout).expect("UTF-8");
@@ -454,7 +568,7 @@ fn new_writes_every_kind_it_lists_and_nothing_over_a_file() {
     let listed = new(&[]);
     assert_eq!(new(&["--list"]).stdout, listed.stdout);
     let listed = String::from_utf8(listed.stdout).expect("UTF-8");
-    assert_eq!(listed.lines().count(), 18);
+    assert_eq!(listed.lines().count(), 19);
     assert!(
         listed.contains("four-bar        Four-bar linkage\n"),
         "{listed}"

@@ -64,13 +64,13 @@ fn turned() -> Vec<(String, Drawing)> {
     all
 }
 
-/// The starting scenes of `kinegon new`.
-fn templates() -> Vec<(String, Drawing)> {
+/// The scenes of a folder: the starting scenes of `kinegon new`, the mechanisms with cylinders.
+fn scenes(folder: &str) -> Vec<(String, Drawing)> {
     let draw = |(name, text): (String, String)| match drawn(&text) {
         Ok((drawing, _)) => (name, drawing),
         Err(error) => panic!("{name}: {error}"),
     };
-    files::templates().into_iter().map(draw).collect()
+    files::scenes(folder).into_iter().map(draw).collect()
 }
 
 fn drawings() -> Vec<(String, Drawing)> {
@@ -78,7 +78,8 @@ fn drawings() -> Vec<(String, Drawing)> {
         .map(|number| (format!("figure {number}"), example(number)))
         .into();
     all.extend(turned());
-    all.extend(templates());
+    all.extend(scenes("templates"));
+    all.extend(scenes("tests/driven_sliders"));
     for (index, line) in read("tests/drawn_scenes.jsonl").lines().enumerate() {
         let name = format!("drawn scene {}", index + 1);
         match drawn(line) {
@@ -226,7 +227,7 @@ fn covers(corners: &[Point], area: Rect) -> bool {
 #[test]
 fn nothing_covers_a_label_and_nothing_leaves_its_panel() {
     let drawings = drawings();
-    assert!(drawings.len() >= 78, "only {} drawings", drawings.len());
+    assert!(drawings.len() >= 88, "only {} drawings", drawings.len());
     let mut wrong = Vec::new();
     for (name, drawing) in &drawings {
         for fault in faults(drawing) {
@@ -372,7 +373,7 @@ const BESIDE: f64 = 0.25 + 0.2;
 fn names_in_the_scheme_keep_off_links() {
     let figures = [1, 2].map(|number| (format!("figure {number}"), example(number)));
     let mut wrong = Vec::new();
-    for (name, drawing) in figures.into_iter().chain(templates()) {
+    for (name, drawing) in figures.into_iter().chain(scenes("templates")) {
         let labels = drawing.marks.iter().filter(|mark| mark.pen == Pen::Label);
         for label in labels.filter(|mark| id(mark).starts_with("scheme-")) {
             let ink = label.shape.bounds().inflate(BESIDE, BESIDE);
@@ -426,4 +427,44 @@ fn long_names_of_links_are_set_apart_in_special_points() {
     says(&fourth, "scheme", "Stop");
     says(&fourth, "scheme", "Srod2");
     says(&fourth, "acceleration", "ne,rod2");
+}
+
+#[test]
+fn a_cylinder_shows_what_its_drive_adds() {
+    let text = read("templates/hydraulic-boom.json");
+    let (drawing, _) = drawn(&text).expect("it can be drawn");
+    shows(&drawing, "scheme", "A B C D E O 2 3 4 v3/2");
+    shows(&drawing, "velocity", "p a o c ra3");
+    shows(&drawing, "acceleration", "π a o c ra3 ka3 naC noC");
+    draws(&drawing, Pen::Slider, "scheme-slider-3");
+    draws(
+        &drawing,
+        Pen::Vector,
+        "velocity-vector-a-r_a3 acceleration-vector-a-r_a3",
+    );
+    draws(&drawing, Pen::Coriolis, "acceleration-vector-r_a3-k_a3");
+    draws(&drawing, Pen::Normal, "acceleration-vector-k_a3-n_aC");
+    draws(
+        &drawing,
+        Pen::Ray,
+        "velocity-ray-r_a3-c acceleration-ray-n_aC-c",
+    );
+    // The arrow beside the block points the way it is pushed: from A to B, or back.
+    let arrow = |drawing: &Drawing| {
+        let found = drawing.marks.iter().find(|m| id(m) == "scheme-speed-3u2f2");
+        let Some(Shape::Arrow { from, to }) = found.map(|m| m.shape.clone()) else {
+            panic!("no arrow")
+        };
+        to - from
+    };
+    let (back, _) =
+        drawn(&text.replace("\"speed\": 80", "\"speed\": -80")).expect("it can be drawn");
+    let (angle, length) = (68.457_610_487_18_f64.to_radians(), 10.0);
+    // The sheet's y runs down.
+    let (x, y) = (length * libm::cos(angle), -length * libm::sin(angle));
+    for (drawing, sign) in [(&drawing, 1.0), (&back, -1.0)] {
+        let arrow = arrow(drawing);
+        let off = (arrow.x - sign * x).abs().max((arrow.y - sign * y).abs());
+        assert!(off < 1e-9, "{arrow:?}");
+    }
 }

@@ -25,7 +25,7 @@ const MOST: f64 = 1e-12;
 const ORDER_WITHIN: f64 = 0.2;
 
 /// Kinds whose numbers are compared with the truth.
-const WITH_TRUTH: usize = 11;
+const WITH_TRUTH: usize = 12;
 
 /// The true numbers of a template, where there are some.
 fn truth(name: &str) -> Option<Value> {
@@ -215,7 +215,7 @@ fn a_driven_point_settles_a_triangles_hand() {
     }
 }
 
-/// The scene a moment later or earlier: every drive turned as its rates say, on the branch of `now`.
+/// The scene a moment later or earlier: every drive turned or pushed as its rates say, on the branch of `now`.
 fn moved(scene: &Value, now: &ResultFile, time: f64) -> String {
     let mut scene = scene.clone();
     let is_ground = |scene: &Value, name: &str| scene["ground"].get(name).is_some();
@@ -225,15 +225,33 @@ fn moved(scene: &Value, now: &ResultFile, time: f64) -> String {
         .map(|(name, point)| (name.clone(), serde_json::json!(point.position)))
         .collect();
     scene["near"] = Value::Object(near);
+    let move_on = |drive: &mut Value, [place, first, second]: [&str; 3], unit: f64| {
+        let rate = |key: &str| drive.get(key).and_then(Value::as_f64).unwrap_or(0.0);
+        let moved = time * (rate(first) + 0.5 * time * rate(second)) * unit;
+        drive[place] = (rate(place) + moved).into();
+    };
     let links = scene["links"].as_object_mut().expect("links by name");
-    for link in links.values_mut() {
-        if let Some(drive) = link.get_mut("drive") {
-            let rate = |key: &str| drive.get(key).and_then(Value::as_f64).unwrap_or(0.0);
-            let turned = time * (rate("omega") + 0.5 * time * rate("alpha"));
-            drive["angle"] = (rate("angle") + turned.to_degrees()).into();
+    for drive in links.values_mut().filter_map(|link| link.get_mut("drive")) {
+        move_on(drive, ["angle", "omega", "alpha"], 1_f64.to_degrees());
+    }
+    let sliders = scene.get_mut("sliders").and_then(Value::as_array_mut);
+    for slider in sliders.into_iter().flatten() {
+        if let Some(drive) = slider.get_mut("drive") {
+            move_on(drive, ["position", "speed", "acceleration"], 1.0);
         }
     }
     scene.to_string()
+}
+
+/// The rates of the drives in rad per unit of time; a pushed slider's is its speed over its position.
+fn drive_rates(scene: &Value) -> Vec<f64> {
+    let turned = entries(&scene["links"]).filter_map(|(_, link)| link["drive"]["omega"].as_f64());
+    let sliders = scene["sliders"].as_array().into_iter().flatten();
+    let pushed = sliders.filter_map(|slider| {
+        let drive = &slider["drive"];
+        Some(drive["speed"].as_f64()? / drive["position"].as_f64()?)
+    });
+    turned.chain(pushed).map(f64::abs).collect()
 }
 
 /// Largest errors of central differences of positions: of the first against velocities, of the second against accelerations.
@@ -261,18 +279,15 @@ fn rates_are_derivatives_of_positions() {
     let mut seen = 0;
     for (name, text) in templates() {
         let scene: Value = serde_json::from_str(&text).expect("a template is JSON");
-        let drives = entries(&scene["links"]).filter_map(|(_, link)| link.get("drive"));
-        let fastest = drives
-            .filter_map(|drive| drive["omega"].as_f64())
-            .map(f64::abs)
-            .reduce(f64::max);
+        let fastest = drive_rates(&scene).into_iter().reduce(f64::max);
         // In a drawn configuration nothing moves on.
         let Some(fastest) = fastest.filter(|_| scene.get("points").is_none()) else {
             continue;
         };
         seen += 1;
         let now = solved(&name, &text);
-        // The fastest drive turns by 1°, by half and by a quarter of a degree: far above what rounding adds.
+        // The fastest drive turns by 1°, by half and by a quarter of a degree, or is pushed by as much of its position: far above what
+        // rounding adds.
         let errors = [1.0_f64, 0.5, 0.25]
             .map(|degrees| differences(&name, &scene, &now, degrees.to_radians() / fastest));
         for (what, index) in [("velocity", 0), ("acceleration", 1)] {

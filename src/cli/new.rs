@@ -13,12 +13,13 @@ macro_rules! templates {
 }
 
 /// The starting scenes by kind, in the order in which they are listed.
-const TEMPLATES: [(&str, &str); 18] = templates! {
+const TEMPLATES: [(&str, &str); 19] = templates! {
     "four-bar" in "templates" as "four-bar",
     "slider-crank" in "templates" as "slider-crank",
     "slotted-lever" in "templates" as "slotted-lever",
     "whitworth" in "templates" as "whitworth",
     "toggle-press" in "templates" as "toggle-press",
+    "hydraulic-boom" in "templates" as "hydraulic-boom",
     "watt-1" in "templates" as "watt-1",
     "stephenson-3" in "templates" as "stephenson-3",
     "five-bar" in "templates" as "five-bar",

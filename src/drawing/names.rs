@@ -1,5 +1,5 @@
 use crate::mechanism::Mechanism;
-use crate::plan::{Construction, Special, display, image_name, normal_name, point_on};
+use crate::plan::{Construction, Special, display, image_name, point_on};
 use indexmap::IndexMap;
 
 /// How names are shown: as [`display`] writes them, but a special point's with commas where its links have longer names than a
@@ -17,7 +17,8 @@ impl Names {
                 shown.insert(special.name.clone(), format!("S_{{{low}}}"));
                 shown.insert(image_name(&special.name), format!("s_{{{low}}}"));
             }
-            for cut in &special.cuts {
+            let normals = special.normal_names(mechanism);
+            for (cut, name) in special.cuts.iter().zip(normals) {
                 let Some(start) = cut.start() else { continue };
                 let start = point_on(mechanism, cut.leg.base, start);
                 let image = display(&image_name(&start));
@@ -26,8 +27,9 @@ impl Names {
                     (true, false) => low.clone(),
                     (false, _) => display(&special.name),
                 };
-                let name = normal_name(&start, &special.name);
-                shown.insert(name, format!("n_{{{image}{end}}}"));
+                let letter = name.split('_').next().unwrap_or("n");
+                let markup = format!("{letter}_{{{image}{end}}}");
+                shown.insert(name, markup);
             }
         }
         Names(shown)

@@ -1,4 +1,4 @@
-use super::name::normal_name;
+use super::name::{normal_name, point_on};
 use crate::geometry::{Crossing, Line, Place, quarter_turn};
 use crate::mechanism::{
     BodyId, DrivenSlide, Group, JointKind, Leg, Mechanism, PointId, SliderId, SpecialPoint,
@@ -180,8 +180,10 @@ impl Special {
     #[must_use]
     pub fn normal_names(&self, mechanism: &Mechanism) -> [String; 2] {
         let name = |cut: &CutLine| {
-            let start = cut.start().map_or("", |point| mechanism.point_name(point));
-            normal_name(start, &self.name)
+            let start = cut
+                .start()
+                .map(|point| point_on(mechanism, cut.leg.base, point));
+            normal_name(&start.unwrap_or_default(), &self.name)
         };
         let [first, mut second] = [0, 1].map(|side| name(&self.cuts[side]));
         if first == second {

@@ -100,7 +100,7 @@ pub fn measured_names(construction: &Construction) -> Vec<String> {
 /// A quantity by its name, looked up in a mechanism once.
 ///
 /// `v(A/B)` is the velocity of A minus that of B. `a_n` and `a_t` split the relative acceleration of two points of one
-/// link, or of a special point and the outer joint of one of its legs (there along and across the cut line). `x(D)` and `y(D)` are
+/// link (of links that driven sliders join, without what the sliders add), or of a special point and the outer joint of one of its legs (there along and across the cut line). `x(D)` and `y(D)` are
 /// a point's coordinates, `position(3/2)` a slider's. A vector's `.x`, `.y`, `.size` and `.angle` (degrees) are numbers.
 #[derive(Clone, Debug)]
 pub struct Asked {
@@ -436,7 +436,7 @@ impl Finder<'_> {
         Err(unknown(self.name, "point", name, known))
     }
 
-    /// A link to which both belong.
+    /// A link to which both belong, or that of the first where driven sliders join it to one of the second.
     fn common_link(&self, a: &Spot, b: &Spot) -> Option<BodyId> {
         let holds = |link: BodyId, spot: &Spot| match spot {
             Spot::Special(name) => self.special().any(|s| s == (name.as_str(), link)),
@@ -444,8 +444,14 @@ impl Finder<'_> {
                 *body == link || self.mechanism.body(link).points.contains(point)
             }
         };
-        let mut links = self.mechanism.links().map(|(id, _)| id);
-        links.find(|&link| holds(link, a) && holds(link, b))
+        let links = || self.mechanism.links().map(|(id, _)| id);
+        let joined = |link: BodyId| {
+            let root = self.mechanism.root(link);
+            links().any(|other| self.mechanism.root(other) == root && holds(other, b))
+        };
+        let own = |link: &BodyId| holds(*link, a);
+        let common = links().filter(own).find(|&link| holds(link, b));
+        common.or_else(|| links().filter(own).find(|&link| joined(link)))
     }
 }
 

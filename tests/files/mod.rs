@@ -26,11 +26,16 @@ pub fn list(folder: &str) -> Vec<String> {
 
 /// Names and texts of the starting scenes, sorted.
 pub fn templates() -> Vec<(String, String)> {
-    let files = list("templates").into_iter();
+    scenes("templates")
+}
+
+/// Names and texts of the scenes in a folder, sorted; schemas and expected numbers are none.
+pub fn scenes(folder: &str) -> Vec<(String, String)> {
+    let files = list(folder).into_iter();
     let names = files.filter_map(|file| Some(file.strip_suffix(".json")?.to_owned()));
-    let scenes = names.filter(|name| !name.ends_with(".schema"));
+    let scenes = names.filter(|name| !name.ends_with(".schema") && !name.ends_with(".expect"));
     let with_text = |name: String| {
-        let text = read(&format!("templates/{name}.json"));
+        let text = read(&format!("{folder}/{name}.json"));
         (name, text)
     };
     scenes.map(with_text).collect()

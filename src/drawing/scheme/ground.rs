@@ -41,7 +41,7 @@ impl Scheme<'_> {
     }
 
     /// Where the ground lies from a pivot: below it, but above it where links hang down and none stands up.
-    fn down(&self, view: &View, point: PointId) -> Vec2 {
+    pub(super) fn down(&self, view: &View, point: PointId) -> Vec2 {
         // How far off the vertical a link is in the way.
         let steep = libm::cos(50.0_f64.to_radians());
         let links = self.mechanism.links();

@@ -129,7 +129,10 @@ impl Scheme<'_> {
             GROUND => (along, half.x),
             _ => (Vec2::new(-along.y, along.x), half.y),
         };
-        let lines = self.directions(view, slider.at);
+        let mut lines = self.directions(view, slider.at);
+        if self.mechanism.body(GROUND).points.contains(&slider.at) {
+            lines.push(self.down(view, slider.at));
+        }
         let taken: f64 = lines.iter().map(|line| line.dot(side)).sum();
         let side = if taken > 0.0 { -side } else { side };
         Some((at, half + 0.8, Some(side)))
