@@ -124,8 +124,7 @@ pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec
         .collect();
     // Known bodies last: they have the last word on shared points.
     let bodies = (0..mechanism.bodies.len()).map(BodyId);
-    let (known, members): (Vec<BodyId>, Vec<BodyId>) =
-        bodies.partition(|&b| mechanism.is_known(b));
+    let (known, members): (Vec<BodyId>, Vec<BodyId>) = bodies.partition(|&b| mechanism.is_known(b));
     for id in members.into_iter().rev().chain(known.into_iter().rev()) {
         let body = mechanism.body(id);
         for &point in &body.points {
