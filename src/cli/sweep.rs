@@ -38,7 +38,8 @@ pub(super) struct Range {
     /// Last value of the drive.
     #[arg(long, allow_hyphen_values = true)]
     pub to: Option<f64>,
-    /// The driven link that moves, if not the scene's first; other drives run along in proportion to their speeds.
+    /// The drive that moves, if not the first: a driven link, or a slider on a moving link such as 3/2; other drives run along
+    /// in proportion to their speeds.
     #[arg(long)]
     pub drive: Option<String>,
     /// Other drives stand still.

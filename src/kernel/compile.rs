@@ -263,7 +263,8 @@ impl<'a> Compiler<'a> {
             self.kernel.unknowns.push(closing.unknowns.clone());
             self.kernel.reductions.push(closing.reduction);
             self.kernel.actions.push(Action::Close(closing));
-            self.reach(&group.joints, |_| true);
+            let joints = self.mechanism.joints_of(group);
+            self.reach(&joints, |_| true);
         }
         let origin = (0, Point::origin());
         self.kernel.seats = self
@@ -455,9 +456,15 @@ impl<'a> Compiler<'a> {
 
     /// Walks a loop and adds up what it passes of each class.
     fn chain(&mut self, chain: &Loop, closing: &mut Closing) {
-        let first = chain.bodies[0];
-        let (start, mut here) = self.end(first, chain.joints[0], chain.closed);
-        let from = here;
+        // A loop names a compound link by its lead; its joints may be on others of the compound.
+        let side = |joint, link| self.mechanism.side(joint, link);
+        let last = chain.joints.len() - 1;
+        let first = side(chain.joints[0], chain.bodies[0]);
+        let (start, from) = self.end(first, chain.joints[0], chain.closed);
+        let mut walk = Walk {
+            body: first,
+            here: from,
+        };
         let mut passed = Passed {
             classes: &self.classes,
             chain: closing.ends.len(),
@@ -466,41 +473,30 @@ impl<'a> Compiler<'a> {
             rails: Vec::new(),
         };
         for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
-            let (body, next) = (sides[0], sides[1]);
+            let [body, next] = [sides[0], sides[1]].map(|link| side(joint, link));
+            self.within(&mut passed, &mut walk, body);
             match self.mechanism.joint(joint).kind {
                 JointKind::Revolute(point) => {
                     let local = |b: BodyId| {
                         let local = self.mechanism.body(b).local_of(point);
                         local.unwrap_or_else(Point::origin)
                     };
-                    passed.pass(body, local(body) - here);
-                    here = local(next);
-                }
-                JointKind::Prismatic(id) => {
-                    let slider = self.mechanism.slider(id);
-                    let (through, direction) = guide(slider);
-                    let direction = self.in_class(slider.on, direction);
-                    let at = at_local(self.mechanism, slider);
-                    let forward = slider.on == body;
-                    let (leave, arrive) = if forward {
-                        (through, at)
-                    } else {
-                        (at, through)
+                    passed.pass(body, local(body) - walk.here);
+                    walk = Walk {
+                        body: next,
+                        here: local(next),
                     };
-                    let direction = if forward { direction } else { -direction };
-                    passed.pass(body, leave - here);
-                    passed.slide(body, id.0, direction);
-                    here = arrive;
                 }
+                JointKind::Prismatic(id) => self.slide(&mut passed, &mut walk, id, next),
             }
         }
-        let last = chain.bodies[chain.bodies.len() - 1];
         let ends = if chain.closed {
-            passed.pass(last, from - here);
+            self.within(&mut passed, &mut walk, first);
+            passed.pass(first, from - walk.here);
             None
         } else {
-            let (end, there) = self.end(last, chain.joints[chain.joints.len() - 1], false);
-            passed.pass(last, there - here);
+            let (end, there) = self.end(walk.body, chain.joints[last], false);
+            passed.pass(walk.body, there - walk.here);
             Some([start, end])
         };
         let (mut members, mut rails) = (passed.members, passed.rails);
@@ -536,6 +532,32 @@ impl<'a> Compiler<'a> {
         closing.rails.extend(rails);
     }
 
+    /// Walks over the driven sliders of a compound link to another of its bodies.
+    fn within(&self, passed: &mut Passed, walk: &mut Walk, to: BodyId) {
+        for driven in self.mechanism.way(walk.body, to) {
+            self.slide(passed, walk, driven.slider, driven.to);
+        }
+    }
+
+    /// Walks over a slider to the body on its other side.
+    fn slide(&self, passed: &mut Passed, walk: &mut Walk, id: SliderId, to: BodyId) {
+        let slider = self.mechanism.slider(id);
+        let (through, direction) = guide(slider);
+        let direction = self.in_class(slider.on, direction);
+        let at = at_local(self.mechanism, slider);
+        let (leave, arrive, direction) = if slider.on == walk.body {
+            (through, at, direction)
+        } else {
+            (at, through, -direction)
+        };
+        passed.pass(walk.body, leave - walk.here);
+        passed.slide(walk.body, id.0, direction);
+        *walk = Walk {
+            body: to,
+            here: arrive,
+        };
+    }
+
     /// Where a loop begins or ends on a known body: at the pin, or at the body's first place.
     fn end(&self, body: BodyId, joint: JointId, closed: bool) -> (usize, Point) {
         let own = self.mechanism.body(body);
@@ -547,6 +569,12 @@ impl<'a> Compiler<'a> {
             JointKind::Prismatic(_) => self.anchors[body.0].unwrap_or((0, Point::origin())),
         }
     }
+}
+
+/// Where a walk along a loop stands: a body, and a place in its frame.
+struct Walk {
+    body: BodyId,
+    here: Point,
 }
 
 /// What a walk along a loop has passed so far.

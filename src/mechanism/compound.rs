@@ -1,4 +1,4 @@
-use super::{BodyId, GROUND, Joint, JointId, JointKind, Mechanism, Role, Slider, SliderId};
+use super::{BodyId, GROUND, Group, Joint, JointId, JointKind, Mechanism, Role, Slider, SliderId};
 
 /// A driven slider on the way from one link to another that turns as it does.
 ///
@@ -87,6 +87,18 @@ impl Mechanism {
         let mut sides = self.joint(joint).bodies.into_iter();
         let side = sides.find(|&b| b == link || self.lead(b) == link);
         side.unwrap_or(link)
+    }
+
+    /// The joints of a group, and those of the driven sliders within its compound links.
+    #[must_use]
+    pub fn joints_of(&self, group: &Group) -> Vec<JointId> {
+        let within = |id: &JointId| {
+            let joint = self.joint(*id);
+            joint.bodies.iter().all(|b| group.bodies.contains(b))
+        };
+        let inner = (0..self.joints.len()).map(JointId).filter(within);
+        let inner = inner.filter(|id| !group.joints.contains(id));
+        group.joints.iter().copied().chain(inner).collect()
     }
 
     /// +1 where `from`, or a link of its compound, carries the slider's guide, −1 where it slides.
