@@ -2,6 +2,7 @@ use super::{Path, Walker};
 use crate::geometry::{Vector, degrees_of};
 use crate::kernel::{Single, Unknown};
 use crate::mechanism::SliderId;
+use std::cmp::Reverse;
 
 /// Something that happens at one value of the drive.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +19,11 @@ pub enum Happening {
     /// Two branches meet and the drive can go no further; rates grow like 1/√distance.
     Limit {
         /// The links of the group that is stretched, or otherwise singular.
+        links: String,
+    },
+    /// Places run off to infinity, as where two guides become parallel.
+    RunsOff {
+        /// The links of the group that runs off.
         links: String,
     },
     /// Two branches cross; the motion goes on smoothly, but another mode begins here too and the rates are not determined.
@@ -52,7 +58,7 @@ impl Event {
     pub fn is_end(&self) -> bool {
         matches!(
             self.what,
-            Happening::Limit { .. } | Happening::Singular { .. }
+            Happening::Limit { .. } | Happening::RunsOff { .. } | Happening::Singular { .. }
         )
     }
 
@@ -63,6 +69,9 @@ impl Event {
             Happening::Limit { links } => format!(
                 "limit position at {place}: links {links} can go no further, their rates grow without bound"
             ),
+            Happening::RunsOff { links } => {
+                format!("at {place} links {links} run off to infinity")
+            }
             Happening::Change { links } => format!(
                 "change position at {place}: links {links} could go on in another mode too; the smooth motion is followed"
             ),
@@ -134,8 +143,11 @@ pub(super) fn dead_positions(path: &Path) -> Vec<Event> {
                         position: block.slides[slider][0],
                     },
                     Unknown::Spin(class) => {
-                        let mut links = mechanism.links();
-                        let own = links.find(|(id, _)| kernel.seat(*id).class == class);
+                        // Of links that turn together, a lever says more than the block on it.
+                        let links = mechanism.links();
+                        let own = links
+                            .filter(|(id, _)| kernel.seat(*id).class == class)
+                            .min_by_key(|(_, body)| Reverse(body.points.len()));
                         let Some((id, body)) = own else { continue };
                         let axis = block.turn(class, 0) * kernel.seat(id).turn * Vector::x();
                         Happening::TurnsBack {

@@ -2,7 +2,7 @@ use super::event::dead_positions;
 use super::segment::{Node, Segment};
 use super::start::{stands, start};
 use super::trace::{Traced, trace};
-use super::{CycleError, Event, Position, Walker};
+use super::{CycleError, Event, Happening, Position, Walker};
 use crate::geometry::{Number, span};
 use crate::kernel::{Block, InputKind, Kernel, vector};
 use crate::mechanism::{Mechanism, Role, SliderId};
@@ -10,6 +10,9 @@ use crate::position::Pose;
 
 /// The widest range that is followed, in turns to each side.
 const MOST_TURNS: f64 = 100.0;
+
+/// How far the branch is followed the other way first, in turns: enough for the longest leap.
+const RUN_UP: f64 = 0.01;
 
 /// A drive that is moved through a range; its value is in degrees, or in lengths along the guide.
 #[derive(Clone, Debug)]
@@ -107,11 +110,12 @@ pub struct Path<'a> {
     /// By input: its value at the first node found, and its units for each unit of the moved drive.
     pub(super) inputs: Vec<[f64; 2]>,
     origin: f64,
+    size: f64,
     /// In the order of the drive's value.
     pub(super) nodes: Vec<Node>,
     pub(super) segments: Vec<Segment>,
     /// Change positions on the way.
-    changes: Vec<Event>,
+    pub(super) changes: Vec<Event>,
     /// What ends the path below and above, where something does.
     ends: [Option<Event>; 2],
 }
@@ -150,6 +154,7 @@ impl<'a> Path<'a> {
             mechanism,
             inputs,
             origin,
+            size: span(block.points.iter().map(|p| vector(p, 0).into())),
             nodes: Vec::new(),
             segments: Vec::new(),
             changes: Vec::new(),
@@ -172,13 +177,12 @@ impl<'a> Path<'a> {
 
     /// What counts as one turn of the drive: a full one of a crank; for a slider, the mechanism's size.
     pub(super) fn unit(&self) -> f64 {
-        if self.drive.turns { 360.0 } else { self.size() }
+        if self.drive.turns { 360.0 } else { self.size }
     }
 
-    /// The mechanism's size.
+    /// The mechanism's size where the path begins.
     pub(super) fn size(&self) -> f64 {
-        let points = &self.nodes[0].block.points;
-        span(points.iter().map(|p| vector(p, 0).into()))
+        self.size
     }
 
     /// Sets all drives for these values of the moved one.
@@ -282,36 +286,44 @@ impl<'a> Path<'a> {
 
     /// Follows the branch until the drive's value is reached or something ends it, which [`Self::end`] then tells.
     pub fn follow_to(&mut self, value: f64) {
+        if self.nodes.len() == 1 && value.is_finite() {
+            // A change position right ahead is leapt over with a run-up; one right behind is left for later, when there are nodes before it.
+            let bare = self.clone();
+            self.extend(self.origin + RUN_UP.copysign(self.origin - value) * self.unit());
+            let singular = |end: &Event| matches!(end.what, Happening::Singular { .. });
+            if !self.changes.is_empty() || self.ends.iter().flatten().any(singular) {
+                *self = bare;
+            }
+        }
+        self.extend(value);
+    }
+
+    /// Follows the branch beyond the nodes that there are.
+    fn extend(&mut self, value: f64) {
         let up = value > self.high();
         if !up && value >= self.low() || self.ends[usize::from(up)].is_some() {
             return;
         }
-        let first = if up {
-            self.nodes.last()
-        } else {
-            self.nodes.first()
-        };
-        let Some(first) = first.cloned() else { return };
+        let mut nodes = std::mem::take(&mut self.nodes);
+        if !up {
+            nodes.reverse();
+        }
         let Traced {
             nodes,
             changes,
             end,
-        } = trace(self, first, value);
-        let mut added = nodes;
+        } = trace(self, nodes, value);
+        self.nodes = nodes;
+        if !up {
+            self.nodes.reverse();
+        }
         self.changes.extend(changes);
         self.ends[usize::from(up)] = end;
-        if up {
-            self.nodes.append(&mut added);
-        } else {
-            added.reverse();
-            added.append(&mut self.nodes);
-            self.nodes = added;
-        }
         let segments = self.nodes.windows(2).map(|w| {
             let mut segment = Segment::new(&self.kernel, &w[0], &w[1]);
             let mut changes = self.changes.iter();
             if changes.any(|c| segment.holds(&[c.at])) {
-                (segment.changes, segment.sure) = (true, 0.0);
+                segment.sure = 0.0;
             }
             segment
         });

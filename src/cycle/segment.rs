@@ -27,8 +27,6 @@ impl Node {
 pub(super) struct Segment {
     pub from: f64,
     pub to: f64,
-    /// Whether it passes a change position.
-    pub changes: bool,
     /// The largest first Newton step from a prediction, in radians or parts of a group's size, that leaves only rounding.
     pub sure: f64,
     turns: Vec<(usize, [Quintic; 2])>,
@@ -74,7 +72,6 @@ impl Segment {
         let mut segment = Segment {
             from: start.value,
             to: end.value,
-            changes: false,
             sure: 0.5 * (UNIT_ROUNDOFF * sharpness).sqrt(),
             turns: Vec::new(),
             slides: Vec::new(),

@@ -7,7 +7,7 @@ use crate::kernel::{Correction, Unknown};
 const DOUBT: f64 = 0.02;
 
 /// The same for the many short steps towards a limit, where Newton's method may take a second step.
-const DOUBT_NEAR_LIMIT: f64 = 1e4;
+const DOUBT_NEAR_END: f64 = 1e4;
 
 /// Steps below this part of a turn are those near a limit.
 const SHORT: f64 = 1e-4;
@@ -25,9 +25,10 @@ const DETERMINANT_LEFT: f64 = 0.2;
 /// hop to another branch.
 const SMALLEST: f64 = 1e-11;
 
-/// How near a limit must have been approached, in parts of a turn, for its estimate to be exact: what it leaves out is of the
-/// size of the distance's square, over the distance to the next limit.
-const NEAR_LIMIT: f64 = 1e-7;
+/// How near an end must have been approached, in parts of a turn, for its estimate to be exact. What that leaves out is of the
+/// size of the distance's square, over the distance to the next end; a limit is approached much nearer, a place that runs off
+/// to infinity not: there the distance's third power is left out.
+const NEAR_END: f64 = 1e-6;
 
 /// How far before a change position a leap may begin, in parts of a turn: shorter ones are for motions that are quick there.
 const LEAPS: [f64; 4] = [4e-3, 4e-4, 4e-5, 4e-6];
@@ -42,19 +43,18 @@ const GROWTH: f64 = 1.3;
 /// The largest first correction after a leap, in radians or parts of the group's size.
 const LEAP_OFF: f64 = 1e-5;
 
-/// The nodes that follow a first one, in walking order, and what happened.
+/// The nodes of a path, in walking order, and what happened after those that were there.
 pub(super) struct Traced {
     pub nodes: Vec<Node>,
     pub changes: Vec<Event>,
     pub end: Option<Event>,
 }
 
-/// Follows the branch from a node to a value of the drive, or as far as it goes.
-pub(super) fn trace(path: &Path, first: Node, target: f64) -> Traced {
-    let forward = if target > first.value { 1.0 } else { -1.0 };
+/// Follows the branch from the last of some nodes to a value of the drive, or as far as it goes.
+pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
+    let forward = (target - nodes[nodes.len() - 1].value).signum();
     let unit = path.unit();
     let mut step = unit / 36.0;
-    let mut nodes = vec![first];
     let mut traced = Traced {
         nodes: Vec::new(),
         changes: Vec::new(),
@@ -99,12 +99,20 @@ pub(super) fn trace(path: &Path, first: Node, target: f64) -> Traced {
                     continue;
                 }
                 let links = dullest_links(path, last);
-                let limit = limit_ahead(path, &nodes, forward);
-                let limit = limit.filter(|[_, away]| away.abs() < NEAR_LIMIT * unit);
-                traced.end = Some(match limit {
-                    Some([at, _]) => Event {
+                let ahead = ahead(path, &nodes, forward);
+                let ahead = ahead.filter(|a| a.away.abs() < NEAR_END * unit);
+                traced.end = Some(match ahead {
+                    Some(Ahead {
+                        at,
+                        runs_off: false,
+                        ..
+                    }) => Event {
                         at,
                         what: Happening::Limit { links },
+                    },
+                    Some(Ahead { at, .. }) => Event {
+                        at,
+                        what: Happening::RunsOff { links },
                     },
                     None => Event {
                         at: last.value,
@@ -115,7 +123,6 @@ pub(super) fn trace(path: &Path, first: Node, target: f64) -> Traced {
             }
         }
     }
-    nodes.remove(0);
     traced.nodes = nodes;
     traced
 }
@@ -168,11 +175,7 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
 
 /// The doubt that a step of this part of a turn may leave.
 fn allowed(step: f64) -> f64 {
-    if step < SHORT {
-        DOUBT_NEAR_LIMIT
-    } else {
-        DOUBT
-    }
+    if step < SHORT { DOUBT_NEAR_END } else { DOUBT }
 }
 
 /// The group nearest to a singular position.
@@ -199,11 +202,21 @@ fn fastest(path: &Path, node: &Node, group: usize) -> f64 {
     rates.fold(0.0, f64::max)
 }
 
-/// Where the limit lies whose approach shows in the rates, and how far ahead; `None` if there is none.
+/// What shows ahead in rates that grow.
+struct Ahead {
+    at: f64,
+    /// How far ahead.
+    away: f64,
+    /// Whether a place runs off to infinity there; else two branches meet.
+    runs_off: bool,
+}
+
+/// What lies ahead of the last node; `None` if nothing shows in the rates.
 ///
-/// Near a limit at distance d every unknown goes like x* − c √d, so dx/dv = c / (2 √d), d²x/dv² = c / (4 d √d) and
-/// d = (dx/dv) / (2 d²x/dv²), but for a term of the power 3/2 of d, which two nodes remove (Richardson, 1911).
-fn limit_ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<[f64; 2]> {
+/// Where rates grow like the power −p of the distance d, their ratio to the second derivatives is q = (dx/dv) / (d²x/dv²) = d / p,
+/// so two nodes tell p. At a limit, where x = x* − c √d, it is 1/2; where x = c / d runs off to infinity it is 2.
+/// The next term of d, which at a limit is of the power 3/2, is removed by the two nodes (Richardson, 1911).
+fn ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<Ahead> {
     let last = &nodes[nodes.len() - 1];
     let group = dullest(last)?;
     let determinant = |node: &Node| node.determinants[group][0];
@@ -223,19 +236,25 @@ fn limit_ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<[f64; 2]> {
     };
     let second = |unknown: &&Unknown| rates(last, **unknown)[1].abs();
     let unknowns = path.kernel.unknowns[group].iter();
-    let fastest = *unknowns.max_by(|a, b| second(a).total_cmp(&second(b)))?;
-    let distance = |[first, second]: [f64; 2]| first / (2.0 * second);
-    let [now, then] = [last, before].map(|node| rates(node, fastest));
-    let [near, far] = [now, then].map(distance);
+    let quickest = *unknowns.max_by(|a, b| second(a).total_cmp(&second(b)))?;
+    let [now, then] = [last, before].map(|node| rates(node, quickest));
+    let [near, far] = [now, then].map(|[first, second]| first / second);
     // Rates grow as the determinant falls; at a change position they do not.
     let grown = now[0] / then[0] >= 0.5 * determinant(before) / determinant(last);
     if !(grown && near * forward > 0.0 && far * forward > 0.0) {
         return None;
     }
-    let weight = libm::pow(near / far, 1.5);
+    let runs_off = (last.value - before.value) / (far - near) > 1.0;
+    let (power, next) = if runs_off { (2.0, 3.0) } else { (0.5, 1.5) };
+    let weight = libm::pow(near / far, next);
+    let [near, far] = [near, far].map(|q| power * q);
     let (near_place, far_place) = (last.value + near, before.value + far);
-    let place = near_place + (near_place - far_place) * weight / (1.0 - weight);
-    Some([place, near])
+    let at = near_place + (near_place - far_place) * weight / (1.0 - weight);
+    Some(Ahead {
+        at,
+        away: near,
+        runs_off,
+    })
 }
 
 /// A way over a change position.

@@ -3,9 +3,8 @@ use crate::geometry::{Eight, Number};
 use crate::kernel::Block;
 use multiversion::multiversion;
 
-/// Near a change position the equations' sharpness goes to zero, but the rates stay finite: below the root of this their errors,
-/// rounding over the sharpness's third power, can be seen.
-const TOLD: f64 = 1e-6;
+/// How near a change position there is nothing to read, in parts of a turn: rounding leaves about u / distance³ of second rates.
+const BLANK: f64 = 1e-4;
 
 /// Vectors in a block of many positions: enough that being general costs little, few enough to stay in the nearest cache.
 pub const MANY: usize = 4;
@@ -27,7 +26,8 @@ impl<'a, T: Number, const M: usize> Walker<'a, T, M> {
         }
     }
 
-    /// Positions at these values of the drive, which must lie on one segment; `None` where that is not so, or a position is singular.
+    /// Positions at these values of the drive, which must lie on one segment; `None` where that is not so, or a position is
+    /// singular or next to a change position.
     #[inline]
     pub fn positions(&mut self, values: &[T; M]) -> Option<&mut Block<T, M>> {
         self.assemble(values).then_some(&mut self.block)
@@ -43,12 +43,17 @@ impl<'a, T: Number, const M: usize> Walker<'a, T, M> {
                 return false;
             }
         }
+        let blank = BLANK * self.path.unit();
+        let near = |at: f64, v: &T| (0..T::LANES).any(|i| (v.lane(i) - at).abs() < blank);
+        let mut changes = self.path.changes.iter();
+        if changes.any(|change| values.iter().any(|v| near(change.at, v))) {
+            return false;
+        }
         self.path.set_inputs(&mut self.block, values);
         let segment = &segments[self.segment];
         segment.predict(values, &mut self.block);
         let kernel = &self.path.kernel;
         kernel.assemble(&mut self.block, segment.sure).closed
-            && !(segment.changes && kernel.squared_sharpness(&self.block) < TOLD)
     }
 
     /// Positions and the rates for the drives running as the scene says; `None` as for [`Self::positions`].

@@ -140,13 +140,6 @@ impl Kernel {
         })
     }
 
-    /// The smallest of Hadamard's ratios of all groups and lanes, squared: 1 down to 0 in a singular position.
-    #[must_use]
-    pub fn squared_sharpness<T: Number, const M: usize>(&self, block: &Block<T, M>) -> f64 {
-        let systems = block.systems.iter().map(dullest);
-        systems.fold(1.0, |least, s| if s < least { s } else { least })
-    }
-
     /// By group, in the first lane: the determinant of its equations, whose sign changes where two branches meet, and the square
     /// of Hadamard's ratio, 1 down to 0 in a singular position.
     #[must_use]
