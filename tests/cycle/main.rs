@@ -1,18 +1,28 @@
 //! Branches followed over whole cycles, against the source paper, closed forms, positions assembled anew and differences of positions.
 
+mod branches;
+mod changes;
+mod ends;
 #[path = "../exact/mod.rs"]
 mod exact;
 mod four_bars;
 mod paper;
+#[path = "../planted/mod.rs"]
+mod planted;
+#[path = "../random/mod.rs"]
 mod random;
+mod rates;
 
 use kinegon::cycle::{Drive, Path};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
 
-/// A thousandth of a billionth of a turn, in degrees.
-const LOCATED: f64 = 360e-12;
+/// The unit roundoff of f64.
+const U: f64 = f64::EPSILON / 2.0;
+
+/// A turn in degrees.
+const TURN: f64 = 360.0;
 
 /// The mechanism of a scene, and the position that its `near` picks.
 fn posed(text: &str) -> (Mechanism, Pose) {
@@ -27,3 +37,77 @@ fn path<'a>(mechanism: &'a Mechanism, pose: &Pose) -> Path<'a> {
     let drive = Drive::new(mechanism, None).expect("it has a drive");
     Path::new(mechanism, pose, drive).expect("the position is regular")
 }
+
+/// The same, followed once around, or from end to end.
+fn followed<'a>(mechanism: &'a Mechanism, pose: &Pose) -> Path<'a> {
+    let mut path = path(mechanism, pose);
+    if path.drive.is_angle() {
+        path.cover(None, None).expect("it can be followed");
+    } else {
+        path.follow_to(-1e3);
+        path.follow_to(1e3);
+    }
+    path
+}
+
+/// Every starting scene that is given by lengths, and the paper's, with their names.
+fn scenes() -> Vec<(String, String)> {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let files = std::fs::read_dir(root.join("templates")).expect("the folder is there");
+    let files = files.map(|entry| entry.expect("the folder can be listed").path());
+    let mut files: Vec<_> = files.chain([root.join("examples/figure-2.json")]).collect();
+    files.sort();
+    let named = files.into_iter().map(|file| {
+        let name = file
+            .file_name()
+            .expect("a file")
+            .to_string_lossy()
+            .into_owned();
+        (name, std::fs::read_to_string(file).expect("it can be read"))
+    });
+    let movable =
+        named.filter(|(name, text)| text.contains("\"near\"") && !name.contains("schema"));
+    let more = MORE.map(|(name, text)| (name.to_owned(), text.to_owned()));
+    let scenes: Vec<_> = movable.chain(more).collect();
+    assert_eq!(scenes.len(), 12 + MORE.len());
+    scenes
+}
+
+/// Kinds of drives and joints that no starting scene has.
+const MORE: [(&str, &str); 4] = [
+    (
+        "a pushed piston turns a crank",
+        r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0] },
+          "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 50 } }, "2": { "points": ["B", "C"], "lengths": { "BC": 150 } },
+                     "3": { "points": ["C"] } },
+          "sliders": [{ "link": "3", "at": "C", "on": "ground", "through": [0, -20], "along": 0,
+                        "drive": { "position": 150, "speed": 30, "acceleration": 40 } }],
+          "near": { "B": [10, 45] } }"#,
+    ),
+    (
+        "a pin in a curved-free slot of a lever",
+        r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "O": [0, 0], "A": [0, 80] },
+          "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 30 }, "drive": { "angle": 45, "omega": 4, "alpha": -7 } },
+                     "3": { "points": ["O", "C"], "lengths": { "OC": 130 } } },
+          "sliders": [{ "pin": "B", "on": "3", "along": "OC" }], "near": { "C": [30, 120] } }"#,
+    ),
+    (
+        "a slotted lever with an offset slot moves a slider",
+        r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "O": [0, 0], "A": [10, 80] },
+          "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 30 }, "drive": { "angle": 45, "omega": 4, "alpha": 2 } },
+                     "2": { "points": ["B"] }, "3": { "shape": { "O": [0, 0], "P": [0, 12], "Q": [150, 12] } },
+                     "4": { "points": ["Q"] }, "5": { "points": ["R"] } },
+          "sliders": [{ "link": "2", "at": "B", "on": "3", "along": "PQ" },
+                      { "link": "4", "at": "Q", "on": "5", "along": 90 },
+                      { "link": "5", "at": "R", "on": "ground", "through": [0, 170], "along": 5 }],
+          "near": { "Q": [30, 120] } }"#,
+    ),
+    (
+        "an ellipse: a rod between two sliders, one of them pushed",
+        r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "O": [0, 0] },
+          "links": { "1": { "points": ["P"] }, "2": { "points": ["P", "Q"], "lengths": { "PQ": 100 } }, "3": { "points": ["Q"] } },
+          "sliders": [{ "link": "1", "at": "P", "on": "ground", "through": "O", "along": 0, "drive": { "position": 40, "speed": -12 } },
+                      { "link": "3", "at": "Q", "on": "ground", "through": "O", "along": 70 }],
+          "near": { "Q": [30, 90] } }"#,
+    ),
+];

@@ -8,8 +8,33 @@ use nalgebra::{DMatrix, DVector};
 
 use super::random::Random;
 
+const DYADS: [&str; 7] = ["RRR", "RRP", "PRR", "RPR", "PRP", "RPP", "PPR"];
+
 /// Bodies from 0; the frame or the crank, as it falls.
 pub const KNOWN: usize = usize::MAX;
+
+/// Kinds of the joints of a group of this class, and which bodies each joins.
+pub fn pattern(random: &mut Random, class: &str) -> (String, Vec<(usize, usize)>) {
+    match class {
+        "II" => {
+            let kinds = DYADS[random.below(DYADS.len())];
+            (kinds.to_owned(), vec![(0, KNOWN), (0, 1), (1, KNOWN)])
+        }
+        "III" => {
+            let leg = |random: &mut Random| ["RR", "RP", "PR", "PP"][random.below(4)];
+            let kinds: String = (0..3).map(|_| leg(random)).collect();
+            let joints = (1..4).flat_map(|leg| [(leg, KNOWN), (leg, 0)]);
+            (kinds, joints.collect())
+        }
+        _ => {
+            let kind = |random: &mut Random| if random.below(3) == 0 { 'P' } else { 'R' };
+            let kinds = (0..6).map(|_| kind(random)).collect();
+            // B C D E F G: link 0 with B, C, E; link 1 with D, F, G; links 2 and 3 between them.
+            let joints = vec![(0, KNOWN), (0, 2), (2, 1), (0, 3), (3, 1), (1, KNOWN)];
+            (kinds, joints)
+        }
+    }
+}
 
 pub type Pair = [f64; 2];
 
