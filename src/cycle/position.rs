@@ -46,7 +46,7 @@ impl<T: Number, const M: usize> State for Position<'_, T, M> {
     }
 
     fn place(&self, point: PointId) -> Point {
-        self.block.place(point.0, self.lane)
+        self.block.place(point.0, self.lane) + self.kernel.origin
     }
 
     fn axis(&self, link: BodyId) -> Option<Vector> {
@@ -80,7 +80,7 @@ impl<T: Number, const M: usize> State for Position<'_, T, M> {
     fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2] {
         let slot = self.kernel.seat(body).slot;
         let [omega, alpha] = self.spin(body);
-        let arm = place - self.block.place(slot, self.lane);
+        let arm = place - (self.block.place(slot, self.lane) + self.kernel.origin);
         let velocity = vector(&self.block.point_velocities[slot], self.lane);
         let acceleration = vector(&self.block.point_accelerations[slot], self.lane);
         [

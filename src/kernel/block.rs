@@ -11,7 +11,7 @@ pub struct Block<T: Number, const M: usize> {
     pub turns: Vec<[Pair<T>; M]>,
     /// By slider: its position along the guide.
     pub slides: Vec<[T; M]>,
-    /// By slot: the place of a point.
+    /// By slot: the place of a point, from the kernel's origin.
     pub points: Vec<[Pair<T>; M]>,
     /// By class: angular velocity.
     pub omegas: Vec<[T; M]>,
@@ -77,7 +77,7 @@ impl<T: Number, const M: usize> Block<T, M> {
         Turn::from_cos_sin_unchecked(turn.x, turn.y)
     }
 
-    /// The place of a slot, in one lane.
+    /// The place of a slot from the kernel's origin, in one lane.
     #[must_use]
     pub fn place(&self, slot: usize, lane: usize) -> Point {
         vector(&self.points[slot], lane).into()

@@ -25,6 +25,8 @@ pub struct Kernel {
     pub(super) arms: usize,
     pub(super) rails: usize,
     pub(super) placings: usize,
+    /// Places in a block count from here, a place of the ground: far from the fixed frame's own origin no digits are lost.
+    pub origin: Vector,
     pub(super) fixed: Vec<(usize, Point)>,
     pub(super) actions: Vec<Action>,
 }
@@ -211,6 +213,7 @@ impl<'a> Compiler<'a> {
                 arms: 0,
                 rails: 0,
                 placings: 0,
+                origin: Vector::zeros(),
                 fixed: Vec::new(),
                 actions: Vec::new(),
             },
@@ -302,6 +305,12 @@ impl<'a> Compiler<'a> {
             let slot = self.new_slot();
             self.kernel.fixed.push((slot, through));
             self.anchors[GROUND.0] = Some((slot, through));
+        }
+        if let Some((_, first)) = self.kernel.fixed.first().copied() {
+            self.kernel.origin = first.coords;
+            for (_, place) in &mut self.kernel.fixed {
+                *place -= first.coords;
+            }
         }
     }
 

@@ -92,9 +92,9 @@ impl<'a> Closer<'a> {
             if self.group.bodies.contains(&id) {
                 continue;
             }
-            self.block.points[seat.slot] = pair((frame * seat.local).coords);
+            self.block.points[seat.slot] = pair((frame * seat.local).coords - self.kernel.origin);
             for (point, local) in body.points.iter().zip(&body.local) {
-                self.block.points[point.0] = pair((frame * local).coords);
+                self.block.points[point.0] = pair((frame * local).coords - self.kernel.origin);
             }
         }
         self.kernel.place(&mut self.block, self.index);
@@ -104,7 +104,7 @@ impl<'a> Closer<'a> {
         for &link in &self.group.bodies {
             let seat = self.kernel.seat(link);
             let turn = self.block.turn(seat.class, 0) * seat.turn;
-            let place = self.block.place(seat.slot, 0);
+            let place = self.block.place(seat.slot, 0) + self.kernel.origin;
             frames.set(link, pinned(turn, seat.local, place));
         }
         Assembled {

@@ -2,6 +2,7 @@
 
 mod branches;
 mod changes;
+mod drives;
 mod ends;
 #[path = "../exact/mod.rs"]
 mod exact;
@@ -14,6 +15,7 @@ mod random;
 mod rates;
 
 use kinegon::cycle::{Drive, Path};
+use kinegon::geometry::span;
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
@@ -44,8 +46,10 @@ fn followed<'a>(mechanism: &'a Mechanism, pose: &Pose) -> Path<'a> {
     if path.drive.is_angle() {
         path.cover(None, None).expect("it can be followed");
     } else {
-        path.follow_to(-1e3);
-        path.follow_to(1e3);
+        // Farther than any slider gets.
+        let size = span(pose.points.iter().copied());
+        path.follow_to(-10.0 * size);
+        path.follow_to(10.0 * size);
     }
     path
 }
@@ -69,7 +73,7 @@ fn scenes() -> Vec<(String, String)> {
         named.filter(|(name, text)| text.contains("\"near\"") && !name.contains("schema"));
     let more = MORE.map(|(name, text)| (name.to_owned(), text.to_owned()));
     let scenes: Vec<_> = movable.chain(more).collect();
-    assert_eq!(scenes.len(), 12 + MORE.len());
+    assert_eq!(scenes.len(), 13 + MORE.len());
     scenes
 }
 
