@@ -1,4 +1,5 @@
 use crate::cycle::CycleError;
+use crate::drawing::CurvesError;
 use crate::mechanism::StructureError;
 use crate::motion::MotionError;
 use crate::plan::QuantityError;
@@ -26,4 +27,7 @@ pub enum Error {
     /// A quantity that was asked for has no value.
     #[error(transparent)]
     Quantity(#[from] QuantityError),
+    /// Curves do not fit on the sheet.
+    #[error(transparent)]
+    Curves(#[from] CurvesError),
 }

@@ -614,3 +614,156 @@ fn new_writes_every_kind_it_lists_and_nothing_over_a_file() {
     );
     assert_eq!(new(&["-o", path]).status.code(), Some(2));
 }
+
+#[test]
+fn curves_that_cannot_be_drawn_get_one_message_and_nothing_is_written() {
+    let drawn = include_str!("../examples/figure-1.json");
+    let every_kind = "omega(2),alpha(2),angle(2),v(D),a(D)";
+    let coordinates = [
+        "x(D)", "y(D)", "x(E)", "y(E)", "x(F)", "y(F)", "x(B)", "y(B)",
+    ];
+    let special = ["x(S3)", "y(S3)", "x(S5)", "y(S5)", "position(3/2)"];
+    let crowd = [&coordinates[..], &special[..]].concat().join(",");
+    let cases: [(i32, &[&str], &[&str], &str); 12] = [
+        (
+            2,
+            &["--want", "omega(44)"],
+            &["no link `44`", "did you mean `4`?"],
+            FIGURE_2,
+        ),
+        (
+            2,
+            &["--want", "speed(4)"],
+            &["`speed(4)` is no quantity"],
+            FIGURE_2,
+        ),
+        (
+            2,
+            &["--want", "vplan(b,zz)"],
+            &["no plan point `zz`"],
+            FIGURE_2,
+        ),
+        (
+            2,
+            &["--want", "vplan(b,s3)/mu"],
+            &["length on paper", "without `/mu`"],
+            FIGURE_2,
+        ),
+        (
+            2,
+            &["--want", every_kind],
+            &["5 panels", "room for 4"],
+            FIGURE_2,
+        ),
+        (
+            2,
+            &["--want", &crowd],
+            &["13 curves in one panel"],
+            FIGURE_2,
+        ),
+        (
+            2,
+            &["--drive", "7"],
+            &["no drive `7`", "the drives are: 1"],
+            FIGURE_2,
+        ),
+        (2, &[], &["a drawn configuration cannot be moved"], drawn),
+        (
+            1,
+            &["--from", "150", "--to", "200"],
+            &["cannot be reached", "137.58"],
+            FIGURE_2,
+        ),
+        (
+            2,
+            &["--from", "70", "--to", "70"],
+            &["no room for a curve"],
+            FIGURE_2,
+        ),
+        (1, &["--mode", "9"], &["no assembly mode 9"], FIGURE_2),
+        (
+            2,
+            &["-o", "curves.bmp"],
+            &["no format", "known endings: svg"],
+            FIGURE_2,
+        ),
+    ];
+    for (code, arguments, words, scene) in cases {
+        let folder = scratch("no-curves");
+        let out = folder.join("figures");
+        let out = out.to_str().expect("a path in UTF-8");
+        let mut all = vec!["curves", "-"];
+        if !arguments.contains(&"-o") {
+            all.extend(["-o", out]);
+        }
+        all.extend(arguments);
+        let output = with_scene(&all, scene.as_bytes());
+        let message = stderr(&output);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {message}");
+        assert!(
+            output.stdout.is_empty() && !Path::new(out).exists(),
+            "{arguments:?}"
+        );
+        assert_eq!(message.matches("error").count(), 1, "{message}");
+        for word in words {
+            assert!(message.contains(word), "no `{word}` in: {message}");
+        }
+    }
+}
+
+#[test]
+fn curves_keep_what_can_be_reached() {
+    let folder = scratch("curves");
+    let out = folder.join("deep/part.svg");
+    let place = out.to_str().expect("a path in UTF-8");
+    let part = ["curves", "-", "--from", "100", "--to", "150", "-o", place];
+    let output = with_scene(&part, FIGURE_2.as_bytes());
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(
+        message.contains("only a part of the range from 100° to 150° can be reached"),
+        "{message}"
+    );
+    let drawing = std::fs::read_to_string(&out).expect("it was kept");
+    assert!(
+        drawing.contains("Over angle(1) from 100° to 137.582"),
+        "{drawing}"
+    );
+
+    // Into a folder under the scene's name, so that the scene's own figure stays.
+    let scene = folder.join("mine.json");
+    std::fs::write(&scene, FIGURE_2).expect("written");
+    let run = kinegon()
+        .args(["curves", "--format", "svg", "--want", "omega(4), v_r(3/2)"])
+        .arg(&scene)
+        .arg("-o")
+        .arg(&folder)
+        .output()
+        .expect("the program runs");
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    assert!(stderr(&run).contains("limit position at angle(1) = 137.58"));
+    assert!(folder.join("mine-curves.svg").exists());
+
+    // What the scene wants, else ω of all links that follow, on stdout.
+    let described = |scene: &str| {
+        let output = with_scene(&["curves", "-", "-o", "-"], scene.as_bytes());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let text = String::from_utf8(output.stdout).expect("UTF-8");
+        let text = text.split("<desc>").nth(1).expect("a description");
+        text.split("</desc>").next().unwrap_or_default().to_owned()
+    };
+    let plain = described(FIGURE_2);
+    for name in ["omega(2) = omega(3)", "omega(4)", "omega(5)"] {
+        assert!(plain.contains(name), "{plain}");
+    }
+    assert!(!plain.contains("omega(1)"), "{plain}");
+    let wanting = FIGURE_2.replace("\"figure\"", r#""want": ["alpha(4)"], "figure""#);
+    let wanting = described(&wanting);
+    assert!(
+        wanting.contains("alpha(4)") && !wanting.contains("omega"),
+        "{wanting}"
+    );
+    // A full turn is drawn from 0° to 360° wherever the scene stands.
+    let turn = described(include_str!("../templates/four-bar.json"));
+    assert!(turn.starts_with("Over angle(1) from 0° to 360°:"), "{turn}");
+}

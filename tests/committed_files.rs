@@ -1,6 +1,8 @@
-//! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper, the gallery.
+//! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper and curves over the second
+//! one's cycle, the gallery.
 //!
-//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `kinegon draw` and
+//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `kinegon draw`,
+//! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"` and
 //! `cargo run --release --example gallery` make them anew.
 
 mod files;
@@ -9,9 +11,10 @@ mod files;
 mod gallery;
 mod stages;
 
+use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::Drawing;
-use kinegon::format;
 use kinegon::scene::Scene;
+use kinegon::{drawing, format, mechanism, position};
 use stages::Stages;
 use std::path::PathBuf;
 
@@ -32,6 +35,27 @@ fn same(path: &str, now: &str) {
 fn figure(name: &str) -> Drawing {
     let stages = Stages::of(&files::read(&format!("examples/{name}.json")));
     stages.expect("the example is sound").drawing()
+}
+
+fn curves() -> Drawing {
+    let scene = Scene::read(&files::read("examples/figure-2.json")).expect("a good scene");
+    let mechanism = mechanism::mechanism(&scene).expect("a mechanism");
+    let pose = position::pose(&mechanism, &scene.near).expect("it can be assembled");
+    let drive = Drive::new(&mechanism, None).expect("it has a drive");
+    let mut path = Path::new(&mechanism, &pose, drive).expect("it is not singular");
+    let range = path.cover(None, None).expect("it moves");
+    let names = ["omega(4)", "alpha(4)", "v_r(3/2)"].map(str::to_owned);
+    let curves = Curves::new(&path, range, Some(&names)).expect("known quantities");
+    drawing::curves(&scene, &curves).expect("it fits")
+}
+
+/// The figures by their names in `out`.
+fn figures() -> [(&'static str, Drawing); 3] {
+    [
+        ("figure-1", figure("figure-1")),
+        ("figure-2", figure("figure-2")),
+        ("figure-2-curves", curves()),
+    ]
 }
 
 #[test]
@@ -66,8 +90,8 @@ fn examples_name_the_schema_and_fit_it() {
 
 #[test]
 fn figures_are_redrawn_to_the_byte() {
-    for name in ["figure-1", "figure-2"] {
-        same(&format!("out/{name}.svg"), &format::svg(&figure(name)));
+    for (name, drawing) in figures() {
+        same(&format!("out/{name}.svg"), &format::svg(&drawing));
     }
 }
 
@@ -104,9 +128,9 @@ fn pictures_are_redrawn_within_one_level_per_channel() {
         let info = reader.next_frame(&mut data).expect("a frame");
         (info.width, info.height, data)
     }
-    for name in ["figure-1", "figure-2"] {
+    for (name, drawing) in figures() {
         let there = std::fs::read(files::path(&format!("out/{name}.png"))).expect("it is there");
-        let now = format::png(&figure(name), 100.0).expect("a picture");
+        let now = format::png(&drawing, 100.0).expect("a picture");
         let ((w, h, a), (x, y, b)) = (pixels(&there), pixels(&now));
         assert_eq!((w, h), (x, y), "{name}");
         let worst = a.iter().zip(&b).map(|(a, b)| a.abs_diff(*b)).max();

@@ -26,7 +26,8 @@ impl Failure {
             Failure::Scene(_, error) => match error.as_ref() {
                 Error::Scene(_)
                 | Error::Structure(StructureError::Scene(_))
-                | Error::Quantity(_) => 2,
+                | Error::Quantity(_)
+                | Error::Curves(_) => 2,
                 Error::Structure(StructureError::Singular { .. })
                 | Error::Assembly(_)
                 | Error::Motion(_) => 1,

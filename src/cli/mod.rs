@@ -2,7 +2,9 @@
 //! Only here files are read and written. All of a command's work is done before the first byte is written.
 //! Exit codes: 0 done; 1 not assembled, singular, or not written; 2 a scene or a command that cannot be understood.
 
+mod curves;
 mod draw;
+mod figures;
 mod files;
 mod message;
 mod new;
@@ -40,6 +42,8 @@ enum Task {
     Modes(structure::Modes),
     /// Write a table of the motion while a drive moves: CSV or JSON lines.
     Sweep(sweep::SweepCommand),
+    /// Draw quantities over the motion while a drive moves, with extremes and limits marked.
+    Curves(curves::CurvesCommand),
     /// Print the JSON Schema of scene or result files, for editors.
     Schema(solve::Schema),
 }
@@ -56,6 +60,7 @@ pub fn run() -> ExitCode {
         Task::Structure(structure) => structure.run(),
         Task::Modes(modes) => modes.run(),
         Task::Sweep(sweep) => sweep.run(),
+        Task::Curves(curves) => curves.run(),
         Task::Schema(schema) => schema.run(),
     };
     match done {

@@ -5,6 +5,7 @@ use super::work::{Mode, start};
 use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
+use crate::scene::Scene;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -45,7 +46,8 @@ pub(super) struct Range {
     /// Other drives stand still.
     #[arg(long)]
     pub alone: bool,
-    /// Quantities by name, as in "omega(4), v_r(3/2), L(B,S3)"; without it those that the scene wants, else all.
+    /// Quantities by name, as in "omega(4), v_r(3/2), L(B,S3)"; without it those that the scene wants, else all;
+    /// of curves, ω of all links that follow.
     #[arg(long)]
     pub want: Vec<String>,
     #[command(flatten)]
@@ -55,6 +57,7 @@ pub(super) struct Range {
 /// A scene ready to be moved.
 pub(super) struct Moved {
     pub source: Source,
+    pub scene: Scene,
     pub mechanism: Mechanism,
     pub pose: Pose,
     pub drive: Drive,
@@ -85,11 +88,48 @@ impl Range {
         };
         Ok(Moved {
             source,
+            scene,
             mechanism,
             pose,
             drive,
             names,
         })
+    }
+
+    /// Whether the range is given, at least one end of it.
+    pub(super) fn is_given(&self) -> bool {
+        self.from.is_some() || self.to.is_some()
+    }
+
+    /// Says what happens on the branch within `range`, and what ends it before the range does; then `product` is only a part.
+    pub(super) fn tell(
+        &self,
+        branch: &Branch,
+        range: [f64; 2],
+        product: &str,
+    ) -> Result<(), Failure> {
+        let inside = range[0].min(range[1])..=range[0].max(range[1]);
+        for event in branch.events() {
+            if inside.contains(&event.at) && !event.is_end() {
+                note(&event.text(&branch.drive.at(event.at)));
+            }
+        }
+        let beyond = |value: f64| !(branch.low()..=branch.high()).contains(&value);
+        let ends = [false, true].map(|above| branch.end(above));
+        let ends = ends.into_iter().flatten();
+        let ends: Vec<String> = ends
+            .filter(|end| inside.contains(&end.at) || !self.is_given())
+            .map(|end| end.text(&branch.drive.at(end.at)))
+            .collect();
+        if self.is_given() && range.into_iter().any(beyond) {
+            let [from, to] = range.map(|v| branch.drive.amount(v));
+            return Err(Failure::Partly(format!(
+                "only a part of the range from {from} to {to} can be reached, and only it is in the {product}: {}",
+                ends.join("; ")
+            )));
+        }
+        ends.iter().for_each(|end| note(end));
+        Ok(())
     }
 }
 
@@ -129,8 +169,7 @@ impl SweepCommand {
         let (branch, [from, to]) = moved.follow(&self.range)?;
         let step = self.step.unwrap_or_else(|| default_step(&branch, from, to));
         // From limit to limit, rows stand at whole steps.
-        let whole =
-            branch.end(false).is_some() && self.range.from.is_none() && self.range.to.is_none();
+        let whole = branch.end(false).is_some() && !self.range.is_given();
         let first = if whole {
             (from / step).ceil() * step
         } else {
@@ -141,38 +180,7 @@ impl SweepCommand {
         let sweep = sweep.map_err(|error| moved.fail(error))?;
         files::keep_input(Some(&self.range.scene), &self.output)?;
         table::write(&sweep, form, &self.output)?;
-        for event in branch.events() {
-            let inside = (from.min(to)..=from.max(to)).contains(&event.at);
-            if inside && !event.is_end() {
-                note(&event.text(&branch.drive.at(event.at)));
-            }
-        }
-        self.told_ends(&branch, [from, to])
-    }
-
-    /// Says what ends the branch before the range does.
-    fn told_ends(&self, branch: &Branch, range: [f64; 2]) -> Result<(), Failure> {
-        let beyond = |value: f64| !(branch.low()..=branch.high()).contains(&value);
-        let asked = self.range.from.is_some() || self.range.to.is_some();
-        let ends = [false, true]
-            .map(|above| branch.end(above))
-            .into_iter()
-            .flatten();
-        let ends: Vec<String> = ends
-            .filter(|end| {
-                end.at >= range[0].min(range[1]) && end.at <= range[0].max(range[1]) || !asked
-            })
-            .map(|end| end.text(&branch.drive.at(end.at)))
-            .collect();
-        if asked && range.into_iter().any(beyond) {
-            let [from, to] = range.map(|v| branch.drive.amount(v));
-            return Err(Failure::Partly(format!(
-                "only a part of the range from {from} to {to} can be reached, and only it is in the table: {}",
-                ends.join("; ")
-            )));
-        }
-        ends.iter().for_each(|end| note(end));
-        Ok(())
+        self.range.tell(&branch, [from, to], "table")
     }
 
     fn form(&self) -> Result<Form, Failure> {

@@ -1,3 +1,5 @@
+use crate::plan::QuantityError;
+
 /// Why there is no path from a pose.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CycleError {
@@ -49,4 +51,7 @@ pub enum CycleError {
     /// A range, step or count without meaning.
     #[error("{0}")]
     Range(String),
+    /// A quantity that was asked for has no curve.
+    #[error(transparent)]
+    Quantity(#[from] QuantityError),
 }

@@ -3,19 +3,28 @@
 //! the mechanism in the middle to half the digits of f64, so the next branch is out of reach and one Newton step finds any position.
 //! Limit positions, where two branches meet and the drive can go no further, are located and end the path.
 
+mod columns;
+mod curve;
 mod error;
 mod event;
+mod extreme;
+mod glance;
 mod path;
 mod position;
+mod reading;
+mod samples;
 mod segment;
 mod start;
 mod sweep;
 mod trace;
 mod walker;
 
+pub use columns::Column;
+pub use curve::{Curve, Curves};
 pub use error::CycleError;
 pub use event::{Event, Happening};
+pub use extreme::Extreme;
 pub use path::{Drive, Path, alone};
 pub use position::Position;
-pub use sweep::{Column, Numbers, Steps, Sweep};
+pub use sweep::{Numbers, Steps, Sweep};
 pub use walker::{MANY, Walker};

@@ -330,6 +330,12 @@ impl<'a> Path<'a> {
         self.segments = segments.collect();
     }
 
+    /// The drive's value in the scene.
+    #[must_use]
+    pub fn start(&self) -> f64 {
+        self.origin
+    }
+
     /// The lowest value of the drive that has been reached.
     #[must_use]
     pub fn low(&self) -> f64 {
@@ -366,6 +372,12 @@ impl<'a> Path<'a> {
     #[must_use]
     pub fn end(&self, above: bool) -> Option<&Event> {
         self.ends[usize::from(above)].as_ref()
+    }
+
+    /// The drive's value at the limit position that ends the path above, or below, if one does.
+    pub(super) fn limit(&self, above: bool) -> Option<f64> {
+        let end = self.end(above)?;
+        matches!(end.what, Happening::Limit { .. }).then_some(end.at)
     }
 
     /// A walker, one position at a time.

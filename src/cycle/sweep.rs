@@ -1,9 +1,8 @@
-use super::walker::MANY;
-use super::{CycleError, Drive, Path, Position};
+use super::columns::{Column, Columns};
+use super::{CycleError, Drive, MANY, Path, Position};
 use crate::geometry::{Eight, Number};
 use crate::mechanism::{GROUND, Mechanism, PointId, SliderId};
-use crate::motion::{Order, motion};
-use crate::plan::{Asked, Construction, Quantity, QuantityError, construction};
+use crate::plan::{Quantity, QuantityError};
 use std::ops::Range;
 
 /// The most values that a table may have.
@@ -92,34 +91,12 @@ impl Steps {
     }
 }
 
-/// What is asked for at every position of a sweep.
-#[derive(Clone, Debug)]
-pub struct Column {
-    /// The quantity.
-    pub asked: Asked,
-}
-
-impl Column {
-    /// Names of its numbers: that of the quantity, of a vector with `.x` and `.y`.
-    pub fn names(&self) -> impl Iterator<Item = String> + '_ {
-        let parts: &[&str] = if self.asked.is_vector() {
-            &[".x", ".y"]
-        } else {
-            &[""]
-        };
-        parts
-            .iter()
-            .map(|part| format!("{}{part}", self.asked.name()))
-    }
-}
-
 /// A path read at equal steps: a table with a row for each value of the drive and a column for each number.
 #[derive(Clone, Debug)]
 pub struct Sweep<'a> {
     path: &'a Path<'a>,
     steps: Steps,
-    columns: Vec<Column>,
-    constructs: bool,
+    columns: Columns<'a>,
 }
 
 /// Numbers of a table, row after row; none where a position is singular or a quantity has no value.
@@ -142,25 +119,17 @@ impl<'a> Sweep<'a> {
         let mut names = names.map_or_else(|| every_name(mechanism), <[String]>::to_vec);
         // The drive's value is the first column already.
         names.retain(|name| *name != path.drive.quantity());
-        let columns: Vec<Column> = names
-            .iter()
-            .map(|name| {
-                Ok(Column {
-                    asked: Asked::new(name, mechanism)?,
-                })
-            })
-            .collect::<Result<_, QuantityError>>()?;
-        let sweep = Sweep {
-            path,
-            steps: steps.within(path.low(), path.high()),
-            constructs: columns.iter().any(|c| c.asked.needs_construction()),
-            columns,
-        };
+        let columns = Columns::new(path, &names)?;
+        let steps = steps.within(path.low(), path.high());
         // A plan point that does not exist shows in the first row, before anything is written.
-        if sweep.constructs && sweep.steps.count > 0 {
-            sweep.check(sweep.steps.value(0))?;
+        if steps.count > 0 {
+            columns.check(steps.value(0))?;
         }
-        Ok(sweep)
+        Ok(Sweep {
+            path,
+            steps,
+            columns,
+        })
     }
 
     /// The values of the drive.
@@ -178,7 +147,7 @@ impl<'a> Sweep<'a> {
     /// What is asked for, in order, after the drive's value.
     #[must_use]
     pub fn columns(&self) -> &[Column] {
-        &self.columns
+        &self.columns.list
     }
 
     /// Names of the numbers of a row.
@@ -186,7 +155,7 @@ impl<'a> Sweep<'a> {
     pub fn header(&self) -> Vec<String> {
         let drive = std::iter::once(self.path.drive.quantity());
         drive
-            .chain(self.columns.iter().flat_map(Column::names))
+            .chain(self.columns().iter().flat_map(Column::names))
             .collect()
     }
 
@@ -244,53 +213,14 @@ impl<'a> Sweep<'a> {
         numbers: &mut Numbers,
     ) {
         numbers.push(Some(value));
-        let built = position
-            .filter(|_| self.constructs)
-            .and_then(|p| self.construct(&p));
-        for column in &self.columns {
-            let asked = &column.asked;
-            let found = position.and_then(|position| {
-                if asked.needs_construction() {
-                    built
-                        .as_ref()
-                        .and_then(|c| asked.value(&position, Some(c), None).ok())
-                } else {
-                    asked.value(&position, None, None).ok()
-                }
-            });
-            let finite = |x: f64| x.is_finite().then_some(x);
+        let finite = |x: f64| x.is_finite().then_some(x);
+        for (column, found) in self.columns.values(position) {
             match found {
                 Some(Quantity::Number(x)) => numbers.push(finite(x)),
                 Some(Quantity::Vector(v)) => numbers.extend([finite(v.x), finite(v.y)]),
-                None => numbers.extend(asked.is_vector().then_some(None).into_iter().chain([None])),
+                None => numbers.extend(column.names().map(|_| None)),
             }
         }
-    }
-
-    /// The plans at a position; none where it is singular.
-    fn construct<T: Number, const M: usize>(
-        &self,
-        position: &Position<T, M>,
-    ) -> Option<Construction> {
-        let (mechanism, pose) = (self.path.mechanism, position.pose());
-        let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
-        Some(construction(mechanism, &pose, &motion))
-    }
-
-    /// Whether every plan point that is asked for is there, at a value of the drive.
-    fn check(&self, value: f64) -> Result<(), QuantityError> {
-        let mut walker = self.path.walker();
-        let Some(position) = walker.position(value) else {
-            return Ok(());
-        };
-        let built = self.construct(&position);
-        for column in self.columns.iter().filter(|_| built.is_some()) {
-            let value = column.asked.value(&position, built.as_ref(), None);
-            if let Err(error @ QuantityError::Unknown { .. }) = value {
-                return Err(error);
-            }
-        }
-        Ok(())
     }
 }
 

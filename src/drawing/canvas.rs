@@ -17,8 +17,18 @@ pub(super) struct Canvas<'a> {
     /// Prefix of the marks' ids, one for each panel.
     prefix: &'static str,
     obstacles: Obstacles,
-    requests: Vec<(LabelRequest, String)>,
+    requests: Vec<Wanted>,
     renamed: &'a IndexMap<String, String>,
+}
+
+/// A label that wants a place.
+pub(super) struct Wanted {
+    pub request: LabelRequest,
+    /// Its mark's id without the prefix.
+    pub name: String,
+    pub pen: Pen,
+    /// Whether it is left out where there is no free place for it.
+    pub optional: bool,
 }
 
 impl<'a> Canvas<'a> {
@@ -116,7 +126,17 @@ impl<'a> Canvas<'a> {
             prefer,
             priority,
         };
-        self.requests.push((request, name.to_owned()));
+        self.want(Wanted {
+            request,
+            name: format!("label-{name}"),
+            pen: Pen::Label,
+            optional: false,
+        });
+    }
+
+    /// Asks for a label of any look.
+    pub(super) fn want(&mut self, wanted: Wanted) {
+        self.requests.push(wanted);
     }
 
     /// Asks for words beside `anchor`.
@@ -129,7 +149,12 @@ impl<'a> Canvas<'a> {
             prefer: None,
             priority: 3,
         };
-        self.requests.push((request, name.to_owned()));
+        self.want(Wanted {
+            request,
+            name: format!("label-{name}"),
+            pen: Pen::Label,
+            optional: false,
+        });
     }
 
     /// The text that a name is shown by.
@@ -140,14 +165,20 @@ impl<'a> Canvas<'a> {
 
     /// Places and draws the labels.
     pub(super) fn finish(self) {
-        let (requests, names): (Vec<LabelRequest>, Vec<String>) = self.requests.into_iter().unzip();
-        for (label, name) in place(&requests, &self.obstacles).into_iter().zip(names) {
+        let requests: Vec<LabelRequest> = self.requests.iter().map(|w| w.request.clone()).collect();
+        for (label, wanted) in place(&requests, &self.obstacles)
+            .into_iter()
+            .zip(&self.requests)
+        {
+            if label.crowded && wanted.optional {
+                continue;
+            }
             if let Some((a, b)) = label.leader {
                 self.drawing.draw(Pen::Leader, Shape::Line(a, b));
             }
-            let id = format!("{}-label-{}", self.prefix, ascii(&name));
+            let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
             self.drawing
-                .draw_named(id, Pen::Label, Shape::Text(label.text));
+                .draw_named(id, wanted.pen, Shape::Text(label.text));
         }
     }
 }

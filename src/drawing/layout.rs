@@ -3,9 +3,9 @@ use crate::scene::Panel;
 use kurbo::Rect;
 
 /// Blank paper around everything, in mm.
-const MARGIN: f64 = 8.0;
+pub(super) const MARGIN: f64 = 8.0;
 /// Room for the title above the panels.
-const TITLE: f64 = 9.0;
+pub(super) const TITLE: f64 = 9.0;
 /// Room for the legend below the panels.
 pub(super) const LEGEND: f64 = 16.0;
 /// Between panels.

@@ -56,12 +56,23 @@ pub struct Look {
 const INK: Colour = Colour::new(0x1a1a1a);
 const GREY: Colour = Colour::new(0x767676);
 const FAINT: Colour = Colour::new(0xb4b4b4);
+const PALE: Colour = Colour::new(0xe2e2e2);
 const BLUE: Colour = Colour::new(0x0b4f8a);
 const GREEN: Colour = Colour::new(0x0f6b57);
 const RED: Colour = Colour::new(0xb5361c);
 const PURPLE: Colour = Colour::new(0x6d3a7c);
 const OCHRE: Colour = Colour::new(0x8a6100);
 const WHITE: Colour = Colour::new(0xffffff);
+
+/// Colours of curves in one panel; then the same with dashes.
+const CURVES: [Colour; 6] = [BLUE, RED, GREEN, PURPLE, OCHRE, INK];
+
+/// How many styles of curves there are.
+pub(super) const CURVE_STYLES: usize = 2 * CURVES.len();
+
+fn curve_colour(style: u8) -> Colour {
+    CURVES[usize::from(style) % CURVES.len()]
+}
 
 /// Tints of the links, light enough for black labels on them.
 const TINTS: [Colour; 4] = [
@@ -159,5 +170,30 @@ pub fn look(pen: Pen) -> Look {
         Pen::Label => writing(INK, HALO),
         Pen::Caption => writing(INK, 0.0),
         Pen::Heading => writing(INK, 0.0),
+        Pen::Grid => line(PALE, HAIR),
+        Pen::Zero => line(INK, THIN),
+        Pen::Curve(style) => Look {
+            dash: if usize::from(style) / CURVES.len() % 2 == 0 {
+                &[]
+            } else {
+                &[2.4, 0.9]
+            },
+            fill: Some(curve_colour(style)),
+            cap: Cap::Round,
+            ..line(curve_colour(style), MEDIUM)
+        },
+        Pen::Dead(style) => Look {
+            fill: Some(WHITE),
+            ..line(curve_colour(style), THIN)
+        },
+        Pen::Limit => Look {
+            dash: &[1.8, 1.0],
+            ..line(INK, THIN)
+        },
+        Pen::Change => Look {
+            dash: &[3.6, 0.9, 0.5, 0.9],
+            ..line(INK, THIN)
+        },
+        Pen::Stand => line(GREY, HAIR),
     }
 }

@@ -8,6 +8,7 @@
 // `text`, where `labels` go.
 mod arrow;
 mod canvas;
+mod curves;
 mod figure;
 mod fonts;
 mod labels;
@@ -24,6 +25,7 @@ mod text;
 mod view;
 
 pub use arrow::arrow_head;
+pub use curves::{CurvesError, curves};
 pub use figure::{figure, scales};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};

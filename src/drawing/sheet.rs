@@ -144,6 +144,21 @@ pub enum Pen {
     Caption,
     /// The heading of a panel or a sheet.
     Heading,
+    /// A line at a round value of an axis.
+    Grid,
+    /// The line at zero.
+    Zero,
+    /// A quantity over the cycle, its name, and the dots at its greatest and least values; the number picks the style (twelve of
+    /// them, repeating).
+    Curve(u8),
+    /// A dead position of the link or slider: a small circle on the line at zero.
+    Dead(u8),
+    /// Where a drive can go no further.
+    Limit,
+    /// Where the motion could go on in another assembly mode too.
+    Change,
+    /// Where the drive stands in the scene.
+    Stand,
 }
 
 #[cfg(test)]

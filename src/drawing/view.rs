@@ -86,11 +86,16 @@ pub fn fitting_scale(extent: &Extent, area: Rect) -> f64 {
 /// The smallest scale of the series 1, 2, 2.5, 5 × 10^k that is not below `least`, which must be positive.
 #[must_use]
 pub fn next_scale(least: f64) -> f64 {
+    next_of(&[1.0, 2.0, 2.5, 5.0], least)
+}
+
+/// The smallest number of a series, from 1 to below 10, times a power of ten that is not below `least`, which must be positive.
+pub(super) fn next_of(series: &[f64], least: f64) -> f64 {
     // The decade from the binary exponent, which is quick and at most one too low.
     let binary = (least.to_bits() >> 52) as i32 - 1023;
     let decade = (f64::from(binary) * std::f64::consts::LOG10_2).floor() as i32;
     for exponent in [decade, decade + 1] {
-        for step in [1.0, 2.0, 2.5, 5.0] {
+        for step in series {
             // Division by a whole power of ten keeps 0.25 and the like exact to the last digit.
             let scale = if exponent < 0 {
                 step / power_of_ten(-exponent)

@@ -10,6 +10,7 @@ mod name;
 mod quantity;
 mod state;
 mod step;
+mod symbol;
 mod words;
 mod write;
 
@@ -24,5 +25,6 @@ pub use quantity::{
 };
 pub use state::{Snapshot, State};
 pub use step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};
+pub use symbol::Kind;
 pub use words::plain_text;
 pub use write::{Construction, construction};

@@ -105,12 +105,12 @@ pub fn measured_names(construction: &Construction) -> Vec<String> {
 #[derive(Clone, Debug)]
 pub struct Asked {
     name: String,
-    what: What,
-    component: Option<Component>,
+    pub(super) what: What,
+    pub(super) component: Option<Component>,
 }
 
 #[derive(Clone, Debug)]
-enum What {
+pub(super) enum What {
     Omega(BodyId),
     Alpha(BodyId),
     Angle(BodyId),
@@ -134,14 +134,14 @@ enum What {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Normality {
+pub(super) enum Normality {
     Normal,
     Tangential,
 }
 
 /// A named place of a body.
 #[derive(Clone, Debug)]
-enum Spot {
+pub(super) enum Spot {
     /// Where this point is, as a place of this body.
     Point(BodyId, PointId, String),
     /// A special point by its name.
@@ -149,7 +149,7 @@ enum Spot {
 }
 
 impl Spot {
-    fn name(&self) -> &str {
+    pub(super) fn name(&self) -> &str {
         match self {
             Spot::Point(_, _, name) | Spot::Special(name) => name,
         }
@@ -158,7 +158,7 @@ impl Spot {
 
 /// A number of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Component {
+pub(super) enum Component {
     X,
     Y,
     Size,

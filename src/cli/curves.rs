@@ -1,0 +1,40 @@
+use super::figures::{Figures, stem};
+use super::message::Failure;
+use super::sweep::Range;
+use crate::cycle::Curves;
+use crate::drawing::curves;
+use clap::Args;
+
+/// Draw quantities over the motion while a drive moves, along the branch of the scene's own position.
+///
+/// Greatest and least values, dead positions and limits are marked; a quantity that is a vector is drawn as its size, or `.x` and `.y`.
+/// The figure keeps what can be reached; where the range goes beyond a limit position, that is said and the exit code is 1.
+#[derive(Debug, Args)]
+pub(super) struct CurvesCommand {
+    #[command(flatten)]
+    range: Range,
+    #[command(flatten)]
+    figures: Figures,
+}
+
+impl CurvesCommand {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let moved = self.range.moved()?;
+        let (mut branch, mut range) = moved.follow(&self.range)?;
+        // A turn reads best from 0° to 360°.
+        if !self.range.is_given() && branch.drive.is_angle() && branch.end(true).is_none() {
+            let whole = 360.0 * (range[0] / 360.0).floor();
+            branch.follow_to(whole);
+            if branch.low() <= whole {
+                range = [whole, whole + 360.0];
+            }
+        }
+        let sampled = Curves::new(&branch, range, moved.names.as_deref());
+        let sampled = sampled.map_err(|error| moved.fail(error))?;
+        let drawing = curves(&moved.scene, &sampled).map_err(|error| moved.fail(error))?;
+        let scene = &self.range.scene;
+        let name = format!("{}-curves", stem(scene));
+        self.figures.write(Some(scene), &[(name, drawing)])?;
+        self.range.tell(&branch, range, "figure")
+    }
+}

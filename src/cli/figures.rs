@@ -1,0 +1,137 @@
+use super::files;
+use super::message::Failure;
+use crate::drawing::Drawing;
+use crate::format::{self, Text};
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
+
+/// Where figures go, and in which forms.
+#[derive(Debug, Args)]
+pub(super) struct Figures {
+    /// Folder to write to, or a file whose ending gives the format, or `-` for SVG on stdout.
+    #[arg(short, long, default_value = "out/")]
+    output: PathBuf,
+    /// Formats to write into a folder.
+    #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::all())]
+    format: Vec<Form>,
+    /// Write the letters of SVG as outlines, for programs that lack the font.
+    #[arg(long)]
+    outlines: bool,
+    /// Resolution of PNG in dots per inch.
+    #[arg(long, default_value_t = 100.0, value_parser = dots_per_inch)]
+    dpi: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Form {
+    Svg,
+    #[cfg(feature = "png")]
+    Png,
+}
+
+impl Form {
+    fn all() -> Vec<Form> {
+        Form::value_variants().to_vec()
+    }
+
+    fn ending(self) -> &'static str {
+        match self {
+            Form::Svg => "svg",
+            #[cfg(feature = "png")]
+            Form::Png => "png",
+        }
+    }
+}
+
+fn dots_per_inch(text: &str) -> Result<f64, String> {
+    let dpi: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
+    if (10.0..=2400.0).contains(&dpi) {
+        Ok(dpi)
+    } else {
+        Err("must be from 10 to 2400".to_owned())
+    }
+}
+
+impl Figures {
+    /// Writes drawings by their names, in all forms, but not over the scene that they show.
+    pub(super) fn write(
+        &self,
+        scene: Option<&Path>,
+        drawings: &[(String, Drawing)],
+    ) -> Result<(), Failure> {
+        let text = if self.outlines {
+            Text::Outlines
+        } else {
+            Text::Letters
+        };
+        let mut written = Vec::new();
+        for (name, drawing) in drawings {
+            for (path, form) in self.targets(name, drawings.len())? {
+                let bytes = match form {
+                    Form::Svg => format::svg_with(drawing, text).into_bytes(),
+                    #[cfg(feature = "png")]
+                    Form::Png => format::png(drawing, self.dpi)
+                        .map_err(|error| Failure::Misuse(error.to_string(), None))?,
+                };
+                written.push((path, bytes));
+            }
+        }
+        if self.output == Path::new("-") {
+            let [(_, bytes)] = written.as_slice() else {
+                return Err(Failure::Misuse(
+                    "only one figure fits on stdout".into(),
+                    Some("name one scene, or a folder to write to".into()),
+                ));
+            };
+            return files::print(bytes);
+        }
+        for (path, _) in &written {
+            files::keep_input(scene, path)?;
+        }
+        files::write(&written)
+    }
+
+    /// The files to write for a drawing.
+    fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, Form)>, Failure> {
+        if self.output == Path::new("-") {
+            return Ok(vec![(self.output.clone(), Form::Svg)]);
+        }
+        let ending = self.output.extension().and_then(|e| e.to_str());
+        let is_folder = self.output.is_dir()
+            || ending.is_none()
+            || self.output.as_os_str().to_string_lossy().ends_with('/');
+        if is_folder {
+            let path = |form: &Form| self.output.join(format!("{name}.{}", form.ending()));
+            return Ok(self.format.iter().map(|f| (path(f), *f)).collect());
+        }
+        let form = Form::value_variants()
+            .iter()
+            .find(|f| Some(f.ending()) == ending);
+        match form {
+            Some(form) if drawings == 1 => Ok(vec![(self.output.clone(), *form)]),
+            Some(_) => Err(Failure::Misuse(
+                "two figures do not fit into one file".into(),
+                Some("name one scene, or a folder to write to".into()),
+            )),
+            None => {
+                let known: Vec<&str> = Form::value_variants().iter().map(|f| f.ending()).collect();
+                Err(Failure::Misuse(
+                    format!(
+                        "no format for files ending in `.{}`",
+                        ending.unwrap_or_default()
+                    ),
+                    Some(format!(
+                        "known endings: {}; a folder's name ends in `/`",
+                        known.join(", ")
+                    )),
+                ))
+            }
+        }
+    }
+}
+
+/// The name that a scene's figure goes by.
+pub(super) fn stem(path: &Path) -> String {
+    let stem = path.file_stem().and_then(|s| s.to_str());
+    stem.filter(|s| *s != "-").unwrap_or("figure").to_owned()
+}

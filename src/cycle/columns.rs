@@ -1,0 +1,103 @@
+use super::{Path, Position};
+use crate::geometry::Number;
+use crate::motion::{Order, motion};
+use crate::plan::{Asked, Construction, Quantity, QuantityError, construction};
+
+/// What is asked for at every position of a sweep.
+#[derive(Clone, Debug)]
+pub struct Column {
+    /// The quantity.
+    pub asked: Asked,
+}
+
+impl Column {
+    /// Names of its numbers: that of the quantity, of a vector with `.x` and `.y`.
+    pub fn names(&self) -> impl Iterator<Item = String> + '_ {
+        let parts: &[&str] = if self.asked.is_vector() {
+            &[".x", ".y"]
+        } else {
+            &[""]
+        };
+        parts
+            .iter()
+            .map(|part| format!("{}{part}", self.asked.name()))
+    }
+}
+
+/// Quantities that are read together at positions of a path.
+#[derive(Clone, Debug)]
+pub(super) struct Columns<'a> {
+    pub path: &'a Path<'a>,
+    pub list: Vec<Column>,
+    constructs: bool,
+}
+
+impl<'a> Columns<'a> {
+    /// The quantities of these names.
+    pub fn new(path: &'a Path<'a>, names: &[String]) -> Result<Self, QuantityError> {
+        let column = |name: &String| {
+            let asked = Asked::new(name, path.mechanism)?;
+            Ok(Column { asked })
+        };
+        let list = names.iter().map(column).collect::<Result<Vec<_>, _>>()?;
+        Ok(Self::of(path, list))
+    }
+
+    /// These quantities.
+    pub fn of(path: &'a Path<'a>, list: Vec<Column>) -> Self {
+        let constructs = list.iter().any(|c| c.asked.needs_construction());
+        Columns {
+            path,
+            list,
+            constructs,
+        }
+    }
+
+    /// Their values at a position, in order; none where it is singular or a quantity has no value.
+    pub fn values<'p, T: Number, const M: usize>(
+        &'p self,
+        position: Option<Position<'p, T, M>>,
+    ) -> impl Iterator<Item = (&'p Column, Option<Quantity>)> + 'p {
+        let built = position
+            .filter(|_| self.constructs)
+            .and_then(|p| self.construct(&p));
+        self.list.iter().map(move |column| {
+            let asked = &column.asked;
+            let found = position.and_then(|position| {
+                if asked.needs_construction() {
+                    let built = built.as_ref()?;
+                    asked.value(&position, Some(built), None).ok()
+                } else {
+                    asked.value(&position, None, None).ok()
+                }
+            });
+            (column, found)
+        })
+    }
+
+    /// The plans at a position; none where it is singular.
+    fn construct<T: Number, const M: usize>(
+        &self,
+        position: &Position<T, M>,
+    ) -> Option<Construction> {
+        let (mechanism, pose) = (self.path.mechanism, position.pose());
+        let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
+        Some(construction(mechanism, &pose, &motion))
+    }
+
+    /// Whether every plan point that is asked for is there, at a value of the drive.
+    pub fn check(&self, value: f64) -> Result<(), QuantityError> {
+        let mut walker = self.path.walker();
+        let Some(position) = walker.position(value).filter(|_| self.constructs) else {
+            return Ok(());
+        };
+        let built = self.construct(&position);
+        for column in self.list.iter().filter(|_| built.is_some()) {
+            let value = column.asked.value(&position, built.as_ref(), None);
+            if let Err(error @ QuantityError::Unknown { .. }) = value {
+                return Err(error);
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,142 @@
+use crate::drawing::view::next_of;
+
+/// Steps of angles, in degrees, that are round.
+const DEGREES: [f64; 17] = [
+    1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0, 720.0, 1800.0, 3600.0, 7200.0,
+    18000.0, 36000.0,
+];
+
+/// How far beyond an end, in steps, rounding may have pushed a round value.
+const ROUNDING: f64 = 1e-6;
+
+/// A range of values along a stretch of paper, with round values on it.
+#[derive(Clone, Debug)]
+pub(super) struct Axis {
+    /// Values at its ends.
+    pub ends: [f64; 2],
+    /// Places on the sheet of its ends, in mm along its direction.
+    pub places: [f64; 2],
+    /// Round values, in rising order.
+    pub ticks: Vec<f64>,
+    /// Numbers are shown in units of ten to this power.
+    pub power: i32,
+    decimals: usize,
+}
+
+impl Axis {
+    /// The axis from `ends[0]` at `places[0]` to `ends[1]` at `places[1]`, with round values at least `apart` mm from each other.
+    pub fn new(ends: [f64; 2], places: [f64; 2], apart: f64, degrees: bool) -> Axis {
+        let width = ends[1] - ends[0];
+        let least = width * apart / (places[1] - places[0]).abs();
+        let of_degrees = DEGREES.into_iter().find(|step| *step >= least);
+        let step = match of_degrees {
+            Some(step) if degrees && least > 0.5 => step,
+            _ => next_of(&[1.0, 2.0, 5.0], least),
+        };
+        let largest = ends[0].abs().max(ends[1].abs());
+        let decade = libm::floor(libm::log10(largest)) as i32;
+        let power = if degrees || (-2..5).contains(&decade) {
+            0
+        } else {
+            3 * decade.div_euclid(3)
+        };
+        // A rounding of the step must not cost a decimal.
+        let step_decade = libm::floor(libm::log10(step) + 1e-9) as i32 - power;
+        let first = (ends[0] / step - ROUNDING).ceil();
+        let last = (ends[1] / step + ROUNDING).floor();
+        let count = (last - first) as usize;
+        Axis {
+            ends,
+            places,
+            ticks: (0..=count).map(|k| (first + k as f64) * step).collect(),
+            power,
+            decimals: usize::try_from(-step_decade).unwrap_or(0),
+        }
+    }
+
+    /// Where a value is, in mm.
+    pub fn at(&self, value: f64) -> f64 {
+        let share = (value - self.ends[0]) / (self.ends[1] - self.ends[0]);
+        self.places[0] + share * (self.places[1] - self.places[0])
+    }
+
+    /// A round value as it is written beside the axis.
+    pub fn tick(&self, value: f64) -> String {
+        let shown = value / libm::exp10(f64::from(self.power));
+        minus(format!("{:.*}", self.decimals, shown + 0.0))
+    }
+
+    /// A value beside its curve, in the axis's unit, with four digits.
+    pub fn value(&self, value: f64) -> String {
+        digits(value / libm::exp10(f64::from(self.power)), 4)
+    }
+}
+
+/// A number with that many digits, without zeros that say nothing.
+pub(super) fn digits(x: f64, count: i32) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return "0".to_owned();
+    }
+    let decade = |x: f64| libm::floor(libm::log10(x.abs())) as i32;
+    if !(-4..9).contains(&decade(x)) {
+        let text = format!("{x:.*e}", (count - 1) as usize);
+        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+        return minus(format!("{}·10^{{{power}}}", trimmed(digits)));
+    }
+    let decimals = usize::try_from(count - 1 - decade(x)).unwrap_or(0);
+    minus(trimmed(&format!("{x:.decimals$}")).to_owned())
+}
+
+fn trimmed(number: &str) -> &str {
+    if number.contains('.') {
+        number.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        number
+    }
+}
+
+/// A number with the sign that is as wide as a plus.
+fn minus(number: String) -> String {
+    number.replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ticks(ends: [f64; 2], length: f64, degrees: bool) -> Vec<String> {
+        let axis = Axis::new(ends, [0.0, length], 10.0, degrees);
+        axis.ticks.iter().map(|t| axis.tick(*t)).collect()
+    }
+
+    #[test]
+    fn ticks_are_round() {
+        assert_eq!(
+            ticks([-0.13, 0.31], 45.0, false),
+            ["−0.1", "0.0", "0.1", "0.2", "0.3"]
+        );
+        assert_eq!(
+            ticks([0.0, 360.0], 60.0, true),
+            ["0", "60", "120", "180", "240", "300", "360"]
+        );
+        assert_eq!(
+            ticks([0.0, 360.0], 50.0, true),
+            ["0", "90", "180", "270", "360"]
+        );
+        assert_eq!(ticks([3.0, 9.5], 40.0, true), ["4", "6", "8"]);
+        assert_eq!(ticks([0.0, 4e6], 45.0, false), ["0", "1", "2", "3", "4"]);
+        assert_eq!(
+            ticks([-2e-5, 2e-5], 45.0, false),
+            ["−20", "−10", "0", "10", "20"]
+        );
+    }
+
+    #[test]
+    fn numbers_have_no_idle_digits() {
+        assert_eq!(digits(-1.25, 4), "−1.25");
+        assert_eq!(digits(1234.56, 4), "1235");
+        assert_eq!(digits(0.000123456, 4), "0.0001235");
+        assert_eq!(digits(1.5e-7, 4), "1.5·10^{−7}");
+        assert_eq!(digits(200.0, 4), "200");
+    }
+}

@@ -1,0 +1,286 @@
+//! In: quantities over a cycle, sampled. Out: a sheet with a panel for each kind of quantity, one above the other over the drive's axis.
+//! Greatest and least values, dead positions, limits and the scene's own position are marked; every curve bears its name.
+//! Nothing of the motion is computed here.
+
+mod axis;
+mod lines;
+mod names;
+mod panel;
+mod words;
+
+use super::canvas::CAPTION;
+use super::labels::{LabelRequest, Obstacles, place};
+use super::layout::{HEADING, MARGIN, TITLE};
+use super::look::CURVE_STYLES;
+use super::shape::Shape;
+use super::sheet::{Drawing, Pen};
+use super::text::{PlacedText, RichText};
+use crate::cycle::{Curves, Happening};
+use crate::plan::Kind;
+use crate::scene::Scene;
+use axis::{Axis, digits};
+use kurbo::{Point, Rect, Vec2};
+use panel::Panel;
+
+/// Height of the row above the panels in which vertical lines are named.
+const BAND: f64 = 5.5;
+/// Room below the panels: numbers of the drive's axis, what it shows, what the marks are.
+const FOOT: f64 = 11.5;
+/// White between numbers and their axis.
+pub(super) const BESIDE: f64 = 1.6;
+/// Between a panel and the heading of the next.
+const GAP: f64 = 2.0;
+/// No panel's area is lower than this.
+const LOWEST: f64 = 27.0;
+/// Nor higher than this part of its width.
+const SLENDER: f64 = 0.62;
+/// Least distance of round values on the drive's axis, in mm.
+const APART: f64 = 16.0;
+/// The part of the range that is added beyond a limit, so that its line stands off the panel's border.
+const BEYOND: f64 = 0.02;
+
+/// Why curves do not fit on a sheet.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CurvesError {
+    /// More panels than the sheet has room for.
+    #[error(
+        "{wanted} kinds of quantities need {wanted} panels, and the sheet has room for {room}\n  \
+         try: fewer quantities at a time, or another `page` in the scene's figure, as \"a4-portrait\""
+    )]
+    Panels {
+        /// How many there should be.
+        wanted: usize,
+        /// How many there can be.
+        room: usize,
+    },
+    /// More curves in a panel than can be told apart.
+    #[error(
+        "{wanted} curves in one panel are more than can be told apart, which is {CURVE_STYLES}\n  \
+         try: fewer quantities at a time"
+    )]
+    Crowd {
+        /// How many there should be.
+        wanted: usize,
+    },
+}
+
+/// The figure of some curves, on the scene's page.
+///
+/// # Errors
+/// They are too many for a sheet.
+pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
+    let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
+    for (index, curve) in curves.curves.iter().enumerate() {
+        match kinds.iter_mut().find(|(kind, _)| *kind == curve.kind()) {
+            Some((_, members)) => members.push(index),
+            None => kinds.push((curve.kind(), vec![index])),
+        }
+    }
+    if let Some((_, members)) = kinds.iter().find(|(_, m)| m.len() > CURVE_STYLES) {
+        let wanted = members.len();
+        return Err(CurvesError::Crowd { wanted });
+    }
+    let [width, height] = scene.figure.page.size_mm();
+    let top = MARGIN + TITLE + BAND;
+    let bottom = height - MARGIN - FOOT;
+    let room = ((bottom - top + GAP) / (HEADING + LOWEST + GAP)) as usize;
+    if kinds.len() > room {
+        let wanted = kinds.len();
+        return Err(CurvesError::Panels { wanted, room });
+    }
+    let each = (bottom - top + GAP) / kinds.len() as f64 - HEADING - GAP;
+    let each = each.min(SLENDER * (width - 2.0 * MARGIN));
+    let sheet = Sheet {
+        scene,
+        curves,
+        styles: styles(curves, &kinds),
+    };
+    // The first panel's heading stands above the row of the vertical lines' names.
+    let mut y = top - BAND;
+    let mut panels: Vec<Panel> = Vec::new();
+    for (index, (kind, members)) in kinds.into_iter().enumerate() {
+        let head = HEADING + if index == 0 { BAND } else { 0.0 };
+        let rows = [y, y + head, y + head + each];
+        panels.push(Panel::new(&sheet, index, kind, members, rows));
+        y = rows[2] + GAP;
+    }
+    let numbers = panels.iter().map(Panel::widest_number).fold(0.0, f64::max);
+    let across = [MARGIN + numbers + BESIDE, width - MARGIN - 0.5];
+    let drive = sheet.drive_axis(across);
+    let mut drawing = Drawing::new(width, height);
+    sheet.title(&mut drawing, across);
+    for panel in &panels {
+        panel.draw(&sheet, &mut drawing, &drive);
+    }
+    if let (Some(first), Some(last)) = (panels.first(), panels.last()) {
+        sheet.name_verticals(&mut drawing, first.rows[1], &drive);
+        sheet.foot(&mut drawing, last.rows[2], &drive);
+    }
+    drawing.description = words::description(&sheet, &panels);
+    Ok(drawing)
+}
+
+/// What is drawn, and how each curve looks.
+pub(super) struct Sheet<'a> {
+    scene: &'a Scene,
+    curves: &'a Curves<'a>,
+    /// By curve.
+    styles: Vec<u8>,
+}
+
+/// Styles of the curves: those of one link or point look the same in all panels, those in one panel differ.
+fn styles(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<u8> {
+    let subject = |index: &usize| curves.curves[*index].asked[0].subject();
+    // The subjects that are in more than one panel.
+    let mut shared: Vec<&str> = Vec::new();
+    for (number, (_, members)) in kinds.iter().enumerate() {
+        for own in members.iter().map(subject) {
+            let mut others = kinds[number + 1..].iter();
+            let again = others.any(|(_, other)| other.iter().any(|i| subject(i) == own));
+            if again && !shared.contains(&own) {
+                shared.push(own);
+            }
+        }
+    }
+    let mut styles = vec![0; curves.curves.len()];
+    for (_, members) in kinds {
+        let mut free: Vec<usize> = (0..CURVE_STYLES).collect();
+        let mut later = Vec::new();
+        let mut take = |free: &mut Vec<usize>, index: usize, place: usize| {
+            styles[index] = free.remove(place) as u8;
+        };
+        for &index in members {
+            let own = shared.iter().position(|s| *s == subject(&index));
+            match free.iter().position(|style| Some(*style) == own) {
+                Some(place) => take(&mut free, index, place),
+                None => later.push(index),
+            }
+        }
+        // Others keep off the shared styles while there are more.
+        for index in later {
+            let own = free.iter().position(|style| *style >= shared.len());
+            take(&mut free, index, own.unwrap_or(0));
+        }
+    }
+    styles
+}
+
+impl Sheet<'_> {
+    /// The text that a name is shown by.
+    fn shown(&self, name: &str) -> String {
+        let renamed = self.scene.figure.labels.get(name);
+        renamed.map_or_else(|| crate::plan::display(name), Clone::clone)
+    }
+
+    /// The axis of the drive's values.
+    fn drive_axis(&self, across: [f64; 2]) -> Axis {
+        let [low, high] = self.curves.range;
+        let margin = BEYOND * (high - low);
+        let beside = |at: f64| {
+            let mut verticals = self.verticals().into_iter();
+            verticals.any(|(pen, x)| pen == Pen::Limit && (x - at).abs() < margin)
+        };
+        let end = |at: f64, beyond: f64| if beside(at) { at + beyond } else { at };
+        let ends = [end(low, -margin), end(high, margin)];
+        Axis::new(ends, across, APART, self.curves.path.drive.is_angle())
+    }
+
+    /// The values of the drive that are marked by vertical lines.
+    fn verticals(&self) -> Vec<(Pen, f64)> {
+        let curves = self.curves;
+        let events = curves.events.iter().filter_map(|event| match event.what {
+            Happening::Limit { .. } | Happening::Singular { .. } => Some((Pen::Limit, event.at)),
+            Happening::Change { .. } => Some((Pen::Change, event.at)),
+            _ => None,
+        });
+        let [low, high] = curves.range;
+        let start = curves.path.start();
+        let stand = (low..=high).contains(&start).then_some((Pen::Stand, start));
+        stand.into_iter().chain(events).collect()
+    }
+
+    /// Names the vertical lines above the first panel, as far as there is room.
+    fn name_verticals(&self, drawing: &mut Drawing, y: f64, drive: &Axis) {
+        const SIZE: f64 = 0.9 * CAPTION;
+        let unit = if self.curves.path.drive.is_angle() {
+            "°"
+        } else {
+            ""
+        };
+        let request = |(pen, value): (Pen, f64)| {
+            let word = match pen {
+                Pen::Limit => "limit",
+                Pen::Change => "change",
+                _ => "scene",
+            };
+            LabelRequest {
+                text: RichText::plain(&format!("{word} {}{unit}", digits(value, 5))),
+                size: SIZE,
+                anchor: Point::new(drive.at(value), y),
+                clearance: 0.7,
+                prefer: Some(Vec2::new(0.0, -1.0)),
+                priority: 1,
+            }
+        };
+        let requests: Vec<LabelRequest> = self.verticals().into_iter().map(request).collect();
+        // One row of letters, all on one line.
+        let row = Rect::new(MARGIN, y - 0.7 - SIZE, drawing.width - MARGIN, y);
+        let obstacles = Obstacles {
+            boxes: Vec::new(),
+            lines: Vec::new(),
+            bounds: row,
+        };
+        for label in place(&requests, &obstacles) {
+            if !label.crowded {
+                let mut text = label.text;
+                text.origin.y = y - 1.4;
+                drawing.draw(Pen::Caption, Shape::Text(text));
+            }
+        }
+    }
+
+    /// The numbers of the drive's axis, what it shows, and what the marks are.
+    fn foot(&self, drawing: &mut Drawing, y: f64, drive: &Axis) {
+        for tick in &drive.ticks {
+            let text = RichText::plain(&drive.tick(*tick));
+            let x = drive.at(*tick) - 0.5 * text.width(CAPTION);
+            let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 2.2));
+            drawing.draw(Pen::Caption, Shape::Text(text));
+        }
+        let baseline = y + FOOT - 1.8;
+        let centre = 0.5 * (drive.places[0] + drive.places[1]);
+        words::drive(self).centred(drawing, Point::new(centre, baseline), CAPTION);
+        // From right to left.
+        let mut x = drive.places[1];
+        let mut explain = |pen: Pen, radius: f64, what: &str| {
+            let text = RichText::plain(what);
+            x -= text.width(0.9 * CAPTION);
+            let text = PlacedText::new(text, 0.9 * CAPTION, Point::new(x, baseline));
+            drawing.draw(Pen::Caption, Shape::Text(text));
+            let center = Point::new(x - 1.8, baseline - 1.0);
+            drawing.draw(pen, Shape::Circle { center, radius });
+            x -= 7.0;
+        };
+        let curves = &self.curves.curves;
+        if curves.iter().any(|c| !c.dead.is_empty()) {
+            explain(Pen::Joint, panel::DEAD, "dead position");
+        }
+        if curves.iter().any(|c| !c.extremes.is_empty()) {
+            explain(Pen::Pole, panel::DOT, "greatest, least value");
+        }
+    }
+
+    /// What the figure is called, and how the drives run.
+    fn title(&self, drawing: &mut Drawing, across: [f64; 2]) {
+        let title = self.scene.title.as_deref().unwrap_or("Curves");
+        drawing.title = title.to_owned();
+        let y = MARGIN + 5.6;
+        let heading = PlacedText::new(RichText::verbatim(title), 5.2, Point::new(MARGIN, y));
+        let free = across[1] - heading.text.width(heading.size) - MARGIN - 6.0;
+        drawing.draw(Pen::Heading, Shape::Text(heading));
+        let speeds = words::speeds(self);
+        if speeds.width(CAPTION) <= free {
+            speeds.ending(drawing, Point::new(across[1], y), CAPTION);
+        }
+    }
+}
