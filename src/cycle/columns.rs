@@ -85,18 +85,23 @@ impl<'a> Columns<'a> {
         Some(construction(mechanism, &pose, &motion))
     }
 
-    /// Whether every plan point that is asked for is there, at a value of the drive.
-    pub fn check(&self, value: f64) -> Result<(), QuantityError> {
+    /// Whether every plan point that is asked for is there, at the first of some values of the drive that has plans.
+    pub fn check(&self, values: impl Iterator<Item = f64>) -> Result<(), QuantityError> {
         let mut walker = self.path.walker();
-        let Some(position) = walker.position(value).filter(|_| self.constructs) else {
-            return Ok(());
-        };
-        let built = self.construct(&position);
-        for column in self.list.iter().filter(|_| built.is_some()) {
-            let value = column.asked.value(&position, built.as_ref(), None);
-            if let Err(error @ QuantityError::Unknown { .. }) = value {
-                return Err(error);
+        for value in values.take_while(|_| self.constructs) {
+            let Some(position) = walker.position(value) else {
+                continue;
+            };
+            let Some(built) = self.construct(&position) else {
+                continue;
+            };
+            for column in &self.list {
+                let value = column.asked.value(&position, Some(&built), None);
+                if let Err(error @ QuantityError::Unknown { .. }) = value {
+                    return Err(error);
+                }
             }
+            break;
         }
         Ok(())
     }

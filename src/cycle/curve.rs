@@ -149,7 +149,7 @@ impl<'a> Curves<'a> {
             asked: asked.clone(),
         };
         // The scene's own position is surely not singular.
-        Columns::of(path, vec![column]).check(path.start())?;
+        Columns::of(path, vec![column]).check([path.start()].into_iter())?;
         Ok(asked)
     }
 

@@ -1,3 +1,4 @@
+use super::drive::shortened;
 use super::{Path, Walker};
 use crate::geometry::{Vector, degrees_of};
 use crate::kernel::{Single, Unknown};
@@ -36,14 +37,14 @@ pub enum Happening {
         /// The links of the group.
         links: String,
     },
-    /// A link stands still and turns back: a dead position for whoever drives it.
+    /// A link stands still and turns back: an extreme position, and a dead position for whoever drives that link.
     TurnsBack {
         /// The link's name.
         link: String,
         /// Its angle there, in degrees.
         angle: f64,
     },
-    /// A slider stands still on its guide and slides back.
+    /// A slider stands still on its guide and slides back: the same for a slider.
     SlidesBack {
         /// The slider's name, as in `3/2`.
         slider: String,
@@ -70,10 +71,11 @@ impl Event {
                 "limit position at {place}: links {links} can go no further, their rates grow without bound"
             ),
             Happening::RunsOff { links } => {
-                format!("at {place} links {links} run off to infinity")
+                format!("limit position at {place}: links {links} run off to infinity")
             }
             Happening::Change { links } => format!(
-                "change position at {place}: links {links} could go on in another mode too; the smooth motion is followed"
+                "change position at {place}: links {links} could go on in another mode too; the smooth motion is followed, \
+                 and rates are left out there"
             ),
             Happening::Singular { links } => {
                 format!(
@@ -81,10 +83,14 @@ impl Event {
                 )
             }
             Happening::TurnsBack { link, angle } => {
-                format!("dead position at {place}: link {link} turns back at {angle:.6}°")
+                let angle = shortened(*angle, 9);
+                format!("extreme position at {place}: link {link} stops at {angle}° and turns back")
             }
             Happening::SlidesBack { slider, position } => {
-                format!("dead position at {place}: slider {slider} slides back at {position:.6}")
+                let position = shortened(*position, 9);
+                format!(
+                    "extreme position at {place}: slider {slider} stops at {position} and slides back"
+                )
             }
         }
     }
@@ -96,11 +102,11 @@ const PARTS: usize = 8;
 /// A rate that stays below this part of the fastest one is that of a link or slider that does not move.
 const AT_REST: f64 = 1e-9;
 
-/// Newton or bisection steps to a dead position.
+/// Newton or bisection steps to an extreme position.
 const STEPS: usize = 60;
 
-/// Dead positions on the path: where a link or slider stands still and turns back.
-pub(super) fn dead_positions(path: &Path) -> Vec<Event> {
+/// Extreme positions on the path: where a link or slider stands still and turns back.
+pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
     let (mechanism, kernel) = (path.mechanism, &path.kernel);
     let mut events = Vec::new();
     let mut walker = path.walker();

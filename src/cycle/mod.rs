@@ -5,6 +5,7 @@
 
 mod columns;
 mod curve;
+mod drive;
 mod error;
 mod event;
 mod extreme;
@@ -15,16 +16,19 @@ mod reading;
 mod samples;
 mod segment;
 mod start;
+mod steps;
 mod sweep;
 mod trace;
 mod walker;
 
 pub use columns::Column;
 pub use curve::{Curve, Curves};
+pub use drive::{Drive, alone};
 pub use error::CycleError;
 pub use event::{Event, Happening};
 pub use extreme::Extreme;
-pub use path::{Drive, Path, alone};
+pub use path::Path;
 pub use position::Position;
-pub use sweep::{Numbers, Steps, Sweep};
+pub use steps::Steps;
+pub use sweep::{Numbers, Sweep};
 pub use walker::{MANY, Walker};

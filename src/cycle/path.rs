@@ -1,105 +1,26 @@
-use super::event::dead_positions;
+use super::event::extreme_positions;
 use super::segment::{Node, Segment};
 use super::start::{stands, start};
 use super::trace::{Traced, trace};
-use super::{CycleError, Event, Happening, Position, Walker};
+use super::{CycleError, Drive, Event, Happening, Position, Walker};
 use crate::geometry::{Number, span};
 use crate::kernel::{Block, InputKind, Kernel, vector};
-use crate::mechanism::{Mechanism, Role, SliderId};
+use crate::mechanism::Mechanism;
 use crate::position::Pose;
 
 /// The widest range that is followed, in turns to each side.
 const MOST_TURNS: f64 = 100.0;
 
+/// How far the ends of a slider's path are looked for, in sizes of the mechanism.
+const FAR: f64 = 10.0;
+
 /// How far the branch is followed the other way first, in turns: enough for the longest leap.
 const RUN_UP: f64 = 0.01;
 
-/// A drive that is moved through a range; its value is in degrees, or in lengths along the guide.
-#[derive(Clone, Debug)]
-pub struct Drive {
-    /// Its name: that of the driven link, or of the slider on a moving link, as in `3/2`.
-    pub name: String,
-    pub(super) input: usize,
-    pub(super) turns: bool,
-}
-
-impl Drive {
-    /// The drive of that name, one of [`Mechanism::drive_names`]; without a name the first of them.
-    ///
-    /// # Errors
-    /// There is no such drive, or no drive at all.
-    pub fn new(mechanism: &Mechanism, name: Option<&str>) -> Result<Self, CycleError> {
-        let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
-        let names = mechanism.drive_names();
-        let input = match name {
-            None if names.is_empty() => return Err(CycleError::NoDrive),
-            None => 0,
-            Some(name) => names.iter().position(|n| n == name).ok_or_else(|| {
-                let known = names.join(", ");
-                CycleError::NoSuchDrive {
-                    name: name.to_owned(),
-                    known,
-                }
-            })?,
-        };
-        Ok(Drive {
-            name: names[input].clone(),
-            input,
-            turns: matches!(kernel.inputs[input].kind, InputKind::Turning { .. }),
-        })
-    }
-
-    /// Its value in words, as in `angle(1) = 30°`.
-    #[must_use]
-    pub fn at(&self, value: f64) -> String {
-        format!("{} = {}", self.quantity(), self.amount(value))
-    }
-
-    /// A value with its unit, as in `30°`.
-    #[must_use]
-    pub fn amount(&self, value: f64) -> String {
-        // Places are known to about 1e-12 of a turn.
-        let rounded = (value * 1e10).round() / 1e10 + 0.0;
-        let shown = if rounded.is_finite() { rounded } else { value };
-        format!("{shown}{}", if self.turns { "°" } else { "" })
-    }
-
-    /// The name of its value as a quantity, as in `angle(1)` or `position(4)`.
-    #[must_use]
-    pub fn quantity(&self) -> String {
-        let head = if self.turns { "angle" } else { "position" };
-        format!("{head}({})", self.name)
-    }
-
-    /// Whether its value is an angle in degrees; else it is a length.
-    #[must_use]
-    pub fn is_angle(&self) -> bool {
-        self.turns
-    }
-}
-
-/// `mechanism` with every drive but the one of this name standing still where it is.
-#[must_use]
-pub fn alone(mechanism: &Mechanism, drive: &str) -> Mechanism {
-    let mut alone = mechanism.clone();
-    for body in alone.bodies.iter_mut().filter(|b| b.name != drive) {
-        if let Role::Driver { omega, alpha, .. } = &mut body.role {
-            (*omega, *alpha) = (0.0, 0.0);
-        }
-    }
-    for (id, slider) in alone.sliders.iter_mut().enumerate() {
-        if let Some(push) = &mut slider.drive
-            && mechanism.push_name(SliderId(id)) != drive
-        {
-            (push.speed, push.acceleration) = (0.0, 0.0);
-        }
-    }
-    alone
-}
-
 /// The motion of a mechanism along one branch while a drive moves, as far as it has been followed.
 ///
-/// Other drives run along, each in proportion to its speed in the scene; [`alone`] makes them stand.
+/// Other drives run along, each in proportion to its speed in the scene, and stand where the moved one's is zero;
+/// [`alone`](super::alone) makes them stand.
 #[derive(Clone, Debug)]
 pub struct Path<'a> {
     /// The mechanism.
@@ -226,7 +147,9 @@ impl<'a> Path<'a> {
     }
 
     /// Follows the branch over the range from one value of the drive to another, as far as it can be reached; with
-    /// neither end given, once around or from limit to limit. Returns the range that is meant.
+    /// neither end given, once around or from end to end. Returns the range that is meant.
+    ///
+    /// A crank that cannot turn fully has the same positions a whole turn on: where only those are in the range, they are meant.
     ///
     /// # Errors
     /// No part of the range can be reached, or it is wider than a hundred turns.
@@ -236,52 +159,85 @@ impl<'a> Path<'a> {
             (Some(from), Some(to)) => [from, to],
             (Some(from), None) if self.drive.turns => [from, from + turn],
             (None, Some(to)) => [self.origin, to],
-            (None, None) if self.drive.turns => {
-                self.follow_to(self.origin + turn);
-                if self.end(true).is_none() {
-                    [self.origin, self.origin + turn]
-                } else {
-                    self.follow_to(self.origin - turn);
-                    [self.low(), self.high()]
-                }
-            }
-            _ => {
-                let hint = "its ends with --from and --to; a slider has no full turn";
-                let text = format!(
-                    "the range of {} is not given\n  try: {hint}",
-                    self.drive.quantity()
-                );
-                return Err(CycleError::Range(text));
-            }
+            (None, None) => self.once()?,
+            (Some(_), None) => return Err(self.no_range()),
         };
-        let far = |value: f64| (value - self.origin).abs() > MOST_TURNS * turn;
-        if range.iter().any(|v| !v.is_finite() || far(*v)) {
-            let [low, high] = [
-                self.origin - MOST_TURNS * turn,
-                self.origin + MOST_TURNS * turn,
-            ];
-            let [low, high] = [low, high].map(|v| self.drive.amount(v));
-            let hint = format!("values between {low} and {high}");
-            let text = format!("the range reaches further than a hundred turns\n  try: {hint}");
+        if !range.iter().all(|end| end.is_finite()) {
+            let text = "the ends of the range must be finite numbers";
+            return Err(CycleError::Range(text.into()));
+        }
+        let widest = MOST_TURNS * turn;
+        if range.iter().any(|v| (v - self.origin).abs() > widest) {
+            let [low, high] = [-widest, widest].map(|by| self.drive.amount(self.origin + by));
+            let text = if self.drive.turns {
+                "the range reaches further than a hundred turns"
+            } else {
+                "the range reaches further than a hundred times the mechanism's size"
+            };
+            let text = format!("{text}\n  try: values between {low} and {high}");
             return Err(CycleError::Range(text));
         }
         range.iter().for_each(|v| self.follow_to(*v));
         let (low, high) = (range[0].min(range[1]), range[0].max(range[1]));
-        if low > self.high() || high < self.low() {
-            let above = low > self.high();
-            let end = self.end(above).map(|e| e.text(&self.drive.at(e.at)));
+        let outside = |path: &Self| low > path.high() || high < path.low();
+        if outside(self) && self.drive.turns {
+            self.once()?;
+            let turns = ((low - self.high()) / turn).ceil();
+            if self.low() + turns * turn <= high {
+                self.count_from(self.origin + turns * turn);
+                range.iter().for_each(|v| self.follow_to(*v));
+            }
+        }
+        if outside(self) {
+            let end = self.end(low > self.high());
+            let stop = end.map(|end| end.text(&self.drive.at(end.at)));
             let [from, to] = range.map(|v| self.drive.amount(v));
-            let [low, high] = [self.low(), self.high()].map(|v| self.drive.amount(v));
-            let stop = end.unwrap_or_default();
+            let reached = [(false, self.low()), (true, self.high())];
+            let [low, high] = reached
+                .map(|(above, v)| self.drive.amount(self.end(above).map_or(v, |end| end.at)));
             return Err(CycleError::OutOfReach {
                 from,
                 to,
-                stop,
+                stop: stop.unwrap_or_default(),
                 low,
                 high,
             });
         }
         Ok(range)
+    }
+
+    /// Follows the branch once around, or from end to end; a slider's must have ends.
+    fn once(&mut self) -> Result<[f64; 2], CycleError> {
+        let far = if self.drive.turns { 1.0 } else { FAR } * self.unit();
+        self.follow_to(self.origin + far);
+        if self.drive.turns && self.end(true).is_none() {
+            return Ok([self.origin, self.origin + far]);
+        }
+        self.follow_to(self.origin - far);
+        if self.drive.turns || self.ends.iter().all(Option::is_some) {
+            Ok([self.low(), self.high()])
+        } else {
+            Err(self.no_range())
+        }
+    }
+
+    fn no_range(&self) -> CycleError {
+        let quantity = self.drive.quantity();
+        let hint = "both --from and --to: this slider has no full turn and no two ends";
+        CycleError::Range(format!(
+            "the range of {quantity} is not given\n  try: {hint}"
+        ))
+    }
+
+    /// Begins anew at the same position, with another value of the drive for it.
+    fn count_from(&mut self, origin: f64) {
+        let old = self.origin;
+        self.nodes.retain(|node| node.value == old);
+        self.nodes[0].value = origin;
+        self.origin = origin;
+        self.segments.clear();
+        self.changes.clear();
+        self.ends = [None, None];
     }
 
     /// Follows the branch until the drive's value is reached or something ends it, which [`Self::end`] then tells.
@@ -357,7 +313,7 @@ impl<'a> Path<'a> {
     /// All that happens between the path's ends and at them, in the order of the drive's value.
     #[must_use]
     pub fn events(&self) -> Vec<Event> {
-        let mut events = dead_positions(self);
+        let mut events = extreme_positions(self);
         events.extend(
             self.changes
                 .iter()

@@ -1,95 +1,13 @@
 use super::columns::{Column, Columns};
-use super::{CycleError, Drive, MANY, Path, Position};
+use super::{Drive, MANY, Path, Position, Steps};
 use crate::geometry::{Eight, Number};
 use crate::mechanism::{GROUND, Mechanism, PointId, SliderId};
 use crate::plan::{Quantity, QuantityError};
+use std::collections::BTreeSet;
 use std::ops::Range;
-
-/// The most values that a table may have.
-const MOST: f64 = 1e12;
 
 /// How many positions go through the kernel side by side.
 const LANES: usize = 8 * MANY;
-
-/// Values of a drive at equal steps.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Steps {
-    from: f64,
-    step: f64,
-    count: usize,
-}
-
-impl Steps {
-    /// The values `from`, `from` ± `step` … as far as `to`; the sign of the step follows from the direction.
-    ///
-    /// # Errors
-    /// [`CycleError::Range`] where a number is not finite, the step is zero or leads away from `to`, or there are too many values.
-    pub fn new(from: f64, to: f64, step: f64) -> Result<Steps, CycleError> {
-        let refuse = |text: String| Err(CycleError::Range(text));
-        let wide = to - from;
-        if !(wide.is_finite() && step.is_finite()) {
-            return refuse("the range and the step must be finite numbers".into());
-        }
-        if step == 0.0 {
-            let hint = "the distance from one position to the next, as 1";
-            return refuse(format!("the step is zero\n  try: {hint}"));
-        }
-        if step < 0.0 && wide > 0.0 {
-            let hint = "a positive step; its sign follows from the range";
-            return refuse(format!(
-                "a step of {step} leads away from {to}\n  try: {hint}"
-            ));
-        }
-        let step = step.abs().copysign(wide);
-        // A quotient that rounding has left just below a whole number is that number.
-        let intervals = (wide / step * (1.0 + 8.0 * f64::EPSILON)).floor();
-        if intervals >= MOST {
-            return refuse(format!(
-                "there are more than {MOST:e} steps of {step} from {from} to {to}"
-            ));
-        }
-        let count = intervals as usize + 1;
-        Ok(Steps { from, step, count })
-    }
-
-    /// How many values there are.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.count
-    }
-
-    /// The value of that index.
-    #[inline]
-    #[must_use]
-    pub fn value(&self, index: usize) -> f64 {
-        self.from + self.step * index as f64
-    }
-
-    /// The part of them that lies between two values, both included.
-    fn within(&self, low: f64, high: f64) -> Steps {
-        let inside = |index: &usize| (low..=high).contains(&self.value(*index));
-        let rising = self.step > 0.0;
-        let (near, far) = if rising { (low, high) } else { (high, low) };
-        // The quotients may be one off by rounding.
-        let index =
-            |value: f64| ((value - self.from) / self.step).clamp(0.0, self.count as f64) as usize;
-        let first = (index(near).saturating_sub(1)..self.count)
-            .take(4)
-            .find(inside);
-        let last = (0..=(index(far) + 1).min(self.count - 1))
-            .rev()
-            .take(4)
-            .find(inside);
-        match (first, last) {
-            (Some(first), Some(last)) => Steps {
-                from: self.value(first),
-                step: self.step,
-                count: last + 1 - first,
-            },
-            _ => Steps { count: 0, ..*self },
-        }
-    }
-}
 
 /// A path read at equal steps: a table with a row for each value of the drive and a column for each number.
 #[derive(Clone, Debug)]
@@ -117,14 +35,18 @@ impl<'a> Sweep<'a> {
     ) -> Result<Self, QuantityError> {
         let mechanism = path.mechanism;
         let mut names = names.map_or_else(|| every_name(mechanism), <[String]>::to_vec);
-        // The drive's value is the first column already.
-        names.retain(|name| *name != path.drive.quantity());
+        // Each name once; the drive's value is the first column already.
+        let mut seen = BTreeSet::from([path.drive.quantity()]);
+        names.retain(|name| seen.insert(name.clone()));
         let columns = Columns::new(path, &names)?;
-        let steps = steps.within(path.low(), path.high());
-        // A plan point that does not exist shows in the first row, before anything is written.
-        if steps.count > 0 {
-            columns.check(steps.value(0))?;
+        if let Some(column) = columns.list.iter().find(|c| c.asked.is_on_paper()) {
+            let name = column.asked.name().to_owned();
+            return Err(QuantityError::NoValue(name, "a table has no scale"));
         }
+        let steps = steps.within(path.low(), path.high());
+        // A plan point that does not exist shows in the first row with plans, before anything is written.
+        let first = (0..steps.count().min(LANES)).map(|row| steps.value(row));
+        columns.check(first)?;
         Ok(Sweep {
             path,
             steps,

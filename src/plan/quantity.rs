@@ -208,6 +208,12 @@ impl Asked {
         self.component.is_none() && self.is_of_vectors()
     }
 
+    /// Whether it is a length on paper, in millimetres.
+    #[must_use]
+    pub fn is_on_paper(&self) -> bool {
+        matches!(self.what, What::Segment { on_paper: true, .. })
+    }
+
     fn is_of_vectors(&self) -> bool {
         matches!(
             self.what,

@@ -76,12 +76,6 @@ impl Asked {
         }
     }
 
-    /// Whether it is a length in millimetres of paper, which only the figure of one position has.
-    #[must_use]
-    pub fn is_on_paper(&self) -> bool {
-        matches!(self.what, What::Segment { on_paper: true, .. })
-    }
-
     /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, which is zero in dead positions.
     #[must_use]
     pub fn has_dead_positions(&self) -> bool {

@@ -1,0 +1,102 @@
+use super::CycleError;
+use crate::kernel::{InputKind, Kernel};
+use crate::mechanism::{Mechanism, Role, SliderId};
+
+/// A drive that is moved through a range; its value is in degrees, or in lengths along the guide.
+#[derive(Clone, Debug)]
+pub struct Drive {
+    /// Its name: that of the driven link, or of the slider on a moving link, as in `3/2`.
+    pub name: String,
+    pub(super) input: usize,
+    pub(super) turns: bool,
+    quantity: String,
+}
+
+impl Drive {
+    /// The drive of that name, one of [`Mechanism::drive_names`]; without a name the first of them.
+    ///
+    /// # Errors
+    /// There is no such drive, or no drive at all.
+    pub fn new(mechanism: &Mechanism, name: Option<&str>) -> Result<Self, CycleError> {
+        let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
+        let names = mechanism.drive_names();
+        let input = match name {
+            None if names.is_empty() => return Err(CycleError::NoDrive),
+            None => 0,
+            Some(name) => names.iter().position(|n| n == name).ok_or_else(|| {
+                let known = names.join(", ");
+                CycleError::NoSuchDrive {
+                    name: name.to_owned(),
+                    known,
+                }
+            })?,
+        };
+        let name = names[input].clone();
+        let quantity = match kernel.inputs[input].kind {
+            InputKind::Turning { .. } => format!("angle({name})"),
+            InputKind::Sliding { slider } => {
+                format!("position({})", mechanism.slider_name(SliderId(slider)))
+            }
+        };
+        Ok(Drive {
+            name,
+            input,
+            turns: matches!(kernel.inputs[input].kind, InputKind::Turning { .. }),
+            quantity,
+        })
+    }
+
+    /// Its value in words, as in `angle(1) = 30°`.
+    #[must_use]
+    pub fn at(&self, value: f64) -> String {
+        format!("{} = {}", self.quantity(), self.amount(value))
+    }
+
+    /// A value with its unit, as in `30°`.
+    #[must_use]
+    pub fn amount(&self, value: f64) -> String {
+        // Places are known to about 1e-12 of a turn, or of the mechanism's size.
+        if self.turns {
+            format!("{}°", (value * 1e10).round() / 1e10 + 0.0)
+        } else {
+            format!("{}", shortened(value, 12))
+        }
+    }
+
+    /// The name of its value as a quantity, as in `angle(1)` or `position(4/ground)`.
+    #[must_use]
+    pub fn quantity(&self) -> String {
+        self.quantity.clone()
+    }
+
+    /// Whether its value is an angle in degrees; else it is a length.
+    #[must_use]
+    pub fn is_angle(&self) -> bool {
+        self.turns
+    }
+}
+
+/// The nearest number with so many digits.
+pub(super) fn shortened(value: f64, digits: usize) -> f64 {
+    let text = format!("{value:.*e}", digits - 1);
+    text.parse().unwrap_or(value) + 0.0
+}
+
+/// `mechanism` with every drive but the one of this name standing still where it is.
+#[must_use]
+pub fn alone(mechanism: &Mechanism, drive: &str) -> Mechanism {
+    let mut alone = mechanism.clone();
+    for body in alone.bodies.iter_mut().filter(|b| b.name != drive) {
+        if let Role::Driver { omega, alpha, .. } = &mut body.role {
+            (*omega, *alpha) = (0.0, 0.0);
+        }
+    }
+    for (id, slider) in alone.sliders.iter_mut().enumerate() {
+        if let Some(push) = &mut slider.drive
+            && mechanism.push_name(SliderId(id)) != drive
+        {
+            (push.speed, push.acceleration) = (0.0, 0.0);
+        }
+    }
+    alone
+}
