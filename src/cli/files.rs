@@ -55,12 +55,18 @@ pub(super) fn read(path: &Path) -> Result<Source, Failure> {
 
 /// Writes bytes to stdout; a reader that has gone away is no failure.
 pub(super) fn print(bytes: &[u8]) -> Result<(), Failure> {
+    is_printed(bytes).map(drop)
+}
+
+/// Writes bytes to stdout, and says whether anybody still reads them.
+pub(super) fn is_printed(bytes: &[u8]) -> Result<bool, Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Outside(format!(
+        Ok(()) => Ok(true),
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
+        Err(error) => Err(Failure::Outside(format!(
             "stdout cannot be written: {error}"
         ))),
-        _ => Ok(()),
     }
 }
 
@@ -93,10 +99,19 @@ pub(super) struct Growing {
 impl Growing {
     pub(super) fn new(place: &Path) -> Result<Growing, Failure> {
         let failed = |error| unwritable(place, &error);
+        if place.is_dir() {
+            return Err(failed(io::ErrorKind::IsADirectory.into()));
+        }
         if let Some(folder) = place.parent() {
             fs::create_dir_all(folder).map_err(failed)?;
         }
-        let beside = beside(place);
+        // A device or a pipe must not be replaced by a file.
+        let special = fs::metadata(place).is_ok_and(|found| !found.is_file());
+        let beside = if special {
+            place.to_owned()
+        } else {
+            beside(place)
+        };
         let file = fs::File::create(&beside).map_err(failed)?;
         Ok(Growing {
             place: place.to_owned(),
@@ -108,7 +123,10 @@ impl Growing {
     /// Moves the whole file to its place.
     pub(super) fn finish(mut self) -> Result<(), Failure> {
         let written = self.file.take().map_or(Ok(()), |mut file| file.flush());
-        let moved = written.and_then(|()| fs::rename(&self.beside, &self.place));
+        let moved = written.and_then(|()| match self.beside == self.place {
+            true => Ok(()),
+            false => fs::rename(&self.beside, &self.place),
+        });
         moved.map_err(|error| unwritable(&self.place, &error))
     }
 }
@@ -126,7 +144,9 @@ impl Write for Growing {
 impl Drop for Growing {
     fn drop(&mut self) {
         // After it has been moved there is nothing left here.
-        let _ = fs::remove_file(&self.beside);
+        if self.beside != self.place {
+            let _ = fs::remove_file(&self.beside);
+        }
     }
 }
 

@@ -55,7 +55,10 @@ pub(super) fn show(failure: &Failure) {
         },
         Failure::Misuse(message, hint) => show_plain(message, hint.as_deref()),
         Failure::Outside(message) | Failure::Partly(message) => show_plain(message, None),
-        Failure::Interrupted => show_plain("stopped; nothing was written", None),
+        Failure::Interrupted => show_plain(
+            "stopped before the table was complete; no file was written",
+            None,
+        ),
     }
 }
 

@@ -9,18 +9,31 @@ use crate::scene::Scene;
 use clap::Args;
 use std::path::PathBuf;
 
-/// Write a table of a scene's motion while a drive moves, along the branch of the scene's own position.
-///
-/// The table keeps what can be reached; where the range goes beyond a limit position, that is said and the exit code is 1.
+/// Notes of extreme and change positions at most.
+const NOTES: usize = 30;
+
+/// What `--help` says after the options.
+const AFTER_HELP: &str = "\
+The motion is followed from the scene's own position, without a jump to another assembly mode. The table keeps what can be
+reached: if a limit position comes before the end of the range, that is said and the exit code is 1. Cells without a number,
+as at a change position, are empty (null in JSON lines).
+
+Examples:
+  kinegon sweep scene.json --step 5                        once around, every 5 degrees, all quantities, to the terminal
+  kinegon sweep scene.json --from 0 --to 180 -o half.csv   half a turn, every degree, to a file for a spreadsheet
+  kinegon sweep scene.json --want \"omega(4), v(D).size\"   two quantities only";
+
+/// Write a table of a scene's motion while a drive moves.
 #[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
 pub(super) struct SweepCommand {
     #[command(flatten)]
     range: Range,
-    /// Distance from one row to the next, in the drive's unit; without it 1°, or about a two-hundredth of a slider's range.
+    /// Distance from one row to the next, in degrees or lengths; without it 1°, or about a two-hundredth of a slider's range.
     #[arg(long, allow_hyphen_values = true)]
     step: Option<f64>,
     /// File to write, or `-` for stdout.
-    #[arg(short, long, default_value = "-")]
+    #[arg(short, long, value_name = "FILE", default_value = "-")]
     output: PathBuf,
     /// Form of the table; without it that of the file's ending, else CSV.
     #[arg(long, value_enum)]
@@ -32,12 +45,12 @@ pub(super) struct SweepCommand {
 pub(super) struct Range {
     /// Scene file, `-` for stdin.
     pub scene: PathBuf,
-    /// First value of the drive: degrees, or a position along its guide. Without --from and --to: once around, or
-    /// from limit to limit.
-    #[arg(long, allow_hyphen_values = true)]
+    /// First value of the drive: an angle in degrees, or a slider's position along its guide. With neither --from nor
+    /// --to: once around, or from end to end.
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub from: Option<f64>,
-    /// Last value of the drive.
-    #[arg(long, allow_hyphen_values = true)]
+    /// Last value of the drive; may be less than the first. Without --from the first is that of the scene.
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub to: Option<f64>,
     /// The drive that moves, if not the first: a driven link, or a slider on a moving link such as 3/2; other drives run along
     /// in proportion to their speeds.
@@ -109,10 +122,14 @@ impl Range {
         product: &str,
     ) -> Result<(), Failure> {
         let inside = range[0].min(range[1])..=range[0].max(range[1]);
-        for event in branch.events() {
-            if inside.contains(&event.at) && !event.is_end() {
-                note(&event.text(&branch.drive.at(event.at)));
-            }
+        let mut events = branch.events();
+        events.retain(|event| !event.is_end() && inside.contains(&event.at));
+        for event in events.iter().take(NOTES) {
+            note(&event.text(&branch.drive.at(event.at)));
+        }
+        if events.len() > NOTES {
+            let more = events.len() - NOTES;
+            note(&format!("{more} more extreme or change positions follow"));
         }
         let beyond = |value: f64| !(branch.low()..=branch.high()).contains(&value);
         let ends = [false, true].map(|above| branch.end(above));
@@ -168,14 +185,14 @@ impl SweepCommand {
         let moved = self.range.moved()?;
         let (branch, [from, to]) = moved.follow(&self.range)?;
         let step = self.step.unwrap_or_else(|| default_step(&branch, from, to));
-        // From limit to limit, rows stand at whole steps.
-        let whole = branch.end(false).is_some() && !self.range.is_given();
-        let first = if whole {
-            (from / step).ceil() * step
+        // From end to end, rows stand at whole steps.
+        let ends = branch.end(false).is_some() && !self.range.is_given();
+        let steps = if ends {
+            Steps::multiples(from, to, step)
         } else {
-            from
+            Steps::new(from, to, step)
         };
-        let steps = Steps::new(first, to, step).map_err(|error| moved.fail(error))?;
+        let steps = steps.map_err(|error| moved.fail(error))?;
         let sweep = Sweep::new(&branch, steps, moved.names.as_deref());
         let sweep = sweep.map_err(|error| moved.fail(error))?;
         files::keep_input(Some(&self.range.scene), &self.output)?;
@@ -210,6 +227,9 @@ fn default_step(branch: &Branch, from: f64, to: f64) -> f64 {
         return 1.0;
     }
     let rough = (to - from).abs() / 200.0;
+    if rough == 0.0 {
+        return 1.0;
+    }
     let decade = libm::exp10(libm::floor(libm::log10(rough)));
     let round = [1.0, 2.0, 5.0, 10.0].map(|k| k * decade);
     round.into_iter().rfind(|s| *s <= rough).unwrap_or(1.0)

@@ -74,12 +74,12 @@ pub(super) fn write(sweep: &Sweep, form: Form, place: &Path) -> Result<(), Failu
         each_piece(
             sweep,
             |rows| sweep.rows(rows),
-            |numbers: Numbers| columns.rows(&numbers).map_err(unwritable),
+            |numbers: Numbers| columns.rows(&numbers).map(|()| true).map_err(unwritable),
         )?;
         return columns.finish().map_err(unwritable)?.finish();
     }
-    if form == Form::Csv {
-        out.put(&format::csv_header(sweep))?;
+    if form == Form::Csv && !out.put(&format::csv_header(sweep))? {
+        return Ok(());
     }
     let text = |rows| form.text(sweep, &sweep.rows(rows));
     each_piece(sweep, text, |piece: String| out.put(&piece))?;
@@ -100,13 +100,14 @@ impl<'a> Out<'a> {
         Ok(Out::File(Growing::new(place)?, place))
     }
 
-    fn put(&mut self, text: &str) -> Result<(), Failure> {
+    /// Writes text; whether anybody wants more.
+    fn put(&mut self, text: &str) -> Result<bool, Failure> {
         match self {
-            Out::Stdout => files::print(text.as_bytes()),
-            Out::File(file, place) => {
-                let written = file.write_all(text.as_bytes());
-                written.map_err(|error| files::unwritable(place, &error))
-            }
+            Out::Stdout => files::is_printed(text.as_bytes()),
+            Out::File(file, place) => match file.write_all(text.as_bytes()) {
+                Err(error) => Err(files::unwritable(place, &error)),
+                Ok(()) => Ok(true),
+            },
         }
     }
 
@@ -135,25 +136,28 @@ impl Write for Out<'_> {
     }
 }
 
-/// Computes a table's pieces, some at a time on all cores, and hands them on in order; Ctrl-C ends it.
+/// Computes a table's pieces, some at a time on all cores, and hands them on in order while somebody wants more; Ctrl-C ends it.
 fn each_piece<P: Send>(
     sweep: &Sweep,
     piece: impl Fn(std::ops::Range<usize>) -> P + Send + Sync,
-    mut put: impl FnMut(P) -> Result<(), Failure>,
+    mut put: impl FnMut(P) -> Result<bool, Failure>,
 ) -> Result<(), Failure> {
     static STOPPED: AtomicBool = AtomicBool::new(false);
     // Where a handler cannot be set, Ctrl-C ends the program as it would have without one.
     let _ = ctrlc::set_handler(|| STOPPED.store(true, Ordering::Relaxed));
     let count = sweep.steps().count();
-    let firsts: Vec<usize> = (0..count).step_by(ROWS).collect();
     let rows = |first: &usize| piece(*first..(first + ROWS).min(count));
     let progress = progress(sweep);
-    for window in firsts.chunks(window()) {
-        for done in in_order(window, rows) {
+    for start in (0..count).step_by(ROWS * window()) {
+        let firsts = (start..count).step_by(ROWS).take(window());
+        let firsts: Vec<usize> = firsts.collect();
+        for done in in_order(&firsts, &rows) {
             if STOPPED.load(Ordering::Relaxed) {
                 return Err(Failure::Interrupted);
             }
-            put(done)?;
+            if !put(done)? {
+                return Ok(());
+            }
             progress.inc(ROWS as u64);
         }
     }
