@@ -4,8 +4,9 @@
 use crate::exact::exceeds;
 use crate::planted::{Planted, pattern};
 use crate::random::Random;
-use crate::{TURN, path, posed};
+use crate::{TURN, followed, path, posed, scenes};
 use kinegon::cycle::{Event, Happening, Path};
+use kinegon::geometry::{degrees_of, span};
 use kinegon::mechanism::{Mechanism, Role};
 use kinegon::position::{Pose, poses};
 use kinegon::scene::Near;
@@ -16,8 +17,8 @@ const MECHANISMS: usize = if cfg!(debug_assertions) { 12 } else { 400 };
 /// The largest condition number of a planted position.
 const CONDITION: f64 = 1e3;
 
-/// The crank's step in degrees.
-const STEP: f64 = if cfg!(debug_assertions) { 1.0 } else { 0.5 };
+/// The drive's step in turns, or sizes of the mechanism.
+const STEP: f64 = if cfg!(debug_assertions) { 1.0 } else { 0.5 } / 360.0;
 
 /// The nearest mode counts as the next position where the next but one is this many times as far.
 const CLEARLY: f64 = 5.0;
@@ -34,6 +35,22 @@ fn turned(mechanism: &Mechanism, value: f64) -> Mechanism {
         }
     }
     turned
+}
+
+/// The mechanism with all drives as they stand in a position.
+fn standing(mechanism: &Mechanism, position: &Pose) -> Mechanism {
+    let mut standing = mechanism.clone();
+    for (id, body) in standing.bodies.iter_mut().enumerate() {
+        if let Role::Driver { angle, .. } = &mut body.role {
+            *angle = position.axes[id].map(degrees_of);
+        }
+    }
+    for (id, slider) in standing.sliders.iter_mut().enumerate() {
+        if let Some(drive) = &mut slider.drive {
+            drive.position = position.slides[id];
+        }
+    }
+    standing
 }
 
 fn modes(mechanism: &Mechanism, value: f64) -> Vec<Pose> {
@@ -63,15 +80,18 @@ impl Seen {
     fn is_nearest(&mut self, path: &Path, size: f64) {
         let mut walker = path.walker();
         let mut before: Option<Pose> = None;
-        let steps = ((path.high() - path.low()) / STEP) as usize;
-        for value in (0..=steps).map(|k| path.low() + STEP * k as f64) {
+        let wide = path.high() - path.low();
+        let unit = if path.drive.is_angle() { TURN } else { size };
+        let steps = (wide / unit / STEP) as usize;
+        for value in (0..steps).map(|k| path.low() + wide * k as f64 / steps as f64) {
             let Some(position) = walker.position(value) else {
                 self.problems.push(format!("no position at {value}"));
                 return;
             };
             let here = position.pose();
             if let Some(before) = before {
-                let mut all = modes(path.mechanism, value);
+                let mut all =
+                    poses(&standing(path.mechanism, &here), &Near::default()).unwrap_or_default();
                 all.sort_by(|a, b| distance(a, &before).total_cmp(&distance(b, &before)));
                 let away = |i: usize| all.get(i).map_or(f64::INFINITY, |p| distance(p, &before));
                 if away(0) < (away(1) / CLEARLY).min(0.2 * size) {
@@ -212,4 +232,27 @@ fn third_class() {
 #[test]
 fn fourth_class() {
     follow("IV", 0x23);
+}
+
+/// Starting scenes: chains of groups, sliders that drive, several drives.
+#[test]
+fn starting_scenes() {
+    for (name, text) in scenes() {
+        let (mechanism, pose) = posed(&text);
+        let mut seen = Seen::default();
+        let size = span(pose.points.iter().copied());
+        seen.is_nearest(&followed(&mechanism, &pose), size);
+        let Seen {
+            positions,
+            unclear,
+            largest_error,
+            problems,
+            ..
+        } = seen;
+        println!(
+            "{name}: {positions} positions, {unclear} unclear, largest error {largest_error:.1e}"
+        );
+        assert!(problems.is_empty(), "{name}: {}", problems.join("\n"));
+        assert!(unclear * 20 < positions, "{name}");
+    }
 }

@@ -96,9 +96,8 @@ fn four_bars() {
     }
 }
 
-/// The rocker of a parallelogram turns with the crank, whatever it passes; rounding grows with the second and third power of the distance.
-#[test]
-fn a_parallelogram() {
+/// A parallelogram at a crank angle of 50°.
+pub fn parallelogram() -> String {
     let bar = FourBar {
         crank: 30.0,
         coupler: 80.0,
@@ -106,7 +105,13 @@ fn a_parallelogram() {
         ground: 80.0,
     };
     let (place, _) = bar.joint(50.0, 1.0).expect("it can be assembled");
-    let (mechanism, pose) = posed(&bar.scene(50.0, place));
+    bar.scene(50.0, place)
+}
+
+/// The rocker of a parallelogram turns with the crank, whatever it passes; rounding grows with the second and third power of the distance.
+#[test]
+fn a_parallelogram() {
+    let (mechanism, pose) = posed(&parallelogram());
     let mut path = path(&mechanism, &pose);
     path.cover(Some(50.0), Some(770.0))
         .expect("it can be followed");

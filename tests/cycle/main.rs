@@ -13,6 +13,7 @@ mod planted;
 #[path = "../random/mod.rs"]
 mod random;
 mod rates;
+mod table;
 
 use kinegon::cycle::{Drive, Path};
 use kinegon::geometry::span;
@@ -89,7 +90,7 @@ const MORE: [(&str, &str); 4] = [
           "near": { "B": [10, 45] } }"#,
     ),
     (
-        "a pin in a curved-free slot of a lever",
+        "a pin in the slot of a lever",
         r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "O": [0, 0], "A": [0, 80] },
           "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 30 }, "drive": { "angle": 45, "omega": 4, "alpha": -7 } },
                      "3": { "points": ["O", "C"], "lengths": { "OC": 130 } } },
