@@ -35,8 +35,8 @@ pub(super) fn extremes(
     let mut found: Vec<[f64; 2]> = Vec::new();
     for piece in pieces {
         let samples: Vec<Sample> = piece.iter().map(|p| (p[0], Some(p[1]))).collect();
-        for index in 0..samples.len() {
-            if sign * (best - piece[index][1]) <= NEARLY * height {
+        for (index, [_, value]) in piece.iter().enumerate() {
+            if sign * (best - value) <= NEARLY * height {
                 found.extend(peak(reading, &samples, index, sign));
             }
         }

@@ -173,13 +173,12 @@ pub fn look(pen: Pen) -> Look {
         Pen::Grid => line(PALE, HAIR),
         Pen::Zero => line(INK, THIN),
         Pen::Curve(style) => Look {
-            dash: if usize::from(style) / CURVES.len() % 2 == 0 {
+            dash: if (usize::from(style) / CURVES.len()).is_multiple_of(2) {
                 &[]
             } else {
                 &[2.4, 0.9]
             },
             fill: Some(curve_colour(style)),
-            cap: Cap::Round,
             ..line(curve_colour(style), MEDIUM)
         },
         Pen::Dead(style) => Look {

@@ -16,6 +16,8 @@ use kurbo::{Point, Rect, Vec2};
 pub(super) const DOT: f64 = 0.75;
 /// Radius of the circle at a dead position.
 pub(super) const DEAD: f64 = 0.8;
+/// So many of a curve's names are shown.
+const MOST_NAMES: usize = 4;
 /// Size of the values beside dots.
 const VALUE: f64 = 0.94 * CAPTION;
 /// Room above the highest and below the lowest value, for the values beside the dots: in mm, and at most this part of the panel.
@@ -91,9 +93,9 @@ impl Panel {
 
     pub(super) fn draw(&self, sheet: &Sheet, drawing: &mut Drawing, drive: &Axis) {
         let frame = Rect::new(drive.places[0], self.rows[1], drive.places[1], self.rows[2]);
+        self.lines(drawing, drive, frame);
         drawing.draw(Pen::Frame, Shape::Polygon(corners(frame)));
         self.heading(sheet, drawing, frame);
-        self.lines(drawing, drive, frame);
         let renamed = &sheet.scene.figure.labels;
         let mut canvas = Canvas::new(drawing, self.prefix(), frame, renamed);
         let mut lines = Vec::new();
@@ -268,6 +270,10 @@ impl Panel {
             if !parts.contains(&symbol) {
                 parts.push(symbol);
             }
+        }
+        if parts.len() > MOST_NAMES {
+            parts.truncate(MOST_NAMES);
+            parts.push("…".to_owned());
         }
         parts.extend(curve.constant.map(|value| self.axis.value(value)));
         parts.join(" = ")
