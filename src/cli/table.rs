@@ -151,7 +151,7 @@ fn each_piece<P: Send>(
     for start in (0..count).step_by(ROWS * window()) {
         let firsts = (start..count).step_by(ROWS).take(window());
         let firsts: Vec<usize> = firsts.collect();
-        for done in in_order(&firsts, &rows) {
+        for done in in_order(&firsts, rows) {
             if STOPPED.load(Ordering::Relaxed) {
                 return Err(Failure::Interrupted);
             }
