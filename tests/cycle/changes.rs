@@ -194,3 +194,30 @@ fn a_start_next_to_a_change_position() {
         }
     }
 }
+
+/// Two parallelograms in a row are singular at once; each goes on smoothly.
+#[test]
+fn two_parallelograms_in_a_row() {
+    let scene = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [80, 0], "G": [150, 0] },
+      "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 30 }, "drive": { "angle": 50, "omega": 1 } },
+                 "2": { "points": ["B", "C"], "lengths": { "BC": 80 } }, "3": { "points": ["D", "C"], "lengths": { "DC": 30 } },
+                 "4": { "points": ["C", "F"], "lengths": { "CF": 70 } }, "5": { "points": ["G", "F"], "lengths": { "GF": 30 } } },
+      "near": { "C": [100, 23], "F": [170, 23] } }"#;
+    let (mechanism, pose) = posed(scene);
+    let mut path = path(&mechanism, &pose);
+    path.cover(Some(50.0), Some(770.0))
+        .expect("it can be followed");
+    changes(&path, &[0.0, 180.0]);
+    let [three, five] = ["3", "5"].map(|name| mechanism.link(name).expect("a link"));
+    let mut walker = path.walker::<1>();
+    for value in (50..770).map(|k| f64::from(k) + 0.5) {
+        let position = walker.position(value).expect("it is on the path");
+        for link in [three, five] {
+            let [omega, alpha] = position.spin(link);
+            assert!(
+                (omega - 1.0).abs() < 1e-9 && alpha.abs() < 1e-6,
+                "{value}: {omega} {alpha}"
+            );
+        }
+    }
+}
