@@ -206,7 +206,7 @@ const REFUSED: [(i32, &[&str], &[&str]); 23] = [
         &["-o", "FOLDER/scene.csv/table.csv"],
     ),
     (2, &["is the scene itself"], &["-o", "FOLDER/scene.csv"]),
-    (1, &["no assembly mode 0", "there are 2"], &["--mode", "0"]),
+    (2, &["numbered from 1"], &["--mode", "0"]),
     (1, &["no assembly mode 9", "there are 2"], &["--mode", "9"]),
     (2, &["-1"], &["--mode", "-1"]),
 ];

@@ -209,7 +209,7 @@ fn two_parallelograms_in_a_row() {
         .expect("it can be followed");
     changes(&path, &[0.0, 180.0]);
     let [three, five] = ["3", "5"].map(|name| mechanism.link(name).expect("a link"));
-    let mut walker = path.walker::<1>();
+    let mut walker = path.walker();
     for value in (50..770).map(|k| f64::from(k) + 0.5) {
         let position = walker.position(value).expect("it is on the path");
         for link in [three, five] {
