@@ -28,7 +28,7 @@ pub struct Columns<W: Write + Send> {
 }
 
 enum Form<W: Write + Send> {
-    Arrow(FileWriter<W>),
+    Arrow(Box<FileWriter<W>>),
     Parquet(Box<ArrowWriter<W>>),
 }
 
@@ -39,7 +39,7 @@ impl<W: Write + Send> Columns<W> {
     /// The beginning cannot be written.
     pub fn arrow(sweep: &Sweep, out: W) -> Result<Self, ColumnsError> {
         let schema = schema(sweep);
-        let form = Form::Arrow(FileWriter::try_new(out, &schema)?);
+        let form = Form::Arrow(Box::new(FileWriter::try_new(out, &schema)?));
         Ok(Self { schema, form })
     }
 
