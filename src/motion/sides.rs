@@ -3,12 +3,12 @@ use crate::geometry::{Numbers, UNIT_ROUNDOFF, Vector, quarter_turn};
 use crate::mechanism::{LoopEquations, LoopTerms, SlideRate, Spin};
 use crate::position::Pose;
 
-/// The right side of one loop's equations: a vector and, if `BOUNDED`, how uncertain rounding has left it.
+/// The right side of one loop's equations: a vector, and how uncertain rounding has left it.
 #[derive(Clone, Copy, Debug)]
-pub struct LoopSide<const BOUNDED: bool> {
+pub struct LoopSide {
     /// The sum of the known terms.
     pub value: Vector,
-    /// Bounds of the errors of its components; zero where they were not asked for.
+    /// Bounds of the errors of its components.
     pub uncertain: Vector,
 }
 
@@ -44,7 +44,7 @@ impl RightSide {
         Self::of(loops.map(|t| LoopSide::acceleration(t, pose, known, rates, rate_errors)))
     }
 
-    fn of(loops: impl Iterator<Item = LoopSide<true>>) -> Self {
+    fn of(loops: impl Iterator<Item = LoopSide>) -> Self {
         let (mut value, mut uncertain) = (Numbers::new(), Numbers::new());
         for side in loops {
             value.extend([side.value.x, side.value.y]);
@@ -54,7 +54,7 @@ impl RightSide {
     }
 }
 
-impl<const BOUNDED: bool> LoopSide<BOUNDED> {
+impl LoopSide {
     /// The right side of a loop's velocity equations.
     #[inline]
     #[must_use]
@@ -83,7 +83,7 @@ impl<const BOUNDED: bool> LoopSide<BOUNDED> {
 
     /// The right side of a loop's acceleration equations, with the solution `rates` of the velocity equations.
     ///
-    /// `rate_errors` bounds the errors of `rates`; it may be empty where no bounds are asked for.
+    /// `rate_errors` bounds the errors of `rates`.
     #[inline]
     #[must_use]
     pub fn acceleration(
@@ -108,9 +108,7 @@ impl<const BOUNDED: bool> LoopSide<BOUNDED> {
                 Spin::Unknown(unknown) => {
                     let omega = rates[unknown];
                     side.add(r * (omega * omega), 3.0);
-                    if BOUNDED {
-                        side.doubt(r * (2.0 * omega.abs() * rate_errors[unknown]));
-                    }
+                    side.doubt(r * (2.0 * omega.abs() * rate_errors[unknown]));
                 }
                 Spin::Known(body) => {
                     let body = &known[body.0];
@@ -134,17 +132,15 @@ impl<const BOUNDED: bool> LoopSide<BOUNDED> {
             };
             let across = quarter_turn(u);
             side.add(-across * (2.0 * omega * rate), 4.0);
-            if BOUNDED {
-                let omega_error = match slide.spin {
-                    Spin::Unknown(unknown) => rate_errors[unknown],
-                    Spin::Known(_) => 0.0,
-                };
-                let rate_error = match slide.rate {
-                    SlideRate::Unknown(unknown) => rate_errors[unknown],
-                    SlideRate::Driven(_) => 0.0,
-                };
-                side.doubt(across * (2.0 * (omega.abs() * rate_error + rate.abs() * omega_error)));
-            }
+            let omega_error = match slide.spin {
+                Spin::Unknown(unknown) => rate_errors[unknown],
+                Spin::Known(_) => 0.0,
+            };
+            let rate_error = match slide.rate {
+                SlideRate::Unknown(unknown) => rate_errors[unknown],
+                SlideRate::Driven(_) => 0.0,
+            };
+            side.doubt(across * (2.0 * (omega.abs() * rate_error + rate.abs() * omega_error)));
         }
         side
     }
@@ -161,10 +157,8 @@ impl<const BOUNDED: bool> LoopSide<BOUNDED> {
     #[inline]
     fn add(&mut self, term: Vector, roundings: f64) {
         self.value += term;
-        if BOUNDED {
-            // Four more for the additions that it goes through.
-            self.doubt(term * ((roundings + 4.0) * UNIT_ROUNDOFF));
-        }
+        // Four more for the additions that it goes through.
+        self.doubt(term * ((roundings + 4.0) * UNIT_ROUNDOFF));
     }
 
     #[inline]
