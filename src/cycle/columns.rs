@@ -1,5 +1,5 @@
 use super::{Path, Position};
-use crate::geometry::Number;
+use crate::geometry::Row;
 use crate::motion::{Order, motion};
 use crate::plan::{Asked, Construction, Quantity, QuantityError, construction};
 
@@ -54,9 +54,9 @@ impl<'a> Columns<'a> {
     }
 
     /// Their values at a position, in order; none where it is singular or a quantity has no value.
-    pub fn values<'p, T: Number, const M: usize>(
+    pub fn values<'p, R: Row>(
         &'p self,
-        position: Option<Position<'p, T, M>>,
+        position: Option<Position<'p, R>>,
     ) -> impl Iterator<Item = (&'p Column, Option<Quantity>)> + 'p {
         let built = position
             .filter(|_| self.constructs)
@@ -76,10 +76,7 @@ impl<'a> Columns<'a> {
     }
 
     /// The plans at a position; none where it is singular.
-    fn construct<T: Number, const M: usize>(
-        &self,
-        position: &Position<T, M>,
-    ) -> Option<Construction> {
+    fn construct<R: Row>(&self, position: &Position<R>) -> Option<Construction> {
         let (mechanism, pose) = (self.path.mechanism, position.pose());
         let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
         Some(construction(mechanism, &pose, &motion))

@@ -31,4 +31,4 @@ pub use path::Path;
 pub use position::Position;
 pub use steps::Steps;
 pub use sweep::{Numbers, Sweep};
-pub use walker::{MANY, Walker};
+pub use walker::Walker;

@@ -3,8 +3,8 @@ use super::segment::{Node, Segment};
 use super::start::{stands, start};
 use super::trace::{Traced, trace};
 use super::{CycleError, Drive, Event, Happening, Position, Walker};
-use crate::geometry::{Number, span};
-use crate::kernel::{Block, InputKind, Kernel, vector};
+use crate::geometry::{Lanes, Many, OneByOne, Row, span};
+use crate::kernel::{Block, InputKind, Kernel, Single, vector};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 
@@ -28,6 +28,8 @@ pub struct Path<'a> {
     /// The drive that moves it.
     pub drive: Drive,
     pub(super) kernel: Kernel,
+    /// The kernel without the places of points.
+    bare: Kernel,
     /// By input: its value at the first node found, and its units for each unit of the moved drive.
     pub(super) inputs: Vec<[f64; 2]>,
     origin: f64,
@@ -70,7 +72,7 @@ impl<'a> Path<'a> {
             .collect();
         let origin = inputs[drive.input][0];
         let mut block = start(&kernel, mechanism, pose);
-        let closed = kernel.assemble(&mut block, 0.0).closed;
+        let closed = kernel.assemble(OneByOne, &mut block, 0.0).closed;
         let path = Path {
             mechanism,
             inputs,
@@ -81,6 +83,7 @@ impl<'a> Path<'a> {
             changes: Vec::new(),
             ends: [None, None],
             drive,
+            bare: kernel.without_places(),
             kernel,
         };
         let determinants = path.kernel.determinants(&block);
@@ -108,24 +111,21 @@ impl<'a> Path<'a> {
 
     /// Sets all drives for these values of the moved one.
     #[inline(always)]
-    pub(super) fn set_inputs<T: Number, const M: usize>(
-        &self,
-        block: &mut Block<T, M>,
-        values: &[T; M],
-    ) {
+    pub(super) fn set_inputs<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, values: &R) {
         for (index, [start, ratio]) in self.inputs.iter().enumerate() {
-            let own = if index == self.drive.input {
-                *values
-            } else {
-                values.map(|value| (value - T::splat(self.origin)) * *ratio + T::splat(*start))
-            };
-            self.kernel.set_input(block, index, &own);
+            let mut own = *values;
+            if index != self.drive.input {
+                for value in own.as_mut() {
+                    *value = (*value - self.origin) * ratio + start;
+                }
+            }
+            self.kernel.set_input(lanes, block, index, &own);
         }
     }
 
     /// All rates for the moved drive running by one degree, or one unit of length, a unit of time.
     #[inline(always)]
-    pub(super) fn unit_rates<T: Number, const M: usize>(&self, block: &mut Block<T, M>) {
+    pub(super) fn unit_rates(&self, block: &mut Single) {
         for (index, [_, ratio]) in self.inputs.iter().enumerate() {
             let rate = match self.kernel.inputs[index].kind {
                 InputKind::Turning { .. } => ratio.to_radians(),
@@ -133,17 +133,7 @@ impl<'a> Path<'a> {
             };
             self.kernel.set_rates(block, index, rate, 0.0);
         }
-        self.kernel.rates(block);
-    }
-
-    /// All rates for the drives running as the scene says.
-    #[inline(always)]
-    pub(super) fn scene_rates<T: Number, const M: usize>(&self, block: &mut Block<T, M>) {
-        for (index, input) in self.kernel.inputs.iter().enumerate() {
-            self.kernel
-                .set_rates(block, index, input.rate, input.second);
-        }
-        self.kernel.rates(block);
+        self.kernel.rates(OneByOne, block);
     }
 
     /// Follows the branch over the range from one value of the drive to another, as far as it can be reached; with
@@ -278,7 +268,7 @@ impl<'a> Path<'a> {
         let segments = self.nodes.windows(2).map(|w| {
             let mut segment = Segment::new(&self.kernel, &w[0], &w[1]);
             let mut changes = self.changes.iter();
-            if changes.any(|c| segment.holds(&[c.at])) {
+            if changes.any(|c| segment.holds(c.at)) {
                 segment.sure = 0.0;
             }
             segment
@@ -339,21 +329,27 @@ impl<'a> Path<'a> {
     /// A walker, one position at a time.
     #[must_use]
     pub fn walker(&self) -> Walker<'_> {
-        Walker::new(self)
+        Walker::new(self, &self.kernel)
     }
 
-    /// A walker for many positions at a time.
+    /// A walker, [`MANY`](crate::geometry::MANY) positions at a time.
     #[must_use]
-    pub fn walker_of<T: Number, const M: usize>(&self) -> Walker<'_, T, M> {
-        Walker::new(self)
+    pub fn many_walker(&self) -> Walker<'_, Many> {
+        Walker::new(self, &self.kernel)
+    }
+
+    /// The same for angles, slides and their rates alone: places and motions of points are left out, but for those between groups.
+    #[must_use]
+    pub fn many_walker_without_places(&self) -> Walker<'_, Many> {
+        Walker::new(self, &self.bare)
     }
 
     /// One position of a block.
-    pub(super) fn position<'b, T: Number, const M: usize>(
+    pub(super) fn position<'b, R: Row>(
         &'b self,
-        block: &'b Block<T, M>,
+        block: &'b Block<R>,
         lane: usize,
-    ) -> Position<'b, T, M> {
+    ) -> Position<'b, R> {
         Position {
             mechanism: self.mechanism,
             kernel: &self.kernel,

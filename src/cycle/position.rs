@@ -1,19 +1,19 @@
-use crate::geometry::{Number, Point, Vector, quarter_turn};
-use crate::kernel::{Block, Kernel, number, vector};
+use crate::geometry::{Point, Row, Vector, quarter_turn};
+use crate::kernel::{Block, Kernel, vector};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, Role, SliderId};
 use crate::plan::State;
 use crate::position::Pose;
 
 /// One position of a block, read as quantities are.
 #[derive(Clone, Copy, Debug)]
-pub struct Position<'a, T: Number = f64, const M: usize = 1> {
+pub struct Position<'a, R: Row = [f64; 1]> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) kernel: &'a Kernel,
-    pub(super) block: &'a Block<T, M>,
+    pub(super) block: &'a Block<R>,
     pub(super) lane: usize,
 }
 
-impl<T: Number, const M: usize> Position<'_, T, M> {
+impl<R: Row> Position<'_, R> {
     /// The direction of a body's own x axis.
     fn direction(&self, body: BodyId) -> Vector {
         let seat = self.kernel.seat(body);
@@ -40,7 +40,7 @@ impl<T: Number, const M: usize> Position<'_, T, M> {
     }
 }
 
-impl<T: Number, const M: usize> State for Position<'_, T, M> {
+impl<R: Row> State for Position<'_, R> {
     fn has_accelerations(&self) -> bool {
         true
     }
@@ -64,17 +64,17 @@ impl<T: Number, const M: usize> State for Position<'_, T, M> {
     }
 
     fn slide_position(&self, slider: SliderId) -> Option<f64> {
-        Some(number(&self.block.slides[slider.0], self.lane))
+        Some(self.block.slides[slider.0][self.lane])
     }
 
     fn slide_rates(&self, slider: SliderId) -> [f64; 2] {
         let (speeds, seconds) = (&self.block.speeds, &self.block.accelerations);
-        [speeds, seconds].map(|rates| number(&rates[slider.0], self.lane))
+        [speeds, seconds].map(|rates| rates[slider.0][self.lane])
     }
 
     fn spin(&self, body: BodyId) -> [f64; 2] {
         let class = self.kernel.seat(body).class;
-        [&self.block.omegas, &self.block.alphas].map(|rates| number(&rates[class], self.lane))
+        [&self.block.omegas, &self.block.alphas].map(|rates| rates[class][self.lane])
     }
 
     fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2] {

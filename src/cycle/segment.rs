@@ -1,6 +1,6 @@
 use super::Path;
-use crate::geometry::{Number, Pair, UNIT_ROUNDOFF, Vector, quarter_turn};
-use crate::kernel::{Block, Kernel, Single, Unknown, unit, vector};
+use crate::geometry::{Lanes, Number, Pair, Row, UNIT_ROUNDOFF, Vector, quarter_turn};
+use crate::kernel::{Block, Kernel, Single, Unknown, portions, unit, vector};
 
 /// A position on the path, with its rates for a unit rate of the drive.
 #[derive(Clone, Debug)]
@@ -51,12 +51,12 @@ fn quintic([f0, d0, e0]: [f64; 3], [f1, d1, e1]: [f64; 3]) -> Quintic {
 
 #[inline(always)]
 fn value<T: Number>(q: &Quintic, x: T) -> T {
-    let [constant, rest @ .., last] = q;
-    let sum = rest
-        .iter()
-        .rev()
-        .fold(T::splat(*last), |sum, c| sum * x + T::splat(*c));
-    sum * x + T::splat(*constant)
+    let [rest @ .., last] = q;
+    let mut sum = x.same(*last);
+    for coefficient in rest.iter().rev() {
+        sum = x.same(*coefficient).plus_product(sum, x);
+    }
+    sum
 }
 
 fn slope(q: &Quintic, x: f64) -> f64 {
@@ -72,7 +72,7 @@ impl Segment {
         let mut segment = Segment {
             from: start.value,
             to: end.value,
-            sure: 0.5 * (UNIT_ROUNDOFF * sharpness).sqrt(),
+            sure: 0.6 * (UNIT_ROUNDOFF * sharpness).sqrt(),
             turns: Vec::new(),
             slides: Vec::new(),
         };
@@ -109,31 +109,49 @@ impl Segment {
         segment
     }
 
-    /// Whether all these values of the drive lie on it.
+    /// Whether a value of the drive lies on it.
     #[inline(always)]
-    pub fn holds<T: Number, const M: usize>(&self, drive: &[T; M]) -> bool {
-        let inside = |value: f64| self.from <= value && value <= self.to;
-        drive
-            .iter()
-            .all(|v| (0..T::LANES).all(|lane| inside(v.lane(lane))))
+    pub fn holds(&self, drive: f64) -> bool {
+        self.from <= drive && drive <= self.to
+    }
+
+    /// Whether all these values do; one that is not a number may pass.
+    #[inline(always)]
+    pub fn holds_all<L: Lanes, R: Row>(&self, lanes: L, drive: &R) -> bool {
+        let (from, to) = (lanes.splat(self.from), lanes.splat(self.to));
+        let mut outside = from - to;
+        for k in portions::<L, R>() {
+            let value = lanes.load(drive, k);
+            outside = outside.larger(from - value).larger(value - to);
+        }
+        lanes.largest(outside) <= 0.0
     }
 
     /// Sets the unknowns of `block` to those of the polynomials.
     #[inline(always)]
-    pub fn predict<T: Number, const M: usize>(&self, drive: &[T; M], block: &mut Block<T, M>) {
-        let scale = 1.0 / (self.to - self.from);
-        let along = drive.map(|value| (value - T::splat(self.from)) * scale);
+    pub fn predict<L: Lanes, R: Row>(&self, lanes: L, drive: &R, block: &mut Block<R>) {
+        let (from, scale) = (
+            lanes.splat(self.from),
+            lanes.splat(1.0 / (self.to - self.from)),
+        );
         for (class, [cosine, sine]) in &self.turns {
-            block.turns[*class] = along.map(|x| {
-                // The polynomials leave the unit circle by little.
-                unit(Pair {
+            let turns = &mut block.turns[*class];
+            for k in portions::<L, R>() {
+                let x = (lanes.load(drive, k) - from) * scale;
+                let direction = Pair {
                     x: value(cosine, x),
                     y: value(sine, x),
-                })
-            });
+                };
+                // The polynomials leave the unit circle by little.
+                lanes.store_pair(turns, k, unit(direction));
+            }
         }
         for (slider, curve) in &self.slides {
-            block.slides[*slider] = along.map(|x| value(curve, x));
+            let slides = &mut block.slides[*slider];
+            for k in portions::<L, R>() {
+                let x = (lanes.load(drive, k) - from) * scale;
+                lanes.store(slides, k, value(curve, x));
+            }
         }
     }
 

@@ -1,4 +1,4 @@
-use crate::geometry::{Pair, Turn, degrees_of};
+use crate::geometry::{OneByOne, Turn, degrees_of};
 use crate::kernel::{Block, Input, InputKind, Kernel, Single, Unknown};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
@@ -7,7 +7,7 @@ use crate::position::Pose;
 pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Single {
     let mut block = Block::new(kernel);
     for (index, input) in kernel.inputs.iter().enumerate() {
-        kernel.set_input(&mut block, index, &[stands(input, pose)]);
+        kernel.set_input(OneByOne, &mut block, index, &[stands(input, pose)]);
     }
     for unknown in kernel.unknowns.iter().flatten() {
         match *unknown {
@@ -20,10 +20,7 @@ pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Sing
                     Some(seat.turn.inverse() * Turn::from_cos_sin_unchecked(axis.x, axis.y))
                 });
                 let turn = axis.unwrap_or_else(Turn::identity);
-                block.turns[class] = [Pair {
-                    x: turn.re,
-                    y: turn.im,
-                }];
+                block.turns[class] = [[turn.re], [turn.im]];
             }
         }
     }

@@ -1,13 +1,10 @@
 use super::columns::{Column, Columns};
-use super::{Drive, MANY, Path, Position, Steps};
-use crate::geometry::{Eight, Number};
+use super::{Drive, Path, Position, Steps};
+use crate::geometry::{MANY, Row};
 use crate::mechanism::{GROUND, Mechanism, PointId, SliderId};
 use crate::plan::{Quantity, QuantityError};
 use std::collections::BTreeSet;
 use std::ops::Range;
-
-/// How many positions go through the kernel side by side.
-const LANES: usize = 8 * MANY;
 
 /// A path read at equal steps: a table with a row for each value of the drive and a column for each number.
 #[derive(Clone, Debug)]
@@ -45,7 +42,7 @@ impl<'a> Sweep<'a> {
         }
         let steps = steps.within(path.low(), path.high());
         // A plan point that does not exist shows in the first row with plans, before anything is written.
-        let first = (0..steps.count().min(LANES)).map(|row| steps.value(row));
+        let first = (0..steps.count().min(MANY)).map(|row| steps.value(row));
         columns.check(first)?;
         Ok(Sweep {
             path,
@@ -85,31 +82,32 @@ impl<'a> Sweep<'a> {
     #[must_use]
     pub fn rows(&self, rows: Range<usize>) -> Numbers {
         let mut numbers = Numbers::with_capacity(rows.len() * self.header().len());
-        let mut many = self.path.walker_of::<Eight, MANY>();
+        let bare = self.columns().iter().all(|c| c.asked.is_of_links_alone());
+        let mut many = if bare {
+            self.path.many_walker_without_places()
+        } else {
+            self.path.many_walker()
+        };
         let mut one = self.path.walker();
         let mut next = rows.start;
+        let mut values = [0.0; MANY];
         while next < rows.end {
-            let full = rows.end - next >= LANES;
-            let value = |i: usize| self.steps.value(next + i);
-            let values = std::array::from_fn(|k| Eight::from_lanes(|i| value(8 * k + i)));
-            let block = if full {
-                many.many_motions(&values)
-            } else {
-                None
-            };
-            if let Some(block) = block {
-                for lane in 0..LANES {
-                    let position = self.path.position(block, lane);
-                    self.read(value(lane), Some(position), &mut numbers);
+            let values = &mut values[..MANY.min(rows.end - next)];
+            for (value, row) in values.iter_mut().zip(next..) {
+                *value = self.steps.value(row);
+            }
+            let (count, block) = many.motions(values);
+            for (lane, value) in values[..count].iter().enumerate() {
+                match block {
+                    Some(block) => {
+                        let position = self.path.position(block, lane);
+                        self.read(*value, Some(position), &mut numbers);
+                    }
+                    // One of them is singular: that one only has no numbers.
+                    None => self.read(*value, one.position(*value), &mut numbers),
                 }
-                next += LANES;
-                continue;
             }
-            // The block crosses a node, ends the range, or holds a singular position.
-            for value in (0..LANES.min(rows.end - next)).map(value) {
-                self.read(value, one.position(value), &mut numbers);
-            }
-            next = (next + LANES).min(rows.end);
+            next += count;
         }
         numbers
     }
@@ -128,12 +126,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Appends a row.
-    fn read<T: Number, const M: usize>(
-        &self,
-        value: f64,
-        position: Option<Position<T, M>>,
-        numbers: &mut Numbers,
-    ) {
+    fn read<R: Row>(&self, value: f64, position: Option<Position<R>>, numbers: &mut Numbers) {
         numbers.push(Some(value));
         let finite = |x: f64| x.is_finite().then_some(x);
         for (column, found) in self.columns.values(position) {

@@ -1,6 +1,6 @@
 use super::segment::{Node, Segment};
 use super::{Event, Happening, Path};
-use crate::geometry::Pair;
+use crate::geometry::OneByOne;
 use crate::kernel::{Correction, Unknown};
 
 /// What is left of a middle position for Newton's method to find, in units of rounding after one step: far less than one.
@@ -131,7 +131,7 @@ pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
 fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
     let step = to - last.value;
     let mut block = last.block.clone();
-    path.set_inputs(&mut block, &[to]);
+    path.set_inputs(OneByOne, &mut block, &[to]);
     for unknown in path.kernel.unknowns.iter().flatten() {
         match *unknown {
             Unknown::Spin(class) => {
@@ -141,11 +141,8 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
                     return None;
                 }
                 let (sine, cosine) = libm::sincos(angle);
-                let [Pair { x, y }] = block.turns[class];
-                block.turns[class] = [Pair {
-                    x: x * cosine - y * sine,
-                    y: x * sine + y * cosine,
-                }];
+                let [[x], [y]] = block.turns[class];
+                block.turns[class] = [[x * cosine - y * sine], [x * sine + y * cosine]];
             }
             Unknown::Slide(slider) => {
                 let (speed, second) = (block.speeds[slider][0], block.accelerations[slider][0]);
@@ -153,7 +150,7 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
             }
         }
     }
-    let found = path.kernel.assemble(&mut block, 0.0);
+    let found = path.kernel.assemble(OneByOne, &mut block, 0.0);
     if !found.closed || found.first > OFF {
         return None;
     }
@@ -166,9 +163,9 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
     let segment = Segment::new(&path.kernel, last, &node);
     let middle = last.value + 0.5 * step;
     let mut block = node.block.clone();
-    path.set_inputs(&mut block, &[middle]);
-    segment.predict(&[middle], &mut block);
-    let met = path.kernel.assemble(&mut block, 0.0);
+    path.set_inputs(OneByOne, &mut block, &[middle]);
+    segment.predict(OneByOne, &[middle], &mut block);
+    let met = path.kernel.assemble(OneByOne, &mut block, 0.0);
     let short = step.abs() / path.unit();
     (met.closed && met.doubt <= allowed(short)).then_some((node, met))
 }
@@ -321,9 +318,9 @@ fn leap_from(path: &Path, nodes: &[Node], group: usize, zero: f64) -> Option<(No
     let segment = Segment::new(&path.kernel, far, near);
     let land = |value: f64, segment: &Segment| {
         let mut block = near.block.clone();
-        path.set_inputs(&mut block, &[value]);
-        segment.predict(&[value], &mut block);
-        let found = path.kernel.assemble(&mut block, 0.0);
+        path.set_inputs(OneByOne, &mut block, &[value]);
+        segment.predict(OneByOne, &[value], &mut block);
+        let found = path.kernel.assemble(OneByOne, &mut block, 0.0);
         (found.closed && found.first <= LEAP_OFF).then(|| Node::new(path, value, block))
     };
     let mut node = land(zero + width, &segment)?;

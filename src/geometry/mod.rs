@@ -3,14 +3,16 @@
 //! Nothing here knows what a mechanism is.
 
 mod angle;
+mod lanes;
 mod line;
 mod numbers;
 mod reduced;
 mod system;
 
 pub use angle::{degrees_of, direction_of_degrees, turn_of_degrees};
+pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row};
 pub use line::{Crossing, Line, PARALLEL, Place};
-pub use numbers::{Eight, Number, Pair};
+pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};
 pub use reduced::Reduced;
 pub use system::{LinearSystem, Numbers};
 

@@ -12,10 +12,8 @@ pub struct Reduced<const EQUATIONS: usize, T> {
     columns: [[Pair<T>; 3]; EQUATIONS],
     /// h × s, h × t by equation; components of s, t for one equation.
     rows: [[T; 2]; 2],
-    inverse_determinant: T,
+    /// 1 / |h|² by equation.
     inverse_squares: [T; EQUATIONS],
-    /// The determinant.
-    pub determinant: T,
 }
 
 impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
@@ -23,74 +21,87 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
     #[inline(always)]
     #[must_use]
     pub fn new(columns: [[Pair<T>; 3]; EQUATIONS]) -> Self {
+        let inverse = |[h, ..]: [Pair<T>; 3]| h.x.same(1.0) / h.dot(h);
+        Self::with_inverse_squares(columns, columns.map(inverse))
+    }
+
+    /// The same where 1 / |h|² of each equation is known: of a turned link it is always the same.
+    #[inline(always)]
+    #[must_use]
+    pub fn with_inverse_squares(
+        columns: [[Pair<T>; 3]; EQUATIONS],
+        inverse_squares: [T; EQUATIONS],
+    ) -> Self {
         const { assert!(EQUATIONS == 1 || EQUATIONS == 2) };
-        let one = T::splat(1.0);
-        let [_, s, t] = columns[0];
-        let mut rows = [[s.x, t.x], [s.y, t.y]];
-        let mut inverse_squares = [one; EQUATIONS];
-        if EQUATIONS == 2 {
-            let squares = [0, EQUATIONS - 1].map(|k| columns[k][0].dot(columns[k][0]));
-            // One division for both.
-            let both = one / (squares[0] * squares[1]);
-            inverse_squares = [squares[1] * both; EQUATIONS];
-            inverse_squares[EQUATIONS - 1] = squares[0] * both;
-            rows = [0, EQUATIONS - 1].map(|k| {
-                let [h, s, t] = columns[k];
-                [h.cross(s), h.cross(t)]
-            });
-        }
-        let determinant = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
+        let rows = if EQUATIONS == 1 {
+            let [_, s, t] = columns[0];
+            [[s.x, t.x], [s.y, t.y]]
+        } else {
+            let ([h, s, t], [g, u, v]) = (columns[0], columns[EQUATIONS - 1]);
+            [[h.cross(s), h.cross(t)], [g.cross(u), g.cross(v)]]
+        };
         Self {
             columns,
             rows,
-            inverse_determinant: one / determinant,
             inverse_squares,
-            determinant,
         }
+    }
+
+    /// The determinant.
+    #[inline(always)]
+    #[must_use]
+    pub fn determinant(&self) -> T {
+        let [[a, b], [c, d]] = self.rows;
+        (a * d).minus_product(b, c)
+    }
+
+    /// The determinant's two products; their size times a unit of rounding is how uncertain it is.
+    #[inline(always)]
+    #[must_use]
+    pub fn products(&self) -> [T; 2] {
+        let [[a, b], [c, d]] = self.rows;
+        [a * d, b * c]
     }
 
     /// Square of the determinant over the product of its columns' lengths (Hadamard's ratio): 1 where all unknowns act at
     /// right angles, 0 in a singular position.
     #[must_use]
     pub fn squared_sharpness(&self) -> T {
+        let determinant = self.determinant();
+        let one = determinant.same(1.0);
         let square = |column: usize| {
             let squares = self.columns.iter().map(|c| c[column].dot(c[column]));
-            squares.fold(T::splat(0.0), |sum, square| sum + square)
+            squares.fold(one.same(0.0), |sum, square| sum + square)
         };
-        let own = self
-            .inverse_squares
-            .iter()
-            .fold(T::splat(1.0), |p, i| p * *i);
-        let own = if EQUATIONS == 2 { own } else { T::splat(1.0) };
-        self.determinant * self.determinant * own / (square(1) * square(2))
+        let own = self.inverse_squares.iter().fold(one, |p, i| p * *i);
+        let own = if EQUATIONS == 2 { own } else { one };
+        determinant * determinant * own / (square(1) * square(2))
     }
 
-    /// Sum of the magnitudes of the determinant's two products: in units of rounding, how uncertain it is.
-    #[must_use]
-    pub fn products(&self) -> f64 {
-        let [[a, b], [c, d]] = self.rows;
-        (a * d).largest() + (b * c).largest()
-    }
-
-    /// x, y and, of two equations, their own unknowns, for these right sides.
+    /// x, y and, of two equations, their own unknowns, for these right sides; `inverse` is that of the determinant.
     #[inline(always)]
     #[must_use]
-    pub fn solve(&self, sides: [Pair<T>; EQUATIONS]) -> [T; 4] {
+    pub fn solve(&self, inverse: T, sides: [Pair<T>; EQUATIONS]) -> [T; 4] {
         let [[a, b], [c, d]] = self.rows;
         let [p, q] = if EQUATIONS == 1 {
             [sides[0].x, sides[0].y]
         } else {
-            [0, EQUATIONS - 1].map(|k| self.columns[k][0].cross(sides[k]))
+            let ([h, ..], [g, ..]) = (self.columns[0], self.columns[EQUATIONS - 1]);
+            [h.cross(sides[0]), g.cross(sides[EQUATIONS - 1])]
         };
-        let x = (p * d - q * b) * self.inverse_determinant;
-        let y = (a * q - c * p) * self.inverse_determinant;
+        let x = (p * d).minus_product(q, b) * inverse;
+        let y = (a * q).minus_product(c, p) * inverse;
         if EQUATIONS == 1 {
             return [x, y, x, y];
         }
-        let [first, second] = [0, EQUATIONS - 1].map(|k| {
-            let [h, s, t] = self.columns[k];
-            h.dot(sides[k] - s * x - t * y) * self.inverse_squares[k]
-        });
-        [x, y, first, second]
+        [x, y, self.own(0, x, y, sides), self.own(1, x, y, sides)]
+    }
+
+    /// The own unknown of an equation.
+    #[inline(always)]
+    fn own(&self, equation: usize, x: T, y: T, sides: [Pair<T>; EQUATIONS]) -> T {
+        let [h, s, t] = self.columns[equation];
+        let rest = sides[equation].minus_scaled(s, x).minus_scaled(t, y);
+        h.dot(rest) * self.inverse_squares[equation]
     }
 }

@@ -1,99 +1,173 @@
 use super::Kernel;
-use super::close::System;
-use crate::geometry::{Number, Pair, Point, Turn, Vector};
+use super::compile::{Action, Closing, Placing, Reduced};
+use crate::geometry::{LinearSystem, Point, Row, Turn, Vector};
 
-/// Positions of one mechanism, with their rates, side by side: M numbers of type T for everything.
+/// Positions of mechanisms of one kind with their rates, side by side: a row of numbers for everything.
 ///
-/// Angular rates in rad per unit of time; what has not been computed yet is zero.
+/// Angular rates in rad per unit of time; what has not been computed yet is zero. Vectors are a row of x and a row of y.
 #[derive(Clone, Debug)]
-pub struct Block<T: Number, const M: usize> {
+pub struct Block<R: Row> {
     /// By class: cosine and sine of its angle.
-    pub turns: Vec<[Pair<T>; M]>,
+    pub turns: Vec<[R; 2]>,
     /// By slider: its position along the guide.
-    pub slides: Vec<[T; M]>,
+    pub slides: Vec<R>,
     /// By slot: the place of a point, from the kernel's origin.
-    pub points: Vec<[Pair<T>; M]>,
+    pub points: Vec<[R; 2]>,
     /// By class: angular velocity.
-    pub omegas: Vec<[T; M]>,
+    pub omegas: Vec<R>,
     /// By class: angular acceleration.
-    pub alphas: Vec<[T; M]>,
+    pub alphas: Vec<R>,
     /// By slider: sliding velocity.
-    pub speeds: Vec<[T; M]>,
+    pub speeds: Vec<R>,
     /// By slider: sliding acceleration.
-    pub accelerations: Vec<[T; M]>,
+    pub accelerations: Vec<R>,
     /// By slot: velocity of the point.
-    pub point_velocities: Vec<[Pair<T>; M]>,
+    pub point_velocities: Vec<[R; 2]>,
     /// By slot: acceleration of the point.
-    pub point_accelerations: Vec<[Pair<T>; M]>,
+    pub point_accelerations: Vec<[R; 2]>,
+    /// What does not change while the mechanisms move.
+    pub(super) lengths: Lengths<R>,
     /// By group: its factored equations.
-    pub(super) systems: Vec<System<T, M>>,
-    /// By member of a loop: its vector.
-    pub(super) arms: Vec<[Pair<T>; M]>,
-    /// By slide of a loop's member: the unit direction of its guide in the direction of the walk.
-    pub(super) rails: Vec<[Pair<T>; M]>,
+    pub(super) systems: Vec<System<R>>,
+    /// Columns of loop equations: vectors of members a quarter turn on, and unit directions of guides in the direction of the walk.
+    pub(super) columns: Vec<[R; 2]>,
     /// By placing: the vector from the point that it starts at.
-    pub(super) reaches: Vec<[Pair<T>; M]>,
+    pub(super) reaches: Vec<[R; 2]>,
     /// Right sides, and solutions for them.
-    pub(super) sides: Vec<[Pair<T>; M]>,
-    pub(super) solution: Vec<[T; M]>,
+    pub(super) sides: Vec<[R; 2]>,
+    pub(super) solution: Vec<R>,
 }
 
 /// One position.
-pub type Single = Block<f64, 1>;
+pub type Single = Block<[f64; 1]>;
 
-impl<T: Number, const M: usize> Block<T, M> {
+/// Vectors in the frames of their classes.
+#[derive(Clone, Debug)]
+pub(super) struct Lengths<R> {
+    /// Of columns, with all sliders at zero.
+    pub columns: Vec<[R; 2]>,
+    /// By placing.
+    pub reaches: Vec<[R; 2]>,
+    /// By placing: the direction of its slider, if it has one.
+    pub ways: Vec<[R; 2]>,
+}
+
+/// A group's equations, factored.
+#[derive(Clone, Debug)]
+pub(super) struct System<R> {
+    /// 1 over the determinant of what two loops or one reduce to.
+    pub inverse_determinant: R,
+    /// 1 over the squares of the columns of the two loops' own unknowns.
+    pub inverse_squares: [R; 2],
+    /// A group that does not reduce: one system for each position.
+    pub general: Vec<Option<LinearSystem>>,
+}
+
+impl<R: Row> Block<R> {
     /// A block for `kernel`, the ground's points in their places and everything else at zero.
     #[must_use]
     pub fn new(kernel: &Kernel) -> Self {
-        let pairs = |count| vec![[Pair::splat(Vector::zeros()); M]; count];
-        let numbers = |count| vec![[T::splat(0.0); M]; count];
-        let mut points = pairs(kernel.slots);
-        for (slot, place) in &kernel.fixed {
-            points[*slot] = [Pair::splat(place.coords); M];
-        }
-        Self {
-            turns: vec![[Pair::splat(Vector::x()); M]; kernel.classes],
+        let zero = R::splat(0.0);
+        let pairs = |count| vec![[zero; 2]; count];
+        let numbers = |count| vec![zero; count];
+        let mut block = Self {
+            turns: vec![[R::splat(1.0), zero]; kernel.classes],
             slides: numbers(kernel.sliders),
-            points,
+            points: pairs(kernel.slots),
             omegas: numbers(kernel.classes),
             alphas: numbers(kernel.classes),
             speeds: numbers(kernel.sliders),
             accelerations: numbers(kernel.sliders),
             point_velocities: pairs(kernel.slots),
             point_accelerations: pairs(kernel.slots),
-            systems: kernel.reductions.iter().map(|r| System::new(*r)).collect(),
-            arms: pairs(kernel.arms),
-            rails: pairs(kernel.rails),
+            lengths: Lengths {
+                columns: pairs(kernel.columns),
+                reaches: pairs(kernel.placings),
+                ways: pairs(kernel.placings),
+            },
+            systems: vec![System::new(); kernel.unknowns.len()],
+            columns: pairs(kernel.columns),
             reaches: pairs(kernel.placings),
             sides: pairs(kernel.loops),
             solution: numbers(2 * kernel.loops),
+        };
+        (0..R::LEN).for_each(|position| block.set_lengths(position, kernel));
+        block
+    }
+
+    /// Gives one position the lengths of another mechanism of the same kind: that of [`Kernel::is_like`].
+    pub fn set_lengths(&mut self, position: usize, kernel: &Kernel) {
+        let set = |rows: &mut [R; 2], v: Vector| {
+            rows[0][position] = v.x;
+            rows[1][position] = v.y;
+        };
+        for (slot, place) in &kernel.fixed {
+            set(&mut self.points[*slot], place.coords);
+        }
+        for action in &kernel.actions {
+            match action {
+                Action::Place(Placing {
+                    reach,
+                    local,
+                    slide,
+                    ..
+                }) => {
+                    set(&mut self.lengths.reaches[*reach], *local);
+                    if let Some((_, way)) = slide {
+                        set(&mut self.lengths.ways[*reach], *way);
+                    }
+                }
+                Action::Close(closing) => {
+                    for (column, length) in closing.lengths() {
+                        set(&mut self.lengths.columns[column], length);
+                    }
+                    let squares = &mut self.systems[closing.group].inverse_squares;
+                    for (row, square) in squares.iter_mut().zip(own_squares(closing)) {
+                        row[position] = 1.0 / square;
+                    }
+                }
+            }
         }
     }
 
-    /// The angle of a class as a rotation, in one lane.
+    /// The angle of a class as a rotation, at one position.
     #[must_use]
-    pub fn turn(&self, class: usize, lane: usize) -> Turn {
-        let turn = self.turns[class][lane / T::LANES].lane(lane % T::LANES);
+    pub fn turn(&self, class: usize, position: usize) -> Turn {
+        let turn = vector(&self.turns[class], position);
         Turn::from_cos_sin_unchecked(turn.x, turn.y)
     }
 
-    /// The place of a slot from the kernel's origin, in one lane.
+    /// The place of a slot from the kernel's origin, at one position.
     #[must_use]
-    pub fn place(&self, slot: usize, lane: usize) -> Point {
-        vector(&self.points[slot], lane).into()
+    pub fn place(&self, slot: usize, position: usize) -> Point {
+        vector(&self.points[slot], position).into()
     }
 }
 
-/// The vector of one lane.
-#[inline]
-#[must_use]
-pub fn vector<T: Number, const M: usize>(pairs: &[Pair<T>; M], lane: usize) -> Vector {
-    pairs[lane / T::LANES].lane(lane % T::LANES)
+impl<R: Row> System<R> {
+    fn new() -> Self {
+        System {
+            inverse_determinant: R::splat(0.0),
+            inverse_squares: [R::splat(1.0); 2],
+            general: Vec::new(),
+        }
+    }
 }
 
-/// The number of one lane.
+/// Squares of the columns of both loops' own unknowns with all sliders at zero; 1 where there are none.
+fn own_squares(closing: &Closing) -> [f64; 2] {
+    let Some(Reduced::Two { columns, .. }) = closing.reduced else {
+        return [1.0; 2];
+    };
+    columns.map(|[own, ..]| {
+        let length = closing.lengths().find(|(column, _)| *column == own);
+        length.map_or(1.0, |(_, v)| v.norm_squared())
+    })
+}
+
+/// The vector of one position.
 #[inline]
 #[must_use]
-pub fn number<T: Number, const M: usize>(numbers: &[T; M], lane: usize) -> f64 {
-    numbers[lane / T::LANES].lane(lane % T::LANES)
+pub fn vector<R: Row>(rows: &[R; 2], position: usize) -> Vector {
+    Vector::new(rows[0][position], rows[1][position])
 }

@@ -1,8 +1,12 @@
-use super::compile::{Action, Closing, InputKind, Placing, Source, Unknown};
-use super::{Block, Kernel, Single};
-use crate::geometry::{LinearSystem, Number, Pair, Reduced, UNIT_ROUNDOFF, Vector};
-use crate::mechanism::Reduction;
+use super::block::System;
+use super::compile::{Action, Chain, Closing, InputKind, Placing, Unknown};
+use super::{Block, Kernel, Single, compile, vector};
+use crate::geometry::{
+    Lanes, LinearSystem, MANY, NEAR, Number, OneByOne, Pair, Reduced, Row, UNIT_ROUNDOFF,
+    direction_near, quarters_of,
+};
 use nalgebra::DMatrix;
+use std::ops::Range;
 
 /// Newton steps at most for one group, from a good start.
 const STEPS: usize = 12;
@@ -24,40 +28,32 @@ pub struct Correction {
     pub doubt: f64,
 }
 
-/// A group's equations, factored.
-#[derive(Clone, Debug)]
-pub(super) enum System<T, const M: usize> {
-    One([Reduced<1, T>; M]),
-    Two([Reduced<2, T>; M]),
-    /// One system for each lane.
-    Any(Vec<Option<LinearSystem>>),
-}
-
-impl<T: Number, const M: usize> System<T, M> {
-    /// Room for the system of a group that reduces so.
-    pub fn new(reduction: Option<Reduction>) -> Self {
-        let x = Pair::splat(Vector::x());
-        match reduction {
-            Some(Reduction::OneLoop) => System::One([Reduced::new([[x; 3]]); M]),
-            Some(Reduction::TwoLoops { .. }) => System::Two([Reduced::new([[x; 3]; 2]); M]),
-            None => System::Any(Vec::new()),
-        }
-    }
-}
-
 impl Kernel {
     /// Sets a drive: angles in degrees, or positions along the guide.
     #[inline(always)]
-    pub fn set_input<T: Number, const M: usize>(
+    pub fn set_input<L: Lanes, R: Row>(
         &self,
-        block: &mut Block<T, M>,
+        lanes: L,
+        block: &mut Block<R>,
         input: usize,
-        values: &[T; M],
+        values: &R,
     ) {
         match self.inputs[input].kind {
             InputKind::Turning { class } => {
-                for (turn, value) in block.turns[class].iter_mut().zip(values) {
-                    *turn = value.direction_of_degrees();
+                let turns = &mut block.turns[class];
+                let quarters = quarters_of(values[0]);
+                let mut farthest = lanes.splat(0.0);
+                for k in portions::<L, R>() {
+                    let degrees = lanes.load(values, k);
+                    let away = degrees - lanes.splat(90.0 * quarters);
+                    farthest = farthest.larger(away).larger(-away);
+                    lanes.store_pair(turns, k, direction_near(degrees, quarters));
+                }
+                if lanes.largest(farthest) > NEAR {
+                    for k in 0..R::LEN {
+                        let direction = direction_near(values[k], quarters_of(values[k]));
+                        OneByOne.store_pair(turns, k, direction);
+                    }
                 }
             }
             InputKind::Sliding { slider } => block.slides[slider] = *values,
@@ -70,9 +66,10 @@ impl Kernel {
     /// where a first step is larger than half a radian, or steps do not get smaller, the loops count as not closed.
     /// A first step of at most `sure`, in radians or parts of a group's size, is known to leave only rounding.
     #[inline(always)]
-    pub fn assemble<T: Number, const M: usize>(
+    pub fn assemble<L: Lanes, R: Row>(
         &self,
-        block: &mut Block<T, M>,
+        lanes: L,
+        block: &mut Block<R>,
         sure: f64,
     ) -> Correction {
         let mut worst = Correction {
@@ -82,9 +79,9 @@ impl Kernel {
         };
         for action in &self.actions {
             match action {
-                Action::Place(placing) => place(block, placing),
+                Action::Place(placing) => place(lanes, block, placing),
                 Action::Close(closing) => {
-                    let found = close(block, closing, sure);
+                    let found = close(lanes, block, closing, sure);
                     worst.first = worst.first.max(found.first);
                     worst.doubt = worst.doubt.max(found.doubt);
                     worst.closed &= found.closed;
@@ -104,19 +101,15 @@ impl Kernel {
         let Some(closing) = self.closing(group) else {
             return f64::NAN;
         };
-        arms(block, closing);
-        factor(block, closing);
-        gaps(block, closing);
-        let sides = block.sides[..closing.ends.len()].iter().flatten();
-        let gap = sides
-            .flat_map(|side| [side.x.abs(), side.y.abs()])
-            .fold(0.0, larger);
-        solve(block, closing);
+        turn_columns(OneByOne, block, closing);
+        let sides = block.sides[..closing.chains.len()].iter();
+        let gap = sides.flatten().map(|[x]| x.abs()).fold(0.0, larger);
+        solve::<_, _, true>(OneByOne, block, closing);
         let steps = &block.solution[..closing.unknowns.len()];
         if !steps.iter().flatten().all(|x| x.is_finite()) {
             return f64::INFINITY;
         }
-        correct(block, closing, f64::INFINITY);
+        correct(OneByOne, block, closing, Size::Large);
         gap
     }
 
@@ -126,7 +119,7 @@ impl Kernel {
         let _ = actions.find(|a| matches!(a, Action::Close(closing) if closing.group == group));
         for action in actions {
             match action {
-                Action::Place(placing) => place(block, placing),
+                Action::Place(placing) => place(OneByOne, block, placing),
                 Action::Close(_) => break,
             }
         }
@@ -140,40 +133,46 @@ impl Kernel {
         })
     }
 
-    /// By group, in the first lane: the determinant of its equations, whose sign changes where two branches meet, and the square
-    /// of Hadamard's ratio, 1 down to 0 in a singular position.
+    /// By group: the determinant of its equations, whose sign changes where two branches meet, and the square of Hadamard's
+    /// ratio, 1 down to 0 in a singular position.
     #[must_use]
-    pub fn determinants(&self, block: &Block<f64, 1>) -> Vec<[f64; 2]> {
-        let systems = block.systems.iter().map(|system| match system {
-            System::One([s]) => [s.determinant, s.squared_sharpness()],
-            System::Two([s]) => [s.determinant, s.squared_sharpness()],
-            System::Any(systems) => {
-                let determinant = |s: &LinearSystem| [s.determinant(), s.condition().powi(-2)];
-                systems
-                    .first()
-                    .and_then(Option::as_ref)
-                    .map_or([0.0; 2], determinant)
-            }
-        });
-        systems.collect()
+    pub fn determinants(&self, block: &Single) -> Vec<[f64; 2]> {
+        let groups = 0..block.systems.len();
+        let closings = groups.filter_map(|group| self.closing(group));
+        closings.map(|c| determinant(block, c, 0)).collect()
     }
 }
 
+/// The portions of a row.
 #[inline(always)]
-fn place<T: Number, const M: usize>(block: &mut Block<T, M>, placing: &Placing) {
+#[must_use]
+pub fn portions<L: Lanes, R: Row>() -> Range<usize> {
+    0..R::LEN / L::COUNT
+}
+
+#[inline(always)]
+fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let turn = &block.turns[placing.class];
-    let reach = &mut block.reaches[placing.reach];
-    for k in 0..M {
-        reach[k] = turn[k].turn(placing.local);
+    let (local, reach) = (
+        &block.lengths.reaches[placing.reach],
+        &mut block.reaches[placing.reach],
+    );
+    for k in portions::<L, R>() {
+        let turned = lanes.pair(turn, k).turn(lanes.pair(local, k));
+        lanes.store_pair(reach, k, turned);
     }
-    if let Some((slider, direction)) = placing.slide {
-        let slides = &block.slides[slider];
-        for k in 0..M {
-            reach[k] = reach[k] + turn[k].turn(direction) * slides[k];
+    if let Some((slider, _)) = placing.slide {
+        let (way, slides) = (&block.lengths.ways[placing.reach], &block.slides[slider]);
+        for k in portions::<L, R>() {
+            let way = lanes.pair(turn, k).turn(lanes.pair(way, k));
+            let slid = lanes.pair(reach, k).plus_scaled(way, lanes.load(slides, k));
+            lanes.store_pair(reach, k, slid);
         }
     }
-    for k in 0..M {
-        block.points[placing.to][k] = block.points[placing.from][k] + reach[k];
+    let ends = block.points.get_disjoint_mut([placing.from, placing.to]);
+    let [from, to] = ends.expect("a point is placed from another one");
+    for k in portions::<L, R>() {
+        lanes.store_pair(to, k, lanes.pair(from, k) + lanes.pair(reach, k));
     }
 }
 
@@ -185,31 +184,40 @@ fn larger(a: f64, b: f64) -> f64 {
 
 /// Newton's method for one group.
 #[inline(always)]
-fn close<T: Number, const M: usize>(
-    block: &mut Block<T, M>,
+fn close<L: Lanes, R: Row>(
+    lanes: L,
+    block: &mut Block<R>,
     closing: &Closing,
     sure: f64,
+) -> Correction {
+    turn_columns(lanes, block, closing);
+    solve::<_, _, true>(lanes, block, closing);
+    let first = longest_correction(lanes, block, closing);
+    if first <= sure {
+        correct(lanes, block, closing, Size::Tiny);
+        correct_columns(lanes, block, closing);
+        return Correction {
+            first,
+            closed: true,
+            doubt: 0.0,
+        };
+    }
+    close_by_steps(lanes, block, closing)
+}
+
+/// As many steps as it takes, the first of which has been computed.
+#[inline(never)]
+fn close_by_steps<L: Lanes, R: Row>(
+    lanes: L,
+    block: &mut Block<R>,
+    closing: &Closing,
 ) -> Correction {
     let mut before = f64::INFINITY;
     let mut start: Option<[f64; 2]> = None;
     for _ in 0..STEPS {
-        arms(block, closing);
-        factor(block, closing);
-        gaps(block, closing);
-        solve(block, closing);
         let largest = largest_correction(block, closing);
-        if start.is_none() && largest <= sure {
-            correct(block, closing, largest);
-            arms(block, closing);
-            return Correction {
-                first: largest,
-                closed: true,
-                doubt: 0.0,
-            };
-        }
         // Newton's method squares an error and divides it by the sharpness; what that leaves must be rounding.
-        let doubt =
-            largest * largest / (dullest(&block.systems[closing.group]).sqrt() * UNIT_ROUNDOFF);
+        let doubt = largest * largest / (dullest(block, closing).sqrt() * UNIT_ROUNDOFF);
         let [first, first_doubt] = start.unwrap_or([largest, doubt]);
         let found = |closed| Correction {
             first,
@@ -221,13 +229,19 @@ fn close<T: Number, const M: usize>(
         if doubt.is_nan() || far || (stuck && doubt > 1e3) {
             return found(false);
         }
-        correct(block, closing, largest);
+        let size = if largest < SMALL {
+            Size::Small
+        } else {
+            Size::Large
+        };
+        correct(lanes, block, closing, size);
+        turn_columns(lanes, block, closing);
         if doubt <= 0.25 || stuck {
-            arms(block, closing);
             return found(true);
         }
         start = Some([first, first_doubt]);
         before = largest;
+        solve::<_, _, true>(lanes, block, closing);
     }
     Correction {
         first: f64::INFINITY,
@@ -236,234 +250,341 @@ fn close<T: Number, const M: usize>(
     }
 }
 
-/// The largest correction in the block's solution, in radians or parts of the largest member.
+/// The longest correction of a position, its unknowns taken as a vector in radians and parts of the group's reach: not less than
+/// its largest one; not a number if one of them is not.
 #[inline(always)]
-fn largest_correction<T: Number, const M: usize>(block: &Block<T, M>, closing: &Closing) -> f64 {
+fn longest_correction<L: Lanes, R: Row>(lanes: L, block: &Block<R>, closing: &Closing) -> f64 {
+    let zero = lanes.splat(0.0);
+    let mut squares = [zero; MANY];
+    for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
+        let scale = lanes.splat(match unknown {
+            Unknown::Spin(_) => 1.0,
+            Unknown::Slide(_) => 1.0 / closing.reach,
+        });
+        for k in portions::<L, R>() {
+            let step = lanes.load(steps, k) * scale;
+            squares[k] = squares[k].plus_product(step, step);
+        }
+    }
+    let (mut sum, mut longest) = (zero, zero);
+    for k in portions::<L, R>() {
+        sum = sum + squares[k];
+        longest = longest.larger(squares[k]);
+    }
+    if lanes.sum(sum).is_nan() {
+        return f64::NAN;
+    }
+    lanes.largest(longest).sqrt()
+}
+
+/// The largest correction in the block's solution, in radians or parts of the largest member.
+fn largest_correction<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
     let (mut turns, mut slides): (f64, f64) = (0.0, 0.0);
     for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
         let largest = match unknown {
             Unknown::Spin(_) => &mut turns,
             Unknown::Slide(_) => &mut slides,
         };
-        for step in steps {
-            let step = step.largest();
-            // A NaN must not be lost in a maximum.
-            *largest = if step <= *largest { *largest } else { step };
-        }
+        let steps = steps.as_ref().iter().map(|step| step.abs());
+        *largest = steps.fold(*largest, larger);
     }
     if slides == 0.0 {
         return turns;
     }
-    let mut size = closing.reach;
-    for member in &closing.members {
-        for arm in &block.arms[member.arm] {
-            size = size.max(arm.x.largest()).max(arm.y.largest());
-        }
-    }
-    let slides = slides / size;
-    if slides <= turns { turns } else { slides }
+    let members = closing.chains.iter().flat_map(|c| &c.members);
+    let members = members.map(|m| &block.columns[m.column]);
+    let components = members.flatten().flat_map(|row| row.as_ref());
+    let size = components.fold(closing.reach, |size, x| size.max(x.abs()));
+    larger(turns, slides / size)
 }
 
 /// The smallest squared sharpness of a group's equations.
-#[inline(always)]
-fn dullest<T: Number, const M: usize>(system: &System<T, M>) -> f64 {
-    let least = |sharpness: f64, least: f64| if sharpness < least { sharpness } else { least };
-    match system {
-        System::One(systems) => systems
-            .iter()
-            .fold(1.0, |l, s| least(s.squared_sharpness().smallest(), l)),
-        System::Two(systems) => systems
-            .iter()
-            .fold(1.0, |l, s| least(s.squared_sharpness().smallest(), l)),
-        System::Any(systems) => systems.iter().fold(1.0, |l, s| {
-            let condition = s.as_ref().map_or(f64::INFINITY, LinearSystem::condition);
-            least(condition.powi(-2), l)
-        }),
-    }
+fn dullest<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
+    let sharpness = (0..R::LEN).map(|position| determinant(block, closing, position)[1]);
+    sharpness.fold(1.0, |least, s| if s < least { s } else { least })
 }
 
-/// Turns the members of all loops, and the guides in them.
-#[inline(always)]
-fn arms<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
-    for member in &closing.members {
-        let (turn, arm) = (&block.turns[member.class], &mut block.arms[member.arm]);
-        for k in 0..M {
-            arm[k] = turn[k].turn(member.local);
+/// The determinant of a group's equations at one position, and the square of Hadamard's ratio.
+fn determinant<R: Row>(block: &Block<R>, closing: &Closing, position: usize) -> [f64; 2] {
+    let column = |index: usize| Pair::from(vector(&block.columns[index], position));
+    match closing.reduced {
+        Some(compile::Reduced::One([s, t])) => {
+            let system = Reduced::new([[s, s, t].map(column)]);
+            [system.determinant(), system.squared_sharpness()]
         }
-    }
-    for rail in &closing.rails {
-        let (turn, slides) = (&block.turns[rail.class], &block.slides[rail.slider]);
-        let (guide, arm) = (&mut block.rails[rail.rail], &mut block.arms[rail.arm]);
-        for k in 0..M {
-            guide[k] = turn[k].turn(rail.direction);
-            arm[k] = arm[k] + guide[k] * slides[k];
+        Some(compile::Reduced::Two { columns, .. }) => {
+            let system = Reduced::new(columns.map(|c| c.map(column)));
+            [system.determinant(), system.squared_sharpness()]
+        }
+        None => {
+            let systems = &block.systems[closing.group].general;
+            let system = systems.get(position).and_then(Option::as_ref);
+            system.map_or([0.0; 2], |s| [s.determinant(), s.condition().powi(-2)])
         }
     }
 }
 
-/// What is missing for the loops to close: from their starts, along their members, to their ends.
+/// Turns the vectors of all loops' members, and the guides in them, and finds what is missing for the loops to close:
+/// from their starts, along their members, to their ends.
 #[inline(always)]
-fn gaps<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
-    differences(&mut block.sides, &block.points, closing);
-    for member in &closing.members {
-        let (gap, arm) = (&mut block.sides[member.chain], &block.arms[member.arm]);
-        for k in 0..M {
-            gap[k] = gap[k] - arm[k];
+fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
+    let Block {
+        turns,
+        slides,
+        points,
+        columns,
+        lengths,
+        sides,
+        ..
+    } = block;
+    for (chain, side) in closing.chains.iter().zip(sides) {
+        let mut gaps = chain.difference(lanes, points);
+        for rail in &chain.rails {
+            let (turn, local) = (&turns[rail.class], &lengths.columns[rail.column]);
+            let guide = &mut columns[rail.column];
+            for k in portions::<L, R>() {
+                let turned = lanes.pair(turn, k).turn(lanes.pair(local, k));
+                lanes.store_pair(guide, k, turned);
+            }
+        }
+        for member in &chain.members {
+            let (turn, local) = (&turns[member.class], &lengths.columns[member.column]);
+            let column = &mut columns[member.column];
+            for k in portions::<L, R>() {
+                let turned = lanes.pair(turn, k).turn(lanes.pair(local, k));
+                lanes.store_pair(column, k, turned);
+                // A column is its member's vector a quarter turn on.
+                gaps[k].x = gaps[k].x - turned.y;
+                gaps[k].y = gaps[k].y + turned.x;
+            }
+        }
+        for rail in &chain.rails {
+            let ends = columns.get_disjoint_mut([rail.column, rail.arm]);
+            let [guide, arm] = ends.expect("a guide belongs to a member");
+            let slides = &slides[rail.slider];
+            for k in portions::<L, R>() {
+                let (guide, slide) = (lanes.pair(guide, k), lanes.load(slides, k));
+                let longer = lanes.pair(arm, k).plus_turned(guide, slide);
+                lanes.store_pair(arm, k, longer);
+                gaps[k] = gaps[k].minus_scaled(guide, slide);
+            }
+        }
+        for k in portions::<L, R>() {
+            lanes.store_pair(side, k, gaps[k]);
         }
     }
 }
 
-/// The values at the loops' ends less those at their starts; zero for a loop that closes on itself.
+impl Chain {
+    /// By portion, the value at its end less that at its start; zero for a loop that closes on itself.
+    #[inline(always)]
+    pub(super) fn difference<L: Lanes, R: Row>(
+        &self,
+        lanes: L,
+        values: &[[R; 2]],
+    ) -> [Pair<L::Number>; MANY] {
+        let zero = lanes.splat(0.0);
+        let mut differences = [Pair { x: zero, y: zero }; MANY];
+        if let Some([start, end]) = self.ends {
+            let (start, end) = (&values[start], &values[end]);
+            for k in portions::<L, R>() {
+                differences[k] = lanes.pair(end, k) - lanes.pair(start, k);
+            }
+        }
+        differences
+    }
+}
+
+/// The solution for the block's right sides; factors the equations where `FACTOR`, else takes the factors that there are.
 #[inline(always)]
-pub(super) fn differences<T: Number, const M: usize>(
-    sides: &mut [[Pair<T>; M]],
-    values: &[[Pair<T>; M]],
+pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(
+    lanes: L,
+    block: &mut Block<R>,
     closing: &Closing,
 ) {
-    for (side, ends) in sides.iter_mut().zip(&closing.ends) {
-        for k in 0..M {
-            side[k] = match *ends {
-                Some([start, end]) => values[end][k] - values[start][k],
-                None => Pair::splat(Vector::zeros()),
-            };
+    let Block {
+        columns,
+        systems,
+        sides,
+        solution,
+        ..
+    } = block;
+    let system = &mut systems[closing.group];
+    let Some(reduced) = closing.reduced else {
+        if FACTOR {
+            system.general = general_systems(columns, closing);
         }
-    }
-}
-
-/// The column of an unknown in a loop.
-#[inline(always)]
-fn column<T: Number, const M: usize>(
-    arms: &[[Pair<T>; M]],
-    rails: &[[Pair<T>; M]],
-    source: Source,
-    k: usize,
-) -> Pair<T> {
-    match source {
-        Source::None => Pair::splat(Vector::zeros()),
-        Source::Rail(rail) => rails[rail][k],
-        Source::Arm(arm) => arms[arm][k].quarter_turn(),
-    }
-}
-
-/// Factors a group's equations.
-#[inline(always)]
-pub(super) fn factor<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
-    let (arms, rails) = (&block.arms, &block.rails);
-    let column = |source, k| column(arms, rails, source, k);
-    match (
-        &mut block.systems[closing.group],
-        closing.columns.as_slice(),
-    ) {
-        (System::One(systems), [chain]) => {
-            let &[s, t] = chain.first_chunk().expect("a dyad has two unknowns");
-            for k in 0..M {
-                systems[k] = Reduced::new([[s, s, t].map(|source| column(source, k))]);
+        return solve_general(system, &sides[..closing.chains.len()], solution);
+    };
+    let System {
+        inverse_determinant,
+        inverse_squares,
+        ..
+    } = system;
+    let one = lanes.splat(1.0);
+    match reduced {
+        compile::Reduced::One([s, t]) => {
+            let (s, t) = (&columns[s], &columns[t]);
+            let [x, y] = solution.first_chunk_mut().expect("room for two unknowns");
+            for k in portions::<L, R>() {
+                let (s, t) = (lanes.pair(s, k), lanes.pair(t, k));
+                let system = Reduced::with_inverse_squares([[s, s, t]], [one]);
+                let inverse = if FACTOR {
+                    one / system.determinant()
+                } else {
+                    lanes.load(inverse_determinant, k)
+                };
+                if FACTOR {
+                    lanes.store(inverse_determinant, k, inverse);
+                }
+                let solved = system.solve(inverse, [lanes.pair(&sides[0], k)]);
+                lanes.store(x, k, solved[0]);
+                lanes.store(y, k, solved[1]);
             }
         }
-        (System::Two(systems), [first, second]) => {
-            let columns = [first, second].map(|c| c.first_chunk().expect("four unknowns"));
-            let [[s, t, h, _], [u, v, _, g]] = columns.map(|c: &[Source; 4]| *c);
-            for k in 0..M {
-                let first = [column(h, k), column(s, k), column(t, k)];
-                let second = [column(g, k), column(u, k), column(v, k)];
-                systems[k] = Reduced::new([first, second]);
+        compile::Reduced::Two {
+            columns: [[h, s, t], [g, u, v]],
+            varies,
+        } => {
+            let (h, s, t) = (&columns[h], &columns[s], &columns[t]);
+            let (g, u, v) = (&columns[g], &columns[u], &columns[v]);
+            let sides: &[[R; 2]; 2] = sides.first_chunk().expect("room for two loops");
+            let [x, y, first, second] = solution.first_chunk_mut().expect("room for four");
+            for k in portions::<L, R>() {
+                let (h, g) = (lanes.pair(h, k), lanes.pair(g, k));
+                if FACTOR && varies[0] {
+                    lanes.store(&mut inverse_squares[0], k, one / h.dot(h));
+                }
+                if FACTOR && varies[1] {
+                    lanes.store(&mut inverse_squares[1], k, one / g.dot(g));
+                }
+                let columns = [
+                    [h, lanes.pair(s, k), lanes.pair(t, k)],
+                    [g, lanes.pair(u, k), lanes.pair(v, k)],
+                ];
+                let squares = [
+                    lanes.load(&inverse_squares[0], k),
+                    lanes.load(&inverse_squares[1], k),
+                ];
+                let system = Reduced::with_inverse_squares(columns, squares);
+                let inverse = if FACTOR {
+                    one / system.determinant()
+                } else {
+                    lanes.load(inverse_determinant, k)
+                };
+                if FACTOR {
+                    lanes.store(inverse_determinant, k, inverse);
+                }
+                let sides = [lanes.pair(&sides[0], k), lanes.pair(&sides[1], k)];
+                let solved = system.solve(inverse, sides);
+                lanes.store(x, k, solved[0]);
+                lanes.store(y, k, solved[1]);
+                lanes.store(first, k, solved[2]);
+                lanes.store(second, k, solved[3]);
             }
         }
-        _ => block.systems[closing.group] = System::Any(any_systems(block, closing)),
     }
 }
 
-/// The systems of a group that does not reduce, lane by lane.
+/// The systems of a group that does not reduce, position by position.
 #[inline(never)]
-fn any_systems<T: Number, const M: usize>(
-    block: &Block<T, M>,
-    closing: &Closing,
-) -> Vec<Option<LinearSystem>> {
-    let (loops, unknowns) = (closing.ends.len(), closing.unknowns.len());
-    let system = |lane: usize| {
+fn general_systems<R: Row>(columns: &[[R; 2]], closing: &Closing) -> Vec<Option<LinearSystem>> {
+    let (loops, unknowns) = (closing.chains.len(), closing.unknowns.len());
+    let system = |position: usize| {
         let matrix = DMatrix::from_fn(2 * loops, unknowns, |row, unknown| {
-            let source = closing.columns[row / 2][unknown];
-            let column = column(&block.arms, &block.rails, source, lane / T::LANES);
-            column.lane(lane % T::LANES)[row % 2]
+            let column = closing.chains[row / 2].columns[unknown];
+            columns[column][row % 2][position]
         });
         LinearSystem::new((matrix.nrows() == matrix.ncols()).then_some(matrix)?)
     };
-    (0..M * T::LANES).map(system).collect()
+    (0..R::LEN).map(system).collect()
 }
 
-/// The solution for the block's right sides.
-#[inline(always)]
-pub(super) fn solve<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
-    match &block.systems[closing.group] {
-        System::One(systems) => {
-            for k in 0..M {
-                let [x, y, ..] = systems[k].solve([block.sides[0][k]]);
-                (block.solution[0][k], block.solution[1][k]) = (x, y);
-            }
-        }
-        System::Two(systems) => {
-            for k in 0..M {
-                let solved = systems[k].solve([block.sides[0][k], block.sides[1][k]]);
-                for (unknown, value) in block.solution.iter_mut().zip(solved) {
-                    unknown[k] = value;
-                }
-            }
-        }
-        System::Any(systems) => {
-            let sides = &block.sides[..closing.ends.len()];
-            let solved: Vec<_> = systems
-                .iter()
-                .enumerate()
-                .map(|(lane, system)| {
-                    let sides = sides.iter().flat_map(|side| {
-                        let side = side[lane / T::LANES].lane(lane % T::LANES);
-                        [side.x, side.y]
-                    });
-                    let sides: Vec<f64> = sides.collect();
-                    system.as_ref().map(|system| system.solve(&sides))
-                })
-                .collect();
-            for (unknown, values) in block
-                .solution
-                .iter_mut()
-                .enumerate()
-                .take(closing.unknowns.len())
-            {
-                for k in 0..M {
-                    values[k] = T::from_lanes(|i| {
-                        let solved = solved[k * T::LANES + i].as_ref();
-                        solved.map_or(f64::NAN, |s| s[unknown])
-                    });
-                }
-            }
+#[inline(never)]
+fn solve_general<R: Row>(system: &System<R>, sides: &[[R; 2]], solution: &mut [R]) {
+    for (position, system) in system.general.iter().enumerate() {
+        let side: Vec<f64> = sides.iter().flatten().map(|row| row[position]).collect();
+        let solved = system.as_ref().map(|system| system.solve(&side));
+        for (unknown, row) in solution[..side.len()].iter_mut().enumerate() {
+            row[position] = solved.as_ref().map_or(f64::NAN, |s| s[unknown]);
         }
     }
 }
 
-/// Adds the corrections of the unknowns, of which `largest` is the largest in radians.
+/// How large corrections are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Size {
+    /// Their squares are less than rounding.
+    Tiny,
+    /// Less than [`SMALL`].
+    Small,
+    Large,
+}
+
+/// Adds the corrections of the unknowns.
 #[inline(always)]
-fn correct<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing, largest: f64) {
-    for (unknown, correction) in closing.unknowns.iter().zip(&block.solution) {
+fn correct<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, size: Size) {
+    for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
             Unknown::Slide(slider) => {
                 let slides = &mut block.slides[slider];
-                for k in 0..M {
-                    slides[k] = slides[k] + correction[k];
+                for k in portions::<L, R>() {
+                    lanes.store(slides, k, lanes.load(slides, k) + lanes.load(steps, k));
                 }
             }
             Unknown::Spin(class) => {
                 let turns = &mut block.turns[class];
-                for k in 0..M {
+                for k in portions::<L, R>() {
                     // The turn whose tangent is the correction: to third order the correction itself, and never more than 90°.
-                    let turned = turns[k] + turns[k].quarter_turn() * correction[k];
-                    turns[k] = if largest < SMALL {
-                        unit(turned)
-                    } else {
-                        turned * (T::splat(1.0) / turned.dot(turned).sqrt())
+                    let turn = lanes.pair(turns, k);
+                    let turned = turn.plus_turned(turn, lanes.load(steps, k));
+                    let turned = match size {
+                        Size::Tiny => turned,
+                        Size::Small => unit(turned),
+                        Size::Large => turned * (lanes.splat(1.0) / turned.dot(turned).sqrt()),
                     };
+                    lanes.store_pair(turns, k, turned);
                 }
             }
         }
+    }
+}
+
+/// Corrects the columns for tiny corrections of the unknowns.
+#[inline(always)]
+fn correct_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
+    let Block {
+        columns, solution, ..
+    } = block;
+    for chain in &closing.chains {
+        for member in &chain.members {
+            if let Some(spin) = member.spin {
+                turn_little(lanes, &mut columns[member.column], &solution[spin]);
+            }
+        }
+        for rail in &chain.rails {
+            if let Some(spin) = rail.spin {
+                turn_little(lanes, &mut columns[rail.column], &solution[spin]);
+            }
+            let Some(slide) = rail.slide else { continue };
+            let ends = columns.get_disjoint_mut([rail.column, rail.arm]);
+            let [guide, arm] = ends.expect("a guide belongs to a member");
+            for k in portions::<L, R>() {
+                let step = lanes.load(&solution[slide], k);
+                let longer = lanes.pair(arm, k).plus_turned(lanes.pair(guide, k), step);
+                lanes.store_pair(arm, k, longer);
+            }
+        }
+    }
+}
+
+/// Turns vectors by tiny angles.
+#[inline(always)]
+fn turn_little<L: Lanes, R: Row>(lanes: L, vectors: &mut [R; 2], angles: &R) {
+    for k in portions::<L, R>() {
+        let old = lanes.pair(vectors, k);
+        let turned = old.plus_turned(old, lanes.load(angles, k));
+        lanes.store_pair(vectors, k, turned);
     }
 }
 
@@ -472,7 +593,7 @@ fn correct<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing
 /// Three terms of 1/√(1 + excess): with an excess up to 1e-6 what they leave is beyond rounding.
 #[inline(always)]
 pub fn unit<T: Number>(v: Pair<T>) -> Pair<T> {
-    let one = T::splat(1.0);
+    let (one, half, rest) = (v.x.same(1.0), v.x.same(0.5), v.x.same(0.375));
     let excess = v.dot(v) - one;
-    v * (one - excess * (T::splat(0.5) - excess * 0.375))
+    v * one.minus_product(excess, half.minus_product(excess, rest))
 }

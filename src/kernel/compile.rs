@@ -1,9 +1,10 @@
-use crate::geometry::{Point, Turn, Vector, turn_of_degrees};
+use crate::geometry::{Point, Turn, Vector, quarter_turn, turn_of_degrees};
 use crate::mechanism::{
     Body, BodyId, GROUND, Group, Guide, JointId, JointKind, Loop, LoopEquations, Mechanism,
     Reduction, Role, Slider, SliderId,
 };
 use crate::scene::Form;
+use std::collections::BTreeSet;
 
 /// A mechanism compiled for many positions.
 #[derive(Clone, Debug)]
@@ -14,16 +15,14 @@ pub struct Kernel {
     pub inputs: Vec<Input>,
     /// By group: what its equations solve for.
     pub unknowns: Vec<Vec<Unknown>>,
-    /// By group: how its equations reduce.
-    pub(super) reductions: Vec<Option<Reduction>>,
     pub(super) classes: usize,
     pub(super) sliders: usize,
     /// The most loops that a group has.
     pub(super) loops: usize,
     /// Points first, then places of guides on bodies without points.
     pub(super) slots: usize,
-    pub(super) arms: usize,
-    pub(super) rails: usize,
+    /// Columns of loop equations, the zero column first.
+    pub(super) columns: usize,
     pub(super) placings: usize,
     /// Places in a block count from here, a place of the ground: far from the fixed frame's own origin no digits are lost.
     pub origin: Vector,
@@ -84,14 +83,14 @@ pub enum Unknown {
 }
 
 /// What the kernel does, one after another.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Action {
     Place(Placing),
     Close(Closing),
 }
 
 /// A point that follows from one placed before: from it by `local`, turned with the class, and along a slider.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placing {
     pub to: usize,
     pub from: usize,
@@ -104,64 +103,107 @@ pub(super) struct Placing {
 }
 
 /// The loop equations of a group.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Closing {
     pub group: usize,
-    /// By loop: the slots of its ends; none where it closes on itself.
-    pub ends: Vec<Option<[usize; 2]>>,
-    /// What all loops pass.
-    pub members: Vec<Member>,
-    /// The sliders that all loops pass.
-    pub rails: Vec<Rail>,
-    /// By loop and unknown: which vector is its column.
-    pub columns: Vec<Vec<Source>>,
+    pub chains: Vec<Chain>,
     pub unknowns: Vec<Unknown>,
-    /// Whether and how two equations can be split off; unknowns are then in the order shared, shared, own, own.
-    pub reduction: Option<Reduction>,
+    /// How the equations reduce, if they do; unknowns are then in the order shared, shared, own, own.
+    pub reduced: Option<Reduced>,
     /// The largest component of a member's vector with all sliders at zero; not zero. All of a loop may be of one class,
     /// whose vector is zero where the loop closes.
     pub reach: f64,
 }
 
+/// A loop.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Chain {
+    /// The slots of its ends; none where it closes on itself.
+    pub ends: Option<[usize; 2]>,
+    pub members: Vec<Member>,
+    /// The sliders that it passes.
+    pub rails: Vec<Rail>,
+    /// By unknown: its column; [`ZERO`] where the loop does not pass it.
+    pub columns: Vec<usize>,
+}
+
 /// All that a loop passes of one class.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Member {
-    /// The loop.
-    pub chain: usize,
     pub class: usize,
     /// Its vector in the class's frame with all sliders at zero.
     pub local: Vector,
-    /// Whether its rotation is known before the group is solved.
-    pub known: bool,
-    /// Where its vector is kept.
-    pub arm: usize,
+    /// Which unknown its rotation is; none where that is known before the group is solved.
+    pub spin: Option<usize>,
+    /// Where its vector, a quarter turn on, is kept: the column of its rotation.
+    pub column: usize,
 }
 
 /// A slider that a loop passes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rail {
-    /// The loop.
-    pub chain: usize,
     pub class: usize,
     pub slider: usize,
     /// Its direction in the class's frame, in the direction of the walk.
     pub direction: Vector,
-    /// Whether its position is driven.
-    pub known: bool,
-    /// The arm of the member to which it belongs.
+    /// Which unknown the rotation of its class is.
+    pub spin: Option<usize>,
+    /// Which unknown its slide is; none where that is driven.
+    pub slide: Option<usize>,
+    /// The column of the member to which it belongs.
     pub arm: usize,
-    /// Where its turned direction is kept.
-    pub rail: usize,
+    /// Where its turned direction is kept: the column of its slide.
+    pub column: usize,
 }
 
-/// The column of an unknown.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Source {
-    /// The loop does not pass it.
-    None,
-    /// An arm, a quarter turn on.
-    Arm(usize),
-    Rail(usize),
+/// The column of an unknown that a loop does not pass.
+pub(super) const ZERO: usize = 0;
+
+/// Which columns are those of [`Reduced`](crate::geometry::Reduced).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reduced {
+    /// s, t of one loop.
+    One([usize; 2]),
+    Two {
+        /// h, s, t by loop.
+        columns: [[usize; 3]; 2],
+        /// By loop, whether h gets longer and shorter with a slider.
+        varies: [bool; 2],
+    },
+}
+
+impl Reduced {
+    fn new(reduction: Reduction, chains: &[Chain]) -> Option<Reduced> {
+        match (reduction, chains) {
+            (Reduction::OneLoop, [chain]) => {
+                Some(Reduced::One([chain.columns[0], chain.columns[1]]))
+            }
+            (Reduction::TwoLoops { .. }, [first, second]) => {
+                let [h, g] = [first.columns[2], second.columns[3]];
+                let varies = |chain: &Chain, own| chain.rails.iter().any(|r| r.arm == own);
+                Some(Reduced::Two {
+                    columns: [
+                        [h, first.columns[0], first.columns[1]],
+                        [g, second.columns[0], second.columns[1]],
+                    ],
+                    varies: [varies(first, h), varies(second, g)],
+                })
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Closing {
+    /// Vectors in the frames of their classes, by column: those of members, a quarter turn on, and of guides.
+    pub fn lengths(&self) -> impl Iterator<Item = (usize, Vector)> + '_ {
+        let members = self.chains.iter().flat_map(|c| &c.members);
+        let rails = self.chains.iter().flat_map(|c| &c.rails);
+        let rails = rails.map(|r| (r.column, r.direction));
+        members
+            .map(|m| (m.column, quarter_turn(m.local)))
+            .chain(rails)
+    }
 }
 
 impl Kernel {
@@ -171,10 +213,65 @@ impl Kernel {
         (mechanism.form == Form::Lengths).then(|| Compiler::new(mechanism).run())
     }
 
+    /// Whether `other` is of the same kind: the same actions in the same order, but for lengths.
+    #[must_use]
+    pub fn is_like(&self, other: &Kernel) -> bool {
+        let slots = |k: &Kernel| k.fixed.iter().map(|f| f.0).collect::<Vec<_>>();
+        let bare = |k: &Kernel| k.actions.iter().map(Action::bare).collect::<Vec<_>>();
+        slots(self) == slots(other) && bare(self) == bare(other)
+    }
+
+    /// The kernel that leaves out the places of all points that no loop begins or ends at: for angles, slides and their rates.
+    #[must_use]
+    pub fn without_places(&self) -> Kernel {
+        let mut wanted = BTreeSet::new();
+        let mut kept: Vec<Action> = Vec::new();
+        for action in self.actions.iter().rev() {
+            match action {
+                Action::Close(closing) => {
+                    wanted.extend(closing.chains.iter().filter_map(|c| c.ends).flatten());
+                }
+                Action::Place(placing) if wanted.contains(&placing.to) => {
+                    wanted.insert(placing.from);
+                }
+                Action::Place(_) => continue,
+            }
+            kept.push(action.clone());
+        }
+        kept.reverse();
+        Kernel {
+            actions: kept,
+            ..self.clone()
+        }
+    }
+
     /// How a body sits in its class, and its first place.
     #[must_use]
     pub fn seat(&self, body: BodyId) -> &Seat {
         &self.seats[body.0]
+    }
+}
+
+impl Action {
+    /// The action without its lengths.
+    fn bare(&self) -> Action {
+        let none = Vector::zeros();
+        match self {
+            Action::Place(placing) => Action::Place(Placing {
+                local: none,
+                slide: placing.slide.map(|(slider, _)| (slider, none)),
+                ..*placing
+            }),
+            Action::Close(closing) => {
+                let mut bare = closing.clone();
+                for chain in &mut bare.chains {
+                    chain.members.iter_mut().for_each(|m| m.local = none);
+                    chain.rails.iter_mut().for_each(|r| r.direction = none);
+                }
+                bare.reach = 0.0;
+                Action::Close(bare)
+            }
+        }
     }
 }
 
@@ -200,7 +297,6 @@ impl<'a> Compiler<'a> {
                 seats: Vec::new(),
                 inputs: Vec::new(),
                 unknowns: Vec::new(),
-                reductions: Vec::new(),
                 classes: classes.iter().map(|c| c.0 + 1).max().unwrap_or(1),
                 sliders: mechanism.sliders.len(),
                 loops: mechanism
@@ -210,8 +306,7 @@ impl<'a> Compiler<'a> {
                     .max()
                     .unwrap_or(0),
                 slots: points,
-                arms: 0,
-                rails: 0,
+                columns: ZERO + 1,
                 placings: 0,
                 origin: Vector::zeros(),
                 fixed: Vec::new(),
@@ -264,7 +359,6 @@ impl<'a> Compiler<'a> {
         for (index, group) in self.mechanism.groups.iter().enumerate() {
             let closing = self.closing(index, group);
             self.kernel.unknowns.push(closing.unknowns.clone());
-            self.kernel.reductions.push(closing.reduction);
             self.kernel.actions.push(Action::Close(closing));
             let joints = self.mechanism.joints_of(group);
             self.reach(&joints, |_| true);
@@ -444,22 +538,19 @@ impl<'a> Compiler<'a> {
         }
         let mut closing = Closing {
             group: index,
-            ends: Vec::new(),
-            members: Vec::new(),
-            rails: Vec::new(),
-            columns: Vec::new(),
-            reduction: equations.reduction,
+            chains: Vec::new(),
+            reduced: None,
             unknowns,
             reach: 0.0,
         };
         for chain in &group.loops {
             self.chain(chain, &mut closing);
         }
-        let components = closing
-            .members
-            .iter()
-            .flat_map(|m| [m.local.x.abs(), m.local.y.abs()]);
+        let members = closing.chains.iter().flat_map(|c| &c.members);
+        let components = members.flat_map(|m| [m.local.x.abs(), m.local.y.abs()]);
         closing.reach = components.fold(f64::MIN_POSITIVE, f64::max);
+        let reduction = equations.reduction;
+        closing.reduced = reduction.and_then(|r| Reduced::new(r, &closing.chains));
         closing
     }
 
@@ -476,7 +567,6 @@ impl<'a> Compiler<'a> {
         };
         let mut passed = Passed {
             classes: &self.classes,
-            chain: closing.ends.len(),
             unknowns: &closing.unknowns,
             members: Vec::new(),
             rails: Vec::new(),
@@ -513,32 +603,33 @@ impl<'a> Compiler<'a> {
         let slides = |m: &Member| rails.iter().any(|r| r.class == m.class);
         members.retain(|m| m.local != Vector::zeros() || slides(m));
         for member in &mut members {
-            member.arm = self.kernel.arms;
-            self.kernel.arms += 1;
+            member.column = self.kernel.columns;
+            self.kernel.columns += 1;
             for rail in rails.iter_mut().filter(|r| r.class == member.class) {
-                rail.arm = member.arm;
+                rail.arm = member.column;
             }
         }
         for rail in &mut rails {
-            rail.rail = self.kernel.rails;
-            self.kernel.rails += 1;
+            rail.column = self.kernel.columns;
+            self.kernel.columns += 1;
         }
         let column = |unknown: &Unknown| match *unknown {
             Unknown::Spin(class) => {
                 let member = members.iter().find(|m| m.class == class);
-                member.map_or(Source::None, |m| Source::Arm(m.arm))
+                member.map_or(ZERO, |m| m.column)
             }
             Unknown::Slide(slider) => {
                 let rail = rails.iter().find(|r| r.slider == slider);
-                rail.map_or(Source::None, |r| Source::Rail(r.rail))
+                rail.map_or(ZERO, |r| r.column)
             }
         };
-        closing
-            .columns
-            .push(closing.unknowns.iter().map(column).collect());
-        closing.ends.push(ends);
-        closing.members.extend(members);
-        closing.rails.extend(rails);
+        let columns = closing.unknowns.iter().map(column).collect();
+        closing.chains.push(Chain {
+            ends,
+            members,
+            rails,
+            columns,
+        });
     }
 
     /// Walks over the driven sliders of a compound link to another of its bodies.
@@ -589,24 +680,26 @@ struct Walk {
 /// What a walk along a loop has passed so far.
 struct Passed<'a> {
     classes: &'a [(usize, Turn)],
-    chain: usize,
     unknowns: &'a [Unknown],
     members: Vec<Member>,
     rails: Vec<Rail>,
 }
 
 impl Passed<'_> {
+    fn unknown(&self, unknown: Unknown) -> Option<usize> {
+        self.unknowns.iter().position(|u| *u == unknown)
+    }
+
     /// Adds a vector of a body to the member of its class.
     fn pass(&mut self, body: BodyId, local: Vector) {
         let (class, turn) = self.classes[body.0];
         let index = self.members.iter().position(|m| m.class == class);
         let index = index.unwrap_or_else(|| {
             self.members.push(Member {
-                chain: self.chain,
                 class,
                 local: Vector::zeros(),
-                known: !self.unknowns.contains(&Unknown::Spin(class)),
-                arm: 0,
+                spin: self.unknown(Unknown::Spin(class)),
+                column: ZERO,
             });
             self.members.len() - 1
         });
@@ -616,13 +709,13 @@ impl Passed<'_> {
     /// Adds a slider on a guide of the body's class.
     fn slide(&mut self, body: BodyId, slider: usize, direction: Vector) {
         self.rails.push(Rail {
-            chain: self.chain,
             class: self.classes[body.0].0,
             slider,
             direction,
-            known: !self.unknowns.contains(&Unknown::Slide(slider)),
-            arm: 0,
-            rail: 0,
+            spin: self.unknown(Unknown::Spin(self.classes[body.0].0)),
+            slide: self.unknown(Unknown::Slide(slider)),
+            arm: ZERO,
+            column: ZERO,
         });
     }
 }

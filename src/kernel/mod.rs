@@ -5,14 +5,11 @@
 //! Bodies that prismatic joints tie together turn together: they are one class with one angle. So a loop is a sum of few vectors,
 //! one for each class that it passes, and the loop equations of `mechanism` are read off these.
 
-// The same lane of several arrays is read and written: an index says it best.
-#![allow(clippy::needless_range_loop)]
-
 mod block;
 mod close;
 mod compile;
 mod rates;
 
-pub use block::{Block, Single, number, vector};
-pub use close::{Correction, unit};
+pub use block::{Block, Single, vector};
+pub use close::{Correction, portions, unit};
 pub use compile::{Input, InputKind, Kernel, Seat, Unknown};

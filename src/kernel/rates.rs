@@ -1,34 +1,29 @@
-use super::close::{differences, factor, solve};
-use super::compile::{Action, Closing, InputKind, Placing, Unknown};
+use super::close::{portions, solve};
+use super::compile::{Action, Chain, Closing, InputKind, Placing, Unknown};
 use super::{Block, Kernel};
-use crate::geometry::Number;
+use crate::geometry::{Lanes, MANY, Pair, Row};
+use std::marker::PhantomData;
 
 impl Kernel {
     /// Sets the rates of a drive: angular velocity and acceleration, or speed and acceleration along the guide.
     #[inline(always)]
-    pub fn set_rates<T: Number, const M: usize>(
-        &self,
-        block: &mut Block<T, M>,
-        input: usize,
-        rate: f64,
-        second: f64,
-    ) {
+    pub fn set_rates<R: Row>(&self, block: &mut Block<R>, input: usize, rate: f64, second: f64) {
         let (rates, seconds) = match self.inputs[input].kind {
             InputKind::Turning { class } => (&mut block.omegas[class], &mut block.alphas[class]),
             InputKind::Sliding { slider } => {
                 (&mut block.speeds[slider], &mut block.accelerations[slider])
             }
         };
-        (*rates, *seconds) = ([T::splat(rate); M], [T::splat(second); M]);
+        (*rates, *seconds) = (R::splat(rate), R::splat(second));
     }
 
     /// All velocities and accelerations at assembled positions, from the rates of the drives.
     #[inline(always)]
-    pub fn rates<T: Number, const M: usize>(&self, block: &mut Block<T, M>) {
+    pub fn rates<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>) {
         for action in &self.actions {
             match action {
-                Action::Place(placing) => carry(block, placing),
-                Action::Close(closing) => move_group(block, closing),
+                Action::Place(placing) => carry(lanes, block, placing),
+                Action::Close(closing) => move_group(lanes, block, closing),
             }
         }
     }
@@ -36,42 +31,65 @@ impl Kernel {
 
 /// The rates of a point from those of the one that it was placed from.
 #[inline(always)]
-fn carry<T: Number, const M: usize>(block: &mut Block<T, M>, placing: &Placing) {
-    let reach = &block.reaches[placing.reach];
-    let (omegas, alphas) = (&block.omegas[placing.class], &block.alphas[placing.class]);
-    for k in 0..M {
-        let (r, omega) = (reach[k], omegas[k]);
-        let arm = r.quarter_turn();
-        let mut velocity = block.point_velocities[placing.from][k] + arm * omega;
-        let mut acceleration =
-            block.point_accelerations[placing.from][k] + arm * alphas[k] - r * (omega * omega);
-        if let Some((slider, direction)) = placing.slide {
-            let u = block.turns[placing.class][k].turn(direction);
-            let speed = block.speeds[slider][k];
-            velocity = velocity + u * speed;
-            acceleration = acceleration
-                + u * block.accelerations[slider][k]
-                + u.quarter_turn() * (omega * speed * 2.0);
-        }
-        block.point_velocities[placing.to][k] = velocity;
-        block.point_accelerations[placing.to][k] = acceleration;
+fn carry<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
+    let Block {
+        reaches,
+        omegas,
+        alphas,
+        point_velocities,
+        point_accelerations,
+        ..
+    } = block;
+    let reach = &reaches[placing.reach];
+    let (omegas, alphas) = (&omegas[placing.class], &alphas[placing.class]);
+    let ends = [placing.from, placing.to];
+    let velocities = point_velocities.get_disjoint_mut(ends);
+    let [from_velocity, velocity] = velocities.expect("a point is placed from another one");
+    let accelerations = point_accelerations.get_disjoint_mut(ends);
+    let [from_acceleration, acceleration] =
+        accelerations.expect("a point is placed from another one");
+    for k in portions::<L, R>() {
+        let reach = lanes.pair(reach, k);
+        let (omega, alpha) = (lanes.load(omegas, k), lanes.load(alphas, k));
+        let moved = lanes.pair(from_velocity, k).plus_turned(reach, omega);
+        lanes.store_pair(velocity, k, moved);
+        let moved = lanes.pair(from_acceleration, k);
+        let moved = moved.minus_scaled(reach, omega * omega);
+        lanes.store_pair(acceleration, k, moved.plus_turned(reach, alpha));
+    }
+    let Some((slider, _)) = placing.slide else {
+        return;
+    };
+    let (turn, way) = (
+        &block.turns[placing.class],
+        &block.lengths.ways[placing.reach],
+    );
+    let (speeds, seconds) = (&block.speeds[slider], &block.accelerations[slider]);
+    for k in portions::<L, R>() {
+        let way = lanes.pair(turn, k).turn(lanes.pair(way, k));
+        let (omega, speed) = (lanes.load(omegas, k), lanes.load(speeds, k));
+        let slid = lanes.pair(velocity, k).plus_scaled(way, speed);
+        lanes.store_pair(velocity, k, slid);
+        let slid = lanes.pair(acceleration, k);
+        let slid = slid.plus_scaled(way, lanes.load(seconds, k));
+        let coriolis = omega * (speed + speed);
+        lanes.store_pair(acceleration, k, slid.plus_turned(way, coriolis));
     }
 }
 
 /// The rates of a group, by its equations.
 #[inline(always)]
-fn move_group<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
-    factor(block, closing);
-    velocity_sides(block, closing);
-    solve(block, closing);
+fn move_group<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
+    velocity_sides(lanes, block, closing);
+    solve::<_, _, true>(lanes, block, closing);
     for (unknown, rates) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
             Unknown::Spin(class) => block.omegas[class] = *rates,
             Unknown::Slide(slider) => block.speeds[slider] = *rates,
         }
     }
-    acceleration_sides(block, closing);
-    solve(block, closing);
+    acceleration_sides(lanes, block, closing);
+    solve::<_, _, false>(lanes, block, closing);
     for (unknown, seconds) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
             Unknown::Spin(class) => block.alphas[class] = *seconds,
@@ -82,52 +100,99 @@ fn move_group<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Clos
 
 /// v_end − v_start − Σ ω J r of the members whose rotation is known − Σ ṡ u of the known slides.
 #[inline(always)]
-fn velocity_sides<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
-    differences(&mut block.sides, &block.point_velocities, closing);
-    for member in closing.members.iter().filter(|m| m.known) {
-        let (arm, omegas) = (&block.arms[member.arm], &block.omegas[member.class]);
-        let side = &mut block.sides[member.chain];
-        for k in 0..M {
-            side[k] = side[k] - arm[k].quarter_turn() * omegas[k];
+fn velocity_sides<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
+    for (chain, rows) in closing.chains.iter().zip(&mut block.sides) {
+        let mut side = Side::new(lanes, chain, &block.point_velocities);
+        for member in chain.members.iter() {
+            if member.spin.is_none() {
+                let omegas = &block.omegas[member.class];
+                side.less(&block.columns[member.column], omegas);
+            }
         }
-    }
-    for rail in closing.rails.iter().filter(|r| r.known) {
-        let (guide, speeds) = (&block.rails[rail.rail], &block.speeds[rail.slider]);
-        let side = &mut block.sides[rail.chain];
-        for k in 0..M {
-            side[k] = side[k] - guide[k] * speeds[k];
+        for rail in chain.rails.iter() {
+            if rail.slide.is_none() {
+                let speeds = &block.speeds[rail.slider];
+                side.less(&block.columns[rail.column], speeds);
+            }
         }
+        side.store(rows);
     }
 }
 
 /// a_end − a_start + Σ ω² r − Σ 2 ω ṡ J u, and of known members and slides − Σ α J r − Σ s̈ u.
 #[inline(always)]
-fn acceleration_sides<T: Number, const M: usize>(block: &mut Block<T, M>, closing: &Closing) {
-    differences(&mut block.sides, &block.point_accelerations, closing);
-    for member in &closing.members {
-        let (arm, omegas) = (&block.arms[member.arm], &block.omegas[member.class]);
-        let side = &mut block.sides[member.chain];
-        for k in 0..M {
-            side[k] = side[k] + arm[k] * (omegas[k] * omegas[k]);
-        }
-        if member.known {
-            let alphas = &block.alphas[member.class];
-            for k in 0..M {
-                side[k] = side[k] - arm[k].quarter_turn() * alphas[k];
+fn acceleration_sides<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
+    for (chain, rows) in closing.chains.iter().zip(&mut block.sides) {
+        let mut side = Side::new(lanes, chain, &block.point_accelerations);
+        for member in chain.members.iter() {
+            let column = &block.columns[member.column];
+            side.centripetal(column, &block.omegas[member.class]);
+            if member.spin.is_none() {
+                side.less(column, &block.alphas[member.class]);
             }
+        }
+        for rail in chain.rails.iter() {
+            let guide = &block.columns[rail.column];
+            let omegas = &block.omegas[rail.class];
+            side.coriolis(guide, omegas, &block.speeds[rail.slider]);
+            if rail.slide.is_none() {
+                side.less(guide, &block.accelerations[rail.slider]);
+            }
+        }
+        side.store(rows);
+    }
+}
+
+/// The right side of a loop while it is added up.
+struct Side<L: Lanes, R> {
+    lanes: L,
+    sums: [Pair<L::Number>; MANY],
+    rows: PhantomData<R>,
+}
+
+impl<L: Lanes, R: Row> Side<L, R> {
+    /// The value at the loop's end less that at its start.
+    #[inline(always)]
+    fn new(lanes: L, chain: &Chain, values: &[[R; 2]]) -> Self {
+        Side {
+            lanes,
+            sums: chain.difference(lanes, values),
+            rows: PhantomData,
         }
     }
-    for rail in &closing.rails {
-        let (guide, speeds) = (&block.rails[rail.rail], &block.speeds[rail.slider]);
-        let (omegas, side) = (&block.omegas[rail.class], &mut block.sides[rail.chain]);
-        for k in 0..M {
-            side[k] = side[k] - guide[k].quarter_turn() * (omegas[k] * speeds[k] * 2.0);
+
+    /// − c x of a column c with the rates x.
+    #[inline(always)]
+    fn less(&mut self, column: &[R; 2], rates: &R) {
+        for k in portions::<L, R>() {
+            let column = self.lanes.pair(column, k);
+            self.sums[k] = self.sums[k].minus_scaled(column, self.lanes.load(rates, k));
         }
-        if rail.known {
-            let seconds = &block.accelerations[rail.slider];
-            for k in 0..M {
-                side[k] = side[k] - guide[k] * seconds[k];
-            }
+    }
+
+    /// + ω² r; a column is J r, and r = −J (J r).
+    #[inline(always)]
+    fn centripetal(&mut self, column: &[R; 2], omegas: &R) {
+        for k in portions::<L, R>() {
+            let (column, omega) = (self.lanes.pair(column, k), self.lanes.load(omegas, k));
+            self.sums[k] = self.sums[k].minus_turned(column, omega * omega);
+        }
+    }
+
+    /// − 2 ω ṡ J u of a guide u.
+    #[inline(always)]
+    fn coriolis(&mut self, guide: &[R; 2], omegas: &R, speeds: &R) {
+        for k in portions::<L, R>() {
+            let (omega, speed) = (self.lanes.load(omegas, k), self.lanes.load(speeds, k));
+            let guide = self.lanes.pair(guide, k);
+            self.sums[k] = self.sums[k].minus_turned(guide, omega * (speed + speed));
+        }
+    }
+
+    #[inline(always)]
+    fn store(&self, rows: &mut [R; 2]) {
+        for k in portions::<L, R>() {
+            self.lanes.store_pair(rows, k, self.sums[k]);
         }
     }
 }

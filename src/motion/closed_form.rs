@@ -30,7 +30,11 @@ impl ClosedForm {
             Reduction::OneLoop => {
                 let [s, t, ..] = all[0];
                 let system = Reduced::new([[Vector::zeros(), s, t].map(Pair::from)]);
-                (Self::OneLoop(system), system.determinant, system.products())
+                (
+                    Self::OneLoop(system),
+                    system.determinant(),
+                    system.products(),
+                )
             }
             Reduction::TwoLoops {
                 shared: [x, y],
@@ -40,12 +44,13 @@ impl ClosedForm {
                 let system = Reduced::new(columns);
                 let order = [x, y, own[0], own[1]];
                 let form = Self::TwoLoops(system, order);
-                (form, system.determinant, system.products())
+                (form, system.determinant(), system.products())
             }
         };
         // False for a NaN too. Fourth powers of lengths must not come near the ends of f64's range.
         let size = determinant.abs();
-        let safe = size > 16.0 * UNIT_ROUNDOFF * products && (1e-250..1e250).contains(&size);
+        let uncertain = UNIT_ROUNDOFF * (products[0].abs() + products[1].abs());
+        let safe = size > 16.0 * uncertain && (1e-250..1e250).contains(&size);
         safe.then_some(form)
     }
 
@@ -58,9 +63,12 @@ impl ClosedForm {
         };
         let mut rates = [0.0; 4];
         match self {
-            Self::OneLoop(system) => rates = system.solve([pair(0)]),
+            Self::OneLoop(system) => {
+                rates = system.solve(1.0 / system.determinant(), [pair(0)]);
+            }
             Self::TwoLoops(system, order) => {
-                for (unknown, x) in order.iter().zip(system.solve([pair(0), pair(1)])) {
+                let solved = system.solve(1.0 / system.determinant(), [pair(0), pair(1)]);
+                for (unknown, x) in order.iter().zip(solved) {
                     rates[*unknown] = x;
                 }
             }

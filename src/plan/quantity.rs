@@ -221,6 +221,19 @@ impl Asked {
         )
     }
 
+    /// Whether it can be read without the places and motions of points.
+    #[must_use]
+    pub fn is_of_links_alone(&self) -> bool {
+        use What::{
+            Alpha, Angle, Coriolis, Omega, SlideAcceleration, SlidePosition, SlideVelocity,
+        };
+        match &self.what {
+            Omega(_) | Alpha(_) | Angle(_) | Coriolis(..) => true,
+            SlidePosition(_) | SlideVelocity(_) | SlideAcceleration(_) => true,
+            _ => false,
+        }
+    }
+
     /// Whether special points or plans are needed for it.
     #[must_use]
     pub fn needs_construction(&self) -> bool {

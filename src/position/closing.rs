@@ -1,5 +1,5 @@
 use super::frames::{Frames, local_guide, pinned};
-use crate::geometry::{Pair, Point, UNIT_ROUNDOFF, Vector, span};
+use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::kernel::{Kernel, Single};
 use crate::mechanism::{BodyId, Group, Mechanism};
 
@@ -50,7 +50,7 @@ impl<'a> Closer<'a> {
         for _ in 0..STEPS {
             let state = self.state();
             let points = self.block.points[..self.mechanism.points.len()].iter();
-            let size = span(points.map(|[p]| Point::new(p.x, p.y)));
+            let size = span(points.map(|[[x], [y]]| Point::new(*x, *y)));
             let gap = self.kernel.step(&mut self.block, self.index) / size;
             if !gap.is_finite() {
                 break;
@@ -71,13 +71,13 @@ impl<'a> Closer<'a> {
         self.unload(start.frames, gap)
     }
 
-    fn state(&self) -> (Vec<[Pair<f64>; 1]>, Vec<[f64; 1]>) {
+    fn state(&self) -> (Vec<[[f64; 1]; 2]>, Vec<[f64; 1]>) {
         (self.block.turns.clone(), self.block.slides.clone())
     }
 
     /// Sets the block to what is known and to the start of what is not.
     fn load(&mut self, start: &Assembled) {
-        let pair = |v: Vector| [Pair::from(v)];
+        let pair = |v: Vector| [[v.x], [v.y]];
         for (slide, position) in self.block.slides.iter_mut().zip(&start.slides) {
             *slide = [*position];
         }
