@@ -23,6 +23,7 @@
 //! Conventions: x right, y up, counter-clockwise positive; radians inside, degrees in scenes and results. Lengths and times
 //! keep the scene's own units all the way.
 
+pub mod accuracy;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod cycle;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
-const ORDER: [&str; 12] = [
+const ORDER: [&str; 13] = [
     "geometry",
     "scene",
     "mechanism",
@@ -12,6 +12,7 @@ const ORDER: [&str; 12] = [
     "position",
     "motion",
     "plan",
+    "accuracy",
     "cycle",
     "drawing",
     "format",

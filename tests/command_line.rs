@@ -1,45 +1,13 @@
 //! The program from outside: results on stdout, one clear message on stderr, the right exit code, nothing half-written.
 #![cfg(feature = "cli")]
 
-use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+mod program;
+
+use program::{kinegon, scratch, stderr, with_scene};
+use std::path::Path;
 
 const FIGURE_2: &str = include_str!("../examples/figure-2.json");
 const BOOM: &str = include_str!("../templates/hydraulic-boom.json");
-
-fn kinegon() -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_kinegon"));
-    command.env_remove("CLICOLOR_FORCE").stdin(Stdio::null());
-    command
-}
-
-/// Runs `kinegon ARGUMENTS -` with a scene on stdin.
-fn with_scene(arguments: &[&str], scene: &[u8]) -> Output {
-    let mut child = kinegon()
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    let mut stdin = child.stdin.take().expect("it is piped");
-    // A program that refuses early need not read to the end.
-    let _ = stdin.write_all(scene);
-    drop(stdin);
-    child.wait_with_output().expect("the program ends")
-}
-
-fn scratch(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).expect("the test's folder can be written");
-    folder
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
 
 /// A scene that must be refused: exit code, words that the message must have, the scene.
 fn refused() -> Vec<(i32, Vec<&'static str>, Vec<u8>)> {

@@ -1,23 +1,20 @@
 //! `kinegon sweep` from outside: tables on stdout or in files, whole or not at all.
 #![cfg(feature = "cli")]
 
+mod program;
+
 use kinegon::cycle::{Drive, Path as Branch, Steps, Sweep};
 use kinegon::{format, mechanism, position, scene};
+use program::{kinegon, scratch, stderr};
 use std::io::{BufRead, BufReader, Write};
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
+use std::path::Path;
+use std::process::{Child, Output, Stdio};
 use std::time::{Duration, Instant};
 
 const FIGURE_2: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/figure-2.json");
 
 /// Longer than any of these commands takes; much less than they would take if they did not stop.
 const SOON: Duration = Duration::from_secs(60);
-
-fn kinegon() -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_kinegon"));
-    command.env_remove("CLICOLOR_FORCE").stdin(Stdio::null());
-    command
-}
 
 fn sweep(arguments: &[&str]) -> Output {
     let output = kinegon().args(["sweep", FIGURE_2]).args(arguments).output();
@@ -26,17 +23,6 @@ fn sweep(arguments: &[&str]) -> Output {
 
 fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).expect("UTF-8")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn scratch(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).expect("the test's folder can be written");
-    folder
 }
 
 fn names(folder: &Path) -> Vec<String> {

@@ -93,7 +93,7 @@ fn assembly_modes() {
         let case: Value = serde_json::from_str(line).expect("a line is JSON");
         let name = case["name"].as_str().expect("a case has a name");
         let (_, which) = name.rsplit_once('/').expect("a case of a mechanism");
-        let scene = Scene::read(scene_text(line)).expect("a good scene");
+        let scene = Scene::read(files::scene_text(line)).expect("a good scene");
         let mechanism = mechanism(&scene).expect("a mechanism");
         let pose = pose(&mechanism, &scene.near);
         if which == "none" {
@@ -241,7 +241,7 @@ impl Report {
         let case: Value = serde_json::from_str(line).expect("a line is JSON");
         let name = case["name"].as_str().expect("a case has a name");
         self.cases += 1;
-        let solved = Stages::of(scene_text(line)).map(|stages| stages.result());
+        let solved = Stages::of(files::scene_text(line)).map(|stages| stages.result());
         if case["expect"]["singular"] == true {
             self.singular += 1;
             if !matches!(solved, Err(Error::Motion(MotionError::Singular { .. }))) {
@@ -385,24 +385,6 @@ impl Report {
             }
         }
     }
-}
-
-/// The scene's own text, so that its numbers are read by the library and nobody before it.
-fn scene_text(line: &str) -> &str {
-    let key = "\"scene\":";
-    let start = line.find(key).expect("a case has a scene") + key.len();
-    let mut depth = 0;
-    for (i, byte) in line.bytes().enumerate().skip(start) {
-        match byte {
-            b'{' => depth += 1,
-            b'}' => depth -= 1,
-            _ => {}
-        }
-        if depth == 0 {
-            return &line[start..=i];
-        }
-    }
-    panic!("the scene ends")
 }
 
 fn holds_null(json: &Value) -> bool {

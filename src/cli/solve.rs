@@ -1,6 +1,7 @@
 use super::files;
-use super::message::Failure;
+use super::message::{Failure, warn};
 use super::work::{Mode, Work, work};
+use crate::accuracy::bounds;
 use crate::drawing::scales;
 use crate::format::{self, QuantityResult, ResultFile, Solved};
 use crate::motion::Order;
@@ -16,12 +17,18 @@ pub(super) struct Solve {
     scene: PathBuf,
     #[command(flatten)]
     mode: Mode,
+    /// Print a table of all rates, velocities and accelerations in place of JSON, each with only those digits that are certain.
+    #[arg(long)]
+    digits: bool,
 }
 
 impl Solve {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
         let work = work(&source, self.mode.number, needed)?;
+        if self.digits {
+            return print_digits(&work);
+        }
         let mut result = format::result(Solved {
             units: work.scene.units,
             mechanism: &work.mechanism,
@@ -34,6 +41,28 @@ impl Solve {
         work.warn();
         files::print(format::json(&result).as_bytes())
     }
+}
+
+/// The table of certain digits; says which of the wanted quantities have no stated bound.
+fn print_digits(work: &Work) -> Result<(), Failure> {
+    let (mechanism, pose, motion) = (&work.mechanism, &work.pose, &work.motion);
+    let units = work.scene.units;
+    let bounds = bounds(mechanism, pose, motion);
+    let construction = &work.construction;
+    let text = format::digits(units, mechanism, pose, motion, construction, &bounds);
+    work.warn();
+    for name in work.scene.want.iter().flatten() {
+        // A vector stands there by its components.
+        let begins = |line: &str| {
+            line.starts_with(&format!("{name} ")) || line.starts_with(&format!("{name}."))
+        };
+        if !text.lines().any(begins) {
+            warn(&format!(
+                "`{name}` has no stated bound of its error and is left out of the table; without --digits its value is printed"
+            ));
+        }
+    }
+    files::print(text.as_bytes())
 }
 
 /// Accelerations unless the scene's `want` names only quantities without them.

@@ -4,6 +4,7 @@
 
 #[cfg(feature = "arrow")]
 mod columns;
+mod digits;
 mod json;
 mod number;
 mod outline;
@@ -17,6 +18,7 @@ mod table;
 
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
+pub use self::digits::digits;
 pub use self::json::json;
 #[cfg(feature = "png")]
 pub use self::png::{PngError, png};

@@ -1,3 +1,4 @@
+use super::digits::holder;
 use crate::geometry::{Place, Vector, degrees_of};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::{Motion, Order};
@@ -255,11 +256,7 @@ fn points(solved: Solved<'_>) -> IndexMap<String, PointResult> {
         on: on.map(|b| mechanism.body(b).name.clone()),
     };
     for point in (0..mechanism.points.len()).map(PointId) {
-        // A known body first: it has the point's motion exactly.
-        let bodies = || (0..mechanism.bodies.len()).map(BodyId);
-        let holds = |b: &BodyId| mechanism.body(*b).points.contains(&point);
-        let known = bodies().filter(holds).find(|&b| mechanism.is_known(b));
-        if let Some(body) = known.or_else(|| bodies().find(holds)) {
+        if let Some(body) = holder(mechanism, point) {
             let name = mechanism.point_name(point).to_owned();
             points.insert(name, moving(body, pose.point(point), None));
         }

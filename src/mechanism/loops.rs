@@ -162,6 +162,20 @@ impl LoopEquations {
         }
     }
 
+    /// The rotation of `link`: an unknown, or that of the known body to which prismatic joints tie it.
+    #[must_use]
+    pub fn spin_of(&self, link: BodyId) -> Spin {
+        spin_of(&self.spins, link)
+    }
+
+    /// A link whose angular rate is this unknown; `None` for a slide rate.
+    #[must_use]
+    pub fn link_of(&self, unknown: usize) -> Option<BodyId> {
+        let mut spins = self.spins.iter();
+        let found = spins.find(|(_, spin)| *spin == Spin::Unknown(unknown))?;
+        Some(found.0)
+    }
+
     /// The value of `link`'s angular rate, given the unknowns and the known bodies' rates.
     #[must_use]
     pub fn spin(&self, link: BodyId, x: &[f64], known: impl Fn(BodyId) -> f64) -> f64 {

@@ -1,5 +1,6 @@
 //! Numbers of about 32 digits, so that a difference from a published decimal is not blurred by reading that decimal.
 //! Plain code on purpose: it shares nothing with what it measures.
+#![allow(dead_code)] // not every test uses all of it
 
 use std::ops::{Add, Mul, Neg, Sub};
 

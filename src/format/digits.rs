@@ -1,0 +1,247 @@
+use crate::accuracy::Bounds;
+use crate::geometry::{Point, Vector};
+use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
+use crate::motion::Motion;
+use crate::plan::{Construction, Kind, coincident_name};
+use crate::position::Pose;
+use crate::scene::Units;
+
+/// Every ω, α, velocity and acceleration with only those digits that are certain, as a table: name, value, unit, bound of the error.
+///
+/// The true value is within one unit of the last digit that is printed. A given value stands there as it is, with bound 0.
+#[must_use]
+pub fn digits(
+    units: Units,
+    mechanism: &Mechanism,
+    pose: &Pose,
+    motion: &Motion,
+    construction: &Construction,
+    bounds: &Bounds<'_>,
+) -> String {
+    let mut table = Table {
+        units,
+        bounds,
+        motion,
+        lines: Vec::new(),
+    };
+    for (link, body) in mechanism.links() {
+        // Of a stub only one point's motion means anything.
+        if body.role != Role::Stub {
+            let (rates, [omega, alpha]) = (motion.body(link), bounds.spin(link));
+            let name = |letter: &str| format!("{letter}({})", body.name);
+            table.line(name("omega"), rates.omega, omega, Kind::AngularVelocity);
+            table.line(name("alpha"), rates.alpha, alpha, Kind::AngularAcceleration);
+        }
+    }
+    for slider in (0..mechanism.sliders.len()).map(SliderId) {
+        let (slide, [velocity, acceleration]) = (motion.slide(slider), bounds.slide(slider));
+        let name = mechanism.slider_name(slider);
+        let letter = |letter: &str| format!("{letter}({name})");
+        table.line(letter("v_r"), slide.velocity, velocity, Kind::Velocity);
+        table.line(
+            letter("a_r"),
+            slide.acceleration,
+            acceleration,
+            Kind::Acceleration,
+        );
+        let coriolis = motion.coriolis(pose, slider, mechanism.slider(slider).on);
+        let bound = bounds.coriolis(slider);
+        table.vector(&letter("a_c"), coriolis, bound, Kind::Acceleration);
+    }
+    for point in (0..mechanism.points.len()).map(PointId) {
+        if let Some(body) = holder(mechanism, point) {
+            table.point(mechanism.point_name(point), body, pose.point(point));
+        }
+    }
+    for slider in &mechanism.sliders {
+        let (at, on) = (mechanism.point_name(slider.at), mechanism.body(slider.on));
+        if !on.points.contains(&slider.at) {
+            let name = coincident_name(at, &on.name);
+            table.point(&name, slider.on, pose.point(slider.at));
+        }
+    }
+    for special in construction.special.iter().flatten() {
+        if let Some(place) = special.place.finite().filter(|_| special.is_assur) {
+            let errors = bounds.special(special).unwrap_or_default();
+            table.place(&special.name, special.link, place, errors);
+        }
+    }
+    table.text()
+}
+
+/// The body whose motion a point's is read from: one of known motion first.
+pub(super) fn holder(mechanism: &Mechanism, point: PointId) -> Option<BodyId> {
+    let bodies = || (0..mechanism.bodies.len()).map(BodyId);
+    let holds = |b: &BodyId| mechanism.body(*b).points.contains(&point);
+    let known = bodies().filter(holds).find(|&b| mechanism.is_known(b));
+    known.or_else(|| bodies().find(holds))
+}
+
+struct Table<'a> {
+    units: Units,
+    bounds: &'a Bounds<'a>,
+    motion: &'a Motion,
+    lines: Vec<[String; 4]>,
+}
+
+impl Table<'_> {
+    fn line(&mut self, name: String, value: f64, bound: f64, kind: Kind) {
+        let is_acceleration = matches!(kind, Kind::Acceleration | Kind::AngularAcceleration);
+        if is_acceleration && !self.bounds.has_accelerations() {
+            return;
+        }
+        let (value, bound) = match certain(value, bound) {
+            Certain::Digits(value) => (value, format!("± {}", upwards(bound))),
+            Certain::None(within) => ("0".to_owned(), format!("± {within}, no digit is certain")),
+        };
+        let line = [name, value, kind.unit(self.units), bound];
+        self.lines.push(line);
+    }
+
+    fn vector(&mut self, name: &str, vector: Vector, bound: f64, kind: Kind) {
+        self.line(format!("{name}.x"), vector.x, bound, kind);
+        self.line(format!("{name}.y"), vector.y, bound, kind);
+    }
+
+    fn point(&mut self, name: &str, body: BodyId, p: Point) {
+        self.place(name, body, p, self.bounds.motion_at(body, p));
+    }
+
+    fn place(&mut self, name: &str, body: BodyId, p: Point, [velocity, acceleration]: [f64; 2]) {
+        let motion = self.motion.body(body);
+        let (v, a) = (motion.velocity_at(p), motion.acceleration_at(p));
+        self.vector(&format!("v({name})"), v, velocity, Kind::Velocity);
+        self.vector(&format!("a({name})"), a, acceleration, Kind::Acceleration);
+    }
+
+    /// Names to the left, values with their decimal points below each other.
+    fn text(&self) -> String {
+        let before = |value: &str| value.find(['.', 'e']).unwrap_or(value.len());
+        let wide = |text: &str| text.chars().count();
+        let widest = |of: &dyn Fn(&[String; 4]) -> usize| self.lines.iter().map(of).max();
+        let name = widest(&|l| wide(&l[0])).unwrap_or(0);
+        let left = widest(&|l| before(&l[1])).unwrap_or(0);
+        let value = widest(&|l| left - before(&l[1]) + l[1].len()).unwrap_or(0);
+        let unit = widest(&|l| wide(&l[2])).unwrap_or(0);
+        let lines = self.lines.iter().map(|line| {
+            let shift = " ".repeat(left - before(&line[1]));
+            let shown = format!("{shift}{}", line[1]);
+            format!(
+                "{:name$}  {shown:value$}  {:unit$}  {}\n",
+                line[0], line[2], line[3]
+            )
+        });
+        lines.collect()
+    }
+}
+
+/// A value as far as it is certain.
+#[derive(Debug, PartialEq)]
+enum Certain {
+    /// Its text: the true value is within one unit of the last digit.
+    Digits(String),
+    /// No digit is certain: the true value lies within this of zero.
+    None(String),
+}
+
+/// The digits of `value` that are certain where its error is at most `bound`.
+///
+/// Rounding the text may add half a unit of the last digit, so the bound may take up the other half.
+fn certain(value: f64, bound: f64) -> Certain {
+    // Given values, and those that have no error: the shortest text that reads back to the number.
+    if bound == 0.0 {
+        return Certain::Digits(plain(value));
+    }
+    let last = place_above(2.0 * bound);
+    // The place of the first digit.
+    let first = exponent(&format!("{:e}", value.abs()));
+    if value == 0.0 || first < last {
+        return Certain::None(upwards(value.abs() + bound));
+    }
+    // More than 17 digits say nothing more of an f64.
+    let digits = (first - last).min(16);
+    if last <= 0 && (-5..9).contains(&first) {
+        Certain::Digits(format!("{value:.*}", (digits - first) as usize))
+    } else {
+        Certain::Digits(format!("{value:.*e}", digits as usize))
+    }
+}
+
+/// The shortest text that reads back to a number, without an exponent where it is not long.
+fn plain(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if (1e-5..1e9).contains(&size) {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// A positive number rounded up to one digit, as in `3e-17`; 0 stays.
+fn upwards(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let text = format!("{x:.0e}");
+    if text.parse().is_ok_and(|rounded: f64| x <= rounded) {
+        return text;
+    }
+    // Rounded down: one unit more; 9 was rounded down to itself.
+    let power = exponent(&text);
+    match text.as_bytes()[0] {
+        b'9' => format!("1e{}", power + 1),
+        digit => format!("{}e{power}", char::from(digit + 1)),
+    }
+}
+
+/// The exponent of a number written with one.
+fn exponent(text: &str) -> i32 {
+    let power = text.split_once('e').map(|(_, power)| power.parse());
+    power.and_then(Result::ok).unwrap_or(0)
+}
+
+/// The smallest whole k with x ≤ 10^k, for a positive x.
+fn place_above(x: f64) -> i32 {
+    let k = exponent(&format!("{x:e}"));
+    let unit: f64 = format!("1e{k}").parse().unwrap_or(x);
+    if x <= unit { k } else { k + 1 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_digit_is_right_to_one_unit() {
+        for (value, bound, text) in [
+            (1.23456789, 0.0004, "1.235"),
+            (1.23456789, 0.0006, "1.23"),
+            (-0.00860783887219, 7.5e-16, "-0.00860783887219"),
+            (0.99999, 0.0005, "1.000"),
+            (123456.0, 400.0, "1.23e5"),
+            (123456.0, 0.4, "123456"),
+            (3.0, 0.4, "3"),
+            (2.5, 0.0, "2.5"),
+            (0.0, 0.0, "0"),
+            (1e-9, 1e-12, "1.00e-9"),
+            (1.0, 1e-300, "1.0000000000000000"),
+        ] {
+            let digits = Certain::Digits(text.to_owned());
+            assert_eq!(certain(value, bound), digits, "{value} {bound}");
+        }
+        for (value, bound, within) in [
+            (0.0, 3e-17, "3e-17"),
+            (2e-17, 1e-17, "3e-17"),
+            (7.0, 4.0, "2e1"),
+            (1.0, 9.5, "2e1"),
+            (-4.0, 5.0, "9e0"),
+        ] {
+            let none = Certain::None(within.to_owned());
+            assert_eq!(certain(value, bound), none, "{value} {bound}");
+        }
+        assert_eq!(upwards(3.0000001e-17), "4e-17");
+        assert_eq!(upwards(9.5e-17), "1e-16");
+    }
+}
