@@ -27,6 +27,7 @@ pub mod accuracy;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod cycle;
+pub mod drafting;
 pub mod drawing;
 pub mod format;
 pub mod geometry;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
-const ORDER: [&str; 13] = [
+const ORDER: [&str; 14] = [
     "geometry",
     "scene",
     "mechanism",
@@ -13,6 +13,7 @@ const ORDER: [&str; 13] = [
     "motion",
     "plan",
     "accuracy",
+    "drafting",
     "cycle",
     "drawing",
     "format",

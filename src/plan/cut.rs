@@ -165,6 +165,8 @@ pub struct Special {
     pub name: String,
     /// Whether it is a special (Assur) point, not a joint.
     pub is_assur: bool,
+    /// The joint at which it is, where it is not a special (Assur) point.
+    pub target: Option<PointId>,
     /// The link to which it belongs.
     pub link: BodyId,
     /// The two cut lines.
@@ -206,6 +208,7 @@ pub fn special_points(mechanism: &Mechanism, pose: &Pose, group: &Group) -> Vec<
         }
         Special {
             is_assur: point.target.is_none(),
+            target: point.target,
             name: point.name.clone(),
             link: point.link,
             cuts,

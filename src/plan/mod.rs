@@ -21,7 +21,8 @@ pub use name::{
     coincident_name, coriolis_name, display, image_name, normal_name, point_on, slide_name,
 };
 pub use quantity::{
-    Asked, Quantity, QuantityError, Scales, is_acceleration, measured_names, quantity,
+    Asked, Component, Normality, Quantity, QuantityError, Scales, Spot, What, is_acceleration,
+    measured_names, quantity,
 };
 pub use state::{Snapshot, State};
 pub use step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};

@@ -109,39 +109,58 @@ pub struct Asked {
     pub(super) component: Option<Component>,
 }
 
+/// What a name asks for.
 #[derive(Clone, Debug)]
-pub(super) enum What {
+pub enum What {
+    /// Angular velocity.
     Omega(BodyId),
+    /// Angular acceleration.
     Alpha(BodyId),
+    /// Angle of the axis.
     Angle(BodyId),
+    /// Position along the guide.
     SlidePosition(SliderId),
+    /// Velocity along the guide.
     SlideVelocity(SliderId),
+    /// Acceleration along the guide.
     SlideAcceleration(SliderId),
+    /// Coriolis acceleration, and the body that carries the guide.
     Coriolis(SliderId, BodyId),
     /// A coordinate: axis 0 or 1.
     Coordinate(usize, Spot),
+    /// A distance.
     Length(Spot, Spot),
+    /// Velocity, relative to a second place where there is one.
     Velocity(Spot, Option<Spot>),
+    /// Acceleration, relative to a second place where there is one.
     Acceleration(Spot, Option<Spot>),
-    /// Normal or tangential part of the acceleration of the first, relative to the second.
+    /// Normal or tangential part of the acceleration of the first, relative to the second; the link to which both belong.
     Part(Normality, Spot, Spot, Option<BodyId>),
+    /// A segment of a plan.
     Segment {
+        /// Which plan.
         kind: PlanKind,
+        /// From this plan point …
         from: String,
+        /// … to this one.
         to: String,
+        /// Whether it is asked for in millimetres of paper.
         on_paper: bool,
     },
 }
 
+/// Which part of an acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Normality {
+pub enum Normality {
+    /// Towards the other place.
     Normal,
+    /// Across that.
     Tangential,
 }
 
 /// A named place of a body.
 #[derive(Clone, Debug)]
-pub(super) enum Spot {
+pub enum Spot {
     /// Where this point is, as a place of this body.
     Point(BodyId, PointId, String),
     /// A special point by its name.
@@ -149,7 +168,9 @@ pub(super) enum Spot {
 }
 
 impl Spot {
-    pub(super) fn name(&self) -> &str {
+    /// Its name.
+    #[must_use]
+    pub fn name(&self) -> &str {
         match self {
             Spot::Point(_, _, name) | Spot::Special(name) => name,
         }
@@ -158,10 +179,14 @@ impl Spot {
 
 /// A number of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Component {
+pub enum Component {
+    /// Along x.
     X,
+    /// Along y.
     Y,
+    /// Its length.
     Size,
+    /// Its direction in degrees.
     Angle,
 }
 
@@ -200,6 +225,18 @@ impl Asked {
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// What it asks for.
+    #[must_use]
+    pub fn what(&self) -> &What {
+        &self.what
+    }
+
+    /// Which number of a vector it asks for, if one.
+    #[must_use]
+    pub fn component(&self) -> Option<Component> {
+        self.component
     }
 
     /// Whether its value is a vector.

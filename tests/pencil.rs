@@ -1,0 +1,241 @@
+//! The construction replayed act by act: without errors it is a third route to every number, with them it gives the bands of honest
+//! hand drawings, which simulated drawings keep to.
+
+mod files;
+mod random;
+mod stages;
+
+use kinegon::drafting::{
+    Band, Change, Disturbance, Drafting, Error, Reading, Sheet, SheetScales, Tolerance, Unread,
+    drafting_with, readable_names,
+};
+use kinegon::drawing::scales;
+use kinegon::plan::{Asked, Quantity};
+use random::Random;
+use stages::Stages;
+
+/// Every starting scene and the examples.
+fn scenes() -> Vec<(String, String)> {
+    let mut scenes = files::templates();
+    scenes.extend(files::scenes("examples"));
+    scenes
+}
+
+/// A scene as it is drawn by hand: what is read from it, and the values of the numeric solution.
+struct Sheets {
+    stages: Stages,
+    asked: Vec<Asked>,
+    drafting: Drafting,
+    readings: Vec<Result<Reading, Unread>>,
+}
+
+impl Sheets {
+    fn of(text: &str) -> Sheets {
+        let stages = Stages::of(text).expect("a good scene");
+        let Stages {
+            mechanism,
+            pose,
+            motion,
+            construction,
+            ..
+        } = &stages;
+        let mut names = readable_names(mechanism, motion, construction);
+        let points = mechanism.points.clone();
+        names.extend(
+            points
+                .iter()
+                .flat_map(|p| [format!("x({p})"), format!("y({p})")]),
+        );
+        let asked = names.iter().map(|name| Asked::new(name, mechanism));
+        let asked: Vec<Asked> = asked.map(|a| a.expect("a known name")).collect();
+        let (drafting, readings) = drafting_with(mechanism, pose, motion, construction, &asked);
+        Sheets {
+            asked,
+            drafting,
+            readings,
+            stages,
+        }
+    }
+
+    fn scales(&self) -> SheetScales {
+        let Stages {
+            scene,
+            mechanism,
+            pose,
+            construction,
+            ..
+        } = &self.stages;
+        let scales = scales(scene, mechanism, pose, construction);
+        let given = [scales.length, scales.velocity, scales.acceleration];
+        SheetScales {
+            per_mm: given.map(|s| s.expect("all three panels")),
+        }
+    }
+
+    fn truth(&self, asked: &Asked) -> f64 {
+        let Stages {
+            mechanism,
+            pose,
+            motion,
+            construction,
+            ..
+        } = &self.stages;
+        let name = asked.name();
+        let value = kinegon::plan::quantity(name, mechanism, pose, motion, construction, None);
+        match value.unwrap_or_else(|error| panic!("{error}")) {
+            Quantity::Number(value) => value,
+            Quantity::Vector(_) => panic!("{name} is a vector"),
+        }
+    }
+}
+
+#[test]
+fn without_errors_it_is_a_third_route_to_every_number() {
+    let mut wrong = Vec::new();
+    let mut compared = 0;
+    for (scene, text) in scenes() {
+        let sheets = Sheets::of(&text);
+        let scales = SheetScales { per_mm: [1.0; 3] };
+        let values = sheets.drafting.replay(scales, &[]);
+        let points = sheets.stages.mechanism.points.len() as f64;
+        assert!(points > 2.0, "{scene}");
+        for (asked, reading) in sheets.asked.iter().zip(&sheets.readings) {
+            let name = asked.name();
+            let reading = match reading {
+                Ok(reading) => reading,
+                // A given rate, a point at rest, the angle of a block.
+                Err(Unread::Given | Unread::NotDrawn) => continue,
+                Err(why) => {
+                    wrong.push(format!("{scene}: {name}: {why}"));
+                    continue;
+                }
+            };
+            let truth = sheets.truth(asked);
+            let scale = largest(&sheets, reading, asked);
+            let off = if reading.is_magnitude {
+                reading.value(&values) - truth.abs()
+            } else {
+                reading.difference(&values, truth)
+            };
+            compared += 1;
+            if !(off.abs() <= 1e-9 * scale) {
+                let value = reading.value(&values);
+                wrong.push(format!("{scene}: {name} = {value}, not {truth}"));
+            }
+        }
+        // Every point of both plans stands on the sheet by its name.
+        for plan in sheets.stages.construction.plans() {
+            let size = plan.points.values().map(|p| p.vector.norm());
+            let size = size.fold(0.0, f64::max);
+            for (name, point) in &plan.points {
+                let Some(place) = sheets.drafting.place(Sheet::of(plan.kind), name) else {
+                    wrong.push(format!("{scene}: no {name} in the {:?} plan", plan.kind));
+                    continue;
+                };
+                let off = (values.place(place) - point.vector).norm();
+                if !(off <= 1e-9 * size) {
+                    wrong.push(format!(
+                        "{scene}: {name} in the {:?} plan off by {off}",
+                        plan.kind
+                    ));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(compared > 600, "only {compared} numbers compared");
+}
+
+/// What an error of a quantity is measured by: itself, or the largest of its kind where it nearly vanishes.
+fn largest(sheets: &Sheets, reading: &Reading, asked: &Asked) -> f64 {
+    if reading.is_angle {
+        return 180.0;
+    }
+    let kind = asked.kind();
+    let same = sheets.asked.iter().zip(&sheets.readings);
+    let same = same.filter(|(a, r)| a.kind() == kind && r.is_ok());
+    same.map(|(a, _)| sheets.truth(a).abs()).fold(0.0, f64::max)
+}
+
+/// The share of simulated drawings inside each band is at least 95 %, and no band is wider than twice what 95 % keep to.
+#[test]
+fn honest_drawings_keep_to_the_bands() {
+    const DRAWINGS: usize = 4000;
+    let tolerance = Tolerance::default();
+    let mut random = Random::new(20_111_121);
+    let mut wrong = Vec::new();
+    let (mut firm, mut rough) = (0, 0);
+    for (scene, text) in scenes() {
+        let sheets = Sheets::of(&text);
+        let scales = sheets.scales();
+        let there = sheets.asked.iter().zip(&sheets.readings);
+        let there: Vec<(&Asked, Reading)> = there
+            .filter_map(|(asked, reading)| Some((asked, *reading.as_ref().ok()?)))
+            .collect();
+        let readings: Vec<Reading> = there.iter().map(|t| t.1).collect();
+        let bands = sheets.drafting.bands(scales, &tolerance, &readings);
+        let exact = sheets.drafting.replay(scales, &[]);
+        let errors: Vec<(usize, usize, Error)> = sheets
+            .drafting
+            .acts
+            .iter()
+            .enumerate()
+            .flat_map(|(act, a)| {
+                let errors = a.deed.errors().iter().enumerate();
+                errors.map(move |(which, error)| (act, which, *error))
+            })
+            .collect();
+        let mut off = vec![Vec::with_capacity(DRAWINGS); readings.len()];
+        for _ in 0..DRAWINGS {
+            let disturbances: Vec<Disturbance<'_>> = errors
+                .iter()
+                .map(|&(act, which, error)| {
+                    let size = error.limit(&tolerance) * random.between(-1.0, 1.0);
+                    let change = Change::Error(which, size);
+                    Disturbance { act, change }
+                })
+                .collect();
+            let values = sheets.drafting.replay(scales, &disturbances);
+            for (reading, off) in readings.iter().zip(&mut off) {
+                let exact = exact.number(reading.number);
+                off.push(reading.difference(&values, exact).abs());
+            }
+        }
+        for (((asked, _), band), mut off) in there.iter().zip(&bands).zip(off) {
+            let Band {
+                value,
+                band,
+                is_rough,
+            } = *band;
+            off.sort_by(f64::total_cmp);
+            let inside = off.partition_point(|x| *x <= band) as f64 / DRAWINGS as f64;
+            let quantile = off[DRAWINGS * 95 / 100];
+            if is_rough {
+                rough += 1;
+                if std::env::var("SHOW").is_ok() {
+                    eprintln!(
+                        "rough {scene}: {} = {value} ± {band}: {inside}, {:.2}",
+                        asked.name(),
+                        band / quantile
+                    );
+                }
+                continue;
+            }
+            firm += 1;
+            if inside < 0.95 || band > 2.0 * quantile {
+                wrong.push(format!(
+                    "{scene}: {} = {value} ± {band}: {inside} of the drawings inside, {:.2} of the quantile",
+                    asked.name(),
+                    band / quantile
+                ));
+            }
+        }
+    }
+    eprintln!("{firm} firm, {rough} rough");
+    assert!(
+        wrong.is_empty(),
+        "{} of {firm} ({rough} rough):\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
+}
