@@ -38,11 +38,14 @@ pub struct Band {
     pub is_rough: bool,
 }
 
-/// Two standard deviations of an error that is equally likely within its limits: 2/√3 of the limit.
-const TWO_DEVIATIONS: f64 = 1.154_700_538_379_251_5;
+/// Half the width of a band in standard deviations.
+const DEVIATIONS: f64 = 2.1;
 
-/// Share of the band that the second-order effect of the errors may reach before first order counts as rough.
-const SECOND_ORDER: f64 = 0.1;
+/// Share of the standard deviation that the second-order part of the errors may reach before first order counts as rough.
+const SECOND_ORDER: f64 = 0.2;
+
+/// Pairs of drawings by which the second-order part is found.
+const DRAWINGS: u32 = 32;
 
 /// The bands of quantities, each by its name, in the order asked for; or why one has none.
 ///
@@ -106,43 +109,80 @@ impl Drafting {
     ) -> Vec<Band> {
         let exact = self.replay(scales, &[]);
         let values: Vec<f64> = readings.iter().map(|r| r.signed(&exact)).collect();
-        let mut squares = vec![0.0; readings.len()];
-        let mut bends = vec![0.0; readings.len()];
+        let errors = self.errors(tolerance);
         let mut off = [exact.clone(), exact.clone()];
-        for (act, errors) in self.acts.iter().map(|act| act.deed.errors()).enumerate() {
-            for (which, error) in errors.iter().enumerate() {
-                let limit = error.limit(tolerance);
-                for (values, size) in off.iter_mut().zip([limit, -limit]) {
-                    values.clone_from(&exact);
-                    let change = Change::Error(which, size);
-                    self.replay_from(act, values, scales, &[Disturbance { act, change }]);
-                }
-                for (index, reading) in readings.iter().enumerate() {
-                    let [up, down] =
-                        [0, 1].map(|side| reading.difference(&off[side], values[index]));
-                    let half = 0.5 * (up - down);
-                    squares[index] += half * half;
-                    bends[index] += 0.5 * (up + down).abs();
-                }
+        let mut squares = vec![0.0; readings.len()];
+        for &(act, which, limit) in &errors {
+            for (values, size) in off.iter_mut().zip([limit, -limit]) {
+                values.clone_from(&exact);
+                let change = Change::Error(which, size);
+                self.replay_from(act, values, scales, &[Disturbance { act, change }]);
+            }
+            for ((reading, value), square) in readings.iter().zip(&values).zip(&mut squares) {
+                let [up, down] = [0, 1].map(|side| reading.difference(&off[side], *value));
+                let slope = 0.5 * (up - down);
+                *square += slope * slope / 3.0;
             }
         }
-        let all = values.iter().zip(squares).zip(bends);
-        let bands = all
-            .zip(readings)
-            .map(|(((&value, square), bend), reading)| {
-                let band = TWO_DEVIATIONS * square.sqrt();
-                Band {
-                    value: if reading.is_magnitude {
-                        value.abs()
+        let mut bends = vec![0.0; readings.len()];
+        for drawing in 0..DRAWINGS {
+            for (values, sign) in off.iter_mut().zip([1.0, -1.0]) {
+                let all = errors.iter().enumerate();
+                let all = all.map(|(index, &(act, which, limit))| {
+                    let toss = if scattered(index) >> drawing & 1 == 0 {
+                        1.0
                     } else {
-                        value
-                    },
-                    band,
-                    is_rough: !(bend <= SECOND_ORDER * band),
-                }
-            });
+                        -1.0
+                    };
+                    let change = Change::Error(which, sign * toss * limit / 3.0_f64.sqrt());
+                    Disturbance { act, change }
+                });
+                let all: Vec<Disturbance<'_>> = all.collect();
+                self.replay_from(0, values, scales, &all);
+            }
+            for ((reading, value), bend) in readings.iter().zip(&values).zip(&mut bends) {
+                let [up, down] = [0, 1].map(|side| reading.difference(&off[side], *value));
+                let middle = 0.5 * (up + down);
+                *bend += middle * middle / f64::from(DRAWINGS);
+            }
+        }
+        let all = readings
+            .iter()
+            .zip(values)
+            .zip(squares.into_iter().zip(bends));
+        let bands = all.map(|((reading, value), (square, bend))| {
+            let deviation = square.sqrt();
+            let second_order = bend.sqrt();
+            Band {
+                value: if reading.is_magnitude {
+                    value.abs()
+                } else {
+                    value
+                },
+                band: DEVIATIONS * deviation,
+                is_rough: !(second_order <= SECOND_ORDER * deviation),
+            }
+        });
         bands.collect()
     }
+
+    /// All errors of the hand: act, which of its errors, limit.
+    fn errors(&self, tolerance: &Tolerance) -> Vec<(usize, usize, f64)> {
+        let acts = self.acts.iter().enumerate();
+        let errors = acts.flat_map(|(act, a)| {
+            let errors = a.deed.errors().iter().enumerate();
+            errors.map(move |(which, error)| (act, which, error.limit(tolerance)))
+        });
+        errors.collect()
+    }
+}
+
+/// 64 bits that look as if tossed for each index, always the same (Splitmix64: Steele, Lea, Flood 2014).
+fn scattered(index: usize) -> u64 {
+    let mut z = (index as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
 }
 
 impl Reading {

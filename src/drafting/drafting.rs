@@ -1,9 +1,9 @@
 use super::act::{Act, Deed, How, LineId, NumberId, PlaceId, Product, Reference, Sheet};
 use super::body::Anchor;
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, cross, span};
-use crate::mechanism::{BodyId, Guide, Mechanism, PointId, SliderId};
+use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
 use crate::motion::{Motion, Order};
-use crate::plan::{Construction, PlanKind};
+use crate::plan::{Construction, PlanKind, image_name};
 use crate::position::Pose;
 use indexmap::IndexMap;
 
@@ -119,17 +119,16 @@ impl<'a> Writer<'a> {
         };
         for plan in construction.plans() {
             let sheet = Sheet::of(plan.kind);
-            writer.pole(sheet, plan.kind.pole(), Vector::zeros());
+            let pole = writer.pole(sheet, plan.kind.pole(), Vector::zeros());
+            for &point in &mechanism.body(GROUND).points {
+                writer.name_place(sheet, &image_name(mechanism.point_name(point)), pole);
+            }
         }
         writer.take_known_rates();
         writer
     }
 
-    /// Whether accelerations are asked for.
-    pub(super) fn has_accelerations(&self) -> bool {
-        self.motion.order == Order::Acceleration
-    }
-
+    /// The sheets of the plans that are drawn.
     pub(super) fn plans(&self) -> &'static [Sheet] {
         match self.motion.order {
             Order::Velocity => &[Sheet::Velocity],
