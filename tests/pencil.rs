@@ -12,7 +12,7 @@ use kinegon::drafting::{
     drafting_with, readable_names,
 };
 use kinegon::drawing::scales;
-use kinegon::plan::{Asked, Quantity};
+use kinegon::plan::{Asked, Quantity, step_names};
 use random::Random;
 use stages::Stages;
 
@@ -42,6 +42,9 @@ impl Sheets {
             ..
         } = &stages;
         let mut names = readable_names(mechanism, motion, construction);
+        let own = step_names(construction).into_iter();
+        let own: Vec<String> = own.filter(|name| !names.contains(name)).collect();
+        names.extend(own);
         let points = mechanism.points.clone();
         names.extend(
             points

@@ -8,6 +8,7 @@ mod figures;
 mod files;
 mod message;
 mod new;
+mod pencil;
 mod solve;
 mod steps;
 mod structure;

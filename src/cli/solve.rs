@@ -1,11 +1,13 @@
 use super::files;
 use super::message::{Failure, warn};
+use super::pencil::Hand;
 use super::work::{Mode, Work, work};
 use crate::accuracy::bounds;
+use crate::drafting::readable_names;
 use crate::drawing::scales;
 use crate::format::{self, QuantityResult, ResultFile, Solved};
 use crate::motion::Order;
-use crate::plan::{Quantity, is_acceleration, measured_names, quantity};
+use crate::plan::{Asked, Quantity, is_acceleration, measured_names, quantity};
 use crate::scene::Scene;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -18,8 +20,13 @@ pub(super) struct Solve {
     #[command(flatten)]
     mode: Mode,
     /// Print a table of all rates, velocities and accelerations in place of JSON, each with only those digits that are certain.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["pencil", "mm", "degrees"])]
     digits: bool,
+    /// Add what honest hand drawings at the figure's scales give: the band of every quantity.
+    #[arg(long)]
+    pencil: bool,
+    #[command(flatten)]
+    hand: Hand,
 }
 
 impl Solve {
@@ -36,8 +43,13 @@ impl Solve {
             motion: &work.motion,
             construction: &work.construction,
         });
-        add_quantities(&work, &mut result)
-            .map_err(|error| Failure::Scene(source, Box::new(error)))?;
+        let wrong = |error| Failure::Scene(source, Box::new(error));
+        add_quantities(&work, &mut result).map_err(wrong.clone())?;
+        if self.pencil || self.hand.is_given() {
+            let asked = drawn_quantities(&work).map_err(wrong)?;
+            let pencil = self.hand.pencil(&work, asked);
+            result.pencil = Some(format::pencil_result(&pencil, work.scene.units));
+        }
         work.warn();
         files::print(format::json(&result).as_bytes())
     }
@@ -102,6 +114,26 @@ fn add_quantities(work: &Work, result: &mut ResultFile) -> Result<(), crate::Err
         result.quantities.insert(name.clone(), value);
     }
     Ok(())
+}
+
+/// What may be read from a hand drawing of the scene: everything that the result gives, and what the scene wants; vectors by size and angle.
+fn drawn_quantities(work: &Work) -> Result<Vec<Asked>, crate::Error> {
+    let mut names = readable_names(&work.mechanism, &work.motion, &work.construction);
+    for name in work.scene.want.iter().flatten() {
+        let asked = Asked::new(name, &work.mechanism)?;
+        if asked.is_vector() {
+            names.extend(["size", "angle"].map(|part| format!("{name}.{part}")));
+        } else {
+            names.push(name.clone());
+        }
+    }
+    let mut asked: Vec<Asked> = Vec::new();
+    for name in names {
+        if !asked.iter().any(|other| other.name() == name) {
+            asked.push(Asked::new(&name, &work.mechanism)?);
+        }
+    }
+    Ok(asked)
 }
 
 /// Print a JSON Schema.

@@ -1,9 +1,10 @@
 use super::files;
 use super::message::Failure;
+use super::pencil::Hand;
 use super::work::{Mode, work};
-use crate::drawing::scales;
 use crate::format;
 use crate::motion::Order;
+use crate::plan::{Asked, step_names};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -14,14 +15,20 @@ pub(super) struct Steps {
     scene: PathBuf,
     #[command(flatten)]
     mode: Mode,
+    #[command(flatten)]
+    hand: Hand,
 }
 
 impl Steps {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
         let work = work(&source, self.mode.number, |_| Order::Acceleration)?;
-        let scales = scales(&work.scene, &work.mechanism, &work.pose, &work.construction);
-        let text = format::steps(&work.scene, &work.construction, &scales);
+        let names = step_names(&work.construction);
+        let asked = names.iter().map(|name| Asked::new(name, &work.mechanism));
+        let asked = asked.collect::<Result<Vec<Asked>, _>>();
+        let asked = asked.map_err(|error| Failure::Scene(source, Box::new(error.into())))?;
+        let pencil = self.hand.pencil(&work, asked);
+        let text = format::steps(&work.scene, &work.construction, &pencil);
         work.warn();
         files::print(text.as_bytes())
     }

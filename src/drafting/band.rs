@@ -47,24 +47,46 @@ const SECOND_ORDER: f64 = 0.2;
 /// Pairs of drawings by which the second-order part is found.
 const DRAWINGS: u32 = 32;
 
-/// The bands of quantities, each by its name, in the order asked for; or why one has none.
+/// The bands of a scene's quantities as drawn by hand at given scales.
+#[derive(Clone, Debug)]
+pub struct Pencil {
+    /// How good the hand is.
+    pub tolerance: Tolerance,
+    /// The scales at which it draws.
+    pub scales: Scales,
+    /// What was asked for, with its band or why it has none.
+    pub quantities: Vec<(Asked, Result<Band, Unread>)>,
+}
+
+impl Pencil {
+    /// The band of a quantity by its name; `None` where it has none.
+    #[must_use]
+    pub fn band(&self, name: &str) -> Option<Band> {
+        let mut quantities = self.quantities.iter();
+        let found = quantities.find(|(asked, _)| asked.name() == name)?;
+        found.1.as_ref().ok().copied()
+    }
+}
+
+/// The bands of the quantities `asked` for; or why one has none.
 ///
-/// Every act brings errors e_i of its own, independent of each other, which the later acts pass on. With limits t_i, within which an
-/// error is equally likely, the standard deviation of e_i is t_i/√3 (JCGM 100:2008, 4.3.7), that of a quantity q to first order
-/// √(Σ (∂q/∂e_i)² t_i²/3) (5.1.2), and the band is twice that (6.3.3: about 95 %). The derivative is taken as the difference quotient over
-/// the whole tolerance, (q(t_i) − q(−t_i))/2t_i. Where the mean of both differs from q by more than a tenth of the band, summed over
-/// all errors, first order is not enough and the band says that it is rough.
+/// Every act brings errors e_i of its own, independent of each other, which the later acts pass on. With limits t_i within which an
+/// error is equally likely, its standard deviation is t_i/√3 (JCGM 100:2008, 4.3.7), that of a quantity q to first order
+/// σ = √(Σ (∂q/∂e_i)² t_i²/3) (5.1.2), and the band is 2.1 σ: 96 % of a normal distribution. Here ∂q/∂e_i is the difference quotient over
+/// the whole tolerance, (q(t_i) − q(−t_i))/2t_i. What first order neglects is seen on pairs of drawings with all errors at once,
+/// once with each sign: the mean of both leaves the exact value by the second-order part. Where its root mean square exceeds σ/5, as
+/// under small angles of crossing, or where a distance may be nothing within its band, the band says that it is rough.
 #[must_use]
-pub fn bands(
+pub fn pencil(
     mechanism: &Mechanism,
     pose: &Pose,
     motion: &Motion,
     construction: &Construction,
     scales: &Scales,
-    tolerance: &Tolerance,
-    asked: &[Asked],
-) -> Vec<Result<Band, Unread>> {
-    let (drafting, readings) = drafting_with(mechanism, pose, motion, construction, asked);
+    tolerance: Tolerance,
+    asked: Vec<Asked>,
+) -> Pencil {
+    let (drafting, readings) = drafting_with(mechanism, pose, motion, construction, &asked);
     let given = [scales.length, scales.velocity, scales.acceleration];
     let on_sheets = readings.into_iter().map(|reading| {
         let reading = reading?;
@@ -76,26 +98,32 @@ pub fn bands(
         }
     });
     let readings: Vec<Result<Reading, Unread>> = on_sheets.collect();
-    let scales = SheetScales {
+    let per_sheet = SheetScales {
         // On a sheet that is not there nothing is read.
         per_mm: given.map(|scale| scale.unwrap_or(0.0)),
     };
-    let there: Vec<Reading> = readings
-        .iter()
-        .filter_map(|r| r.as_ref().ok().copied())
-        .collect();
-    let mut bands = drafting.bands(scales, tolerance, &there).into_iter();
-    let all = readings.into_iter().zip(asked).map(|(reading, asked)| {
-        let reading = reading?;
-        let mut band = bands.next().ok_or(Unread::NotDrawn)?;
-        if asked.is_on_paper() {
-            let per_mm = scales.per_mm[reading.sheet as usize];
-            band.value /= per_mm;
-            band.band /= per_mm;
-        }
-        Ok(band)
+    let there: Vec<Reading> = readings.iter().flatten().copied().collect();
+    let mut bands = drafting.bands(per_sheet, &tolerance, &there).into_iter();
+    let all = asked.into_iter().zip(readings).map(|(asked, reading)| {
+        let band = reading.and_then(|reading| {
+            let mut band = bands.next().ok_or(Unread::NotDrawn)?;
+            if !(band.value.is_finite() && band.band.is_finite()) {
+                return Err(Unread::Apart);
+            }
+            if asked.is_on_paper() {
+                let per_mm = per_sheet.per_mm[reading.sheet as usize];
+                band.value /= per_mm;
+                band.band /= per_mm;
+            }
+            Ok(band)
+        });
+        (asked, band)
     });
-    all.collect()
+    Pencil {
+        tolerance,
+        scales: *scales,
+        quantities: all.collect(),
+    }
 }
 
 impl Drafting {
@@ -151,16 +179,17 @@ impl Drafting {
             .zip(values)
             .zip(squares.into_iter().zip(bends));
         let bands = all.map(|((reading, value), (square, bend))| {
-            let deviation = square.sqrt();
-            let second_order = bend.sqrt();
+            let (deviation, second_order) = (square.sqrt(), bend.sqrt());
+            let band = DEVIATIONS * deviation;
+            let is_firm = second_order <= SECOND_ORDER * deviation;
             Band {
                 value: if reading.is_magnitude {
                     value.abs()
                 } else {
                     value
                 },
-                band: DEVIATIONS * deviation,
-                is_rough: !(second_order <= SECOND_ORDER * deviation),
+                band,
+                is_rough: !is_firm || reading.is_distance && band > value,
             }
         });
         bands.collect()

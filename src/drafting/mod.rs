@@ -15,7 +15,7 @@ mod write;
 pub use act::{
     Act, Deed, Equation, Error, How, LineId, NumberId, PlaceId, Product, Reference, Sheet,
 };
-pub use band::{Band, Tolerance, bands};
+pub use band::{Band, Pencil, Tolerance, pencil};
 pub use drafting::{Drafting, drafting};
 pub use read::{Reading, Unread, drafting_with, readable_names};
 pub use replay::{Change, Disturbance, SheetScales, Values};

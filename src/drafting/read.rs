@@ -17,6 +17,8 @@ pub struct Reading {
     pub is_magnitude: bool,
     /// Whether it is an angle, which comes back after 360°.
     pub is_angle: bool,
+    /// Whether it is the distance of two places, of which nobody sees that it should be negative.
+    pub is_distance: bool,
     /// The latest sheet that it needs.
     pub sheet: Sheet,
 }
@@ -38,6 +40,9 @@ pub enum Unread {
     /// The drawing does not show it.
     #[error("the drawing does not show it")]
     NotDrawn,
+    /// With such errors the construction does not hold together: lines that should cross may be parallel.
+    #[error("errors of this size take the construction apart")]
+    Apart,
     /// The figure has no such panel.
     #[error("the figure has no {0}, so no scale")]
     NoSheet(&'static str),
@@ -135,7 +140,12 @@ impl Reader<'_> {
             number,
             is_magnitude: false,
             is_angle: false,
+            is_distance: false,
             sheet,
+        };
+        let distance = |number| Reading {
+            is_distance: true,
+            ..of(number)
         };
         let magnitude = |number| Reading {
             is_magnitude: true,
@@ -156,9 +166,21 @@ impl Reader<'_> {
                 let how = [How::X, How::Y][*axis];
                 return Ok(of(self.coordinate(asked.name(), how, spot)?));
             }
-            What::Length(a, b) => return Ok(magnitude(self.length(asked.name(), a, b)?)),
+            What::Length(a, b) => {
+                let (number, is_new) = self.length(asked.name(), a, b)?;
+                return Ok(if is_new {
+                    distance(number)
+                } else {
+                    magnitude(number)
+                });
+            }
             What::Segment { kind, from, to, .. } => {
-                return Ok(magnitude(self.segment(*kind, from, to)?));
+                let (number, is_new) = self.segment(*kind, from, to)?;
+                return Ok(if is_new {
+                    distance(number)
+                } else {
+                    magnitude(number)
+                });
             }
             What::Velocity(a, b) | What::Acceleration(a, b) => {
                 let to = self.plan_point(sheet, a)?;
@@ -212,7 +234,8 @@ impl Reader<'_> {
         let number = self.writer.measure(sheet, asked.name(), ends, how);
         Ok(match component {
             Component::Angle => angle(number),
-            _ => of(number),
+            Component::Size => distance(number),
+            Component::X | Component::Y => of(number),
         })
     }
 
@@ -278,34 +301,36 @@ impl Reader<'_> {
         Ok(self.writer.measure(Sheet::Scheme, name, [zero, place], how))
     }
 
-    fn length(&mut self, name: &str, a: &Spot, b: &Spot) -> Result<NumberId, Unread> {
+    /// The number, and whether it is measured for this reading and not by the construction.
+    fn length(&mut self, name: &str, a: &Spot, b: &Spot) -> Result<(NumberId, bool), Unread> {
         let compact = format!("L({},{})", a.name(), b.name());
         if let Some(number) = self.writer.drafting.number(&compact) {
-            return Ok(number);
+            return Ok((number, false));
         }
         let ends = [self.scheme_point(a)?, self.scheme_point(b)?];
         let how = How::Size;
-        Ok(self.writer.measure(Sheet::Scheme, name, ends, how))
+        Ok((self.writer.measure(Sheet::Scheme, name, ends, how), true))
     }
 
-    fn segment(&mut self, kind: PlanKind, from: &str, to: &str) -> Result<NumberId, Unread> {
+    /// The number, and whether it is measured for this reading and not by the construction.
+    fn segment(
+        &mut self,
+        kind: PlanKind,
+        from: &str,
+        to: &str,
+    ) -> Result<(NumberId, bool), Unread> {
         let sheet = Sheet::of(kind);
-        let head = match kind {
-            PlanKind::Velocity => "vplan",
-            PlanKind::Acceleration => "aplan",
-        };
-        let name = format!("{head}({from},{to})");
+        let name = kind.segment_name(from, to);
         if let Some(number) = self.writer.drafting.number(&name) {
-            return Ok(number);
+            return Ok((number, false));
         }
         let place = |name: &str| self.writer.drafting.place(sheet, name);
         let ends = place(from).zip(place(to)).ok_or(Unread::NoConstruction)?;
         if ends.0 == ends.1 {
             return Err(Unread::Given);
         }
-        Ok(self
-            .writer
-            .measure(sheet, &name, [ends.0, ends.1], How::Size))
+        let ends = [ends.0, ends.1];
+        Ok((self.writer.measure(sheet, &name, ends, How::Size), true))
     }
 
     fn scheme_point(&mut self, spot: &Spot) -> Result<PlaceId, Unread> {

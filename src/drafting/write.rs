@@ -5,7 +5,9 @@ use super::body::Anchor;
 use super::drafting::Writer;
 use super::equations::Leg;
 use crate::mechanism::{Carried, Group, JointKind, LoopEquations, SliderId, Spin};
-use crate::plan::{Special, coincident_name, coriolis_name, image_name, point_on, slide_name};
+use crate::plan::{
+    PlanKind, Special, coincident_name, coriolis_name, image_name, point_on, slide_name,
+};
 
 /// A special point as it is drawn.
 pub(super) struct Drawn<'a> {
@@ -71,6 +73,10 @@ impl Writer<'_> {
         equations: &LoopEquations,
         drawn: &[Drawn<'_>],
     ) -> Option<()> {
+        let kind = match sheet {
+            Sheet::Acceleration => PlanKind::Acceleration,
+            _ => PlanKind::Velocity,
+        };
         let mut rows = Vec::new();
         for point in drawn {
             let image = image_name(&point.special.name);
@@ -81,11 +87,7 @@ impl Writer<'_> {
             let lines: [LineId; 2] = [rays[0].2, rays[1].2];
             let crossing = self.cross(sheet, &image, lines);
             for (side, (from, start, ray)) in rays.into_iter().enumerate() {
-                let head = match sheet {
-                    Sheet::Acceleration => "aplan",
-                    _ => "vplan",
-                };
-                let name = format!("{head}({from},{image})");
+                let name = kind.segment_name(&from, &image);
                 let segment = self.measure(sheet, &name, [start, crossing], How::Along(ray));
                 self.name_number(&name, segment);
                 rows.push(self.equation(sheet, equations, point, side, segment)?);

@@ -8,6 +8,7 @@ mod digits;
 mod json;
 mod number;
 mod outline;
+mod pencil;
 #[cfg(feature = "png")]
 mod png;
 mod result;
@@ -20,6 +21,7 @@ mod table;
 pub use self::columns::{Columns, ColumnsError};
 pub use self::digits::digits;
 pub use self::json::json;
+pub use self::pencil::{BandResult, PencilResult, pencil_result};
 #[cfg(feature = "png")]
 pub use self::png::{PngError, png};
 pub use self::result::{

@@ -1,4 +1,5 @@
 use super::digits::holder;
+use super::pencil::PencilResult;
 use crate::geometry::{Place, Vector, degrees_of};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::{Motion, Order};
@@ -26,6 +27,9 @@ pub struct ResultFile {
     pub groups: Vec<GroupResult>,
     /// The quantities that the scene's `want` asks for.
     pub quantities: IndexMap<String, QuantityResult>,
+    /// How far hand drawings are from these numbers; only where it is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pencil: Option<PencilResult>,
     /// What the reader should know of these numbers.
     pub warnings: Vec<String>,
 }
@@ -233,6 +237,7 @@ pub fn result(solved: Solved<'_>) -> ResultFile {
         sliders: sliders.collect(),
         groups: groups.collect(),
         quantities: IndexMap::new(),
+        pencil: None,
         warnings: warnings.into_iter().flatten().cloned().collect(),
     }
 }

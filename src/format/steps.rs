@@ -1,21 +1,23 @@
+use crate::drafting::{Pencil, Tolerance, Unread};
 use crate::geometry::degrees_of;
-use crate::plan::{Action, Construction, Plan, PlanKind, Scales, Step, plain_text};
+use crate::plan::{Action, Construction, Plan, PlanKind, Step, plain_text};
 use crate::scene::{Scene, Units};
 use std::fmt::Write;
 
-/// The construction as numbered text, each step with its values and its lengths in millimetres of paper.
+/// The construction as numbered text, each step with its values, its lengths in millimetres of paper and the bands of hand drawings.
 #[must_use]
-pub fn steps(scene: &Scene, construction: &Construction, scales: &Scales) -> String {
+pub fn steps(scene: &Scene, construction: &Construction, pencil: &Pencil) -> String {
     let mut page = Page {
         text: String::new(),
         number: 0,
         units: scene.units,
-        scales,
+        pencil,
     };
     if let Some(title) = &scene.title {
         page.line(title);
     }
     page.scales_line();
+    page.pencil_lines();
     page.line("\nOn the mechanism");
     for step in &construction.scheme {
         page.step(step, None);
@@ -43,7 +45,7 @@ struct Page<'a> {
     text: String,
     number: usize,
     units: Units,
-    scales: &'a Scales,
+    pencil: &'a Pencil,
 }
 
 impl Page<'_> {
@@ -63,9 +65,9 @@ impl Page<'_> {
 
     fn mu(&self, kind: Option<PlanKind>) -> Option<f64> {
         match kind {
-            None => self.scales.length,
-            Some(PlanKind::Velocity) => self.scales.velocity,
-            Some(PlanKind::Acceleration) => self.scales.acceleration,
+            None => self.pencil.scales.length,
+            Some(PlanKind::Velocity) => self.pencil.scales.velocity,
+            Some(PlanKind::Acceleration) => self.pencil.scales.acceleration,
         }
     }
 
@@ -83,6 +85,45 @@ impl Page<'_> {
             });
         let line = format!("Scales: {}", entries.collect::<Vec<_>>().join(", "));
         self.line(&line);
+    }
+
+    /// What the bands mean, and why some values have none.
+    fn pencil_lines(&mut self) {
+        let Tolerance { mm, degrees } = self.pencil.tolerance;
+        self.line(&format!(
+            "± is what honest hand drawings (±{mm} mm, ±{degrees}°) keep to, at least 95 of 100."
+        ));
+        let mut reasons: Vec<&Unread> = Vec::new();
+        for (_, band) in &self.pencil.quantities {
+            if let Err(why @ (Unread::NoConstruction | Unread::NoSheet(_))) = band
+                && !reasons.contains(&why)
+            {
+                reasons.push(why);
+            }
+        }
+        for why in reasons {
+            self.line(&format!("A value has no ± where {why}."));
+        }
+    }
+
+    /// The band of a quantity, in its unit and, of what is measured, on paper, as it follows a value; nothing where it has none.
+    fn band(&self, name: &str, unit: &str, mu: Option<f64>) -> String {
+        let Some(band) = self.pencil.band(name) else {
+            return String::new();
+        };
+        let on_paper = mu.map(|mu| format!(" ({:.2} mm)", band.band / mu));
+        let rough = if band.is_rough { ", only roughly" } else { "" };
+        format!(
+            "; ± {} {unit}{}{rough}",
+            significant(band.band, 2),
+            on_paper.unwrap_or_default()
+        )
+    }
+
+    /// The band of a plan's segment.
+    fn segment_band(&self, kind: Option<PlanKind>, from: &str, to: &str) -> String {
+        let name = kind.map(|kind| kind.segment_name(from, to));
+        self.band(&name.unwrap_or_default(), &self.unit(kind), self.mu(kind))
     }
 
     /// A value with its unit and its length on paper.
@@ -120,8 +161,9 @@ impl Page<'_> {
             Action::SpecialPoint { sine, .. } => {
                 vec![format!("angle of crossing {:.2}°", angle_of_sine(*sine))]
             }
-            Action::MeasureLength { value, .. } => {
-                vec![format!("{equation} = {}", self.measure(*value, None))]
+            Action::MeasureLength { from, to, value } => {
+                let band = self.band(&format!("L({from},{to})"), &self.unit(None), self.mu(None));
+                vec![format!("{equation} = {}{band}", self.measure(*value, None))]
             }
             Action::LayOff(arrow) => {
                 let vector = plan.and_then(|p| p.segment(&arrow.from, &arrow.to));
@@ -133,11 +175,12 @@ impl Page<'_> {
                     lines.push(equation);
                 }
                 lines.push(format!(
-                    "{} {} = {}, direction {:.2}°",
+                    "{} {} = {}, direction {:.2}°{}",
                     arrow.from,
                     arrow.to,
                     self.measure(vector.norm(), kind),
-                    degrees_of(vector)
+                    degrees_of(vector),
+                    self.segment_band(kind, &arrow.from, &arrow.to)
                 ));
                 lines
             }
@@ -154,16 +197,21 @@ impl Page<'_> {
                 let vector = plan.and_then(|p| p.segment(p.kind.pole(), point));
                 if let (Some(vector), Some(plan)) = (vector, plan) {
                     lines.push(format!(
-                        "{} {point} = {}, direction {:.2}°",
+                        "{} {point} = {}, direction {:.2}°{}",
                         plan.kind.pole(),
                         self.measure(vector.norm(), kind),
-                        degrees_of(vector)
+                        degrees_of(vector),
+                        self.segment_band(kind, plan.kind.pole(), point)
                     ));
                 }
                 lines
             }
             Action::Measure { from, to, value } => {
-                vec![format!("{from} {to} = {}", self.measure(*value, kind))]
+                let band = self.segment_band(kind, from, to);
+                vec![format!(
+                    "{from} {to} = {}{band}",
+                    self.measure(*value, kind)
+                )]
             }
             Action::Solve {
                 equations,
@@ -177,7 +225,9 @@ impl Page<'_> {
                         Some("alpha") => format!("rad/{time}²"),
                         _ => self.unit(kind),
                     };
-                    format!("{name} = {} {unit}", digits(*value))
+                    // Computed, not measured: it has no length on paper.
+                    let band = self.band(name, &unit, None);
+                    format!("{name} = {} {unit}{band}", digits(*value))
                 }));
                 lines
             }
@@ -185,17 +235,23 @@ impl Page<'_> {
     }
 }
 
-/// Seven significant digits.
-fn digits(x: f64) -> String {
+/// A number with so many significant digits.
+fn significant(x: f64, count: i32) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }
     let exponent = libm::floor(libm::log10(x.abs())) as i32;
+    let after = (count - 1 - exponent).max(0) as usize;
     if (-4..9).contains(&exponent) {
-        format!("{x:.*}", (6 - exponent).max(0) as usize)
+        format!("{x:.after$}")
     } else {
-        format!("{x:.6e}")
+        format!("{x:.*e}", count as usize - 1)
     }
+}
+
+/// Seven significant digits.
+fn digits(x: f64) -> String {
+    significant(x, 7)
 }
 
 /// The acute angle, in degrees, that has this sine.

@@ -22,7 +22,7 @@ pub use name::{
 };
 pub use quantity::{
     Asked, Component, Normality, Quantity, QuantityError, Scales, Spot, What, is_acceleration,
-    measured_names, quantity,
+    measured_names, quantity, step_names,
 };
 pub use state::{Snapshot, State};
 pub use step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};

@@ -85,16 +85,33 @@ pub fn measured_names(construction: &Construction) -> Vec<String> {
         _ => None,
     });
     let segments = construction.plans().flat_map(|plan| {
-        let head = match plan.kind {
-            PlanKind::Velocity => "vplan",
-            PlanKind::Acceleration => "aplan",
-        };
         plan.steps.iter().filter_map(move |s| match &s.action {
-            Action::Measure { from, to, .. } => Some(format!("{head}({from},{to})")),
+            Action::Measure { from, to, .. } => Some(plan.kind.segment_name(from, to)),
             _ => None,
         })
     });
     lengths.chain(segments).collect()
+}
+
+/// Names of everything that stands in the construction's steps with a value, in their order.
+#[must_use]
+pub fn step_names(construction: &Construction) -> Vec<String> {
+    let mut names = measured_names(construction);
+    for plan in construction.plans() {
+        for step in &plan.steps {
+            match &step.action {
+                Action::LayOff(arrow) => names.push(plan.kind.segment_name(&arrow.from, &arrow.to)),
+                Action::Cross { point, .. } => {
+                    names.push(plan.kind.segment_name(plan.kind.pole(), point));
+                }
+                Action::Solve { unknowns, .. } => {
+                    names.extend(unknowns.iter().map(|u| u.0.clone()))
+                }
+                _ => {}
+            }
+        }
+    }
+    names
 }
 
 /// A quantity by its name, looked up in a mechanism once.

@@ -20,6 +20,16 @@ impl PlanKind {
         }
     }
 
+    /// The quantity name of a segment of the plan, as in `vplan(b,s3)`.
+    #[must_use]
+    pub fn segment_name(self, from: &str, to: &str) -> String {
+        let head = match self {
+            PlanKind::Velocity => "vplan",
+            PlanKind::Acceleration => "aplan",
+        };
+        format!("{head}({from},{to})")
+    }
+
     /// Name of the scale factor, as written.
     #[must_use]
     pub fn scale_name(self) -> &'static str {

@@ -1,0 +1,59 @@
+use super::work::Work;
+use crate::drafting::{self, Pencil, Tolerance};
+use crate::drawing::scales;
+use crate::plan::Asked;
+use clap::Args;
+
+/// How good a hand is.
+#[derive(Debug, Args)]
+pub(super) struct Hand {
+    /// Limit of a hand drawing's error in a point set, or a length laid off or measured, in mm of paper [default: 0.3].
+    #[arg(long = "pencil-mm", value_name = "MM", value_parser = limit)]
+    pub mm: Option<f64>,
+    /// Limit of a hand drawing's error in a direction, in degrees [default: 0.3].
+    #[arg(long = "pencil-degrees", value_name = "DEGREES", value_parser = limit)]
+    pub degrees: Option<f64>,
+}
+
+/// No hand is worse than this, in mm or degrees.
+const WORST: f64 = 10.0;
+
+fn limit(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(limit) if (0.0..=WORST).contains(&limit) => Ok(limit),
+        _ => Err(format!("not a number from 0 to {WORST}")),
+    }
+}
+
+impl Hand {
+    /// Whether something is said of it.
+    pub(super) fn is_given(&self) -> bool {
+        self.mm.is_some() || self.degrees.is_some()
+    }
+
+    /// The bands of what is asked for, drawn at the scales of the scene's figure.
+    pub(super) fn pencil(&self, work: &Work, asked: Vec<Asked>) -> Pencil {
+        let Work {
+            scene,
+            mechanism,
+            pose,
+            motion,
+            construction,
+        } = work;
+        let usual = Tolerance::default();
+        let tolerance = Tolerance {
+            mm: self.mm.unwrap_or(usual.mm),
+            degrees: self.degrees.unwrap_or(usual.degrees),
+        };
+        let scales = scales(scene, mechanism, pose, construction);
+        drafting::pencil(
+            mechanism,
+            pose,
+            motion,
+            construction,
+            &scales,
+            tolerance,
+            asked,
+        )
+    }
+}

@@ -1,0 +1,88 @@
+use crate::drafting::{Band, Pencil, Unread};
+use crate::scene::Units;
+use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// How far hand drawings at the figure's scales are from the numbers, by quantity name.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PencilResult {
+    /// Limit of the error of a point set, along x and along y, and of a length laid off or measured: millimetres of paper.
+    pub mm: f64,
+    /// Limit of the error of a direction drawn or read: degrees.
+    pub degrees: f64,
+    /// Scale of the scheme: units of length per millimetre of paper.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mu_l: Option<f64>,
+    /// Scale of the velocity plan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mu_v: Option<f64>,
+    /// Scale of the acceleration plan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mu_a: Option<f64>,
+    /// By quantity name: what an honest drawing gives. A vector stands here by its `.size` and its `.angle`.
+    pub bands: IndexMap<String, BandResult>,
+    /// By quantity name: why a drawing gives no such value. Given values and points at rest are left out.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub without: IndexMap<String, String>,
+}
+
+/// What an honest hand drawing gives for a quantity.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct BandResult {
+    /// Its value, of lengths and segments without a sign.
+    pub value: f64,
+    /// At least 95 of 100 drawings are at most this far from it.
+    pub band: f64,
+    /// Unit of both.
+    pub unit: String,
+    /// Present and true where errors are so large against the quantity that the band is only a rough one.
+    #[serde(skip_serializing_if = "is_false")]
+    pub rough: bool,
+}
+
+fn is_false(flag: &bool) -> bool {
+    !flag
+}
+
+/// The bands for the result file.
+#[must_use]
+pub fn pencil_result(pencil: &Pencil, units: Units) -> PencilResult {
+    let (mut bands, mut without) = (IndexMap::new(), IndexMap::new());
+    for (asked, band) in &pencil.quantities {
+        let name = asked.name().to_owned();
+        match band {
+            Ok(Band {
+                value,
+                band,
+                is_rough,
+            }) => {
+                let unit = if asked.is_on_paper() {
+                    "mm".to_owned()
+                } else {
+                    asked.kind().unit(units)
+                };
+                let result = BandResult {
+                    value: *value,
+                    band: *band,
+                    unit,
+                    rough: *is_rough,
+                };
+                bands.insert(name, result);
+            }
+            Err(Unread::Given | Unread::NotDrawn) => {}
+            Err(why) => {
+                without.insert(name, why.to_string());
+            }
+        }
+    }
+    PencilResult {
+        mm: pencil.tolerance.mm,
+        degrees: pencil.tolerance.degrees,
+        mu_l: pencil.scales.length,
+        mu_v: pencil.scales.velocity,
+        mu_a: pencil.scales.acceleration,
+        bands,
+        without,
+    }
+}
