@@ -8,8 +8,8 @@ mod stages;
 
 use exact::exceeds;
 use kinegon::drafting::{
-    Band, Change, Disturbance, Drafting, Error, Reading, Sheet, SheetScales, Tolerance, Unread,
-    drafting_with, readable_names,
+    Act, Band, Change, Deed, Disturbance, Drafting, Error, Reading, Sheet, SheetScales, Tolerance,
+    Unread, drafting_with, readable_names,
 };
 use kinegon::drawing::scales;
 use kinegon::plan::{Asked, Quantity, step_names};
@@ -193,7 +193,7 @@ fn honest_drawings_keep_to_the_bands() {
     let tolerance = Tolerance::default();
     let mut random = Random(20_111_121);
     let mut wrong = Vec::new();
-    let (mut firm, mut rough) = (0, 0);
+    let (mut firm, mut rough, mut liars) = (0, 0, 0);
     for (scene, text) in scenes() {
         let sheets = Sheets::of(&text);
         let scales = sheets.scales();
@@ -241,6 +241,7 @@ fn honest_drawings_keep_to_the_bands() {
             let quantile = off[DRAWINGS * 95 / 100];
             if is_rough {
                 rough += 1;
+                liars += usize::from(inside < 0.95);
                 continue;
             }
             firm += 1;
@@ -253,10 +254,88 @@ fn honest_drawings_keep_to_the_bands() {
             }
         }
     }
+    assert!(liars > 0, "nothing here needs to be called rough");
+    assert!(20 * rough < firm, "{rough} rough bands beside {firm}");
     assert!(
         wrong.is_empty(),
         "{} of {firm} ({rough} rough):\n{}",
         wrong.len(),
         wrong.join("\n")
+    );
+}
+
+/// The one given velocity laid off the wrong way round turns every velocity and every ω round; what is squared stays.
+#[test]
+fn a_vector_laid_off_backwards_propagates() {
+    let sheets = Sheets::of(&files::read("examples/figure-2.json"));
+    let scales = SheetScales { per_mm: [1.0; 3] };
+    let drafting = &sheets.drafting;
+    let b = drafting.place(Sheet::Velocity, "b").expect("v_B is there");
+    let laid = |act: &Act| matches!(act.deed, Deed::LayOff { place, .. } if place == b);
+    let act = drafting.acts.iter().position(laid).expect("it is laid off");
+    let mut backwards = drafting.acts[act].clone();
+    if let Deed::LayOff { quarter_turns, .. } = &mut backwards.deed {
+        *quarter_turns += 2;
+    }
+    let mistake = Disturbance {
+        act,
+        change: Change::Instead(&backwards),
+    };
+    let right = drafting.replay(scales, &[]);
+    let wrong = drafting.replay(scales, &[mistake]);
+    for (name, sign) in [
+        ("omega(2)", -1.0),
+        ("omega(4)", -1.0),
+        ("v_r(3/2)", -1.0),
+        ("alpha(4)", 1.0),
+        ("a_r(3/2)", 1.0),
+    ] {
+        let number = drafting.number(name).expect("it is solved for");
+        let [right, wrong] = [&right, &wrong].map(|values| values.number(number));
+        assert!(
+            (wrong - sign * right).abs() < 1e-9 * right.abs(),
+            "{name}: {wrong}, not {right}"
+        );
+    }
+}
+
+/// A crank and slotted lever whose Coriolis acceleration is forgotten: the lever's α is off by 2 ω v_r / L.
+#[test]
+fn a_forgotten_coriolis_part_propagates() {
+    let sheets = Sheets::of(&files::read("templates/slotted-lever.json"));
+    let scales = SheetScales { per_mm: [1.0; 3] };
+    let drafting = &sheets.drafting;
+    let twice = |act: &Act| match &act.deed {
+        Deed::Compute { sum, .. } => sum.iter().any(|p| p.factor.abs() == 2.0),
+        _ => false,
+    };
+    let act = drafting
+        .acts
+        .iter()
+        .position(twice)
+        .expect("2 ω v_r is computed");
+    let mut forgotten = drafting.acts[act].clone();
+    if let Deed::Compute { sum, .. } = &mut forgotten.deed {
+        sum.retain(|p| p.factor.abs() != 2.0);
+    }
+    let mistake = Disturbance {
+        act,
+        change: Change::Instead(&forgotten),
+    };
+    let alpha = drafting.number("alpha(3)").expect("it is solved for");
+    let [right, wrong] = [vec![], vec![mistake]].map(|m| drafting.replay(scales, &m).number(alpha));
+    let Stages {
+        mechanism,
+        pose,
+        motion,
+        ..
+    } = &sheets.stages;
+    let lever = mechanism.link("3").expect("the lever");
+    let [b, d] = ["B", "D"].map(|p| mechanism.point(p).expect("a joint"));
+    let slide = motion.slides[0].velocity;
+    let missing = 2.0 * motion.body(lever).omega * slide / pose.arm(d, b).norm();
+    assert!(
+        ((wrong - right).abs() / missing.abs() - 1.0).abs() < 1e-9,
+        "{right} {wrong} {missing}"
     );
 }

@@ -8,10 +8,10 @@ use clap::Args;
 #[derive(Debug, Args)]
 pub(super) struct Hand {
     /// Limit of a hand drawing's error in a point set, or a length laid off or measured, in mm of paper [default: 0.3].
-    #[arg(long = "pencil-mm", value_name = "MM", value_parser = limit)]
+    #[arg(long = "pencil-mm", value_name = "MM", value_parser = limit, allow_negative_numbers = true)]
     pub mm: Option<f64>,
     /// Limit of a hand drawing's error in a direction, in degrees [default: 0.3].
-    #[arg(long = "pencil-degrees", value_name = "DEGREES", value_parser = limit)]
+    #[arg(long = "pencil-degrees", value_name = "DEGREES", value_parser = limit, allow_negative_numbers = true)]
     pub degrees: Option<f64>,
 }
 
