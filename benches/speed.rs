@@ -2,9 +2,10 @@
 
 use divan::{Bencher, black_box};
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
+use kinegon::drafting::{SheetScales, Tolerance, drafting, pencil, readable_names};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
-use kinegon::plan::construction;
+use kinegon::plan::{Asked, construction};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
 use kinegon::{drawing, format};
@@ -122,6 +123,35 @@ fn motion_with_bounds(bencher: Bencher) {
 fn plans(bencher: Bencher) {
     let (_, mechanism, pose, motion) = solved(FIGURE_2);
     bencher.bench(|| construction(&mechanism, black_box(&pose), &motion));
+}
+
+/// The whole construction once more, act by act.
+#[divan::bench]
+fn replay_by_hand(bencher: Bencher) {
+    let (_, mechanism, pose, motion) = solved(FIGURE_2);
+    let plans = construction(&mechanism, &pose, &motion);
+    let drafting = drafting(&mechanism, &pose, &motion, &plans);
+    let scales = SheetScales {
+        per_mm: [5.0, 1.0, 2.0],
+    };
+    let mut values = drafting.replay(scales, &[]);
+    bencher.bench_local(|| drafting.replay_from(0, black_box(&mut values), scales, &[]));
+}
+
+/// The bands of all quantities of a result.
+#[divan::bench]
+fn bands_of_hand_drawings(bencher: Bencher) {
+    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
+    let plans = construction(&mechanism, &pose, &motion);
+    let scales = drawing::scales(&scene, &mechanism, &pose, &plans);
+    let names = readable_names(&mechanism, &motion, &plans);
+    let asked = names.iter().map(|n| Asked::new(n, &mechanism).expect("a name"));
+    let asked: Vec<Asked> = asked.collect();
+    let usual = Tolerance::default();
+    bencher.bench(|| {
+        let asked = black_box(&asked).clone();
+        pencil(&mechanism, &pose, &motion, &plans, &scales, usual, asked)
+    });
 }
 
 #[divan::bench]
