@@ -145,7 +145,9 @@ fn bands_of_hand_drawings(bencher: Bencher) {
     let plans = construction(&mechanism, &pose, &motion);
     let scales = drawing::scales(&scene, &mechanism, &pose, &plans);
     let names = readable_names(&mechanism, &motion, &plans);
-    let asked = names.iter().map(|n| Asked::new(n, &mechanism).expect("a name"));
+    let asked = names
+        .iter()
+        .map(|n| Asked::new(n, &mechanism).expect("a name"));
     let asked: Vec<Asked> = asked.collect();
     let usual = Tolerance::default();
     bencher.bench(|| {

@@ -8,7 +8,7 @@ use kinegon::{format, mechanism, position, scene};
 use program::{kinegon, scratch, stderr};
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
-use std::process::{Child, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 const FIGURE_2: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/figure-2.json");

@@ -1,7 +1,7 @@
 use super::act::Sheet;
-use super::drafting::Drafting;
 use super::read::{Reading, Unread, drafting_with};
 use super::replay::{Change, Disturbance, SheetScales, Values};
+use super::writer::Drafting;
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::plan::{Asked, Construction, Scales};

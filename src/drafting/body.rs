@@ -1,7 +1,7 @@
 //! The motion of a body's point, laid off in a plan: from the pole where the scene gives it, else from a point that is there.
 
 use super::act::{PlaceId, Product, Reference, Sheet};
-use super::drafting::Writer;
+use super::writer::Writer;
 use crate::geometry::unit;
 use crate::mechanism::{BodyId, DrivenSlide, JointId, JointKind, PointId, Role, SliderId};
 

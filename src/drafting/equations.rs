@@ -1,8 +1,8 @@
 //! The legs of a special point and the equations of what is measured along them: Eqs. 7, 8, 15, 16 and 35 to 38 of Quintero et al. (2011).
 
 use super::act::{Equation, How, LineId, NumberId, PlaceId, Product, Reference, Sheet};
-use super::drafting::Writer;
 use super::write::Drawn;
+use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, LoopEquations, PointId, SliderId};
 use crate::plan::{CutLine, LegKind, Special};

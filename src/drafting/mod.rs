@@ -6,16 +6,16 @@
 mod act;
 mod band;
 mod body;
-mod drafting;
 mod equations;
 mod read;
 mod replay;
 mod write;
+mod writer;
 
 pub use act::{
     Act, Deed, Equation, Error, How, LineId, NumberId, PlaceId, Product, Reference, Sheet,
 };
 pub use band::{Band, Pencil, Tolerance, pencil};
-pub use drafting::{Drafting, drafting};
 pub use read::{Reading, Unread, drafting_with, readable_names};
 pub use replay::{Change, Disturbance, SheetScales, Values};
+pub use writer::{Drafting, drafting};

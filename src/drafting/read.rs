@@ -1,5 +1,5 @@
 use super::act::{How, NumberId, PlaceId, Product, Reference, Sheet};
-use super::drafting::{Drafting, Writer, written};
+use super::writer::{Drafting, Writer, written};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::{Motion, Order};
 use crate::plan::{
@@ -95,7 +95,7 @@ pub fn readable_names(
     names
 }
 
-/// The construction of `mechanism` as acts, as [`drafting`](super::drafting()) gives it, and after it the acts by which quantities are
+/// The construction of `mechanism` as acts, as [`drafting`](crate::drafting::drafting) gives it, and after it the acts by which quantities are
 /// read off; with how each is read, or why there is nothing to read.
 ///
 /// A quantity that the construction measures or solves for is read there. A segment or a vector of a plan, a direction and a

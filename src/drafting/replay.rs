@@ -1,7 +1,7 @@
 use super::act::{
     Act, Deed, Equation, Error, How, LineId, NumberId, PlaceId, Product, Reference, Sheet,
 };
-use super::drafting::Drafting;
+use super::writer::Drafting;
 use crate::geometry::{Vector, cross, degrees_of, quarter_turn, turn_of_degrees, unit};
 use nalgebra::{Matrix4, Vector4};
 

@@ -2,8 +2,8 @@
 
 use super::act::{Deed, How, LineId, NumberId, PlaceId, Reference, Sheet};
 use super::body::Anchor;
-use super::drafting::Writer;
 use super::equations::Leg;
+use super::writer::Writer;
 use crate::mechanism::{Carried, Group, JointKind, LoopEquations, SliderId, Spin};
 use crate::plan::{
     PlanKind, Special, coincident_name, coriolis_name, image_name, point_on, slide_name,
