@@ -4,6 +4,7 @@ use super::act::{PlaceId, Product, Reference, Sheet};
 use super::writer::Writer;
 use crate::geometry::unit;
 use crate::mechanism::{BodyId, DrivenSlide, JointId, JointKind, PointId, Role, SliderId};
+use crate::plan::{coriolis_name, image_name, point_on, slide_name};
 
 /// How a body hangs on one whose motion is there.
 #[derive(Clone, Copy, Debug)]
@@ -76,7 +77,11 @@ impl Writer<'_> {
             Role::Pushed { .. } => {
                 let root = mechanism.root(body);
                 let start = self.motion(sheet, root, point)?;
-                self.slides(sheet, start, &mechanism.way(root, body))
+                let name = image_name(&point_on(mechanism, root, point));
+                self.name_place(sheet, &name, start);
+                let way = mechanism.way(root, body);
+                let (_, end) = self.named_slides(sheet, name, start, &way)?;
+                Some(end)
             }
             // Given as a vector.
             _ => {
@@ -176,6 +181,49 @@ impl Writer<'_> {
             }
         }
         Some(place)
+    }
+
+    /// What driven sliders add from a plan point on, its ends named as in the plans; the name and the place reached.
+    pub(super) fn named_slides(
+        &mut self,
+        sheet: Sheet,
+        start: String,
+        mut place: PlaceId,
+        way: &[DrivenSlide],
+    ) -> Option<(String, PlaceId)> {
+        let (mut name, mut entered) = (start.clone(), String::new());
+        for slide in way {
+            entered.push_str(&self.mechanism.body(slide.to).name);
+            let sliding = slide_name(&start, &entered);
+            let end = match self.drafting.place(sheet, &sliding) {
+                Some(end) => end,
+                None => self.sliding(sheet, place, slide)?,
+            };
+            (name, place) = self.end(sheet, (name, place), (sliding, end));
+            if sheet == Sheet::Acceleration {
+                let coriolis = coriolis_name(&start, &entered);
+                let end = match self.drafting.place(sheet, &coriolis) {
+                    Some(end) => end,
+                    None => self.coriolis(place, slide)?,
+                };
+                (name, place) = self.end(sheet, (name, place), (coriolis, end));
+            }
+        }
+        Some((name, place))
+    }
+
+    /// The end of a vector, with its name; where nothing was laid off there is no new name.
+    fn end(
+        &mut self,
+        sheet: Sheet,
+        before: (String, PlaceId),
+        (name, end): (String, PlaceId),
+    ) -> (String, PlaceId) {
+        if end == before.1 {
+            return before;
+        }
+        self.name_place(sheet, &name, end);
+        (name, end)
     }
 
     /// A slider's sliding velocity or acceleration, laid off.

@@ -5,9 +5,7 @@ use super::body::Anchor;
 use super::equations::Leg;
 use super::writer::Writer;
 use crate::mechanism::{Carried, Group, JointKind, LoopEquations, SliderId, Spin};
-use crate::plan::{
-    PlanKind, Special, coincident_name, coriolis_name, image_name, point_on, slide_name,
-};
+use crate::plan::{PlanKind, Special, coincident_name, image_name, point_on};
 
 /// A special point as it is drawn.
 pub(super) struct Drawn<'a> {
@@ -170,23 +168,7 @@ impl Writer<'_> {
         let mut name = image_name(&point_on(self.mechanism, cut.leg.base, start));
         let mut place = self.motion(sheet, cut.leg.base, start)?;
         self.name_place(sheet, &name, place);
-        let first = name.clone();
-        let mut entered = String::new();
-        for slide in &cut.slides {
-            entered.push_str(&self.mechanism.body(slide.to).name);
-            let sliding = slide_name(&first, &entered);
-            place = self.named(sheet, &sliding, place, |writer, from| {
-                writer.sliding(sheet, from, slide)
-            })?;
-            self.follow(sheet, &mut name, sliding, place);
-            if sheet == Sheet::Acceleration {
-                let coriolis = coriolis_name(&first, &entered);
-                place = self.named(sheet, &coriolis, place, |writer, from| {
-                    writer.coriolis(from, slide)
-                })?;
-                self.follow(sheet, &mut name, coriolis, place);
-            }
-        }
+        (name, place) = self.named_slides(sheet, name, place, &cut.slides)?;
         if sheet == Sheet::Acceleration {
             let normal = point.special.normal_names(self.mechanism)[side].clone();
             place = self.normal(point, side, place)?;
@@ -213,29 +195,6 @@ impl Writer<'_> {
             } if (through, (reference, quarter_turns)) == (start, direction) => Some(line),
             _ => None,
         })
-    }
-
-    /// The place of that name, which is laid off where it is not there yet.
-    fn named(
-        &mut self,
-        sheet: Sheet,
-        name: &str,
-        from: PlaceId,
-        lay_off: impl FnOnce(&mut Self, PlaceId) -> Option<PlaceId>,
-    ) -> Option<PlaceId> {
-        match self.drafting.place(sheet, name) {
-            Some(place) => Some(place),
-            None => lay_off(self, from),
-        }
-    }
-
-    /// Goes on to a plan point; one where nothing was laid off has no name of its own.
-    fn follow(&mut self, sheet: Sheet, name: &mut String, to: String, place: PlaceId) {
-        let stays = self.drafting.place(sheet, name) == Some(place);
-        if !stays {
-            self.name_place(sheet, &to, place);
-            *name = to;
-        }
     }
 
     /// Notes on what each link hangs, now that the rates are there.
