@@ -61,7 +61,7 @@ impl Sheet {
 }
 
 /// Names of what results and steps give and a hand drawing may have read from it: measured lengths and segments, rates, vectors by size
-/// and angle, angles of links.
+/// and angle, angles of links, positions of sliders.
 #[must_use]
 pub fn readable_names(
     mechanism: &Mechanism,
@@ -70,12 +70,14 @@ pub fn readable_names(
 ) -> Vec<String> {
     let mut names = measured_names(construction);
     for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Stub) {
-        let heads = ["angle", "omega", "alpha"];
+        // A link with one point has no line of its own.
+        let heads = ["angle", "omega", "alpha"].into_iter();
+        let heads = heads.skip(usize::from(body.points.len() < 2));
         names.extend(heads.map(|head| format!("{head}({})", body.name)));
     }
     for slider in (0..mechanism.sliders.len()).map(SliderId) {
         let slider = mechanism.slider_name(slider);
-        names.extend(["v_r", "a_r"].map(|head| format!("{head}({slider})")));
+        names.extend(["position", "v_r", "a_r"].map(|head| format!("{head}({slider})")));
         names.push(format!("a_c({slider}).size"));
     }
     let sliders = mechanism.sliders.iter();
@@ -161,7 +163,7 @@ impl Reader<'_> {
             What::SlideVelocity(id) => return Ok(of(self.slide_rate(*id, 0)?)),
             What::SlideAcceleration(id) => return Ok(of(self.slide_rate(*id, 1)?)),
             What::Angle(link) => return Ok(angle(self.axis(*link)?)),
-            What::SlidePosition(_) => return Err(Unread::NotDrawn),
+            What::SlidePosition(id) => return Ok(of(self.slide_position(asked.name(), *id)?)),
             What::Coordinate(axis, spot) => {
                 let how = [How::X, How::Y][*axis];
                 return Ok(of(self.coordinate(asked.name(), how, spot)?));
@@ -292,6 +294,23 @@ impl Reader<'_> {
         let ends = [self.writer.plot(from), self.writer.plot(to)];
         let how = How::Direction;
         Ok(self.writer.measure(Sheet::Scheme, &name, ends, how))
+    }
+
+    /// The position along a guide, where a point of the guide's body stands at the place from which it counts.
+    fn slide_position(&mut self, name: &str, id: SliderId) -> Result<NumberId, Unread> {
+        let (mechanism, pose) = (self.writer.mechanism, self.writer.pose);
+        let slider = mechanism.slider(id);
+        if slider.drive.is_some_and(|drive| drive.position.is_some()) {
+            return Err(Unread::Given);
+        }
+        let position = pose.slides[id.0].ok_or(Unread::NotDrawn)?;
+        let start = pose.point(slider.at) - pose.guide(id) * position;
+        let mut points = mechanism.body(slider.on).points.iter().copied();
+        let from = points.find(|&p| (pose.point(p) - start).norm() <= self.writer.near);
+        let from = from.ok_or(Unread::NotDrawn)?;
+        let how = How::Along(self.writer.guide(id));
+        let ends = [self.writer.plot(from), self.writer.plot(slider.at)];
+        Ok(self.writer.measure(Sheet::Scheme, name, ends, how))
     }
 
     fn coordinate(&mut self, name: &str, how: How, spot: &Spot) -> Result<NumberId, Unread> {

@@ -81,8 +81,8 @@ pub(super) struct Writer<'a> {
     pub moved: Vec<(Sheet, BodyId, PointId, PlaceId)>,
     /// By body: how it hangs on one whose motion is there.
     pub anchors: Vec<Option<Anchor>>,
-    /// Given guide directions: nearer to two points of the link than this counts as through them.
-    near: f64,
+    /// Nearer to a line or a place than this counts as being there.
+    pub near: f64,
     guides: Vec<Option<LineId>>,
     joins: Vec<(PlaceId, PlaceId, LineId)>,
     lengths: Vec<(PointId, PointId, NumberId)>,

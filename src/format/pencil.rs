@@ -70,7 +70,7 @@ pub fn pencil_result(pencil: &Pencil, units: Units) -> PencilResult {
                 };
                 bands.insert(name, result);
             }
-            Err(Unread::Given | Unread::NotDrawn) => {}
+            Err(Unread::Given) => {}
             Err(why) => {
                 without.insert(name, why.to_string());
             }
