@@ -135,74 +135,97 @@ impl Drafting {
         tolerance: &Tolerance,
         readings: &[Reading],
     ) -> Vec<Band> {
-        let exact = self.replay(scales, &[]);
-        let values: Vec<f64> = readings.iter().map(|r| r.signed(&exact)).collect();
-        let errors = self.errors(tolerance);
-        let mut off = [exact.clone(), exact.clone()];
-        let mut squares = vec![0.0; readings.len()];
-        for &(act, which, limit) in &errors {
-            for (values, size) in off.iter_mut().zip([limit, -limit]) {
-                values.clone_from(&exact);
-                let change = Change::Error(which, size);
-                self.replay_from(act, values, scales, &[Disturbance { act, change }]);
-            }
-            for ((reading, value), square) in readings.iter().zip(&values).zip(&mut squares) {
-                let [up, down] = [0, 1].map(|side| reading.difference(&off[side], *value));
-                let slope = 0.5 * (up - down);
-                *square += slope * slope / 3.0;
-            }
-        }
-        let mut bends = vec![0.0; readings.len()];
-        for drawing in 0..DRAWINGS {
-            for (values, sign) in off.iter_mut().zip([1.0, -1.0]) {
-                let all = errors.iter().enumerate();
-                let all = all.map(|(index, &(act, which, limit))| {
-                    let toss = if scattered(index) >> drawing & 1 == 0 {
-                        1.0
-                    } else {
-                        -1.0
-                    };
-                    let change = Change::Error(which, sign * toss * limit / 3.0_f64.sqrt());
-                    Disturbance { act, change }
-                });
-                let all: Vec<Disturbance<'_>> = all.collect();
-                self.replay_from(0, values, scales, &all);
-            }
-            for ((reading, value), bend) in readings.iter().zip(&values).zip(&mut bends) {
-                let [up, down] = [0, 1].map(|side| reading.difference(&off[side], *value));
-                let middle = 0.5 * (up + down);
-                *bend += middle * middle / f64::from(DRAWINGS);
-            }
-        }
-        let all = readings
-            .iter()
-            .zip(values)
-            .zip(squares.into_iter().zip(bends));
-        let bands = all.map(|((reading, value), (square, bend))| {
-            let (deviation, second_order) = (square.sqrt(), bend.sqrt());
+        let acts = self.acts.iter().enumerate();
+        let errors = acts.flat_map(|(act, a)| {
+            let errors = a.deed.errors().iter().enumerate();
+            errors.map(move |(which, error)| (act, which, error.limit(tolerance)))
+        });
+        let hand = Hand {
+            drafting: self,
+            scales,
+            readings,
+            errors: errors.collect(),
+            exact: self.replay(scales, &[]),
+        };
+        let all = readings.iter().zip(hand.first_order());
+        let bands = all.zip(hand.second_order());
+        let bands = bands.map(|((reading, deviation), second_order)| {
+            let value = reading.value(&hand.exact);
             let band = DEVIATIONS * deviation;
             let is_firm = second_order <= SECOND_ORDER * deviation;
             Band {
-                value: if reading.is_magnitude {
-                    value.abs()
-                } else {
-                    value
-                },
+                value,
                 band,
                 is_rough: !is_firm || reading.is_distance && band > value,
             }
         });
         bands.collect()
     }
+}
 
-    /// All errors of the hand: act, which of its errors, limit.
-    fn errors(&self, tolerance: &Tolerance) -> Vec<(usize, usize, f64)> {
-        let acts = self.acts.iter().enumerate();
-        let errors = acts.flat_map(|(act, a)| {
-            let errors = a.deed.errors().iter().enumerate();
-            errors.map(move |(which, error)| (act, which, error.limit(tolerance)))
-        });
-        errors.collect()
+/// A drafting in the hands of somebody, who makes errors.
+struct Hand<'a> {
+    drafting: &'a Drafting,
+    scales: SheetScales,
+    readings: &'a [Reading],
+    /// All errors: the act, which of its errors, the limit.
+    errors: Vec<(usize, usize, f64)>,
+    /// What comes out without any.
+    exact: Values,
+}
+
+impl Hand<'_> {
+    /// The standard deviation of each reading, to first order.
+    fn first_order(&self) -> Vec<f64> {
+        let mut squares = vec![0.0; self.readings.len()];
+        let mut pair = [self.exact.clone(), self.exact.clone()];
+        for &(act, which, limit) in &self.errors {
+            for (values, size) in pair.iter_mut().zip([limit, -limit]) {
+                // What stands before the act is as it was.
+                values.clone_from(&self.exact);
+                let change = Change::Error(which, size);
+                let disturbance = Disturbance { act, change };
+                self.drafting
+                    .replay_from(act, values, self.scales, &[disturbance]);
+            }
+            for (square, [up, down]) in squares.iter_mut().zip(self.differences(&pair)) {
+                let slope = 0.5 * (up - down);
+                *square += slope * slope / 3.0;
+            }
+        }
+        squares.into_iter().map(f64::sqrt).collect()
+    }
+
+    /// The root mean square of each reading's second-order part, from drawings with all errors as large as their standard deviations.
+    fn second_order(&self) -> Vec<f64> {
+        let mut squares = vec![0.0; self.readings.len()];
+        let mut pair = [self.exact.clone(), self.exact.clone()];
+        for drawing in 0..DRAWINGS {
+            for (values, sign) in pair.iter_mut().zip([1.0, -1.0]) {
+                let all = self.errors.iter().enumerate();
+                let all = all.map(|(index, &(act, which, limit))| {
+                    let is_up = scattered(index) >> drawing & 1 == 0;
+                    let size = sign * limit / 3.0_f64.sqrt();
+                    let change = Change::Error(which, if is_up { size } else { -size });
+                    Disturbance { act, change }
+                });
+                let all: Vec<Disturbance<'_>> = all.collect();
+                self.drafting.replay_from(0, values, self.scales, &all);
+            }
+            for (square, [up, down]) in squares.iter_mut().zip(self.differences(&pair)) {
+                let middle = 0.5 * (up + down);
+                *square += middle * middle / f64::from(DRAWINGS);
+            }
+        }
+        squares.into_iter().map(f64::sqrt).collect()
+    }
+
+    /// How far each reading is off in both drawings of a pair.
+    fn differences<'p>(&'p self, pair: &'p [Values; 2]) -> impl Iterator<Item = [f64; 2]> + 'p {
+        self.readings.iter().map(|reading| {
+            let exact = self.exact.number(reading.number);
+            [0, 1].map(|side| reading.difference(&pair[side], exact))
+        })
     }
 }
 
@@ -218,7 +241,7 @@ impl Reading {
     /// The quantity in values of a replay.
     #[must_use]
     pub fn value(&self, values: &Values) -> f64 {
-        let value = self.signed(values);
+        let value = values.number(self.number);
         if self.is_magnitude {
             value.abs()
         } else {
@@ -226,14 +249,10 @@ impl Reading {
         }
     }
 
-    fn signed(&self, values: &Values) -> f64 {
-        values.number(self.number)
-    }
-
     /// How far the quantity is from `signed`; of an angle the shorter way round.
     #[must_use]
     pub fn difference(&self, values: &Values, signed: f64) -> f64 {
-        let difference = self.signed(values) - signed;
+        let difference = values.number(self.number) - signed;
         if self.is_angle {
             difference - 360.0 * libm::round(difference / 360.0)
         } else {

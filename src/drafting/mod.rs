@@ -7,6 +7,7 @@ mod act;
 mod band;
 mod body;
 mod equations;
+mod names;
 mod read;
 mod replay;
 mod write;
@@ -16,6 +17,7 @@ pub use act::{
     Act, Deed, Equation, Error, How, LineId, NumberId, PlaceId, Product, Reference, Sheet,
 };
 pub use band::{Band, Pencil, Tolerance, pencil};
-pub use read::{Reading, Unread, drafting_with, readable_names};
+pub use names::readable_names;
+pub use read::{Reading, Unread, drafting_with};
 pub use replay::{Change, Disturbance, SheetScales, Values};
 pub use writer::{Drafting, drafting};

@@ -1,10 +1,10 @@
 use super::act::{How, NumberId, PlaceId, Product, Reference, Sheet};
 use super::writer::{Drafting, Writer, written};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
-use crate::motion::{Motion, Order};
+use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::motion::Motion;
 use crate::plan::{
-    Asked, Component, Construction, Normality, PlanKind, Spot, What, coincident_name, image_name,
-    is_acceleration, measured_names, normal_name,
+    Asked, Component, Construction, Normality, PlanKind, Spot, What, image_name, is_acceleration,
+    normal_name,
 };
 use crate::position::Pose;
 
@@ -58,43 +58,6 @@ impl Sheet {
             Sheet::Acceleration => "acceleration plan",
         }
     }
-}
-
-/// Names of what results and steps give and a hand drawing may have read from it: measured lengths and segments, rates, vectors by size
-/// and angle, angles of links, positions of sliders.
-#[must_use]
-pub fn readable_names(
-    mechanism: &Mechanism,
-    motion: &Motion,
-    construction: &Construction,
-) -> Vec<String> {
-    let mut names = measured_names(construction);
-    for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Stub) {
-        // A link with one point has no line of its own.
-        let heads = ["angle", "omega", "alpha"].into_iter();
-        let heads = heads.skip(usize::from(body.points.len() < 2));
-        names.extend(heads.map(|head| format!("{head}({})", body.name)));
-    }
-    for slider in (0..mechanism.sliders.len()).map(SliderId) {
-        let slider = mechanism.slider_name(slider);
-        names.extend(["position", "v_r", "a_r"].map(|head| format!("{head}({slider})")));
-        names.push(format!("a_c({slider}).size"));
-    }
-    let sliders = mechanism.sliders.iter();
-    let under =
-        sliders.map(|s| coincident_name(mechanism.point_name(s.at), &mechanism.body(s.on).name));
-    let special = construction.special.iter().flatten();
-    let special = special.filter(|s| s.is_assur && s.place.finite().is_some());
-    let points = mechanism.points.iter().cloned().chain(under);
-    for point in points.chain(special.map(|s| s.name.clone())) {
-        for head in ["v", "a"] {
-            names.extend(["size", "angle"].map(|part| format!("{head}({point}).{part}")));
-        }
-    }
-    if motion.order == Order::Velocity {
-        names.retain(|name| !is_acceleration(name));
-    }
-    names
 }
 
 /// The construction of `mechanism` as acts, as [`drafting`](crate::drafting::drafting) gives it, and after it the acts by which quantities are

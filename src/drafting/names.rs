@@ -1,0 +1,40 @@
+use crate::mechanism::{Mechanism, Role, SliderId};
+use crate::motion::{Motion, Order};
+use crate::plan::{Construction, coincident_name, is_acceleration, measured_names};
+
+/// Names of what results and steps give and a hand drawing may have read from it: measured lengths and segments, rates, vectors by size
+/// and angle, angles of links, positions of sliders.
+#[must_use]
+pub fn readable_names(
+    mechanism: &Mechanism,
+    motion: &Motion,
+    construction: &Construction,
+) -> Vec<String> {
+    let mut names = measured_names(construction);
+    for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Stub) {
+        // A link with one point has no line of its own.
+        let heads = ["angle", "omega", "alpha"].into_iter();
+        let heads = heads.skip(usize::from(body.points.len() < 2));
+        names.extend(heads.map(|head| format!("{head}({})", body.name)));
+    }
+    for slider in (0..mechanism.sliders.len()).map(SliderId) {
+        let slider = mechanism.slider_name(slider);
+        names.extend(["position", "v_r", "a_r"].map(|head| format!("{head}({slider})")));
+        names.push(format!("a_c({slider}).size"));
+    }
+    let sliders = mechanism.sliders.iter();
+    let under =
+        sliders.map(|s| coincident_name(mechanism.point_name(s.at), &mechanism.body(s.on).name));
+    let special = construction.special.iter().flatten();
+    let special = special.filter(|s| s.is_assur && s.place.finite().is_some());
+    let points = mechanism.points.iter().cloned().chain(under);
+    for point in points.chain(special.map(|s| s.name.clone())) {
+        for head in ["v", "a"] {
+            names.extend(["size", "angle"].map(|part| format!("{head}({point}).{part}")));
+        }
+    }
+    if motion.order == Order::Velocity {
+        names.retain(|name| !is_acceleration(name));
+    }
+    names
+}
