@@ -9,6 +9,15 @@ pub enum CycleError {
          try: a scene with `lengths` or `shape` and a drive with its `angle` or `position`"
     )]
     Drawn,
+    /// Mechanisms that were to be computed side by side are not of one kind.
+    #[error(
+        "mechanism {number} is not of the kind of mechanism 0\n  \
+         try: the same links, joints and drives in the same order; only lengths, places and drives may differ"
+    )]
+    NotOfOneKind {
+        /// Its number, from 0.
+        number: usize,
+    },
     /// Nothing drives it.
     #[error("there is no drive to move\n  try: give a link a \"drive\"")]
     NoDrive,

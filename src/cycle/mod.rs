@@ -19,6 +19,7 @@ mod start;
 mod steps;
 mod sweep;
 mod trace;
+mod variants;
 mod walker;
 
 pub use columns::Column;
@@ -31,4 +32,5 @@ pub use path::Path;
 pub use position::Position;
 pub use steps::Steps;
 pub use sweep::{Numbers, Sweep};
+pub use variants::Variants;
 pub use walker::Walker;

@@ -206,7 +206,7 @@ fn close<L: Lanes, R: Row>(
 }
 
 /// As many steps as it takes, the first of which has been computed.
-#[inline(never)]
+#[inline(always)]
 fn close_by_steps<L: Lanes, R: Row>(
     lanes: L,
     block: &mut Block<R>,

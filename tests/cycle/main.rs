@@ -14,6 +14,7 @@ mod planted;
 mod random;
 mod rates;
 mod table;
+mod variants;
 
 use kinegon::cycle::{Drive, Path};
 use kinegon::geometry::span;

@@ -1,0 +1,190 @@
+use super::start::{stands, start};
+use super::{CycleError, Position};
+use crate::geometry::{MANY, Many, OneByOne, Registers, Row};
+use crate::kernel::{Block, InputKind, Kernel, Single};
+use crate::mechanism::Mechanism;
+use crate::position::Pose;
+use pulp::{Arch, Simd, WithSimd};
+
+/// Mechanisms of one kind side by side: the same links, joints and drives in the same order, each with lengths and drives of its own.
+///
+/// For searches over lengths: positions and rates of all of them are computed together, [`MANY`] in the widest registers that the
+/// processor has.
+#[derive(Clone, Debug)]
+pub struct Variants<'a> {
+    mechanisms: &'a [Mechanism],
+    kernels: Vec<Kernel>,
+    blocks: Vec<Block<Many>>,
+    /// By mechanism and drive: where it stands.
+    drives: Vec<Vec<f64>>,
+    /// By mechanism: whether it stands where its drives were put last.
+    closed: Vec<bool>,
+    registers: Arch,
+}
+
+impl<'a> Variants<'a> {
+    /// The mechanisms in these poses, with the rates that their drives have.
+    ///
+    /// # Errors
+    /// One is a drawn configuration, or not of the kind of the first.
+    ///
+    /// # Panics
+    /// There are not as many poses as mechanisms.
+    pub fn new(mechanisms: &'a [Mechanism], poses: &[Pose]) -> Result<Self, CycleError> {
+        assert_eq!(
+            mechanisms.len(),
+            poses.len(),
+            "each mechanism needs its pose"
+        );
+        let kernels = mechanisms.iter().map(Kernel::new);
+        let kernels: Vec<Kernel> = kernels.collect::<Option<_>>().ok_or(CycleError::Drawn)?;
+        if let Some(number) = kernels.iter().position(|k| !kernels[0].is_like(k)) {
+            return Err(CycleError::NotOfOneKind { number });
+        }
+        let count = kernels.len();
+        let block = |first: usize| {
+            let mut block: Block<Many> = Block::new(&kernels[first]);
+            for lane in 0..MANY {
+                // Beyond the last, it stands in again.
+                let index = (first + lane).min(count - 1);
+                let (kernel, mechanism) = (&kernels[index], &mechanisms[index]);
+                block.set_lengths(lane, kernel);
+                copy(
+                    &start(kernel, mechanism, &poses[index]),
+                    0,
+                    &mut block,
+                    lane,
+                );
+                for input in &kernel.inputs {
+                    let (rates, seconds) = match input.kind {
+                        InputKind::Turning { class } => {
+                            (&mut block.omegas[class], &mut block.alphas[class])
+                        }
+                        InputKind::Sliding { slider } => {
+                            (&mut block.speeds[slider], &mut block.accelerations[slider])
+                        }
+                    };
+                    (rates[lane], seconds[lane]) = (input.rate, input.second);
+                }
+            }
+            block
+        };
+        let stands = |(kernel, pose): (&Kernel, &Pose)| {
+            let inputs = kernel.inputs.iter();
+            inputs.map(|input| stands(input, pose)).collect()
+        };
+        let mut variants = Variants {
+            mechanisms,
+            blocks: (0..count).step_by(MANY).map(block).collect(),
+            drives: kernels.iter().zip(poses).map(stands).collect(),
+            closed: vec![false; count],
+            kernels,
+            registers: Arch::new(),
+        };
+        variants.compute();
+        Ok(variants)
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.mechanisms.len()
+    }
+
+    /// Where the drives of a mechanism stand: angles in degrees, or positions along guides, in the order of
+    /// [`Mechanism::drive_names`].
+    pub fn drives_mut(&mut self, mechanism: usize) -> &mut [f64] {
+        &mut self.drives[mechanism]
+    }
+
+    /// Moves all mechanisms to where their drives have been put, from where they stand: near, by Newton's method.
+    pub fn compute(&mut self) {
+        for first in (0..self.count()).step_by(MANY) {
+            let before = self.blocks[first / MANY].clone();
+            let block = first..self.count().min(first + MANY);
+            self.closed[block.clone()].fill(true);
+            if !self.compute_block(first) {
+                // Each for itself; what cannot get there stays where it stood.
+                for index in block {
+                    self.closed[index] = self.reaches(index, &before, index - first);
+                }
+                self.blocks[first / MANY] = before;
+                self.compute_block(first);
+            }
+        }
+    }
+
+    /// Whether a mechanism gets to where its drives have been put from where it stands in a block.
+    fn reaches(&self, index: usize, block: &Block<Many>, lane: usize) -> bool {
+        let kernel = &self.kernels[index];
+        let mut single = Single::new(kernel);
+        copy(block, lane, &mut single, 0);
+        for (input, value) in self.drives[index].iter().enumerate() {
+            kernel.set_input(OneByOne, &mut single, input, &[*value]);
+        }
+        kernel.assemble(OneByOne, &mut single, 0.0).closed
+    }
+
+    /// Sets the drives of a block's mechanisms that can get there; whether all loops closed.
+    fn compute_block(&mut self, first: usize) -> bool {
+        let (count, kernel) = (self.count(), &self.kernels[first]);
+        let block = &mut self.blocks[first / MANY];
+        for input in 0..kernel.inputs.len() {
+            let mut values = Many::splat(0.0);
+            for lane in 0..MANY {
+                values[lane] = self.drives[(first + lane).min(count - 1)][input];
+            }
+            let before = block.clone();
+            kernel.set_input(OneByOne, block, input, &values);
+            for lane in 0..MANY {
+                if !self.closed[(first + lane).min(count - 1)] {
+                    copy(&before, lane, block, lane);
+                }
+            }
+        }
+        self.registers.dispatch(Together { kernel, block })
+    }
+
+    /// A mechanism where it stands, with its rates; `None` if it could not get to where its drives have been put.
+    #[must_use]
+    pub fn position(&self, mechanism: usize) -> Option<Position<'_, Many>> {
+        self.closed[mechanism].then(|| Position {
+            mechanism: &self.mechanisms[mechanism],
+            kernel: &self.kernels[mechanism],
+            block: &self.blocks[mechanism / MANY],
+            lane: mechanism % MANY,
+        })
+    }
+}
+
+/// Copies all angles and slides of one position to another.
+fn copy<A: Row, B: Row>(from: &Block<A>, here: usize, to: &mut Block<B>, there: usize) {
+    for (to, from) in to.turns.iter_mut().zip(&from.turns) {
+        for axis in 0..2 {
+            to[axis][there] = from[axis][here];
+        }
+    }
+    for (to, from) in to.slides.iter_mut().zip(&from.slides) {
+        to[there] = from[here];
+    }
+}
+
+/// Positions and rates of a block, for the registers that the processor turns out to have.
+struct Together<'b> {
+    kernel: &'b Kernel,
+    block: &'b mut Block<Many>,
+}
+
+impl WithSimd for Together<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        let lanes = Registers(simd);
+        let found = self.kernel.assemble(lanes, self.block, 0.0);
+        if found.closed {
+            self.kernel.rates(lanes, self.block);
+        }
+        found.closed
+    }
+}
