@@ -156,28 +156,23 @@ fn units_of_length_do_not_matter() {
         ..Change::default()
     };
     unchanged_but_for("lengths times 3", 4, FINE, change, mapped);
-    // 2^−500: squares of lengths are no longer representable.
-    const TINY: f64 = 3.054_936_363_499_605e-151;
-    fn tiny(v: Pair) -> Pair {
-        times(v, TINY)
+    // Powers of two at which products of two, three or four lengths are no longer representable.
+    length_units::<-500>("lengths times 2^-500", 5);
+    length_units::<-300>("lengths times 2^-300", 15);
+    length_units::<300>("lengths times 2^300", 16);
+}
+
+fn length_units<const POWER: i32>(what: &str, seed: u64) {
+    fn scaled<const POWER: i32>(v: Pair) -> Pair {
+        times(v, 2_f64.powi(POWER))
     }
     let change = || Change {
-        place: &tiny,
-        vector: &tiny,
-        length: TINY,
+        place: &scaled::<POWER>,
+        vector: &scaled::<POWER>,
+        length: 2_f64.powi(POWER),
         ..Change::default()
     };
-    unchanged_but_for("lengths times 2^-500", 5, FINE, change, mapped);
-    fn huge(v: Pair) -> Pair {
-        times(v, 1.0 / TINY)
-    }
-    let change = || Change {
-        place: &huge,
-        vector: &huge,
-        length: 1.0 / TINY,
-        ..Change::default()
-    };
-    unchanged_but_for("lengths times 2^500", 15, FINE, change, mapped);
+    unchanged_but_for(what, seed, FINE, change, mapped);
 }
 
 #[test]

@@ -16,7 +16,7 @@ pub enum ClosedForm {
 
 impl ClosedForm {
     /// The reduced form of the equations where the points and guides are these; `None` where there is none, or its determinant is
-    /// lost in rounding or near the ends of f64's range.
+    /// lost in rounding, or numbers come near the ends of f64's range.
     #[inline]
     #[must_use]
     pub fn new(equations: &LoopEquations, points: &[Point], guides: &[Vector]) -> Option<Self> {
@@ -26,6 +26,8 @@ impl ClosedForm {
         for (terms, columns) in equations.loops.iter().zip(&mut all) {
             terms.add_columns(points, guides, columns);
         }
+        // The squares of the own columns of two loops are inverted together.
+        let mut squares = 1.0;
         let (form, determinant, products) = match reduction {
             Reduction::OneLoop => {
                 let [s, t, ..] = all[0];
@@ -41,6 +43,7 @@ impl ClosedForm {
                 own,
             } => {
                 let columns = [0, 1].map(|i| [own[i], x, y].map(|u| Pair::from(all[i][u])));
+                squares = columns.map(|[h, ..]| h.dot(h)).iter().product();
                 let system = Reduced::new(columns);
                 let order = [x, y, own[0], own[1]];
                 let form = Self::TwoLoops(system, order);
@@ -50,7 +53,8 @@ impl ClosedForm {
         // False for a NaN too. Fourth powers of lengths must not come near the ends of f64's range.
         let size = determinant.abs();
         let uncertain = UNIT_ROUNDOFF * (products[0].abs() + products[1].abs());
-        let safe = size > 16.0 * uncertain && (1e-250..1e250).contains(&size);
+        let inside = [size, squares].iter().all(|x| (1e-250..1e250).contains(x));
+        let safe = size > 16.0 * uncertain && inside;
         safe.then_some(form)
     }
 
