@@ -213,10 +213,6 @@ fn turning(
             return Err(source.error(&path, message).hint(hint));
         }
     };
-    if !omega.is_finite() {
-        let message = format!("the drive of link {name} turns too fast to compute with");
-        return Err(source.error(&["links", name, "drive", "rpm"], message));
-    }
     Ok(Drive {
         angle_deg: given.angle,
         omega,

@@ -14,6 +14,9 @@ use super::words::shortened;
 /// The deepest nesting of brackets that is read; a scene needs five.
 const MAX_DEPTH: usize = 64;
 
+/// The largest number that is read: products of three are still numbers. No unit makes a larger one necessary.
+const LARGEST: f64 = 1e100;
+
 /// Bytes, what is wrong with them, and what to try.
 type Wrong = (Range<usize>, String, Option<&'static str>);
 
@@ -312,10 +315,10 @@ impl ToJson<'_> {
         if let Ok(integer) = text.parse::<i64>() {
             return Ok(Number::from(integer));
         }
-        let number = text.parse::<f64>().ok().and_then(Number::from_f64);
-        number.ok_or_else(|| {
+        let number = text.parse::<f64>().ok().filter(|x| x.abs() <= LARGEST);
+        number.and_then(Number::from_f64).ok_or_else(|| {
             let message = format!("{} is too large to compute with", shortened(text));
-            self.error(span, message, "the largest number is about 1.8e308")
+            self.error(span, message, "choose units that make it less than 1e100")
         })
     }
 }
