@@ -4,7 +4,7 @@ use super::{
     BodyMotion, ClosedForm, GroupAccuracy, Motion, MotionError, Order, RateErrors, RightSide,
     SlideMotion,
 };
-use crate::geometry::{Numbers, UNIT_ROUNDOFF};
+use crate::geometry::{Numbers, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::{
     BodyId, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, SliderId,
 };
@@ -16,6 +16,9 @@ const SINGULAR_CONDITION: f64 = 0.05 / UNIT_ROUNDOFF;
 
 /// Condition number from which a result carries a warning: fewer than 8 certain digits are left.
 const NEARLY_SINGULAR_CONDITION: f64 = 1e-8 / UNIT_ROUNDOFF;
+
+/// The largest velocity, acceleration or rate that is given out: its square is still a number, and so are sums of squares.
+const LARGEST: f64 = 1e150;
 
 /// Velocities (and accelerations) of every body of `mechanism` at `pose`.
 ///
@@ -37,7 +40,26 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
     for group in &mechanism.groups {
         move_group(mechanism, group, pose, &mut motion)?;
     }
-    Ok(motion)
+    match too_large(mechanism, pose, &motion) {
+        Some(link) => Err(MotionError::Overflow {
+            links: mechanism.body(link).name.clone(),
+        }),
+        None => Ok(motion),
+    }
+}
+
+/// A link that moves too fast for the square of a velocity or an acceleration to be a number.
+fn too_large(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Option<BodyId> {
+    let is_small = |v: Vector| v.amax() <= LARGEST;
+    (0..mechanism.bodies.len()).map(BodyId).find(|&id| {
+        let (body, moves) = (mechanism.body(id), motion.body(id));
+        let places = body.points.iter().map(|&point| pose.point(point));
+        let rates = Vector::new(moves.omega, moves.alpha);
+        !(is_small(rates)
+            && std::iter::once(moves.at)
+                .chain(places)
+                .all(|p| is_small(moves.velocity_at(p)) && is_small(moves.acceleration_at(p))))
+    })
 }
 
 /// Adds the motion of `group`, whose outer bodies' motions are known.
