@@ -46,19 +46,27 @@ impl Failure {
 
 /// Shows a failure on stderr; colours only on a terminal that wants them.
 pub(super) fn show(failure: &Failure) {
-    match failure {
-        Failure::Scene(source, error) => match error.as_ref() {
-            Error::Scene(finding) | Error::Structure(StructureError::Scene(finding)) => {
-                show_place(source, finding);
-            }
-            other => show_plain(&format!("{}: {other}", source.name), None),
-        },
-        Failure::Misuse(message, hint) => show_plain(message, hint.as_deref()),
-        Failure::Outside(message) | Failure::Partly(message) => show_plain(message, None),
-        Failure::Interrupted => show_plain(
+    let report = match failure {
+        Failure::Scene(source, error) => shown(&source.name, &source.text, error),
+        Failure::Misuse(message, hint) => plain(message, hint.as_deref()),
+        Failure::Outside(message) | Failure::Partly(message) => plain(message, None),
+        Failure::Interrupted => plain(
             "stopped before the table was complete; no file was written",
             None,
         ),
+    };
+    anstream::eprintln!("{report}");
+}
+
+/// What the program shows on stderr for an error of the scene in the file `name`, with the part of its text that is meant, in the
+/// colours of a terminal.
+#[must_use]
+pub fn shown(name: &str, text: &str, error: &Error) -> String {
+    match error {
+        Error::Scene(finding) | Error::Structure(StructureError::Scene(finding)) => {
+            in_place(name, text, finding)
+        }
+        other => plain(&format!("{name}: {other}"), None),
     }
 }
 
@@ -74,7 +82,7 @@ pub(super) fn warn(text: &str) {
     anstream::eprintln!("{}", Renderer::styled().render(&report));
 }
 
-fn show_plain(message: &str, hint: Option<&str>) {
+fn plain(message: &str, hint: Option<&str>) -> String {
     // A hint may stand in the message itself, as the part after "try:".
     let (message, own) = match message.split_once("\n  try: ") {
         Some((message, own)) => (message, Some(own)),
@@ -84,27 +92,25 @@ fn show_plain(message: &str, hint: Option<&str>) {
     if let Some(hint) = hint.or(own) {
         group = group.element(Level::HELP.message(hint));
     }
-    anstream::eprintln!("{}", Renderer::styled().render(&[group]));
+    Renderer::styled().render(&[group])
 }
 
-/// Shows the place of a finding in the scene's text.
-fn show_place(source: &Source, finding: &SceneError) {
+/// A finding with its place in the scene's text.
+fn in_place(name: &str, text: &str, finding: &SceneError) -> String {
     let Some(place) = &finding.place else {
-        return show_plain(
-            &format!("{}: {}", source.name, finding.message),
+        return plain(
+            &format!("{name}: {}", finding.message),
             finding.hint.as_deref(),
         );
     };
     let annotation = AnnotationKind::Primary
         .span(place.span.clone())
         .label(finding.path.as_str());
-    let snippet = Snippet::source(source.text.as_str())
-        .path(source.name.as_str())
-        .annotation(annotation);
+    let snippet = Snippet::source(text).path(name).annotation(annotation);
     let mut group =
         Group::with_title(Level::ERROR.primary_title(finding.message.as_str())).element(snippet);
     if let Some(hint) = &finding.hint {
         group = group.element(Level::HELP.message(hint.as_str()));
     }
-    anstream::eprintln!("{}", Renderer::styled().render(&[group]));
+    Renderer::styled().render(&[group])
 }

@@ -16,6 +16,8 @@ mod sweep;
 mod table;
 mod work;
 
+pub use message::shown;
+
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
