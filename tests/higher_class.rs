@@ -1,11 +1,12 @@
 //! Groups of higher class: random ones of six links, written down by lengths from an assembly that is known, and a truss of bars.
 
+mod files;
 mod planted;
 mod random;
 
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{Motion, Order, motion};
+use kinegon::motion::{Motion, MotionError, Order, motion};
 use kinegon::position::{AssemblyError, Pose, pose, poses};
 use kinegon::scene::Scene;
 use planted::{KNOWN, Planted};
@@ -182,6 +183,19 @@ fn what_is_not_found_is_said_so() {
         message.contains("starts closes") && message.contains("`near`"),
         "{message}"
     );
+}
+
+/// A crank with a fourth-class group and one of its links doubled in place of a drive: the group can move, so it has as many modes as
+/// one looks for, and none is worth a long search.
+#[test]
+fn a_group_that_can_move_is_not_searched_for_long() {
+    let scene = files::read("tests/fuzzed/doubled_link.json");
+    let scene = Scene::read(&scene).expect("a scene");
+    let mechanism = mechanism(&scene).expect("a mechanism");
+    let all = poses(&mechanism, &scene.near).expect("it can be assembled");
+    assert!((2..30).contains(&all.len()), "{} modes", all.len());
+    let refused = motion(&mechanism, &all[0], Order::Velocity);
+    assert!(matches!(refused, Err(MotionError::Singular { .. })));
 }
 
 fn moved(scene: &Value) -> (kinegon::mechanism::Mechanism, Pose, Motion) {

@@ -20,6 +20,10 @@ const SAME: f64 = 1e-8;
 /// In radians; where two modes come together, angles are as uncertain as the root of a rounding.
 const SAME_TURN: f64 = 1e-6;
 
+/// Condition number of its loop equations above which a mode is not firm: with gaps of [`CLOSED`], that of a group that can move is
+/// larger, that of two modes that come together is not.
+const MOVABLE: f64 = 1e10;
+
 /// Why a group has no assembly mode.
 pub(super) enum NoMode {
     /// There is none: by how much its links fail to meet, in words.
@@ -51,7 +55,7 @@ pub(super) fn modes(
         }
     } else {
         let mut search = Search::new(mechanism, group, known, slides, rough);
-        while !search.is_over(modes.found.len()) {
+        while !search.is_over(modes.found.len(), modes.firm) {
             let start = search.start();
             if modes.close(start, search.reach) {
                 search.count_closed();
@@ -78,6 +82,8 @@ struct Modes<'a> {
     closer: Closer<'a>,
     levers: Vec<Lever>,
     found: Vec<Assembled>,
+    /// Whether the rates of the group are definite in one of them.
+    firm: bool,
     smallest_gap: f64,
 }
 
@@ -92,6 +98,7 @@ impl<'a> Modes<'a> {
             equations,
             closer: Closer::new(mechanism, index),
             found: Vec::new(),
+            firm: false,
             smallest_gap: f64::INFINITY,
         }
     }
@@ -117,9 +124,16 @@ impl<'a> Modes<'a> {
         }
         let new = |other: &Assembled| !same(mechanism, group, other, &assembled);
         if self.found.iter().all(new) {
+            self.firm = self.firm || self.is_firm(&assembled);
             self.found.push(assembled);
         }
         true
+    }
+
+    fn is_firm(&self, assembled: &Assembled) -> bool {
+        let (points, guides) = places(self.mechanism, &assembled.frames);
+        let system = self.equations.factored(&points, &guides);
+        system.is_some_and(|system| system.condition() < MOVABLE)
     }
 
     /// All of them in order, with the levers both ways round whose angle `rough` gives.

@@ -11,7 +11,8 @@ const GUIDED: usize = 16;
 /// Starts by lot at least. Of 300 random groups of six links, 295 have as many modes with these as with ten times as many.
 const FEWEST: usize = 1000;
 
-/// Starts by lot at most.
+/// Starts by lot at most, for the smallest of these groups, of three loops; fewer, but never fewer than those, for larger ones, of which
+/// each start costs more.
 const MOST: usize = 20_000;
 
 /// Starting positions of a group for which no polynomial gives the assembly modes, one of a higher class.
@@ -28,6 +29,8 @@ pub(super) struct Search<'a> {
     /// Size of the mechanism, from its given places and lengths: slides are up to about so long.
     pub reach: f64,
     random: Random,
+    /// Starts by lot at most.
+    most: usize,
     /// How many starts were made, and how many of those by lot have closed.
     pub starts: usize,
     closed: usize,
@@ -50,6 +53,7 @@ impl<'a> Search<'a> {
         let body = |link: &BodyId| span(mechanism.body(*link).local.iter().copied());
         let places = mechanism.given.iter().flatten().copied();
         let reach = span(places) + group.bodies.iter().map(body).sum::<f64>();
+        let loops = group.loops.len().max(3);
         Search {
             mechanism,
             group,
@@ -58,6 +62,7 @@ impl<'a> Search<'a> {
             slides,
             reach,
             random: Random(0x6b69_6e65_676f_6e31),
+            most: (9 * MOST / (loops * loops)).max(FEWEST),
             starts: 0,
             closed: 0,
         }
@@ -72,11 +77,13 @@ impl<'a> Search<'a> {
     ///
     /// If every mode were as easily reached as any other, fewer than half a mode would be expected to be missing once 2 w² + 3 w + 2
     /// starts have closed, w the modes found (C. G. E. Boender, A. H. G. Rinnooy Kan, "Bayesian stopping rules for multistart global
-    /// optimization methods", Mathematical Programming 37, 1987). They are not, so this is a rule and no proof.
-    pub(super) fn is_over(&self, modes: usize) -> bool {
+    /// optimization methods", Mathematical Programming 37, 1987). They are not, so this is a rule and no proof. Several modes none of
+    /// which is `firm`, in none of which the group's rates are definite, are a few of infinitely many: the group can move.
+    pub(super) fn is_over(&self, modes: usize, firm: bool) -> bool {
         let by_lot = self.starts.saturating_sub(GUIDED);
-        let enough = modes == 0 || self.closed >= 2 * modes * modes + 3 * modes + 2;
-        by_lot >= MOST || (by_lot >= FEWEST && enough)
+        let enough =
+            modes == 0 || self.closed >= 2 * modes * modes + 3 * modes + 2 || (modes > 1 && !firm);
+        by_lot >= self.most || (by_lot >= FEWEST && enough)
     }
 
     /// The next start.

@@ -99,6 +99,18 @@ fn result_is_finite(result: &ResultFile) {
         shown.retain(|key, _| !key.starts_with("disagreement"));
     }
     assert!(!has_null(&json), "not finite:\n{text}");
+    for (name, link) in &result.links {
+        let turned = link.angle.unwrap_or(0.0);
+        assert!(
+            turned > -180.0 && turned <= 180.0,
+            "angle({name}) is {turned}"
+        );
+        let errors = [link.omega_error, link.alpha_error.unwrap_or(0.0)];
+        assert!(
+            errors.iter().all(|error| *error >= 0.0),
+            "{name}: {errors:?}"
+        );
+    }
 }
 
 fn has_null(json: &Value) -> bool {
