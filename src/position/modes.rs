@@ -6,8 +6,8 @@ use super::levers::Lever;
 use super::rough::Rough;
 use super::search::Search;
 use super::truss::Truss;
-use crate::geometry::{Vector, degrees_of, span};
-use crate::mechanism::{BodyId, Class, Group, LoopEquations, Mechanism};
+use crate::geometry::{Point, Vector, degrees_of, span};
+use crate::mechanism::{Class, Group, LoopEquations, Mechanism};
 
 /// A gap of a closed loop, relative to the mechanism's size, above which a candidate is no assembly mode: far more than the rounding
 /// that Newton's method leaves, less than what is missing a billionth of a degree beyond a limit position.
@@ -82,6 +82,8 @@ struct Modes<'a> {
     closer: Closer<'a>,
     levers: Vec<Lever>,
     found: Vec<Assembled>,
+    /// Of each, where all points are.
+    points: Vec<Vec<Point>>,
     /// Whether the rates of the group are definite in one of them.
     firm: bool,
     smallest_gap: f64,
@@ -98,6 +100,7 @@ impl<'a> Modes<'a> {
             equations,
             closer: Closer::new(mechanism, index),
             found: Vec::new(),
+            points: Vec::new(),
             firm: false,
             smallest_gap: f64::INFINITY,
         }
@@ -122,17 +125,24 @@ impl<'a> Modes<'a> {
         for lever in &self.levers {
             assembled = lever.positive(mechanism, assembled);
         }
-        let new = |other: &Assembled| !same(mechanism, group, other, &assembled);
-        if self.found.iter().all(new) {
-            self.firm = self.firm || self.is_firm(&assembled);
+        let (points, guides) = places(mechanism, &assembled.frames);
+        let near = SAME * span(points.iter().copied());
+        let mut found = self.found.iter().zip(&self.points);
+        let is_known = found.any(|(other, places)| {
+            let mut pairs = places.iter().zip(&points);
+            pairs.all(|(p, q)| (p - q).norm() <= near)
+                && same_turns(mechanism, group, other, &assembled)
+        });
+        if !is_known {
+            self.firm = self.firm || self.is_firm(&points, &guides);
             self.found.push(assembled);
+            self.points.push(points);
         }
         true
     }
 
-    fn is_firm(&self, assembled: &Assembled) -> bool {
-        let (points, guides) = places(self.mechanism, &assembled.frames);
-        let system = self.equations.factored(&points, &guides);
+    fn is_firm(&self, points: &[Point], guides: &[Vector]) -> bool {
+        let system = self.equations.factored(points, guides);
         system.is_some_and(|system| system.condition() < MOVABLE)
     }
 
@@ -162,24 +172,17 @@ impl<'a> Modes<'a> {
     }
 }
 
-/// Whether two assemblies put every point in the same place, and links with one point at the same angle.
-fn same(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled) -> bool {
+/// Whether two assemblies have links with one point at the same angle.
+fn same_turns(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled) -> bool {
     let mut one_point = group
         .bodies
         .iter()
         .filter(|&&link| mechanism.body(link).points.len() == 1);
-    let turned = |&link: &BodyId| {
+    one_point.all(|&link| {
         let rotation = |assembled: &Assembled| assembled.frames.of(link).map(|f| f.rotation);
-        let rotations = rotation(a).zip(rotation(b));
-        rotations.is_some_and(|(a, b)| {
+        rotation(a).zip(rotation(b)).is_none_or(|(a, b)| {
             let (along, across) = (a.re - b.re, a.im - b.im);
-            along * along + across * across > SAME_TURN * SAME_TURN
+            along * along + across * across <= SAME_TURN * SAME_TURN
         })
-    };
-    if one_point.any(turned) {
-        return false;
-    }
-    let ((a, _), (b, _)) = (places(mechanism, &a.frames), places(mechanism, &b.frames));
-    let size = span(a.iter().copied());
-    a.iter().zip(&b).all(|(p, q)| (p - q).norm() <= SAME * size)
+    })
 }

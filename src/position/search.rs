@@ -78,11 +78,13 @@ impl<'a> Search<'a> {
     /// If every mode were as easily reached as any other, fewer than half a mode would be expected to be missing once 2 w² + 3 w + 2
     /// starts have closed, w the modes found (C. G. E. Boender, A. H. G. Rinnooy Kan, "Bayesian stopping rules for multistart global
     /// optimization methods", Mathematical Programming 37, 1987). They are not, so this is a rule and no proof. Several modes none of
-    /// which is `firm`, in none of which the group's rates are definite, are a few of infinitely many: the group can move.
+    /// which is `firm`, in none of which the group's rates are definite, are a few of infinitely many: the group can move. With so many
+    /// modes that more starts than there may be would have to close, more starts do not complete the list either.
     pub(super) fn is_over(&self, modes: usize, firm: bool) -> bool {
         let by_lot = self.starts.saturating_sub(GUIDED);
+        let needed = 2 * modes * modes + 3 * modes + 2;
         let enough =
-            modes == 0 || self.closed >= 2 * modes * modes + 3 * modes + 2 || (modes > 1 && !firm);
+            modes == 0 || self.closed >= needed || needed > self.most || (modes > 1 && !firm);
         by_lot >= self.most || (by_lot >= FEWEST && enough)
     }
 
