@@ -95,6 +95,8 @@ impl Sizes {
 pub struct Differences {
     /// One unit, u·cond.
     pub unit: f64,
+    /// What places that are not given, but found, add to the errors of rates: a part of the largest rate of their kind.
+    pub placing: f64,
     /// Of positions and velocities, in that unit, and where.
     pub velocity: (f64, String),
     /// Of accelerations.
@@ -123,14 +125,17 @@ impl Differences {
         }
     }
 
-    /// A rate with its bound, and what it should be with its bound.
-    pub fn see_rate(&mut self, what: &str, got: (f64, f64), want: (f64, f64)) {
+    /// A rate with its bound, and what it should be with its bound, beside the largest of its kind.
+    pub fn see_rate(&mut self, what: &str, got: (f64, f64), want: (f64, f64), largest: f64) {
         let difference = got.0 - want.0;
         // The changes of a result round once themselves.
         let rounding = 2.0 * U * want.0.abs();
         keep_worst(
             &mut self.stated,
-            ratio(difference, got.1 + want.1 + rounding),
+            ratio(
+                difference,
+                got.1 + want.1 + rounding + self.placing * largest,
+            ),
             what,
         );
     }
@@ -178,55 +183,57 @@ pub fn keep_worst(worst: &mut (f64, String), measured: f64, what: &str) {
     }
 }
 
+/// Compares them in units of `unit`; `placing` is what places that are found add to rates.
 pub fn compare(
     before: &ResultFile,
     after: &ResultFile,
     change: &Change<'_>,
     unit: f64,
+    placing: f64,
 ) -> Differences {
     let mut seen = Differences {
         unit,
+        placing,
         ..Differences::default()
     };
     let sizes = Sizes::of(after);
     let names = &change.names;
     let [first, second] = change.order;
     let option = |x: Option<f64>| x.expect("accelerations were asked for");
-    let body = |name: &str| {
-        if name.starts_with('i') {
-            names.point(name)
-        } else {
-            names.link(name)
-        }
+    let body = |name: &str| match name {
+        "ground" => name.to_owned(),
+        _ if name.starts_with('i') => names.point(name),
+        _ => names.link(name),
     };
     for (name, link) in &before.links {
         let got = &after.links[&body(name)];
         let by = first * change.turn;
-        let want = (link.omega * by, link.omega_error * first);
+        let want = (link.omega * by, link.omega_error * first.abs());
         seen.see_rate(
             &format!("omega({name})"),
             (got.omega, got.omega_error),
             want,
+            sizes.omega,
         );
         let by = second * change.turn;
         let want = (option(link.alpha) * by, option(link.alpha_error) * second);
         let got = (option(got.alpha), option(got.alpha_error));
-        seen.see_rate(&format!("alpha({name})"), got, want);
+        seen.see_rate(&format!("alpha({name})"), got, want, sizes.alpha);
     }
     for (name, slider) in &before.sliders {
         let (link, on) = name.split_once('/').expect("the name of a slider");
         let after = &after.sliders[&format!("{}/{}", body(link), body(on))];
         let by = first * change.length;
-        let want = (slider.velocity * by, slider.velocity_error * by);
+        let want = (slider.velocity * by, slider.velocity_error * by.abs());
         let got = (after.velocity, after.velocity_error);
-        seen.see_rate(&format!("v_r({name})"), got, want);
+        seen.see_rate(&format!("v_r({name})"), got, want, sizes.velocity);
         let by = second * change.length;
         let want = (
             option(slider.acceleration) * by,
             option(slider.acceleration_error) * by,
         );
         let got = (option(after.acceleration), option(after.acceleration_error));
-        seen.see_rate(&format!("a_r({name})"), got, want);
+        seen.see_rate(&format!("a_r({name})"), got, want, sizes.acceleration);
         let coriolis = slider.coriolis.map(|c| times((change.vector)(c), second));
         seen.see_pair(
             &format!("a_c({name})"),
@@ -235,16 +242,16 @@ pub fn compare(
             sizes.acceleration,
         );
     }
+    // Any joint: what counts is how many sizes of the mechanism a special point is away.
+    let (_, home) = after.points.first().expect("there are joints");
     for (name, point) in &before.points {
         let new_name = match (name.strip_prefix('S'), name.split_once('_')) {
-            (Some(link), _) => format!("S{}", names.link(link)),
+            (Some(link), None) => format!("S{}", names.link(link)),
             (_, Some((point, on))) => format!("{}_{}", names.point(point), body(on)),
             _ => names.point(name),
         };
         let got = &after.points[&new_name];
-        if let Some(link) = name.strip_prefix('S') {
-            // Link 3 always has point D, link 5 always F.
-            let home = &after.points[&names.point(if link == "3" { "D" } else { "F" })];
+        if name.starts_with('S') && !name.contains('_') {
             special(&mut seen, name, [point, got], home, change, &sizes);
             continue;
         }
