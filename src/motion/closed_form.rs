@@ -26,7 +26,7 @@ impl ClosedForm {
         for (terms, columns) in equations.loops.iter().zip(&mut all) {
             terms.add_columns(points, guides, columns);
         }
-        // The squares of the own columns of two loops are inverted together.
+        // The squares of the own columns are inverted.
         let mut squares = 1.0;
         let (form, determinant, products) = match reduction {
             Reduction::OneLoop => {

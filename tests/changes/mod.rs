@@ -1,4 +1,5 @@
 //! A result against the result of the same scene changed: turned, mirrored, scaled, shifted, renamed.
+#![allow(dead_code)] // not every test uses all of it
 
 use crate::groups::{Names, Pair, distance, times};
 use kinegon::format::{PointResult, ResultFile};
@@ -200,13 +201,8 @@ pub fn compare(
     let names = &change.names;
     let [first, second] = change.order;
     let option = |x: Option<f64>| x.expect("accelerations were asked for");
-    let body = |name: &str| match name {
-        "ground" => name.to_owned(),
-        _ if name.starts_with('i') => names.point(name),
-        _ => names.link(name),
-    };
     for (name, link) in &before.links {
-        let got = &after.links[&body(name)];
+        let got = &after.links[&names.link(name)];
         let by = first * change.turn;
         let want = (link.omega * by, link.omega_error * first.abs());
         seen.see_rate(
@@ -222,7 +218,7 @@ pub fn compare(
     }
     for (name, slider) in &before.sliders {
         let (link, on) = name.split_once('/').expect("the name of a slider");
-        let after = &after.sliders[&format!("{}/{}", body(link), body(on))];
+        let after = &after.sliders[&format!("{}/{}", names.link(link), names.link(on))];
         let by = first * change.length;
         let want = (slider.velocity * by, slider.velocity_error * by.abs());
         let got = (after.velocity, after.velocity_error);
@@ -246,11 +242,21 @@ pub fn compare(
     let (_, home) = after.points.first().expect("there are joints");
     for (name, point) in &before.points {
         let new_name = match (name.strip_prefix('S'), name.split_once('_')) {
-            (Some(link), None) => format!("S{}", names.link(link)),
-            (_, Some((point, on))) => format!("{}_{}", names.point(point), body(on)),
+            (Some(links), None) => {
+                // Of a third-class group it is named after two legs: in another order of the links, perhaps after two others.
+                let names = legs(links, before).map(|link| names.link(link));
+                let new_name = format!("S{}", names.concat());
+                if change.names.reversed && !after.points.contains_key(&new_name) {
+                    assert_ne!(names[1], "", "no {new_name} for {name}");
+                    continue;
+                }
+                new_name
+            }
+            (_, Some((point, on))) => format!("{}_{}", names.point(point), names.link(on)),
             _ => names.point(name),
         };
-        let got = &after.points[&new_name];
+        let got = after.points.get(&new_name);
+        let got = got.unwrap_or_else(|| panic!("no {new_name} for {name}"));
         if name.starts_with('S') && !name.contains('_') {
             special(&mut seen, name, [point, got], home, change, &sizes);
             continue;
@@ -277,6 +283,17 @@ pub fn compare(
         );
     }
     seen
+}
+
+/// The one or two links after which a special point is named.
+fn legs<'a>(links: &'a str, result: &ResultFile) -> [&'a str; 2] {
+    let is_link = |name: &str| name.is_empty() || result.links.contains_key(name);
+    let mut cuts = (1..=links.len())
+        .rev()
+        .filter_map(|at| links.split_at_checked(at));
+    let cut = cuts.find(|(a, b)| is_link(a) && is_link(b));
+    cut.unwrap_or_else(|| panic!("S{links} is named after no link"))
+        .into()
 }
 
 /// A special point's error grows with the square of its distance; very far away it may turn into a direction.

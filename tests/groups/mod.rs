@@ -1,5 +1,6 @@
 //! Random fourth-class groups as drawn, half of them hard: near-parallel legs, nearly singular, nearly dead, extreme ratios,
 //! large common velocities.
+#![allow(dead_code)] // not every test uses all of it
 
 use crate::random::Random;
 use serde_json::{Map, Value, json};
@@ -166,10 +167,7 @@ impl Group {
         // The two sides of each joint: links 2, 3, 4, 5 are 0 to 3, the known bodies 6 and 7. The second side slides and keeps the
         // point; so every link keeps at least one.
         const SIDES: [[usize; 2]; 6] = [[6, 0], [1, 0], [2, 1], [7, 2], [2, 3], [3, 0]];
-        let link_name = |link: usize| match link {
-            6 | 7 => names.point(["iB", "iE"][link - 6]),
-            _ => names.link(["2", "3", "4", "5"][link]),
-        };
+        let link_name = |link: usize| names.link(["2", "3", "4", "5", "", "", "iB", "iE"][link]);
         let mut points = Map::new();
         let mut on: [Vec<String>; 4] = Default::default();
         let mut known = Map::new();
@@ -249,11 +247,13 @@ impl Names {
         }
     }
 
+    /// A link; a known moving body, whose name begins with an i, is called as a point is.
     pub fn link(&self, name: &str) -> String {
-        if self.renamed {
-            format!("rod{name}")
-        } else {
-            name.to_owned()
+        match name {
+            "" | "ground" => name.to_owned(),
+            _ if name.starts_with('i') => self.point(name),
+            _ if self.renamed => format!("rod{name}"),
+            _ => name.to_owned(),
         }
     }
 }
