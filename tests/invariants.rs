@@ -290,7 +290,7 @@ fn the_closed_form_agrees_with_the_whole_system() {
         let Some(form) = ClosedForm::new(&equations, &pose.points, &pose.guides) else {
             continue;
         };
-        let side = RightSide::velocity(&equations, pose, &motion.bodies);
+        let side = RightSide::velocity(&equations, pose, motion);
         let closed = form.solve_all(&side.value);
         let closed: [f64; 4] =
             std::array::from_fn(|i| equations.spin(links[i], &closed, |_| f64::NAN));

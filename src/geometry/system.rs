@@ -1,9 +1,13 @@
 use super::UNIT_ROUNDOFF;
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 use smallvec::SmallVec;
+use std::sync::OnceLock;
 
 /// As many numbers as a group has unknowns; up to four need no memory of their own.
 pub type Numbers = SmallVec<[f64; 4]>;
+
+/// Roundings that the inverse may carry, each enlarged by the condition.
+const INVERSE_ROUNDINGS: f64 = 8.0;
 
 /// A square linear system, scaled and factored once, to be solved for several right sides.
 ///
@@ -17,6 +21,8 @@ pub struct LinearSystem {
     factors: LU<f64, Dyn, Dyn>,
     column_scale: DVector<f64>,
     row_scale: DVector<f64>,
+    /// Magnitudes of the scaled matrix's inverse, once somebody has asked for them.
+    inverse: OnceLock<DMatrix<f64>>,
 }
 
 impl LinearSystem {
@@ -44,6 +50,7 @@ impl LinearSystem {
             factors,
             column_scale,
             row_scale,
+            inverse: OnceLock::new(),
         })
     }
 
@@ -67,34 +74,45 @@ impl LinearSystem {
     }
 
     /// The magnitudes of the scaled matrix's inverse.
-    fn inverse_magnitudes(&self) -> DMatrix<f64> {
-        let size = self.scaled.nrows();
-        let mut inverse = DMatrix::identity(size, size);
-        self.factors.solve_mut(&mut inverse);
-        inverse.abs()
+    fn inverse_magnitudes(&self) -> &DMatrix<f64> {
+        self.inverse.get_or_init(|| {
+            let size = self.scaled.nrows();
+            let mut inverse = DMatrix::identity(size, size);
+            self.factors.solve_mut(&mut inverse);
+            inverse.abs()
+        })
     }
 
     /// The condition number of the scaled matrix in the largest-row-sum norm, at least 1.
     #[must_use]
     pub fn condition(&self) -> f64 {
-        let norm = |m: DMatrix<f64>| m.row_iter().map(|r| r.sum()).fold(0.0, f64::max);
-        (norm(self.scaled.abs()) * norm(self.inverse_magnitudes())).max(1.0)
+        let norm = |m: &DMatrix<f64>| m.row_iter().map(|r| r.sum()).fold(0.0, f64::max);
+        (norm(&self.scaled.abs()) * norm(self.inverse_magnitudes())).max(1.0)
     }
 
-    /// A bound on the error of each element of the solution `x` of the right side `b`.
+    /// A bound on the error of each element of the solution `x` of the right side `b`, taking the matrix as exact.
     ///
-    /// `uncertain` bounds the error that each element of `b` carries already. The bound is
-    /// |A⁻¹| (|b − A x| + `uncertain` + (N + 4) u (|A| |x| + |b|)): the residual that is there, what the inputs
-    /// bring, and the rounding of forming both.
+    /// `uncertain` bounds the error that each element of `b` carries already, and what errors of the matrix make of `x`.
+    /// The bound is |A⁻¹| (|b − A x| + `uncertain` + the rounding of that residual, added up as it goes on).
     #[must_use]
     pub fn error_bound(&self, x: &[f64], b: &[f64], uncertain: &[f64]) -> Numbers {
-        let rounding = (x.len() + 4) as f64 * UNIT_ROUNDOFF;
         let x = DVector::from_column_slice(x).component_div(&self.column_scale);
         let right = DVector::from_column_slice(b).component_mul(&self.row_scale);
-        let uncertain = DVector::from_column_slice(uncertain).component_mul(&self.row_scale);
-        let residual = (&right - &self.scaled * &x).abs();
-        let size = self.scaled.abs() * x.abs() + right.abs();
-        let bound = self.inverse_magnitudes() * (residual + uncertain + size * rounding);
+        let mut doubt = DVector::from_column_slice(uncertain).component_mul(&self.row_scale);
+        for (row, coefficients) in self.scaled.row_iter().enumerate() {
+            let (mut residual, mut rounding) = (right[row], 0.0);
+            for (a, x) in coefficients.iter().zip(&x) {
+                let product = a * x;
+                residual -= product;
+                if product != 0.0 {
+                    rounding += product.abs() + residual.abs();
+                }
+            }
+            doubt[row] += residual.abs() + rounding * UNIT_ROUNDOFF;
+        }
+        // The inverse is known to about u·condition only.
+        let blur = 1.0 + INVERSE_ROUNDINGS * UNIT_ROUNDOFF * self.condition();
+        let bound = self.inverse_magnitudes() * doubt * blur;
         bound
             .component_mul(&self.column_scale)
             .iter()

@@ -4,6 +4,7 @@
 
 mod closed_form;
 mod error;
+mod errors;
 mod known;
 mod sides;
 mod singular;
@@ -11,7 +12,8 @@ mod solve;
 
 pub use closed_form::ClosedForm;
 pub use error::MotionError;
-pub use sides::{LoopSide, RightSide};
+pub use errors::MotionErrors;
+pub use sides::{Rates, RightSide};
 pub use solve::motion;
 
 use crate::geometry::{Point, Vector, quarter_turn};
@@ -64,6 +66,17 @@ impl BodyMotion {
         self.acceleration + self.tangential(p) + self.normal(p)
     }
 
+    /// The same motion, described by that of the body's point at `p`.
+    #[must_use]
+    pub fn referred_to(&self, p: Point) -> BodyMotion {
+        BodyMotion {
+            at: p,
+            velocity: self.velocity_at(p),
+            acceleration: self.acceleration_at(p),
+            ..*self
+        }
+    }
+
     /// Velocity of the point at `p` relative to that at [`Self::at`].
     #[must_use]
     pub fn swing(&self, p: Point) -> Vector {
@@ -96,15 +109,6 @@ pub struct SlideMotion {
     pub acceleration_error: f64,
 }
 
-/// Bounds on the errors of a body's rates.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RateErrors {
-    /// Bound on the error of ω.
-    pub omega: f64,
-    /// Bound on the error of α.
-    pub alpha: f64,
-}
-
 /// How well an Assur group's motion is determined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroupAccuracy {
@@ -119,8 +123,8 @@ pub struct Motion {
     pub order: Order,
     /// By body. Of a stub and a carrier only the carried point's motion means anything.
     pub bodies: Vec<BodyMotion>,
-    /// By body: bounds on the errors of the rates; zero for given ones.
-    pub errors: Vec<RateErrors>,
+    /// By body: bounds on its errors.
+    pub errors: Vec<MotionErrors>,
     /// By slider.
     pub slides: Vec<SlideMotion>,
     /// By group.
@@ -134,6 +138,12 @@ impl Motion {
     #[must_use]
     pub fn body(&self, id: BodyId) -> &BodyMotion {
         &self.bodies[id.0]
+    }
+
+    /// Bounds on the errors of a body's motion.
+    #[must_use]
+    pub fn error(&self, id: BodyId) -> &MotionErrors {
+        &self.errors[id.0]
     }
 
     /// The motion of a slider along its guide.

@@ -1,16 +1,8 @@
-use super::BodyMotion;
+use super::Motion;
+use super::errors::{GUIDE_ROUNDINGS, Sum, error_of_product};
 use crate::geometry::{Numbers, UNIT_ROUNDOFF, Vector, quarter_turn};
 use crate::mechanism::{LoopEquations, LoopTerms, SlideRate, Spin};
 use crate::position::Pose;
-
-/// The right side of one loop's equations: a vector, and how uncertain rounding has left it.
-#[derive(Clone, Copy, Debug)]
-pub struct LoopSide {
-    /// The sum of the known terms.
-    pub value: Vector,
-    /// Bounds of the errors of its components.
-    pub uncertain: Vector,
-}
 
 /// The right sides of all loops, two numbers each, with bounds of their errors.
 #[derive(Clone, Debug)]
@@ -21,148 +13,145 @@ pub struct RightSide {
     pub uncertain: Numbers,
 }
 
+/// Rates of the unknowns, with bounds of their errors.
+#[derive(Clone, Copy, Debug)]
+pub struct Rates<'a> {
+    /// Their values.
+    pub values: &'a [f64],
+    /// Bounds of their errors.
+    pub errors: &'a [f64],
+}
+
 impl RightSide {
-    /// The right side of the velocity equations.
+    /// The right side of the velocity equations, where known bodies move as `motion` says.
     #[must_use]
-    pub fn velocity(equations: &LoopEquations, pose: &Pose, known: &[BodyMotion]) -> Self {
+    pub fn velocity(equations: &LoopEquations, pose: &Pose, motion: &Motion) -> Self {
         let loops = equations.loops.iter();
-        Self::of(loops.map(|terms| LoopSide::velocity(terms, pose, known)))
+        Self::of(loops.map(|terms| velocity(terms, pose, motion)))
     }
 
     /// The right side of the acceleration equations, with the solution `rates` of the velocity equations.
-    ///
-    /// `rate_errors` bounds the errors of `rates`, which make this side uncertain.
     #[must_use]
     pub fn acceleration(
         equations: &LoopEquations,
         pose: &Pose,
-        known: &[BodyMotion],
-        rates: &[f64],
-        rate_errors: &[f64],
+        motion: &Motion,
+        rates: Rates<'_>,
     ) -> Self {
         let loops = equations.loops.iter();
-        Self::of(loops.map(|t| LoopSide::acceleration(t, pose, known, rates, rate_errors)))
+        Self::of(loops.map(|terms| acceleration(terms, pose, motion, rates)))
     }
 
-    fn of(loops: impl Iterator<Item = LoopSide>) -> Self {
+    /// Adds to the bounds what the rounding of the equations' coefficients makes of the solution `x`.
+    pub fn doubt_coefficients(&mut self, equations: &LoopEquations, pose: &Pose, x: &[f64]) {
+        for (terms, uncertain) in equations.loops.iter().zip(self.uncertain.chunks_mut(2)) {
+            let mut doubt = |v: Vector| {
+                uncertain[0] += v.x.abs();
+                uncertain[1] += v.y.abs();
+            };
+            for arm in &terms.arms {
+                if let Spin::Unknown(unknown) = arm.spin {
+                    // One rounding as a difference of places, one for each further arm of the same rotation.
+                    let alike = terms.arms.iter().filter(|other| other.spin == arm.spin);
+                    let error = alike.count() as f64 * UNIT_ROUNDOFF * x[unknown];
+                    doubt(quarter_turn(pose.arm(arm.from, arm.to)) * error);
+                }
+            }
+            for slide in &terms.slides {
+                if let SlideRate::Unknown(unknown) = slide.rate {
+                    let error = GUIDE_ROUNDINGS * UNIT_ROUNDOFF * x[unknown];
+                    doubt(pose.guide(slide.slider) * error);
+                }
+            }
+        }
+    }
+
+    fn of(loops: impl Iterator<Item = Sum>) -> Self {
         let (mut value, mut uncertain) = (Numbers::new(), Numbers::new());
         for side in loops {
             value.extend([side.value.x, side.value.y]);
-            uncertain.extend([side.uncertain.x, side.uncertain.y]);
+            uncertain.extend([side.error.x, side.error.y]);
         }
         Self { value, uncertain }
     }
 }
 
-impl LoopSide {
-    /// The right side of a loop's velocity equations.
-    #[inline]
-    #[must_use]
-    pub fn velocity(terms: &LoopTerms, pose: &Pose, known: &[BodyMotion]) -> Self {
-        let mut side = Self::zero();
-        if let Some([start, end]) = terms.ends.map(|ends| ends.map(|b| &known[b.0])) {
-            let (first, last) = (pose.point(terms.first), pose.point(terms.last));
-            side.add(end.velocity - start.velocity, 1.0);
-            side.add(end.swing(last), 3.0);
-            side.add(-start.swing(first), 3.0);
-        }
-        for arm in &terms.arms {
-            if let Spin::Known(body) = arm.spin {
-                let turned = quarter_turn(pose.arm(arm.from, arm.to));
-                side.add(-turned * known[body.0].omega, 2.0);
-            }
-        }
-        for slide in &terms.slides {
-            if let SlideRate::Driven([speed, _]) = slide.rate {
-                let u = pose.guide(slide.slider) * slide.sign;
-                side.add(-u * speed, 1.0);
-            }
-        }
-        side
+/// The right side of a loop's velocity equations.
+#[inline]
+fn velocity(terms: &LoopTerms, pose: &Pose, motion: &Motion) -> Sum {
+    let mut side = Sum::default();
+    if let Some([start, end]) = terms.ends {
+        let (first, last) = (pose.point(terms.first), pose.point(terms.last));
+        let [start, end] = [start, end].map(|b| (motion.body(b), motion.error(b)));
+        side.add(end.0.velocity - start.0.velocity, 1.0);
+        side.doubt(end.1.velocity + start.1.velocity);
+        side.add(end.0.swing(last), 2.0);
+        side.doubt(end.1.swing(end.0, last));
+        side.add(-start.0.swing(first), 2.0);
+        side.doubt(start.1.swing(start.0, first));
     }
-
-    /// The right side of a loop's acceleration equations, with the solution `rates` of the velocity equations.
-    ///
-    /// `rate_errors` bounds the errors of `rates`.
-    #[inline]
-    #[must_use]
-    pub fn acceleration(
-        terms: &LoopTerms,
-        pose: &Pose,
-        known: &[BodyMotion],
-        rates: &[f64],
-        rate_errors: &[f64],
-    ) -> Self {
-        let mut side = Self::zero();
-        if let Some([start, end]) = terms.ends.map(|ends| ends.map(|b| &known[b.0])) {
-            let (first, last) = (pose.point(terms.first), pose.point(terms.last));
-            side.add(end.acceleration - start.acceleration, 1.0);
-            side.add(end.tangential(last), 3.0);
-            side.add(end.normal(last), 4.0);
-            side.add(-start.tangential(first), 3.0);
-            side.add(-start.normal(first), 4.0);
+    for arm in &terms.arms {
+        if let Spin::Known(body) = arm.spin {
+            let turned = quarter_turn(pose.arm(arm.from, arm.to));
+            side.add(-turned * motion.body(body).omega, 2.0);
+            side.doubt(turned * motion.error(body).omega);
         }
-        for arm in &terms.arms {
-            let r = pose.arm(arm.from, arm.to);
-            match arm.spin {
-                Spin::Unknown(unknown) => {
-                    let omega = rates[unknown];
-                    side.add(r * (omega * omega), 3.0);
-                    side.doubt(r * (2.0 * omega.abs() * rate_errors[unknown]));
-                }
-                Spin::Known(body) => {
-                    let body = &known[body.0];
-                    side.add(-quarter_turn(r) * body.alpha, 2.0);
-                    side.add(r * (body.omega * body.omega), 3.0);
-                }
-            }
-        }
-        for slide in &terms.slides {
+    }
+    for slide in &terms.slides {
+        if let SlideRate::Driven([speed, _]) = slide.rate {
             let u = pose.guide(slide.slider) * slide.sign;
-            let omega = match slide.spin {
-                Spin::Unknown(unknown) => rates[unknown],
-                Spin::Known(body) => known[body.0].omega,
-            };
-            let rate = match slide.rate {
-                SlideRate::Unknown(unknown) => rates[unknown],
-                SlideRate::Driven([speed, acceleration]) => {
-                    side.add(-u * acceleration, 1.0);
-                    speed
-                }
-            };
-            let across = quarter_turn(u);
-            side.add(-across * (2.0 * omega * rate), 4.0);
-            let omega_error = match slide.spin {
-                Spin::Unknown(unknown) => rate_errors[unknown],
-                Spin::Known(_) => 0.0,
-            };
-            let rate_error = match slide.rate {
-                SlideRate::Unknown(unknown) => rate_errors[unknown],
-                SlideRate::Driven(_) => 0.0,
-            };
-            side.doubt(across * (2.0 * (omega.abs() * rate_error + rate.abs() * omega_error)));
-        }
-        side
-    }
-
-    #[inline]
-    fn zero() -> Self {
-        Self {
-            value: Vector::zeros(),
-            uncertain: Vector::zeros(),
+            side.add(-u * speed, 1.0 + GUIDE_ROUNDINGS);
         }
     }
+    side
+}
 
-    /// Adds a term that carries `roundings` roundings of its own.
-    #[inline]
-    fn add(&mut self, term: Vector, roundings: f64) {
-        self.value += term;
-        // Four more for the additions that it goes through.
-        self.doubt(term * ((roundings + 4.0) * UNIT_ROUNDOFF));
+/// The right side of a loop's acceleration equations, with the solution of the velocity equations.
+#[inline]
+fn acceleration(terms: &LoopTerms, pose: &Pose, motion: &Motion, rates: Rates<'_>) -> Sum {
+    let mut side = Sum::default();
+    if let Some([start, end]) = terms.ends {
+        let (first, last) = (pose.point(terms.first), pose.point(terms.last));
+        let [start, end] = [start, end].map(|b| (motion.body(b), motion.error(b)));
+        side.add(end.0.acceleration - start.0.acceleration, 1.0);
+        side.doubt(end.1.acceleration + start.1.acceleration);
+        side.add(end.0.tangential(last), 2.0);
+        side.doubt(end.1.tangential(end.0, last));
+        side.add(end.0.normal(last), 3.0);
+        side.doubt(end.1.normal(end.0, last));
+        side.add(-start.0.tangential(first), 2.0);
+        side.doubt(start.1.tangential(start.0, first));
+        side.add(-start.0.normal(first), 3.0);
+        side.doubt(start.1.normal(start.0, first));
     }
-
-    #[inline]
-    fn doubt(&mut self, error: Vector) {
-        self.uncertain += error.abs();
+    let spin = |spin: Spin| match spin {
+        Spin::Unknown(unknown) => (rates.values[unknown], rates.errors[unknown]),
+        Spin::Known(body) => (motion.body(body).omega, motion.error(body).omega),
+    };
+    for arm in &terms.arms {
+        let r = pose.arm(arm.from, arm.to);
+        let (omega, error) = spin(arm.spin);
+        if let Spin::Known(body) = arm.spin {
+            side.add(-quarter_turn(r) * motion.body(body).alpha, 2.0);
+            side.doubt(quarter_turn(r) * motion.error(body).alpha);
+        }
+        side.add(r * (omega * omega), 3.0);
+        side.doubt(r * error_of_product([omega; 2], [error; 2]));
     }
+    for slide in &terms.slides {
+        let u = pose.guide(slide.slider) * slide.sign;
+        let (omega, omega_error) = spin(slide.spin);
+        let (rate, rate_error) = match slide.rate {
+            SlideRate::Unknown(unknown) => (rates.values[unknown], rates.errors[unknown]),
+            SlideRate::Driven([speed, acceleration]) => {
+                side.add(-u * acceleration, 1.0 + GUIDE_ROUNDINGS);
+                (speed, 0.0)
+            }
+        };
+        let across = quarter_turn(u);
+        side.add(-across * (2.0 * omega * rate), 2.0 + GUIDE_ROUNDINGS);
+        let error = error_of_product([omega, rate], [omega_error, rate_error]);
+        side.doubt(across * (2.0 * error));
+    }
+    side
 }

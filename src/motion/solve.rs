@@ -1,8 +1,8 @@
 use super::known::{driven_motion, known_motion, slid};
 use super::singular::singular;
 use super::{
-    BodyMotion, ClosedForm, GroupAccuracy, Motion, MotionError, Order, RateErrors, RightSide,
-    SlideMotion,
+    BodyMotion, ClosedForm, GroupAccuracy, Motion, MotionError, MotionErrors, Order, Rates,
+    RightSide, SlideMotion,
 };
 use crate::geometry::{Numbers, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::{
@@ -26,13 +26,14 @@ const LARGEST: f64 = 1e150;
 /// [`MotionError::Singular`] names the links and lines where a group has no definite motion.
 pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion, MotionError> {
     let bodies = mechanism.bodies.iter();
+    let (bodies, errors) = bodies
+        .map(|body| known_motion(mechanism, pose, body, order))
+        .unzip();
     let sliders = mechanism.sliders.iter();
     let mut motion = Motion {
         order,
-        bodies: bodies
-            .map(|body| known_motion(mechanism, pose, body, order))
-            .collect(),
-        errors: vec![RateErrors::default(); mechanism.bodies.len()],
+        bodies,
+        errors,
         slides: sliders.map(|s| driven_motion(s, order)).collect(),
         groups: Vec::new(),
         warnings: Vec::new(),
@@ -96,24 +97,27 @@ fn move_group(
         ));
     }
     let closed = ClosedForm::new(&equations, &pose.points, &pose.guides);
-    let solved = |side: &RightSide| {
+    let solved = |mut side: RightSide| {
         let rates = match &closed {
             Some(form) => form.solve_all(&side.value),
             None => system.solve(&side.value),
         };
+        side.doubt_coefficients(&equations, pose, &rates);
         let errors = system.error_bound(&rates, &side.value, &side.uncertain);
         (rates, errors)
     };
-    let (rates, rate_errors) = solved(&RightSide::velocity(&equations, pose, &motion.bodies));
+    let (rates, rate_errors) = solved(RightSide::velocity(&equations, pose, motion));
     let (seconds, second_errors) = match motion.order {
         Order::Velocity => {
             let zeros: Numbers = smallvec![0.0; equations.unknowns];
             (zeros.clone(), zeros)
         }
         Order::Acceleration => {
-            let side =
-                RightSide::acceleration(&equations, pose, &motion.bodies, &rates, &rate_errors);
-            solved(&side)
+            let rates = Rates {
+                values: &rates,
+                errors: &rate_errors,
+            };
+            solved(RightSide::acceleration(&equations, pose, motion, rates))
         }
     };
     let finite = |x: &Numbers| x.iter().all(|x| x.is_finite());
@@ -130,14 +134,14 @@ fn move_group(
     for &link in &group.bodies {
         let omega = equations.spin(link, &rates, |b| motion.body(b).omega);
         let alpha = equations.spin(link, &seconds, |b| motion.body(b).alpha);
+        let errors = MotionErrors {
+            omega: equations.spin(link, &rate_errors, |b| motion.error(b).omega),
+            alpha: equations.spin(link, &second_errors, |b| motion.error(b).alpha),
+            ..MotionErrors::default()
+        };
         let body = &mut motion.bodies[link.0];
         (body.omega, body.alpha) = (omega, alpha);
-        if let Some(unknown) = equations.spin_unknown(link) {
-            motion.errors[link.0] = RateErrors {
-                omega: rate_errors[unknown],
-                alpha: second_errors[unknown],
-            };
-        }
+        motion.errors[link.0] = errors;
     }
     for slider in (0..mechanism.sliders.len()).map(SliderId) {
         if let Some(unknown) = equations.slide_unknown(slider) {
@@ -199,18 +203,21 @@ fn carry_over(
         JointKind::Prismatic(slider) => slide_over(mechanism, pose, motion, slider, from, to),
         JointKind::Revolute(point) => {
             let at = pose.point(point);
-            let source = *motion.body(from);
-            let mut acceleration = source.acceleration_at(at);
-            if motion.order == Order::Velocity {
-                acceleration.fill(0.0);
-            }
-            let body = &mut motion.bodies[to.0];
-            *body = BodyMotion {
-                at,
-                velocity: source.velocity_at(at),
-                acceleration,
-                ..*body
+            let (source, errors) = (motion.body(from), motion.error(from));
+            let (moved, errors) = (source.referred_to(at), errors.at(source, at));
+            let (omega, alpha) = (motion.body(to).omega, motion.body(to).alpha);
+            let moved = BodyMotion {
+                omega,
+                alpha,
+                ..moved
             };
+            let own = motion.error(to);
+            let errors = MotionErrors {
+                omega: own.omega,
+                alpha: own.alpha,
+                ..errors
+            };
+            put(motion, to, moved, errors);
         }
     }
 }
@@ -224,10 +231,18 @@ fn slide_over(
     from: BodyId,
     to: BodyId,
 ) {
-    let (source, slide) = (motion.body(from), motion.slide(slider));
-    let mut body = slid(mechanism, pose, slider, from, source, slide);
+    let source = (*motion.body(from), *motion.error(from));
+    let slide = motion.slide(slider);
+    let (moved, errors) = slid(mechanism, pose, slider, from, source, slide);
+    put(motion, to, moved, errors);
+}
+
+/// Notes the motion of body `to` as far as it was asked for.
+fn put(motion: &mut Motion, to: BodyId, mut moved: BodyMotion, mut errors: MotionErrors) {
     if motion.order == Order::Velocity {
-        body.acceleration.fill(0.0);
+        moved.acceleration.fill(0.0);
+        errors.acceleration.fill(0.0);
     }
-    motion.bodies[to.0] = body;
+    motion.bodies[to.0] = moved;
+    motion.errors[to.0] = errors;
 }

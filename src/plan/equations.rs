@@ -370,7 +370,9 @@ impl Board<'_> {
         let right = &sides.value - &self.known[order];
         let solution = self.matrix.clone().full_piv_lu().solve(&right)?;
         let rounding = (self.known[order].abs() + right.abs()) * (8.0 * UNIT_ROUNDOFF);
-        let uncertain = &self.doubt * solution.abs() + rounding + &sides.uncertain;
+        // Lengths along a cut line are products of three.
+        let lengths = &self.doubt + self.matrix.abs() * (4.0 * UNIT_ROUNDOFF);
+        let uncertain = lengths * solution.abs() + rounding + &sides.uncertain;
         let rates: Numbers = solution.iter().copied().collect();
         let errors = LinearSystem::new(self.matrix.clone())?.error_bound(
             &rates,
