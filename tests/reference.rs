@@ -9,7 +9,7 @@ mod exact;
 mod files;
 mod stages;
 
-use comparison::{Comparison, angle_error, decimal, entries, size, slider_name};
+use comparison::{Comparison, angle_error, decimal, entries, scene_text, size, slider_name};
 use exact::{exceeds, minus};
 use kinegon::Error;
 use kinegon::format::ResultFile;
@@ -24,13 +24,13 @@ use stages::Stages;
 const U: f64 = f64::EPSILON / 2.0;
 
 /// Errors allowed where positions are given, in units u·cond; careful code stays below 2.
-const DRAWN_BOUND: f64 = 8.0;
+const DRAWN_BOUND: f64 = 4.0;
 
 /// Errors allowed where positions come from lengths, in units cond: the way from lengths to places has a condition of its own.
 const LENGTHS_BOUND: f64 = 1e-11;
 
 /// Stated bounds must not be this many times the true error in the middle of all numbers: they would say nothing.
-const WASTEFUL: f64 = 1000.0;
+const WASTEFUL: f64 = 100.0;
 
 /// From this condition on a scene may be refused as singular: two digits of its rates are certain at best.
 const MAY_BE_REFUSED: f64 = 1e14;
