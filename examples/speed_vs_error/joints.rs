@@ -1,12 +1,12 @@
 //! The equations that every joint of a mechanism sets its two bodies, as general programs for mechanisms write them.
 //!
 //! Unknowns are, for each link of an Assur group, the velocity of its home (its first joint) and its angular velocity:
-//! three for each link, two equations for each joint (Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*,
+//! three for each link, two equations for each joint and one for each slider's drive (Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*,
 //! 1989, chapter 3). Accelerations have the same matrix. Nothing here uses the library's loops.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use kinegon::mechanism::{JointKind, Mechanism, Role};
+use kinegon::mechanism::{BodyId, JointKind, Mechanism, Role};
 
 /// What the equations calculate with: f64 or more digits.
 pub trait Real:
@@ -14,11 +14,18 @@ pub trait Real:
 {
     /// The same number.
     fn exactly(number: f64) -> Self;
+
+    /// The square root.
+    fn root(self) -> Self;
 }
 
 impl Real for f64 {
     fn exactly(number: f64) -> f64 {
         number
+    }
+
+    fn root(self) -> f64 {
+        self.sqrt()
     }
 }
 
@@ -101,9 +108,7 @@ impl<T: Real> State<T> {
 }
 
 impl<T: Real> Given<T> {
-    /// The motions that a mechanism's drives and known points have at these places.
-    ///
-    /// Driven sliders within moving links are not among them.
+    /// The motions that a mechanism's turning drives and known points have at these places.
     pub fn new(mechanism: &Mechanism, points: &[[f64; 2]], guides: &[[f64; 2]]) -> Given<T> {
         let points: Vec<Vector<T>> = points.iter().map(|p| exactly(*p)).collect();
         let known = mechanism.bodies.iter().map(|body| {
@@ -156,6 +161,10 @@ struct Joint {
     sides: [Side; 2],
     point: usize,
     slider: Option<usize>,
+    /// Speed and acceleration of a driven slider.
+    drive: Option<[f64; 2]>,
+    /// The first of its equations: two, or three where it is driven.
+    row: usize,
 }
 
 /// A body with the sign of its side of the equations.
@@ -183,27 +192,34 @@ impl JointEquations {
     pub fn new(mechanism: &Mechanism) -> JointEquations {
         let mut count = 0;
         let links = mechanism.bodies.iter().map(|body| {
-            (body.role == Role::Member).then(|| {
+            matches!(body.role, Role::Member | Role::Pushed { .. }).then(|| {
                 count += 1;
                 count - 1
             })
         });
         let links: Vec<Option<usize>> = links.collect();
-        let joints = mechanism.joints.iter().map(|joint| Joint {
-            sides: joint
-                .bodies
-                .map(|b| links[b.0].map_or(Side::Known(b.0), Side::Link)),
-            point: match joint.kind {
-                JointKind::Revolute(point) => point.0,
-                JointKind::Prismatic(slider) => mechanism.slider(slider).at.0,
-            },
-            slider: match joint.kind {
-                JointKind::Revolute(_) => None,
-                JointKind::Prismatic(slider) => Some(slider.0),
-            },
-        });
-        let moves = |side: &Side| matches!(side, Side::Link(_));
-        let joints: Vec<Joint> = joints.filter(|j| j.sides.iter().any(moves)).collect();
+        let mut joints: Vec<Joint> = Vec::new();
+        let mut row = 0;
+        for joint in &mechanism.joints {
+            let side = |b: BodyId| links[b.0].map_or(Side::Known(b.0), Side::Link);
+            let sides = joint.bodies.map(side);
+            if sides.iter().all(|s| matches!(s, Side::Known(_))) {
+                continue;
+            }
+            let (point, slider) = match joint.kind {
+                JointKind::Revolute(point) => (point, None),
+                JointKind::Prismatic(slider) => (mechanism.slider(slider).at, Some(slider)),
+            };
+            let drive = slider.and_then(|slider| mechanism.slider(slider).drive);
+            joints.push(Joint {
+                sides,
+                point: point.0,
+                slider: slider.map(|slider| slider.0),
+                drive: drive.map(|drive| [drive.speed, drive.acceleration]),
+                row,
+            });
+            row += 2 + usize::from(drive.is_some());
+        }
         let home = |link: usize| {
             let on = |joint: &&Joint| {
                 joint
@@ -227,8 +243,8 @@ impl JointEquations {
 
     /// Puts the coefficients that are not zero: row, column, value.
     pub fn matrix<T: Real>(&self, given: &Given<T>, mut put: impl FnMut(usize, usize, T)) {
-        for (index, joint) in self.joints.iter().enumerate() {
-            let row = 2 * index;
+        for joint in &self.joints {
+            let row = joint.row;
             for (side, sign) in joint.sides.into_iter().zip(SIGNS) {
                 let Side::Link(link) = side else { continue };
                 let column = 3 * link;
@@ -243,13 +259,19 @@ impl JointEquations {
                         put(row + 1, column + 2, y);
                     }
                     Some(slider) => {
-                        let normal = scaled(turned(given.guides[slider].clone()), &sign);
-                        let across = dot(normal.clone(), turned(arm));
-                        let [x, y] = normal;
-                        put(row, column + 2, sign);
-                        put(row + 1, column, x);
-                        put(row + 1, column + 1, y);
-                        put(row + 1, column + 2, across);
+                        put(row, column + 2, sign.clone());
+                        let guide = scaled(given.guides[slider].clone(), &sign);
+                        let mut component = |row: usize, direction: Vector<T>| {
+                            let turning = dot(direction.clone(), turned(arm.clone()));
+                            let [x, y] = direction;
+                            put(row, column, x);
+                            put(row, column + 1, y);
+                            put(row, column + 2, turning);
+                        };
+                        component(row + 1, turned(guide.clone()));
+                        if joint.drive.is_some() {
+                            component(row + 2, guide);
+                        }
                     }
                 }
             }
@@ -269,7 +291,7 @@ impl JointEquations {
                 sum = plus(sum, scaled(velocity, &sign));
                 turning = turning + body.omega.clone() * sign;
             }
-            self.push(given, joint, &mut sides, sum, turning);
+            self.push(given, joint, &mut sides, sum, turning, 0);
         }
         sides
     }
@@ -307,17 +329,18 @@ impl JointEquations {
                 // Guide and normal have the length |u|: across counts 2 ω ṡ |u|, and ṡ |u| is this.
                 let along = dot(guide, minus(link, on));
                 let coriolis = T::exactly(-2.0) * omega * along;
-                self.push(given, joint, &mut sides, sum, turning);
-                let last = sides.len() - 1;
-                sides[last] = sides[last].clone() + coriolis;
+                self.push(given, joint, &mut sides, sum, turning, 1);
+                let across = joint.row + 1;
+                sides[across] = sides[across].clone() + coriolis;
             } else {
-                self.push(given, joint, &mut sides, sum, turning);
+                self.push(given, joint, &mut sides, sum, turning, 1);
             }
         }
         sides
     }
 
-    /// The two right sides of a joint: both components, or the rotations' and the component across the guide.
+    /// The right sides of a joint: both components; or the rotations', the component across the guide and, where it is driven, that
+    /// along it. `order` is 0 for velocities, 1 for accelerations.
     fn push<T: Real>(
         &self,
         given: &Given<T>,
@@ -325,13 +348,17 @@ impl JointEquations {
         sides: &mut Vec<T>,
         sum: Vector<T>,
         turning: T,
+        order: usize,
     ) {
-        match joint.slider {
-            None => sides.extend(sum),
-            Some(slider) => {
-                let normal = turned(given.guides[slider].clone());
-                sides.extend([turning, dot(normal, sum)]);
-            }
+        let Some(slider) = joint.slider else {
+            sides.extend(sum);
+            return;
+        };
+        let guide = given.guides[slider].clone();
+        sides.extend([turning, dot(turned(guide.clone()), sum.clone())]);
+        if let Some(drive) = joint.drive {
+            let length = dot(guide.clone(), guide.clone()).root();
+            sides.push(dot(guide, sum) - length * T::exactly(drive[order]));
         }
     }
 

@@ -19,6 +19,10 @@ impl Real for Precise {
         let number = Precise::try_from(number).expect("positions and motions are finite");
         number.with_precision(BITS).value()
     }
+
+    fn root(self) -> Precise {
+        self.sqrt()
+    }
 }
 
 /// How a mechanism truly moves at given positions.
@@ -46,7 +50,7 @@ impl Truth {
         let bodies = equations.states(&given, &first, &second);
         let slides = mechanism.sliders.iter().enumerate().map(|(index, slider)| {
             let guide = given.guides[index].clone();
-            let length = dot(guide.clone(), guide.clone()).sqrt();
+            let length = dot(guide.clone(), guide.clone()).root();
             let place = given.points[slider.at.0].clone();
             let [on, link] = [slider.on, slider.link].map(|b| &bodies[b.0]);
             let along = |a: [Precise; 2], b| dot(guide.clone(), minus(a, b)) / length.clone();
@@ -77,7 +81,7 @@ impl Truth {
 }
 
 /// Below this a number of the reference, in units of ordinary size, is the rounding of zero.
-pub const ROUNDING: f64 = 1e-60;
+pub const ROUNDING: f64 = 1e-50;
 
 /// The number, or zero in place of its rounding.
 pub fn without_rounding(number: Precise) -> Precise {

@@ -1,8 +1,13 @@
 use super::BodyMotion;
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, quarter_turn};
 
-/// Roundings that a guide's unit direction may carry from the scene's own direction.
-pub(super) const GUIDE_ROUNDINGS: f64 = 4.0;
+/// Roundings that a guide's unit direction carries: those from the scene's own direction, and what turning with its body has
+/// left of its length.
+pub(super) fn guide_roundings(u: Vector) -> f64 {
+    const FROM_THE_SCENE: f64 = 4.0;
+    let stretch = 0.5 * (u.norm_squared() - 1.0).abs();
+    FROM_THE_SCENE + stretch / UNIT_ROUNDOFF
+}
 
 /// Bounds on the errors of a body's motion at given positions; zero where the motion is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

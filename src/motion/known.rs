@@ -1,4 +1,4 @@
-use super::errors::{GUIDE_ROUNDINGS, MotionErrors, Sum, error_of_product};
+use super::errors::{MotionErrors, Sum, error_of_product, guide_roundings};
 use super::{BodyMotion, Order, SlideMotion};
 use crate::geometry::{UNIT_ROUNDOFF, quarter_turn};
 use crate::mechanism::{Body, BodyId, Mechanism, Role, Slider, SliderId};
@@ -114,12 +114,13 @@ pub(super) fn slid(
     let Slider { at, on, .. } = *mechanism.slider(slider);
     let at = pose.point(at);
     let u = pose.guide(slider) * if on == from { 1.0 } else { -1.0 };
+    let of_guide = guide_roundings(u);
     let (motion, errors) = (source.referred_to(at), errors.at(&source, at));
     let mut velocity = Sum {
         value: motion.velocity,
         error: errors.velocity,
     };
-    velocity.add(u * slide.velocity, 1.0 + GUIDE_ROUNDINGS);
+    velocity.add(u * slide.velocity, 1.0 + of_guide);
     velocity.doubt(u * slide.velocity_error);
     let mut acceleration = Sum {
         value: motion.acceleration,
@@ -128,8 +129,8 @@ pub(super) fn slid(
     let sliding = u * slide.acceleration;
     let coriolis = quarter_turn(u) * (2.0 * source.omega * slide.velocity);
     acceleration.add(sliding + coriolis, 1.0);
-    acceleration.doubt(sliding * ((1.0 + GUIDE_ROUNDINGS) * UNIT_ROUNDOFF));
-    acceleration.doubt(coriolis * ((2.0 + GUIDE_ROUNDINGS) * UNIT_ROUNDOFF));
+    acceleration.doubt(sliding * ((1.0 + of_guide) * UNIT_ROUNDOFF));
+    acceleration.doubt(coriolis * ((2.0 + of_guide) * UNIT_ROUNDOFF));
     acceleration.doubt(u * slide.acceleration_error);
     let error = error_of_product(
         [source.omega, slide.velocity],

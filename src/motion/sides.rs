@@ -1,5 +1,5 @@
 use super::Motion;
-use super::errors::{GUIDE_ROUNDINGS, Sum, error_of_product};
+use super::errors::{Sum, error_of_product, guide_roundings};
 use crate::geometry::{Numbers, UNIT_ROUNDOFF, Vector, quarter_turn};
 use crate::mechanism::{LoopEquations, LoopTerms, SlideRate, Spin};
 use crate::position::Pose;
@@ -59,8 +59,8 @@ impl RightSide {
             }
             for slide in &terms.slides {
                 if let SlideRate::Unknown(unknown) = slide.rate {
-                    let error = GUIDE_ROUNDINGS * UNIT_ROUNDOFF * x[unknown];
-                    doubt(pose.guide(slide.slider) * error);
+                    let u = pose.guide(slide.slider);
+                    doubt(u * (guide_roundings(u) * UNIT_ROUNDOFF * x[unknown]));
                 }
             }
         }
@@ -100,7 +100,7 @@ fn velocity(terms: &LoopTerms, pose: &Pose, motion: &Motion) -> Sum {
     for slide in &terms.slides {
         if let SlideRate::Driven([speed, _]) = slide.rate {
             let u = pose.guide(slide.slider) * slide.sign;
-            side.add(-u * speed, 1.0 + GUIDE_ROUNDINGS);
+            side.add(-u * speed, 1.0 + guide_roundings(u));
         }
     }
     side
@@ -144,12 +144,12 @@ fn acceleration(terms: &LoopTerms, pose: &Pose, motion: &Motion, rates: Rates<'_
         let (rate, rate_error) = match slide.rate {
             SlideRate::Unknown(unknown) => (rates.values[unknown], rates.errors[unknown]),
             SlideRate::Driven([speed, acceleration]) => {
-                side.add(-u * acceleration, 1.0 + GUIDE_ROUNDINGS);
+                side.add(-u * acceleration, 1.0 + guide_roundings(u));
                 (speed, 0.0)
             }
         };
         let across = quarter_turn(u);
-        side.add(-across * (2.0 * omega * rate), 2.0 + GUIDE_ROUNDINGS);
+        side.add(-across * (2.0 * omega * rate), 2.0 + guide_roundings(u));
         let error = error_of_product([omega, rate], [omega_error, rate_error]);
         side.doubt(across * (2.0 * error));
     }

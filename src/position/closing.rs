@@ -115,7 +115,7 @@ impl<'a> Closer<'a> {
     }
 }
 
-/// Places of all points and directions of all guides; what has no frame yet stands at the origin.
+/// Places of all points and unit directions of all guides; what has no frame yet stands at the origin.
 pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec<Vector>) {
     let mut points: Vec<Point> = mechanism
         .given
@@ -135,9 +135,10 @@ pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec
     }
     let guides = mechanism.sliders.iter().map(|slider| {
         let (_, direction) = local_guide(slider);
+        // Frames that follow one another leave rotations a few roundings off length 1.
         frames
             .of(slider.on)
-            .map_or(direction, |frame| frame.rotation * direction)
+            .map_or(direction, |frame| (frame.rotation * direction).normalize())
     });
     (points, guides.collect())
 }
