@@ -1,0 +1,58 @@
+//! Measures, in one run, how long several methods take for velocities and accelerations of fourth-class groups and how wrong they are.
+//! `cargo run --release --example speed_vs_error` prints a table and writes out/speed-vs-error (.svg, .png, .json) and docs/accuracy.md.
+
+mod document;
+mod families;
+mod general;
+#[path = "../../tests/groups/mod.rs"]
+mod groups;
+mod hand;
+mod joints;
+mod kernel;
+mod measure;
+mod methods;
+mod naive;
+mod picture;
+#[path = "../../tests/random/mod.rs"]
+mod random;
+mod single;
+mod survey;
+mod truth;
+
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+use kinegon::format;
+use survey::{Survey, times};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let survey = Survey::new();
+    let times = times();
+    let machine = machine();
+    print!("{}", document::table(&survey, &times));
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let out = root.join("out");
+    fs::create_dir_all(&out)?;
+    let drawing = picture::picture(&survey, &times);
+    fs::write(out.join("speed-vs-error.svg"), format::svg(&drawing))?;
+    #[cfg(feature = "png")]
+    fs::write(
+        out.join("speed-vs-error.png"),
+        format::png(&drawing, 200.0)?,
+    )?;
+    let numbers = document::numbers(&survey, &times, &machine);
+    fs::write(out.join("speed-vs-error.json"), format::json(&numbers))?;
+    let page = document::accuracy(&survey) + &document::speed(&times, &machine);
+    fs::write(root.join("docs/accuracy.md"), page)?;
+    Ok(())
+}
+
+/// The processor's name as Linux tells it.
+fn machine() -> String {
+    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let mut lines = info.lines().filter_map(|line| line.split_once(':'));
+    let name = lines.find(|(key, _)| key.trim() == "model name");
+    name.map_or("an unknown processor", |(_, name)| name.trim())
+        .to_owned()
+}

@@ -1,0 +1,113 @@
+//! The methods that are compared: velocities and accelerations of a fourth-class group whose position is given.
+#![allow(dead_code)] // not every test uses all of it
+
+use kinegon::motion::{Order, motion};
+
+use crate::general::{self, Solver};
+use crate::groups::Group;
+use crate::joints::{Given, JointEquations};
+use crate::kernel;
+use crate::measure::{Case, Rates};
+use crate::naive;
+use crate::single::Single;
+
+/// A way to the numbers; by hand is none of them, see `hand`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// The source paper's procedure in f64.
+    Naive,
+    /// The equations of all joints, by triangular factors.
+    Lu,
+    /// The same by orthogonal factors.
+    Qr,
+    /// The library's `motion`, with condition and error bounds.
+    Library,
+    /// The library's kernel alone.
+    Kernel,
+    /// The same in f32.
+    Single,
+}
+
+impl Method {
+    pub const ALL: [Method; 6] = [
+        Method::Naive,
+        Method::Lu,
+        Method::Qr,
+        Method::Library,
+        Method::Kernel,
+        Method::Single,
+    ];
+
+    /// A short name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Naive => "special points, naive",
+            Method::Lu => "joint equations, LU",
+            Method::Qr => "joint equations, QR",
+            Method::Library => "Kinegon with bounds",
+            Method::Kernel => "Kinegon",
+            Method::Single => "Kinegon in f32",
+        }
+    }
+
+    /// What it is, in a sentence.
+    pub fn says(self) -> &'static str {
+        match self {
+            Method::Naive => {
+                "the source paper's procedure as one would program it: special points as crossings of unit vectors, rays, \
+                 measured segments, four linear equations"
+            }
+            Method::Lu => {
+                "two equations for each joint, twelve unknowns, as general programs for mechanisms set them up; nalgebra's LU"
+            }
+            Method::Qr => "the same by nalgebra's QR",
+            Method::Library => {
+                "`motion::motion`: the loop equations with condition number and a bound of every rate's error"
+            }
+            Method::Kernel => {
+                "the loop equations alone, reduced to two by `geometry::Reduced`, as tables and curves of a cycle use them"
+            }
+            Method::Single => {
+                "the same code with numbers of 24 bits; positions are subtracted in f64"
+            }
+        }
+    }
+}
+
+/// A case and what the methods keep from position to position.
+pub struct Prepared {
+    pub case: Case,
+    equations: JointEquations,
+    given: Given<f64>,
+}
+
+impl Prepared {
+    /// `None` where the group is exactly singular.
+    pub fn new(group: &Group) -> Option<Prepared> {
+        let case = Case::new(group)?;
+        let points: Vec<[f64; 2]> = case.pose.points.iter().map(|p| [p.x, p.y]).collect();
+        Some(Prepared {
+            equations: JointEquations::new(&case.mechanism),
+            given: Given::new(&case.mechanism, &points, &[]),
+            case,
+        })
+    }
+
+    /// What a method gives; infinite numbers where it gives none.
+    pub fn rates(&self, method: Method) -> Rates<f64> {
+        let pins = &self.case.pins;
+        let none = [f64::INFINITY; 4];
+        let none = || Rates::from_links(pins, pins.places, none, none);
+        match method {
+            Method::Naive => naive::rates(pins, &mut naive::Exact).unwrap_or_else(none),
+            Method::Lu => general::rates(&self.equations, &self.given, pins, Solver::Lu),
+            Method::Qr => general::rates(&self.equations, &self.given, pins, Solver::Qr),
+            Method::Library => {
+                let motion = motion(&self.case.mechanism, &self.case.pose, Order::Acceleration);
+                motion.map_or_else(|_| none(), |motion| self.case.rates_of(&motion))
+            }
+            Method::Kernel => kernel::rates::<f64>(pins),
+            Method::Single => kernel::rates::<Single>(pins).map(|x| f64::from(x.0)),
+        }
+    }
+}
