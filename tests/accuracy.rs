@@ -50,7 +50,7 @@ const VELOCITIES: f64 = 2.0;
 const ACCELERATIONS: [f64; 2] = [4.0, 32.0];
 
 /// Groups for each family and parameter.
-const GROUPS: usize = if cfg!(debug_assertions) { 6 } else { 1000 };
+const GROUPS: usize = if cfg!(debug_assertions) { 4 } else { 1000 };
 
 /// Which error of the paper's procedure, in units u·condition, is more than six digits lost.
 const SIX_DIGITS: f64 = 1e6;
