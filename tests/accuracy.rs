@@ -30,9 +30,9 @@ mod survey;
 #[path = "../examples/speed_vs_error/truth.rs"]
 mod truth;
 
-use comparison::scene_text;
 use exact::minus;
 use families::Family;
+use files::scene_text;
 use kinegon::mechanism::mechanism;
 use kinegon::position::pose;
 use kinegon::scene::{Along, Scene};

@@ -9,7 +9,7 @@ mod exact;
 mod files;
 mod stages;
 
-use comparison::{Comparison, angle_error, decimal, entries, scene_text, size, slider_name};
+use comparison::{Comparison, angle_error, decimal, entries, size, slider_name};
 use exact::{exceeds, minus};
 use kinegon::Error;
 use kinegon::format::ResultFile;

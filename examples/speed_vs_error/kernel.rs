@@ -4,12 +4,13 @@ use kinegon::geometry::{Number, Pair, Reduced};
 
 use crate::measure::{Pins, Rates};
 
-/// Velocities and accelerations. Differences of positions and of input motions are taken in f64, as they are given; all else in T.
-pub fn rates<T: Number>(pins: &Pins) -> Rates<T> {
+/// Velocities and accelerations. Differences of positions and of input motions are taken in f64, as they are given; all else in
+/// numbers of the kind that `number` makes.
+pub fn rates<T: Number>(pins: &Pins, number: impl Fn(f64) -> T) -> Rates<T> {
     let [b, c, d, e, f, g] = pins.places;
     let arm = |[x, y]: [f64; 2], [z, w]: [f64; 2]| Pair {
-        x: T::splat(z - x),
-        y: T::splat(w - y),
+        x: number(z - x),
+        y: number(w - y),
     };
     let (bc, cd, ed) = (arm(b, c), arm(c, d), arm(e, d));
     let (bg, gf, ef) = (arm(b, g), arm(g, f), arm(e, f));
@@ -23,16 +24,18 @@ pub fn rates<T: Number>(pins: &Pins) -> Rates<T> {
     };
     let system = Reduced::new([column(cd, bc, ed), column(gf, bg, ef)]);
     let between = arm(pins.velocity[0], pins.velocity[1]);
-    let omega = system.solve([between; 2]);
+    let inverse = number(1.0) / system.determinant();
+    let omega = system.solve(inverse, [between; 2]);
     let [second, fourth, third, fifth] = omega.map(|w| w * w);
     let between = arm(pins.acceleration[0], pins.acceleration[1]);
-    let alpha = system.solve([
+    let sides = [
         between + bc * second + cd * third - ed * fourth,
         between + bg * second + gf * fifth - ef * fourth,
-    ]);
+    ];
+    let alpha = system.solve(inverse, sides);
     let known = |[x, y]: [f64; 2]| Pair {
-        x: T::splat(x),
-        y: T::splat(y),
+        x: number(x),
+        y: number(y),
     };
     let velocity = |from: usize, r: Pair<T>, link: usize| {
         known(pins.velocity[from]) + r.quarter_turn() * omega[link]

@@ -106,8 +106,8 @@ impl Prepared {
                 let motion = motion(&self.case.mechanism, &self.case.pose, Order::Acceleration);
                 motion.map_or_else(|_| none(), |motion| self.case.rates_of(&motion))
             }
-            Method::Kernel => kernel::rates::<f64>(pins),
-            Method::Single => kernel::rates::<Single>(pins).map(|x| f64::from(x.0)),
+            Method::Kernel => kernel::rates(pins, |x| x),
+            Method::Single => kernel::rates(pins, |x| Single(x as f32)).map(|x| f64::from(x.0)),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use kinegon::geometry::{Number, Pair, direction_of_degrees};
+use kinegon::geometry::Number;
 
 /// A number of 24 bits.
 #[derive(Clone, Copy, Debug)]
@@ -22,14 +22,6 @@ macro_rules! operators {
 
 operators!(Add add +, Sub sub -, Mul mul *, Div div /);
 
-impl Mul<f64> for Single {
-    type Output = Single;
-
-    fn mul(self, other: f64) -> Single {
-        Single(self.0 * other as f32)
-    }
-}
-
 impl Neg for Single {
     type Output = Single;
 
@@ -39,36 +31,23 @@ impl Neg for Single {
 }
 
 impl Number for Single {
-    const LANES: usize = 1;
-
-    fn splat(number: f64) -> Self {
+    fn same(self, number: f64) -> Self {
         Single(number as f32)
     }
 
-    fn from_lanes(number: impl Fn(usize) -> f64) -> Self {
-        Single(number(0) as f32)
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        self + a * b
     }
 
-    fn lane(&self, _: usize) -> f64 {
-        f64::from(self.0)
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        self - a * b
     }
 
     fn sqrt(self) -> Self {
         Single(self.0.sqrt())
     }
 
-    fn largest(self) -> f64 {
-        f64::from(self.0.abs())
-    }
-
-    fn smallest(self) -> f64 {
-        f64::from(self.0)
-    }
-
-    fn direction_of_degrees(self) -> Pair<Self> {
-        Pair::<Single> {
-            x: Single::splat(direction_of_degrees(f64::from(self.0)).x),
-            y: Single::splat(direction_of_degrees(f64::from(self.0)).y),
-        }
+    fn larger(self, other: Self) -> Self {
+        if self.0 > other.0 { self } else { other }
     }
 }

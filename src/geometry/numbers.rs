@@ -218,6 +218,18 @@ impl<T: Number> Sub for Pair<T> {
     }
 }
 
+impl<T: Number> Neg for Pair<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Pair {
+            x: -self.x,
+            y: -self.y,
+        }
+    }
+}
+
 impl<T: Number> Mul<T> for Pair<T> {
     type Output = Self;
 

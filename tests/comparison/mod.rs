@@ -343,24 +343,6 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// The own text of a case's scene in `tests/reference`, so that its numbers are read by the library and nobody before it.
-pub fn scene_text(line: &str) -> &str {
-    let key = "\"scene\":";
-    let start = line.find(key).expect("a case has a scene") + key.len();
-    let mut depth = 0;
-    for (i, byte) in line.bytes().enumerate().skip(start) {
-        match byte {
-            b'{' => depth += 1,
-            b'}' => depth -= 1,
-            _ => {}
-        }
-        if depth == 0 {
-            return &line[start..=i];
-        }
-    }
-    panic!("the scene ends")
-}
-
 /// By how many degrees an angle is wrong, whole turns aside.
 pub fn angle_error(x: f64, truth: &str) -> f64 {
     let turned = |by: f64| {

@@ -2,9 +2,10 @@
 #![allow(dead_code)] // not every test uses all of it
 
 use kinegon::Error;
+use kinegon::drafting::{Tolerance, pencil};
 use kinegon::drawing::{Drawing, scales};
 use kinegon::format::{self, ResultFile};
-use kinegon::plan::{Quantity, measured_names, quantity};
+use kinegon::plan::{Asked, Quantity, measured_names, quantity, step_names};
 use kinegon::scene::Scene;
 use resvg::usvg::roxmltree::Document;
 use serde_json::Value;
@@ -29,16 +30,24 @@ pub fn whole_way(text: &str) -> Result<(), Error> {
         scene,
         mechanism,
         pose,
+        motion,
         construction,
-        ..
     } = &stages;
     assert!(!format::structure(mechanism).is_empty());
-    let steps = format::steps(
-        scene,
+    let names = step_names(construction);
+    let asked = names.iter().map(|name| Asked::new(name, mechanism));
+    let pencil = pencil(
+        mechanism,
+        pose,
+        motion,
         construction,
         &scales(scene, mechanism, pose, construction),
+        Tolerance::default(),
+        asked
+            .map(|a| a.expect("steps measure quantities"))
+            .collect(),
     );
-    assert!(!steps.is_empty());
+    assert!(!format::steps(scene, construction, &pencil).is_empty());
     Ok(())
 }
 
