@@ -88,11 +88,19 @@ fn refused() -> Vec<(i32, Vec<&'static str>, Vec<u8>)> {
             drawn(r#""B": [0,0], "C": [1,1], "D": [1,4], "E": [0,5], "F": [-2,3.5], "G": [-2,1]"#),
         ),
         // Places whose differences leave the range of f64: no word of a singular position.
+        // A number that no unit needs, and two links so short that they turn too fast.
+        (
+            2,
+            vec!["too large to compute with", "1e100"],
+            drawn(
+                r#""B": [0,0], "C": [1e308,0], "D": [-1e308,1], "E": [4,0.5], "F": [4.75,-1.5], "G": [1.5,-1.25]"#,
+            ),
+        ),
         (
             1,
             vec!["too large to be represented"],
             drawn(
-                r#""B": [0,0], "C": [1e308,0], "D": [-1e308,1], "E": [4,0.5], "F": [4.75,-1.5], "G": [1.5,-1.25]"#,
+                r#""B": [0,0], "C": [1e-155,0], "D": [-2e-155,1e-155], "E": [4e-155,5e-156], "F": [5e-155,-2e-155], "G": [1e-155,-1e-155]"#,
             ),
         ),
         // Link 5 is too short to reach.

@@ -71,6 +71,17 @@ pub fn on_sheet(direction: geometry::Vector) -> Vec2 {
     Vec2::new(direction.x, -direction.y)
 }
 
+/// The direction from one place of the sheet to another; `otherwise` where they are the same.
+#[must_use]
+pub fn towards(from: Point, to: Point, otherwise: Vec2) -> Vec2 {
+    let way = to - from;
+    if way.hypot() > 0.0 {
+        way.normalize()
+    } else {
+        otherwise
+    }
+}
+
 /// The smallest scale of the series 1, 2, 2.5, 5 × 10^k (units per mm) at which `extent` fits into `area`.
 #[must_use]
 pub fn fitting_scale(extent: &Extent, area: Rect) -> f64 {

@@ -3,7 +3,7 @@
 use super::super::canvas::Canvas;
 use super::super::shape::Shape;
 use super::super::sheet::Pen;
-use super::super::view::{Extent, View, on_sheet};
+use super::super::view::{Extent, View, on_sheet, towards};
 use super::links::LinkShape;
 use super::sliders::BLOCK;
 use super::{JOINT, Scheme};
@@ -79,7 +79,7 @@ impl Scheme<'_> {
                     let share = good.or_else(|| shares.into_iter().max_by(best));
                     let anchor = a.lerp(b, share.unwrap_or(0.5));
                     // Square off the line, on its outer side.
-                    let along = (b - a).normalize();
+                    let along = towards(a, b, Vec2::new(1.0, 0.0));
                     let beside = Vec2::new(-along.y, along.x);
                     let outer = self
                         .outward(view, anchor)

@@ -3,7 +3,7 @@
 use super::super::canvas::{Canvas, clipped_segment};
 use super::super::shape::Shape;
 use super::super::sheet::Pen;
-use super::super::view::{View, on_sheet};
+use super::super::view::{View, on_sheet, towards};
 use super::{JOINT, Scheme};
 use crate::geometry::{Place, span};
 use crate::plan::{LegKind, Special};
@@ -50,8 +50,13 @@ impl Scheme<'_> {
                 }
             };
             let name = format!("cut-{}-{}", special.name, self.mechanism.point_name(start));
-            let over = (to - from).normalize() * 3.0;
-            let end = if self.is_near(special) { to + over } else { to };
+            // A special point may lie on the joint.
+            let way = towards(from, to, on_sheet(direction));
+            let end = if self.is_near(special) {
+                to + way * 3.0
+            } else {
+                to
+            };
             if let Some((a, b)) = clipped_segment(bounds, from, end) {
                 canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b));
             }
@@ -59,7 +64,7 @@ impl Scheme<'_> {
             | LegKind::SliderThenPin { outer: slider, .. } = cut.kind
             {
                 let along = on_sheet(self.pose.guide(slider));
-                self.right_angle(canvas, from, along, (to - from).normalize());
+                self.right_angle(canvas, from, along, way);
             }
         }
     }
