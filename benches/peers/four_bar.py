@@ -15,7 +15,7 @@ OMEGA = 10.0
 COUNT = 1000
 
 
-@njit
+@njit(error_model="numpy")
 def closed_form(angles, table):
     """C from two circles, then velocities and accelerations of the rods by crossing with each other."""
     for n in range(angles.size):

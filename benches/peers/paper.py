@@ -17,20 +17,22 @@ AB, BE, GD, GF, DF, FE = 100.0, 500.0, 300.0, 150.0, 180.0, 300.0
 GX, GY = 275.0, 0.0
 # F lies clockwise of D, seen from G.
 GAMMA = -math.acos((GD * GD + GF * GF - DF * DF) / (2 * GD * GF))
+COS_GAMMA, SIN_GAMMA = math.cos(GAMMA), math.sin(GAMMA)
 OMEGA = -1.0
 LOW, HIGH, COUNT = math.radians(-135), math.radians(135), 1000
 NEWTON = 3
 
 
-@njit
-def matrix_and_gaps(phi, x, m, gap):
-    """The Jacobian of the loops, and their gaps."""
-    t2, s, t4, t5 = x
+@njit(error_model="numpy")
+def matrix_and_gaps(bx, by, x, m, gap, trig):
+    """The Jacobian of the loops, their gaps, and sines and cosines for later; B from the crank."""
+    t2, s, t4, t5 = x[0], x[1], x[2], x[3]
     c2, s2 = math.cos(t2), math.sin(t2)
     c4, s4 = math.cos(t4), math.sin(t4)
-    c6, s6 = math.cos(t4 + GAMMA), math.sin(t4 + GAMMA)
+    c6, s6 = c4 * COS_GAMMA - s4 * SIN_GAMMA, s4 * COS_GAMMA + c4 * SIN_GAMMA
     c5, s5 = math.cos(t5), math.sin(t5)
-    bx, by = AB * math.cos(phi), AB * math.sin(phi)
+    trig[0], trig[1], trig[2], trig[3] = c2, s2, c4, s4
+    trig[4], trig[5], trig[6], trig[7] = c6, s6, c5, s5
     gap[0] = bx + s * c2 - GX - GD * c4
     gap[1] = by + s * s2 - GY - GD * s4
     gap[2] = bx + BE * c2 - GX - GF * c6 - FE * c5
@@ -41,7 +43,7 @@ def matrix_and_gaps(phi, x, m, gap):
     m[3, 0], m[3, 1], m[3, 2], m[3, 3] = BE * c2, 0.0, -GF * c6, -FE * c5
 
 
-@njit
+@njit(error_model="numpy")
 def factor(m, order):
     """LU with partial pivoting, in place."""
     for k in range(4):
@@ -62,7 +64,7 @@ def factor(m, order):
                 m[i, j] -= m[i, k] * m[k, j]
 
 
-@njit
+@njit(error_model="numpy")
 def solve(m, order, b, x):
     for i in range(4):
         sum_ = b[order[i]]
@@ -76,85 +78,85 @@ def solve(m, order, b, x):
         x[i] = sum_ / m[i, i]
 
 
-@njit
-def velocity_side(phi, side):
-    side[0] = side[2] = OMEGA * AB * math.sin(phi)
-    side[1] = side[3] = -OMEGA * AB * math.cos(phi)
+@njit(error_model="numpy")
+def velocity_side(bx, by, side):
+    side[0] = side[2] = OMEGA * by
+    side[1] = side[3] = -OMEGA * bx
 
 
-@njit
-def acceleration_side(phi, x, v, side):
-    t2, s, t4, t5 = x
-    w2, sv, w4, w5 = v
-    c2, s2 = math.cos(t2), math.sin(t2)
-    c4, s4 = math.cos(t4), math.sin(t4)
-    c6, s6 = math.cos(t4 + GAMMA), math.sin(t4 + GAMMA)
-    c5, s5 = math.cos(t5), math.sin(t5)
-    crank = OMEGA * OMEGA * AB
-    x1, y1 = crank * math.cos(phi), crank * math.sin(phi)
+@njit(error_model="numpy")
+def acceleration_side(bx, by, x, v, trig, side):
+    s = x[1]
+    w2, sv, w4, w5 = v[0], v[1], v[2], v[3]
+    c2, s2, c4, s4, c6, s6, c5, s5 = trig[0], trig[1], trig[2], trig[3], trig[4], trig[5], trig[6], trig[7]
+    x1, y1 = OMEGA * OMEGA * bx, OMEGA * OMEGA * by
     side[0] = x1 + w2 * w2 * s * c2 + 2 * w2 * sv * s2 - w4 * w4 * GD * c4
     side[1] = y1 + w2 * w2 * s * s2 - 2 * w2 * sv * c2 - w4 * w4 * GD * s4
     side[2] = x1 + w2 * w2 * BE * c2 - w4 * w4 * GF * c6 - w5 * w5 * FE * c5
     side[3] = y1 + w2 * w2 * BE * s2 - w4 * w4 * GF * s6 - w5 * w5 * FE * s5
 
 
-@njit
+@njit(error_model="numpy")
 def cycle(angles, start, positions, velocities, accelerations):
     """Positions by Newton steps from the position before, velocities and accelerations by the same matrix."""
-    m = np.empty((4, 4))
+    m, trig = np.empty((4, 4)), np.empty(8)
     order = np.empty(4, np.int64)
     gap, step = np.empty(4), np.empty(4)
     x = start.copy()
     for n in range(angles.size):
-        phi = angles[n]
+        bx, by = AB * math.cos(angles[n]), AB * math.sin(angles[n])
         for _ in range(NEWTON):
-            matrix_and_gaps(phi, x, m, gap)
+            matrix_and_gaps(bx, by, x, m, gap, trig)
             factor(m, order)
             solve(m, order, gap, step)
             for i in range(4):
                 x[i] -= step[i]
-        matrix_and_gaps(phi, x, m, gap)
+        matrix_and_gaps(bx, by, x, m, gap, trig)
         factor(m, order)
-        velocity_side(phi, gap)
+        velocity_side(bx, by, gap)
         solve(m, order, gap, velocities[n])
-        acceleration_side(phi, x, velocities[n], gap)
+        acceleration_side(bx, by, x, velocities[n], trig, gap)
         solve(m, order, gap, accelerations[n])
         positions[n] = x
 
 
-@njit
+@njit(error_model="numpy")
 def rates(angles, positions, velocities, accelerations):
     """Velocities and accelerations where positions are known."""
-    m = np.empty((4, 4))
+    m, trig = np.empty((4, 4)), np.empty(8)
     order = np.empty(4, np.int64)
     side = np.empty(4)
     for n in range(angles.size):
-        matrix_and_gaps(angles[n], positions[n], m, side)
+        bx, by = AB * math.cos(angles[n]), AB * math.sin(angles[n])
+        matrix_and_gaps(bx, by, positions[n], m, side, trig)
         factor(m, order)
-        velocity_side(angles[n], side)
+        velocity_side(bx, by, side)
         solve(m, order, side, velocities[n])
-        acceleration_side(angles[n], positions[n], velocities[n], side)
+        acceleration_side(bx, by, positions[n], velocities[n], trig, side)
         solve(m, order, side, accelerations[n])
 
 
 def by_scipy(angles, start, positions, velocities, accelerations):
-    m, gap = np.empty((4, 4)), np.empty(4)
+    m, gap, trig = np.empty((4, 4)), np.empty(4), np.empty(8)
+
+    def crank(phi):
+        return AB * math.cos(phi), AB * math.sin(phi)
 
     def gaps(x, phi):
-        matrix_and_gaps(phi, x, m, gap)
+        matrix_and_gaps(*crank(phi), x, m, gap, trig)
         return gap.copy()
 
     def jacobian(x, phi):
-        matrix_and_gaps(phi, x, m, gap)
+        matrix_and_gaps(*crank(phi), x, m, gap, trig)
         return m.copy()
 
     x = start
     for n, phi in enumerate(angles):
         x = scipy.optimize.fsolve(gaps, x, (phi,), jacobian, xtol=1e-13)
-        matrix_and_gaps(phi, x, m, gap)
-        velocity_side(phi, gap)
+        matrix_and_gaps(*crank(phi), x, m, gap, trig)
+        velocity_side(*crank(phi), gap)
         velocities[n] = np.linalg.solve(m, gap)
-        acceleration_side(phi, x, velocities[n], gap)
+        acceleration_side(*crank(phi), x, velocities[n], trig, gap)
         accelerations[n] = np.linalg.solve(m, gap)
         positions[n] = x
 
