@@ -87,7 +87,6 @@ fn refused() -> Vec<(i32, Vec<&'static str>, Vec<u8>)> {
             vec!["singular position", "CD", "GF", "BE", "parallel"],
             drawn(r#""B": [0,0], "C": [1,1], "D": [1,4], "E": [0,5], "F": [-2,3.5], "G": [-2,1]"#),
         ),
-        // Places whose differences leave the range of f64: no word of a singular position.
         // A number that no unit needs, and two links so short that they turn too fast.
         (
             2,
