@@ -2,6 +2,7 @@
 
 use divan::{Bencher, black_box};
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
+use kinegon::geometry::MANY;
 use kinegon::drafting::{SheetScales, Tolerance, drafting, pencil, readable_names};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
@@ -78,6 +79,49 @@ fn thousand<const WHICH: usize>(bencher: Bencher, which: &str) {
                 "rates" => _ = black_box(walker.rates()),
                 _ => _ = black_box(walker.motions(value)),
             }
+        }
+    });
+}
+
+/// 32 000 positions in the registers of one core, in memory that stays in its cache: angles and slides of all links, their rates, both.
+#[divan::bench(args = MOVED.map(|m| m.0), consts = [0, 1, 2])]
+fn batch_of_links<const WHICH: usize>(bencher: Bencher, which: &str) {
+    batch::<WHICH>(bencher, which, false);
+}
+
+/// The same with places, velocities and accelerations of all joints.
+#[divan::bench(args = MOVED.map(|m| m.0), consts = [0, 1, 2])]
+fn batch_with_joints<const WHICH: usize>(bencher: Bencher, which: &str) {
+    batch::<WHICH>(bencher, which, true);
+}
+
+fn batch<const WHICH: usize>(bencher: Bencher, which: &str, joints: bool) {
+    let (_, text, range) = MOVED
+        .into_iter()
+        .find(|m| m.0 == which)
+        .expect("a known one");
+    let (_, mechanism, pose, _) = solved(text);
+    let path = path(&mechanism, &pose, range);
+    let values: Vec<f64> = (0..32_000)
+        .map(|i| range[0] + (range[1] - range[0]) * f64::from(i) / 32_000.0)
+        .collect();
+    let mut walker = if joints {
+        path.many_walker()
+    } else {
+        path.many_walker_without_places()
+    };
+    bencher.bench_local(|| {
+        let mut rest = black_box(values.as_slice());
+        while !rest.is_empty() {
+            let count = match WHAT[WHICH] {
+                "position" => walker.positions(rest).0,
+                "rates" => {
+                    black_box(walker.rates());
+                    MANY
+                }
+                _ => walker.motions(rest).0,
+            };
+            rest = &rest[count.min(rest.len())..];
         }
     });
 }

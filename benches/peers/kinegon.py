@@ -8,8 +8,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # Job, who, the bench's name as its lines are nested, how many positions it computes. What the benches do not have is left out.
 BENCHES = [
+    ("paper", "Kinegon: many, all links", "batch_of_links/2/paper", 32_000),
+    ("paper", "Kinegon: many, with all joints", "batch_with_joints/2/paper", 32_000),
     ("paper", "Kinegon: one by one", "thousand/2/paper", 1000),
+    ("paper, v and a alone", "Kinegon: many, all links", "batch_of_links/1/paper", 32_000),
     ("paper, v and a alone", "Kinegon: one by one", "thousand/1/paper", 1000),
+    ("four-bar", "Kinegon: many, all links", "batch_of_links/2/four-bar", 32_000),
+    ("four-bar", "Kinegon: many, with all joints", "batch_with_joints/2/four-bar", 32_000),
     ("four-bar", "Kinegon: one by one", "thousand/2/four-bar", 1000),
 ]
 

@@ -122,6 +122,8 @@ pub fn step_names(construction: &Construction) -> Vec<String> {
 #[derive(Clone, Debug)]
 pub struct Asked {
     name: String,
+    /// Whether it takes accelerations.
+    accelerates: bool,
     pub(super) what: What,
     pub(super) component: Option<Component>,
 }
@@ -229,6 +231,7 @@ impl Asked {
         let what = finder.what(head, argument, on_paper)?;
         let asked = Asked {
             name: name.to_owned(),
+            accelerates: is_acceleration(name),
             what,
             component,
         };
@@ -314,7 +317,7 @@ impl Asked {
         scales: Option<&Scales>,
     ) -> Result<Quantity, QuantityError> {
         use Quantity::{Number, Vector};
-        if is_acceleration(&self.name) && !state.has_accelerations() {
+        if self.accelerates && !state.has_accelerations() {
             return Err(self.none("accelerations were not asked for"));
         }
         let reader = Reader {
