@@ -2,8 +2,8 @@
 
 use divan::{Bencher, black_box};
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
-use kinegon::geometry::MANY;
 use kinegon::drafting::{SheetScales, Tolerance, drafting, pencil, readable_names};
+use kinegon::geometry::MANY;
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
 use kinegon::plan::{Asked, construction};

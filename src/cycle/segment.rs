@@ -115,16 +115,18 @@ impl Segment {
         self.from <= drive && drive <= self.to
     }
 
-    /// Whether all these values do; one that is not a number may pass.
+    /// Whether all these values do.
     #[inline(always)]
     pub fn holds_all<L: Lanes, R: Row>(&self, lanes: L, drive: &R) -> bool {
         let (from, to) = (lanes.splat(self.from), lanes.splat(self.to));
-        let mut outside = from - to;
+        let (mut outside, mut sum) = (from - to, lanes.splat(0.0));
         for k in portions::<L, R>() {
             let value = lanes.load(drive, k);
             outside = outside.larger(from - value).larger(value - to);
+            sum = sum + value;
         }
-        lanes.largest(outside) <= 0.0
+        // A value that is not a number may be lost among the larger ones, not in the sum.
+        lanes.largest(outside) <= 0.0 && !lanes.sum(sum).is_nan()
     }
 
     /// Sets the unknowns of `block` to those of the polynomials.

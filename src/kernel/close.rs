@@ -179,7 +179,7 @@ fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
 /// The larger of two magnitudes; not a number if one is not.
 #[inline(always)]
 fn larger(a: f64, b: f64) -> f64 {
-    if b <= a { a } else { b }
+    if b <= a || a.is_nan() { a } else { b }
 }
 
 /// Newton's method for one group.

@@ -281,14 +281,16 @@ impl Asked {
     /// Whether it can be read without the places and motions of points.
     #[must_use]
     pub fn is_of_links_alone(&self) -> bool {
-        use What::{
-            Alpha, Angle, Coriolis, Omega, SlideAcceleration, SlidePosition, SlideVelocity,
-        };
-        match &self.what {
-            Omega(_) | Alpha(_) | Angle(_) | Coriolis(..) => true,
-            SlidePosition(_) | SlideVelocity(_) | SlideAcceleration(_) => true,
-            _ => false,
-        }
+        matches!(
+            self.what,
+            What::Omega(_)
+                | What::Alpha(_)
+                | What::Angle(_)
+                | What::Coriolis(..)
+                | What::SlidePosition(_)
+                | What::SlideVelocity(_)
+                | What::SlideAcceleration(_)
+        )
     }
 
     /// Whether special points or plans are needed for it.

@@ -7,6 +7,7 @@ mod ends;
 #[path = "../exact/mod.rs"]
 mod exact;
 mod four_bars;
+mod many;
 mod paper;
 #[path = "../planted/mod.rs"]
 mod planted;
