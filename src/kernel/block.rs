@@ -1,5 +1,5 @@
 use super::Kernel;
-use super::compile::{Action, Closing, Placing, Reduced};
+use super::action::{Action, Closing, Placing, ReducedColumns};
 use crate::geometry::{LinearSystem, Point, Row, Turn, Vector};
 
 /// Positions of mechanisms of one kind with their rates, side by side: a row of numbers for everything.
@@ -156,7 +156,7 @@ impl<R: Row> System<R> {
 
 /// Squares of the columns of both loops' own unknowns with all sliders at zero; 1 where there are none.
 fn own_squares(closing: &Closing) -> [f64; 2] {
-    let Some(Reduced::Two { columns, .. }) = closing.reduced else {
+    let Some(ReducedColumns::Two { columns, .. }) = closing.reduced else {
         return [1.0; 2];
     };
     columns.map(|[own, ..]| {

@@ -1,7 +1,9 @@
-use crate::geometry::{Point, Turn, Vector, quarter_turn, turn_of_degrees};
+use super::action::{Action, Chain, Closing, Member, Placing, Rail, ReducedColumns, Unknown, ZERO};
+use super::classes::{at_local, classes, guide};
+use crate::geometry::{Point, Turn, Vector};
 use crate::mechanism::{
-    Body, BodyId, GROUND, Group, Guide, JointId, JointKind, Loop, LoopEquations, Mechanism,
-    Reduction, Role, Slider, SliderId,
+    Body, BodyId, GROUND, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, Reduction,
+    Role, SliderId,
 };
 use crate::scene::Form;
 use std::collections::BTreeSet;
@@ -73,139 +75,6 @@ pub enum InputKind {
     },
 }
 
-/// An unknown of a group's equations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unknown {
-    /// The angle of a class.
-    Spin(usize),
-    /// The position of a slider.
-    Slide(usize),
-}
-
-/// What the kernel does, one after another.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Action {
-    Place(Placing),
-    Close(Closing),
-}
-
-/// A point that follows from one placed before: from it by `local`, turned with the class, and along a slider.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Placing {
-    pub to: usize,
-    pub from: usize,
-    pub class: usize,
-    pub local: Vector,
-    /// The slider and its direction in the class's frame, positive with its position.
-    pub slide: Option<(usize, Vector)>,
-    /// Where the reach is kept.
-    pub reach: usize,
-}
-
-/// The loop equations of a group.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Closing {
-    pub group: usize,
-    pub chains: Vec<Chain>,
-    pub unknowns: Vec<Unknown>,
-    /// How the equations reduce, if they do; unknowns are then in the order shared, shared, own, own.
-    pub reduced: Option<Reduced>,
-    /// The largest component of a member's vector with all sliders at zero; not zero. All of a loop may be of one class,
-    /// whose vector is zero where the loop closes.
-    pub reach: f64,
-}
-
-/// A loop.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Chain {
-    /// The slots of its ends; none where it closes on itself.
-    pub ends: Option<[usize; 2]>,
-    pub members: Vec<Member>,
-    /// The sliders that it passes.
-    pub rails: Vec<Rail>,
-    /// By unknown: its column; [`ZERO`] where the loop does not pass it.
-    pub columns: Vec<usize>,
-}
-
-/// All that a loop passes of one class.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Member {
-    pub class: usize,
-    /// Its vector in the class's frame with all sliders at zero.
-    pub local: Vector,
-    /// Which unknown its rotation is; none where that is known before the group is solved.
-    pub spin: Option<usize>,
-    /// Where its vector, a quarter turn on, is kept: the column of its rotation.
-    pub column: usize,
-}
-
-/// A slider that a loop passes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rail {
-    pub class: usize,
-    pub slider: usize,
-    /// Its direction in the class's frame, in the direction of the walk.
-    pub direction: Vector,
-    /// Which unknown the rotation of its class is.
-    pub spin: Option<usize>,
-    /// Which unknown its slide is; none where that is driven.
-    pub slide: Option<usize>,
-    /// The column of the member to which it belongs.
-    pub arm: usize,
-    /// Where its turned direction is kept: the column of its slide.
-    pub column: usize,
-}
-
-/// The column of an unknown that a loop does not pass.
-pub(super) const ZERO: usize = 0;
-
-/// Which columns are those of [`Reduced`](crate::geometry::Reduced).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Reduced {
-    /// s, t of one loop.
-    One([usize; 2]),
-    Two {
-        /// h, s, t by loop.
-        columns: [[usize; 3]; 2],
-        /// By loop, whether h gets longer and shorter with a slider.
-        varies: [bool; 2],
-    },
-}
-
-impl Reduced {
-    fn new(reduction: Reduction, chains: &[Chain]) -> Option<Reduced> {
-        match (reduction, chains) {
-            (Reduction::OneLoop, [chain]) => {
-                Some(Reduced::One([chain.columns[0], chain.columns[1]]))
-            }
-            (Reduction::TwoLoops { .. }, [first, second]) => {
-                let [h, g] = [first.columns[2], second.columns[3]];
-                let varies = |chain: &Chain, own| chain.rails.iter().any(|r| r.arm == own);
-                Some(Reduced::Two {
-                    columns: [
-                        [h, first.columns[0], first.columns[1]],
-                        [g, second.columns[0], second.columns[1]],
-                    ],
-                    varies: [varies(first, h), varies(second, g)],
-                })
-            }
-            _ => None,
-        }
-    }
-}
-
-impl Closing {
-    /// Vectors in the frames of their classes, by column: those of members, a quarter turn on, and of guides.
-    pub fn lengths(&self) -> impl Iterator<Item = (usize, Vector)> + '_ {
-        let members = self.chains.iter().flat_map(|c| &c.members);
-        let rails = self.chains.iter().flat_map(|c| &c.rails);
-        let rails = rails.map(|r| (r.column, r.direction));
-        members
-            .map(|m| (m.column, quarter_turn(m.local)))
-            .chain(rails)
-    }
-}
-
 impl Kernel {
     /// The kernel of `mechanism`; `None` for a drawn configuration, which has one position only.
     #[must_use]
@@ -249,29 +118,6 @@ impl Kernel {
     #[must_use]
     pub fn seat(&self, body: BodyId) -> &Seat {
         &self.seats[body.0]
-    }
-}
-
-impl Action {
-    /// The action without its lengths.
-    fn bare(&self) -> Action {
-        let none = Vector::zeros();
-        match self {
-            Action::Place(placing) => Action::Place(Placing {
-                local: none,
-                slide: placing.slide.map(|(slider, _)| (slider, none)),
-                ..*placing
-            }),
-            Action::Close(closing) => {
-                let mut bare = closing.clone();
-                for chain in &mut bare.chains {
-                    chain.members.iter_mut().for_each(|m| m.local = none);
-                    chain.rails.iter_mut().for_each(|r| r.direction = none);
-                }
-                bare.reach = 0.0;
-                Action::Close(bare)
-            }
-        }
     }
 }
 
@@ -550,7 +396,7 @@ impl<'a> Compiler<'a> {
         let components = members.flat_map(|m| [m.local.x.abs(), m.local.y.abs()]);
         closing.reach = components.fold(f64::MIN_POSITIVE, f64::max);
         let reduction = equations.reduction;
-        closing.reduced = reduction.and_then(|r| Reduced::new(r, &closing.chains));
+        closing.reduced = reduction.and_then(|r| ReducedColumns::new(r, &closing.chains));
         closing
     }
 
@@ -718,55 +564,4 @@ impl Passed<'_> {
             column: ZERO,
         });
     }
-}
-
-/// By body: its class and its turn there. The ground's class is the first; a class turns as its first body does.
-fn classes(mechanism: &Mechanism) -> Vec<(usize, Turn)> {
-    let bodies = mechanism.bodies.len();
-    let mut found: Vec<Option<(usize, Turn)>> = vec![None; bodies];
-    let driver = |b: &usize| matches!(mechanism.bodies[*b].role, Role::Driver { .. });
-    let (drivers, others): (Vec<usize>, Vec<usize>) = (0..bodies).partition(driver);
-    let mut next = 0;
-    for root in std::iter::once(GROUND.0).chain(drivers).chain(others) {
-        if found[root].is_some() {
-            continue;
-        }
-        found[root] = Some((next, Turn::identity()));
-        while let Some((body, seat)) = mechanism.sliders.iter().find_map(|slider| {
-            let turn = relative_turn(slider);
-            match (found[slider.on.0], found[slider.link.0]) {
-                (Some((class, on)), None) => Some((slider.link, (class, on * turn))),
-                (None, Some((class, link))) => Some((slider.on, (class, link * turn.inverse()))),
-                _ => None,
-            }
-        }) {
-            found[body.0] = Some(seat);
-        }
-        next += 1;
-    }
-    found
-        .into_iter()
-        .map(|seat| seat.unwrap_or((0, Turn::identity())))
-        .collect()
-}
-
-/// The sliding link's frame seen from that of the guide's body.
-fn relative_turn(slider: &Slider) -> Turn {
-    let (_, direction) = guide(slider);
-    Turn::from_cos_sin_unchecked(direction.x, direction.y) * turn_of_degrees(slider.turned)
-}
-
-/// A place of the guide and its direction, in the frame of its body.
-fn guide(slider: &Slider) -> (Point, Vector) {
-    match slider.guide {
-        Guide::Local { through, direction } => (through, direction),
-        Guide::Drawn(direction) => (Point::origin(), direction),
-        Guide::DrawnBetween(..) => (Point::origin(), Vector::x()),
-    }
-}
-
-/// The sliding point in the frame of its link.
-fn at_local(mechanism: &Mechanism, slider: &Slider) -> Point {
-    let local = mechanism.body(slider.link).local_of(slider.at);
-    local.unwrap_or_else(Point::origin)
 }

@@ -5,11 +5,16 @@
 //! Bodies that prismatic joints tie together turn together: they are one class with one angle. So a loop is a sum of few vectors,
 //! one for each class that it passes, and the loop equations of `mechanism` are read off these.
 
+mod action;
 mod block;
+mod classes;
 mod close;
+mod columns;
 mod compile;
 mod rates;
+mod solve;
 
+pub use action::Unknown;
 pub use block::{Block, Single, vector};
 pub use close::{Correction, portions, unit};
-pub use compile::{Input, InputKind, Kernel, Seat, Unknown};
+pub use compile::{Input, InputKind, Kernel, Seat};

@@ -1,5 +1,7 @@
-use super::close::{portions, solve};
-use super::compile::{Action, Chain, Closing, InputKind, Placing, Unknown};
+use super::action::{Action, Chain, Closing, Placing, Unknown};
+use super::close::portions;
+use super::compile::InputKind;
+use super::solve::solve;
 use super::{Block, Kernel};
 use crate::geometry::{Lanes, MANY, Pair, Row};
 use std::marker::PhantomData;
