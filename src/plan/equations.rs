@@ -423,7 +423,8 @@ impl Board<'_> {
             let spin_scale = spins.iter().fold(0.0, |m: f64, s| m.max(s.1.abs()));
             let slide_scale = slides.iter().fold(0.0, |m: f64, s| m.max(s.1.abs()));
             let scale = spin_scale.max(slide_scale / size);
-            if scale == 0.0 {
+            // Rates too small to have all their digits are zero but for rounding.
+            if scale < f64::MIN_POSITIVE {
                 continue;
             }
             let weighed = spins
@@ -433,8 +434,8 @@ impl Board<'_> {
             for (&(unknown, rate, error), scale) in weighed {
                 let difference = (solution.rates[unknown] - rate).abs() / scale;
                 let allowed = (solution.errors[unknown] + error) / scale;
-                result.difference = result.difference.max(difference);
-                result.allowed = result.allowed.max(allowed);
+                result.difference = result.difference.max(difference.min(f64::MAX));
+                result.allowed = result.allowed.max(allowed.min(f64::MAX));
             }
         }
         result
