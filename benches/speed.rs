@@ -1,9 +1,9 @@
 //! Times of the stages: `cargo bench`. Times differ between machines; quote ratios of one run.
 
 use divan::{Bencher, black_box};
-use kinegon::cycle::{Drive, Path, Steps, Sweep};
+use kinegon::cycle::{Drive, Path, Steps, Sweep, Walker};
 use kinegon::drafting::{SheetScales, Tolerance, drafting, pencil, readable_names};
-use kinegon::geometry::MANY;
+use kinegon::geometry::{MANY, Many};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
 use kinegon::plan::{Asked, construction};
@@ -110,18 +110,42 @@ fn batch<const WHICH: usize>(bencher: Bencher, which: &str, joints: bool) {
     } else {
         path.many_walker_without_places()
     };
+    bencher.bench_local(|| walk::<WHICH>(&mut walker, black_box(&values)));
+}
+
+fn walk<const WHICH: usize>(walker: &mut Walker<Many>, values: &[f64]) {
+    let mut rest = values;
+    while !rest.is_empty() {
+        let count = match WHAT[WHICH] {
+            "position" => walker.positions(rest).0,
+            "rates" => {
+                black_box(walker.rates());
+                MANY
+            }
+            _ => walker.motions(rest).0,
+        };
+        rest = &rest[count.min(rest.len())..];
+    }
+}
+
+/// 1 280 000 positions of the paper's mechanism with the rates of its links, in 64 pieces, on one core and on all.
+#[cfg(feature = "parallel")]
+#[divan::bench(args = [false, true])]
+fn batch_on_all_cores(bencher: Bencher, all: bool) {
+    use rayon::prelude::*;
+    let (_, mechanism, pose, _) = solved(FIGURE_2);
+    let path = path(&mechanism, &pose, [-135.0, 135.0]);
+    let count = 1_280_000;
+    let value = |i: i32| -135.0 + 270.0 * f64::from(i) / f64::from(count);
+    let values: Vec<f64> = (0..count).map(value).collect();
+    let mut walker = path.many_walker_without_places();
     bencher.bench_local(|| {
-        let mut rest = black_box(values.as_slice());
-        while !rest.is_empty() {
-            let count = match WHAT[WHICH] {
-                "position" => walker.positions(rest).0,
-                "rates" => {
-                    black_box(walker.rates());
-                    MANY
-                }
-                _ => walker.motions(rest).0,
-            };
-            rest = &rest[count.min(rest.len())..];
+        let pieces = black_box(&values).par_chunks(20_000);
+        if all {
+            let walker = || path.many_walker_without_places();
+            pieces.for_each_init(walker, |walker, piece| walk::<2>(walker, piece));
+        } else {
+            walk::<2>(&mut walker, &values);
         }
     });
 }
