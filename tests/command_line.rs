@@ -102,6 +102,12 @@ fn refused() -> Vec<(i32, Vec<&'static str>, Vec<u8>)> {
                 r#""B": [0,0], "C": [1e-155,0], "D": [-2e-155,1e-155], "E": [4e-155,5e-156], "F": [5e-155,-2e-155], "G": [1e-155,-1e-155]"#,
             ),
         ),
+        // Lengths whose fourth powers are no numbers.
+        (
+            1,
+            vec!["lengths of about 4", "e71 are too large to assemble from", "another unit of length"],
+            changed("\"EF\": 300", "\"EF\": 4e71"),
+        ),
         // Link 5 is too short to reach.
         (
             1,

@@ -4,12 +4,15 @@ use super::frames::{Frames, driven_position};
 use super::modes::{NoMode, modes};
 use super::rough::Rough;
 use super::{Assembly, AssemblyError, Pose};
-use crate::geometry::Vector;
+use crate::geometry::{Vector, span};
 use crate::mechanism::{BodyId, Class, Mechanism, Role, SliderId};
 use crate::scene::{Form, Near};
 
 /// Ways to assemble a whole mechanism beyond which each group is decided by itself.
 const MOST_WAYS: usize = 4096;
+
+/// The largest length that positions are found from, and one over the smallest: closing a loop takes fourth powers.
+const LARGEST: f64 = 1e70;
 
 /// Where a mechanism is: as drawn, or assembled from its lengths in the way closest to `near`.
 ///
@@ -100,6 +103,13 @@ fn searched(mechanism: &Mechanism) -> impl Iterator<Item = String> {
 
 /// All ways, group after group. Of more ways than can be listed, the closest to the `rough` places are kept after each group.
 fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError> {
+    let bodies = mechanism.bodies.iter();
+    let spans = bodies.map(|b| span(b.local.iter().copied()));
+    let size = spans.fold(0.0, f64::max);
+    let way = if size > LARGEST { "large" } else { "small" };
+    if size != 0.0 && !(1.0 / LARGEST..=LARGEST).contains(&size) {
+        return Err(AssemblyError::Size { size, way });
+    }
     let whole = mechanism;
     let mechanism = whole.for_positions();
     let mut ways = vec![Way {

@@ -13,6 +13,17 @@ pub enum AssemblyError {
         /// By how much it fails, in words.
         miss: String,
     },
+    /// Lengths whose fourth powers, which closing loops takes, leave the range of f64.
+    #[error(
+        "lengths of about {size:e} are too {way} to assemble from: their fourth powers leave the range of numbers\n  \
+         try: another unit of length"
+    )]
+    Size {
+        /// The largest length.
+        size: f64,
+        /// Which way, in words.
+        way: &'static str,
+    },
     /// An assembly mode was asked for by a number that it does not have.
     #[error(
         "there is no assembly mode {mode}: there are {count}\n  try: `kinegon modes` lists them"
