@@ -434,8 +434,10 @@ impl Board<'_> {
             for (&(unknown, rate, error), scale) in weighed {
                 let difference = (solution.rates[unknown] - rate).abs() / scale;
                 let allowed = (solution.errors[unknown] + error) / scale;
-                result.difference = result.difference.max(difference.min(f64::MAX));
-                result.allowed = result.allowed.max(allowed.min(f64::MAX));
+                // A rate may be that much smaller than its rounding; what is not a number, of no size at all, is no difference.
+                let finite = |x: f64| if x == f64::INFINITY { f64::MAX } else { x };
+                result.difference = result.difference.max(finite(difference));
+                result.allowed = result.allowed.max(finite(allowed));
             }
         }
         result
