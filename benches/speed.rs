@@ -49,6 +49,12 @@ const MOVED: [(&str, &str, [f64; 2]); 3] = [
     ("paper", FIGURE_2, [-135.0, 135.0]),
 ];
 
+fn moved(which: &str) -> (&'static str, [f64; 2]) {
+    let mut all = MOVED.into_iter();
+    let (_, text, range) = all.find(|m| m.0 == which).expect("a known one");
+    (text, range)
+}
+
 /// What is computed at each of them.
 const WHAT: [&str; 3] = ["position", "rates", "both"];
 
@@ -62,10 +68,7 @@ fn path<'a>(mechanism: &'a Mechanism, pose: &Pose, [from, to]: [f64; 2]) -> Path
 /// A thousand positions one by one, in the order of the crank: position alone, velocities and accelerations alone, both.
 #[divan::bench(args = MOVED.map(|m| m.0), consts = [0, 1, 2])]
 fn thousand<const WHICH: usize>(bencher: Bencher, which: &str) {
-    let (_, text, range) = MOVED
-        .into_iter()
-        .find(|m| m.0 == which)
-        .expect("a known one");
+    let (text, range) = moved(which);
     let (_, mechanism, pose, _) = solved(text);
     let path = path(&mechanism, &pose, range);
     let values: Vec<[f64; 1]> = (0..1000)
@@ -96,10 +99,7 @@ fn batch_with_joints<const WHICH: usize>(bencher: Bencher, which: &str) {
 }
 
 fn batch<const WHICH: usize>(bencher: Bencher, which: &str, joints: bool) {
-    let (_, text, range) = MOVED
-        .into_iter()
-        .find(|m| m.0 == which)
-        .expect("a known one");
+    let (text, range) = moved(which);
     let (_, mechanism, pose, _) = solved(text);
     let path = path(&mechanism, &pose, range);
     let values: Vec<f64> = (0..32_000)
