@@ -155,7 +155,7 @@ impl Page<'_> {
     /// Equation and values of a step, a line each.
     fn details(&self, step: &Step, plan: Option<&Plan>) -> Vec<String> {
         let kind = plan.map(|p| p.kind);
-        let equation = plain_text(&step.equation);
+        let equation = plain_text(&step.equation.markup());
         match &step.action {
             Action::Pole { .. } | Action::Note => Vec::new(),
             Action::SpecialPoint { sine, .. } => {

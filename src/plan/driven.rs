@@ -112,7 +112,7 @@ pub(super) fn lay_off(
             let [equation, what] = part.words;
             plan.steps.push(Step {
                 caption: words::lay_off(&what, &here, &part.to),
-                equation,
+                equation: equation.into(),
                 action: Action::LayOff(Arrow {
                     from: here,
                     to: part.to.clone(),

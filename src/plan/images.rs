@@ -140,7 +140,7 @@ impl Images<'_> {
         };
         self.plan.steps.push(Step {
             action: Action::LayOff(arrow),
-            equation,
+            equation: equation.into(),
             caption,
         });
     }

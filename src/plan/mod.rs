@@ -4,6 +4,7 @@
 
 mod cut;
 mod driven;
+mod equation;
 mod equations;
 mod images;
 mod name;
@@ -16,6 +17,7 @@ mod write;
 
 pub use cut::{CutLine, LegKind, Special, special_points};
 pub use driven::SlideMeasure;
+pub use equation::{Equation, Known, NamedPart, Term};
 pub use equations::{Agreement, Construct, LegMeasure};
 pub use name::{
     coincident_name, coriolis_name, display, image_name, normal_name, point_on, slide_name,

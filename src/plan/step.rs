@@ -1,3 +1,4 @@
+use super::equation::Equation;
 use crate::geometry::Vector;
 use indexmap::IndexMap;
 
@@ -82,8 +83,8 @@ pub enum PointRole {
 pub struct Step {
     /// What is done.
     pub action: Action,
-    /// The equation that belongs to it, in markup (`v_{S3} = v_B + v_{S3B}`); may be empty.
-    pub equation: String,
+    /// The equation that belongs to it, as `v_{S3} = v_B + v_{S3B}`; may be empty.
+    pub equation: Equation,
     /// What to do, in one line of words; names of points between backticks, the rest in markup.
     pub caption: String,
 }

@@ -1,6 +1,7 @@
 //! Captions and equations of the steps. Names of points stand between backticks in captions; `_{…}` is low, `^{…}` high.
 
 use super::cut::{CutLine, LegKind, Special};
+use super::equation::{Equation, Known, NamedPart};
 use super::name::{image_name, point_on};
 use super::step::{PlanKind, Relation};
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
@@ -144,38 +145,67 @@ pub(super) fn relative_velocity(
     slides: &[DrivenSlide],
     special: &str,
     start: &str,
-) -> String {
-    let driven = slides.iter().map(|slide| {
+) -> Equation {
+    let mut equation = Equation::default();
+    equation.vector(format!("v{}", low(&[special])), Known::Nothing, None);
+    equation.sign(" = ");
+    equation.vector(format!("v{}", low(&[start])), Known::Entirely, None);
+    for slide in slides {
         let name = mechanism.slider_name(slide.slider);
-        format!(" {} v_r({name})", plus_or_minus(slide))
-    });
-    format!(
-        "v{} = v{}{} + v{}",
-        low(&[special]),
-        low(&[start]),
-        driven.collect::<String>(),
-        low(&[special, start])
-    )
+        equation.sign(&format!(" {} ", plus_or_minus(slide)));
+        let sliding = Some(NamedPart::Sliding);
+        equation.vector(format!("v_r({name})"), Known::Entirely, sliding);
+    }
+    equation.sign(" + ");
+    let relative = format!("v{}", low(&[special, start]));
+    equation.vector(relative, Known::Direction, None);
+    equation
 }
 
 /// The equation behind an acceleration ray; driven sliders on the way add their sliding and Coriolis accelerations.
 pub(super) fn relative_acceleration(
     mechanism: &Mechanism,
-    slides: &[DrivenSlide],
+    cut: &CutLine,
     special: &str,
     start: &str,
-) -> String {
-    let driven = slides.iter().map(|slide| {
-        let (name, sign) = (mechanism.slider_name(slide.slider), plus_or_minus(slide));
-        format!(" {sign} a_r({name}) {sign} a_c({name})")
-    });
+) -> Equation {
+    let (has_normal, has_coriolis) = match cut.kind {
+        LegKind::Pin { .. } | LegKind::Pins { .. } => (true, false),
+        LegKind::PinThenSlider { .. } | LegKind::SliderThenPin { .. } => (true, true),
+        LegKind::Slider { .. } => (false, true),
+        LegKind::Sliders => (false, false),
+    };
+    let mut equation = Equation::default();
+    equation.vector(format!("a{}", low(&[special])), Known::Nothing, None);
+    equation.sign(" = ");
+    equation.vector(format!("a{}", low(&[start])), Known::Entirely, None);
+    for slide in &cut.slides {
+        let name = mechanism.slider_name(slide.slider);
+        for (letter, part) in [("r", NamedPart::Sliding), ("c", NamedPart::Coriolis)] {
+            equation.sign(&format!(" {} ", plus_or_minus(slide)));
+            let added = format!("a_{letter}({name})");
+            equation.vector(added, Known::Entirely, Some(part));
+        }
+    }
     let both = low(&[special, start]);
-    format!(
-        "a{} = a{}{} + a^n{both} + a^t{both}",
-        low(&[special]),
-        low(&[start]),
-        driven.collect::<String>(),
-    )
+    let (known, direction) = (Known::Entirely, Known::Direction);
+    for (letter, known, part) in [
+        ("n", known, NamedPart::Normal),
+        ("c", known, NamedPart::Coriolis),
+        ("t", direction, NamedPart::Tangential),
+    ] {
+        let has = match part {
+            NamedPart::Normal => has_normal,
+            NamedPart::Coriolis => has_coriolis,
+            _ => true,
+        };
+        if !has {
+            continue;
+        }
+        equation.sign(" + ");
+        equation.vector(format!("a^{letter}{both}"), known, Some(part));
+    }
+    equation
 }
 
 fn plus_or_minus(slide: &DrivenSlide) -> char {

@@ -87,7 +87,7 @@ struct Writer<'a> {
 fn step(action: Action, equation: String, caption: String) -> Step {
     Step {
         action,
-        equation,
+        equation: equation.into(),
         caption,
     }
 }
@@ -370,8 +370,7 @@ impl Writer<'_> {
                 .insert(normal.clone(), PlanPoint { vector, role });
             let mut ray = self.ray(cut, point, normal.clone());
             let start = point_on(self.mechanism, cut.leg.base, start);
-            ray.equation =
-                words::relative_acceleration(self.mechanism, &cut.slides, &point.name, &start);
+            ray.equation = words::relative_acceleration(self.mechanism, cut, &point.name, &start);
             plan.steps.push(ray);
             through.push((normal, leg.acceleration));
         }
