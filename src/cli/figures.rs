@@ -59,11 +59,7 @@ impl Figures {
         scene: Option<&Path>,
         drawings: &[(String, Drawing)],
     ) -> Result<(), Failure> {
-        let text = if self.outlines {
-            Text::Outlines
-        } else {
-            Text::Letters
-        };
+        let text = self.text();
         let mut written = Vec::new();
         for (name, drawing) in drawings {
             for (path, form) in self.targets(name, drawings.len())? {
@@ -76,19 +72,54 @@ impl Figures {
                 written.push((path, bytes));
             }
         }
+        self.finish(scene, &written)
+    }
+
+    /// Writes drawings as SVG with a group for each step.
+    pub(super) fn write_layered(
+        &self,
+        scene: Option<&Path>,
+        drawings: &[(String, Drawing)],
+    ) -> Result<(), Failure> {
+        let mut written = Vec::new();
+        for (name, drawing) in drawings {
+            let targets = self.targets(name, drawings.len())?;
+            let mut svg = targets.into_iter().filter(|(_, form)| *form == Form::Svg);
+            let Some((path, _)) = svg.next() else {
+                return Err(Failure::Misuse(
+                    "only SVG has layers".into(),
+                    Some("leave out --format, or name a file that ends in `.svg`".into()),
+                ));
+            };
+            let bytes = format::layered_svg(drawing, self.text()).into_bytes();
+            written.push((path, bytes));
+        }
+        self.finish(scene, &written)
+    }
+
+    fn text(&self) -> Text {
+        if self.outlines {
+            Text::Outlines
+        } else {
+            Text::Letters
+        }
+    }
+
+    /// Writes files, but not over the scene that they show.
+    fn finish(&self, scene: Option<&Path>, written: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
         if self.output == Path::new("-") {
-            let [(_, bytes)] = written.as_slice() else {
+            let [(_, bytes)] = written else {
                 return Err(Failure::Misuse(
                     "only one figure fits on stdout".into(),
-                    Some("name one scene, or a folder to write to".into()),
+                    Some("name one scene and one step, or a folder to write to".into()),
                 ));
             };
             return files::print(bytes);
         }
-        for (path, _) in &written {
+        for (path, _) in written {
             files::keep_input(scene, path)?;
         }
-        files::write(&written)
+        files::write(written)
     }
 
     /// The files to write for a drawing.
@@ -110,8 +141,8 @@ impl Figures {
         match form {
             Some(form) if drawings == 1 => Ok(vec![(self.output.clone(), *form)]),
             Some(_) => Err(Failure::Misuse(
-                "two figures do not fit into one file".into(),
-                Some("name one scene, or a folder to write to".into()),
+                "several figures do not fit into one file".into(),
+                Some("name one scene and one step, or a folder to write to".into()),
             )),
             None => {
                 let known: Vec<&str> = Form::value_variants().iter().map(|f| f.ending()).collect();

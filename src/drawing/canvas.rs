@@ -1,7 +1,7 @@
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
 use super::shape::{Shape, around};
-use super::sheet::{Drawing, Pen};
+use super::sheet::{Drawing, Mark, Pen};
 use super::text::RichText;
 use indexmap::IndexMap;
 use kurbo::{Point, Rect, Vec2};
@@ -17,7 +17,9 @@ pub(super) struct Canvas<'a> {
     /// Prefix of the marks' ids, one for each panel.
     prefix: &'static str,
     obstacles: Obstacles,
-    requests: Vec<Wanted>,
+    requests: Vec<(Wanted, u16)>,
+    /// With which step that which is drawn now comes.
+    since: u16,
     renamed: &'a IndexMap<String, String>,
 }
 
@@ -47,6 +49,7 @@ impl<'a> Canvas<'a> {
                 bounds: frame.inset(-1.2),
             },
             requests: Vec::new(),
+            since: 0,
             renamed,
         }
     }
@@ -66,14 +69,43 @@ impl<'a> Canvas<'a> {
     /// Draws a mark and remembers it as something that labels keep off: joints and arrowheads entirely, lines where they can.
     pub(super) fn draw(&mut self, pen: Pen, shape: Shape) {
         self.remember(pen, &shape);
-        self.drawing.draw(pen, shape);
+        self.put(None, pen, shape);
+    }
+
+    /// What is drawn and asked for from now on comes with this step.
+    pub(super) fn since(&mut self, step: u16) {
+        self.since = step;
+    }
+
+    fn put(&mut self, id: Option<String>, pen: Pen, shape: Shape) {
+        self.drawing.marks.push(Mark {
+            id,
+            since: self.since,
+            ..Mark::new(pen, shape)
+        });
+    }
+
+    /// A broad line under what the step is about; nothing keeps off it.
+    pub(super) fn hint(&mut self, step: u16, from: Point, to: Point) {
+        if let Some((a, b)) = clipped_segment(self.room(), from, to) {
+            self.passing(step, Pen::Hint, Shape::Line(a, b));
+        }
+    }
+
+    /// A mark that is there in one step alone; nothing keeps off it.
+    pub(super) fn passing(&mut self, step: u16, pen: Pen, shape: Shape) {
+        self.drawing.marks.push(Mark {
+            since: step,
+            passing: true,
+            ..Mark::new(pen, shape)
+        });
     }
 
     /// The same, findable by a name such as `velocity-ray-b-s3`.
     pub(super) fn draw_named(&mut self, name: &str, pen: Pen, shape: Shape) {
         self.remember(pen, &shape);
         let id = format!("{}-{}", self.prefix, ascii(name));
-        self.drawing.draw_named(id, pen, shape);
+        self.put(Some(id), pen, shape);
     }
 
     fn remember(&mut self, pen: Pen, shape: &Shape) {
@@ -136,7 +168,7 @@ impl<'a> Canvas<'a> {
 
     /// Asks for a label of any look.
     pub(super) fn want(&mut self, wanted: Wanted) {
-        self.requests.push(wanted);
+        self.requests.push((wanted, self.since));
     }
 
     /// Asks for words beside `anchor`.
@@ -164,21 +196,19 @@ impl<'a> Canvas<'a> {
     }
 
     /// Places and draws the labels.
-    pub(super) fn finish(self) {
-        let requests: Vec<LabelRequest> = self.requests.iter().map(|w| w.request.clone()).collect();
-        for (label, wanted) in place(&requests, &self.obstacles)
-            .into_iter()
-            .zip(&self.requests)
-        {
+    pub(super) fn finish(mut self) {
+        let requests = std::mem::take(&mut self.requests);
+        let asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
+        for (label, (wanted, since)) in place(&asked, &self.obstacles).into_iter().zip(requests) {
             if label.crowded && wanted.optional {
                 continue;
             }
+            self.since = since;
             if let Some((a, b)) = label.leader {
-                self.drawing.draw(Pen::Leader, Shape::Line(a, b));
+                self.put(None, Pen::Leader, Shape::Line(a, b));
             }
             let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
-            self.drawing
-                .draw_named(id, wanted.pen, Shape::Text(label.text));
+            self.put(Some(id), wanted.pen, Shape::Text(label.text));
         }
     }
 }

@@ -5,10 +5,12 @@ use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
+use super::stages::numbered;
 use super::text::{PlacedText, RichText};
 use super::view::View;
+use super::words;
 use crate::mechanism::Mechanism;
-use crate::plan::{Construction, Scales};
+use crate::plan::{Construction, Scales, plain_text};
 use crate::position::Pose;
 use crate::scene::{Panel, Scene};
 use kurbo::Point;
@@ -21,8 +23,32 @@ pub fn figure(
     pose: &Pose,
     construction: &Construction,
 ) -> Drawing {
+    compose(scene, mechanism, pose, construction, false)
+}
+
+/// The same figure with every step of the construction in it: [`Drawing::after_step`] gives the sheet as it stands after one of them,
+/// with what to do and the equation below the panels.
+///
+/// Plans that the figure has no panel for are not drawn, but their steps are told.
+#[must_use]
+pub fn stepwise(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    pose: &Pose,
+    construction: &Construction,
+) -> Drawing {
+    compose(scene, mechanism, pose, construction, true)
+}
+
+fn compose(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    pose: &Pose,
+    construction: &Construction,
+    by_steps: bool,
+) -> Drawing {
     let scheme = Scheme::new(scene, mechanism, pose, construction);
-    let layout = divide(scene, &scheme);
+    let layout = divide(scene, &scheme, if by_steps { words::HEIGHT } else { 0.0 });
     let [width, height] = scene.figure.page.size_mm();
     let mut drawing = Drawing::new(width, height);
     let title = scene
@@ -38,15 +64,16 @@ pub fn figure(
     );
     drawing.draw(Pen::Heading, Shape::Text(heading));
     for (index, placed) in layout.panels.iter().enumerate() {
-        panel(&mut drawing, index, placed, &scheme);
+        panel(&mut drawing, index, placed, &scheme, by_steps);
     }
-    legend::draw(
-        &mut drawing,
-        layout.legend,
-        scene.units,
-        &layout.panels,
-        construction,
-    );
+    legend::draw(&mut drawing, layout.legend, scene.units, &layout.panels);
+    let steps = numbered(construction).map(|(_, _, step)| plain_text(&step.caption));
+    drawing.steps = steps.collect();
+    if by_steps {
+        words::draw(&mut drawing, &layout, scene.units, &scheme);
+    } else {
+        legend::agreement(&mut drawing, layout.legend, construction);
+    }
     drawing
 }
 
@@ -59,7 +86,7 @@ pub fn scales(
     construction: &Construction,
 ) -> Scales {
     let scheme = Scheme::new(scene, mechanism, pose, construction);
-    let layout = divide(scene, &scheme);
+    let layout = divide(scene, &scheme, 0.0);
     let of = |panel: Panel, given: Option<f64>| {
         let placed = layout.panels.iter().find(|p| p.panel == panel);
         given.or(placed.map(|p| p.mu))
@@ -71,8 +98,8 @@ pub fn scales(
     }
 }
 
-/// The sheet divided among the panels that have something to show.
-fn divide(scene: &Scene, scheme: &Scheme<'_>) -> Layout {
+/// The sheet divided among the panels that have something to show; so much room is left for words.
+fn divide(scene: &Scene, scheme: &Scheme<'_>, words: f64) -> Layout {
     let figure = &scene.figure;
     let wanted: Vec<Wanted> = figure
         .panels
@@ -92,10 +119,16 @@ fn divide(scene: &Scene, scheme: &Scheme<'_>) -> Layout {
             Some(Wanted { panel, extent, mu })
         })
         .collect();
-    layout(figure.page.size_mm(), &wanted)
+    layout(figure.page.size_mm(), &wanted, words)
 }
 
-fn panel(drawing: &mut Drawing, index: usize, placed: &Placed, scheme: &Scheme<'_>) {
+fn panel(
+    drawing: &mut Drawing,
+    index: usize,
+    placed: &Placed,
+    scheme: &Scheme<'_>,
+    by_steps: bool,
+) {
     let frame = Shape::Polygon(legend::corners(placed.frame));
     drawing.draw(Pen::Frame, frame);
     let (prefix, heading) = match placed.panel {
@@ -114,6 +147,9 @@ fn panel(drawing: &mut Drawing, index: usize, placed: &Placed, scheme: &Scheme<'
     let plan = match placed.panel {
         Panel::Scheme => {
             let view = View::new(placed.mu, &scheme.extent(), placed.area);
+            if by_steps {
+                scheme.hints(&mut canvas, &view);
+            }
             scheme.draw(&mut canvas, &view);
             None
         }
@@ -122,6 +158,9 @@ fn panel(drawing: &mut Drawing, index: usize, placed: &Placed, scheme: &Scheme<'
     };
     if let Some(plan) = plan {
         let view = View::new(placed.mu, &plan_panel::extent(plan), placed.area);
+        if by_steps {
+            plan_panel::hints(&mut canvas, &view, scheme, plan);
+        }
         plan_panel::draw(&mut canvas, &view, scheme, plan);
     }
     canvas.finish();

@@ -8,6 +8,8 @@ pub(super) const MARGIN: f64 = 8.0;
 pub(super) const TITLE: f64 = 9.0;
 /// Room for the legend below the panels.
 pub(super) const LEGEND: f64 = 16.0;
+/// The part of it that the scales take.
+pub(super) const SCALES: f64 = 8.0;
 /// Between panels.
 const GAP: f64 = 4.0;
 /// Inside a panel, kept free for labels and its heading.
@@ -47,13 +49,15 @@ pub(super) struct Layout {
 ///
 /// All of a few arrangements are tried: side by side, one beside two, one above two; the one in which the
 /// contents come out largest, their sizes multiplied, wins.
-pub(super) fn layout([width, height]: [f64; 2], wanted: &[Wanted]) -> Layout {
+///
+/// Between panels and legend stays so much room for words.
+pub(super) fn layout([width, height]: [f64; 2], wanted: &[Wanted], words: f64) -> Layout {
     let sheet = Rect::new(MARGIN, MARGIN, width - MARGIN, height - MARGIN);
     let room = Rect::new(
         sheet.x0,
         sheet.y0 + TITLE,
         sheet.x1,
-        sheet.y1 - LEGEND - GAP,
+        sheet.y1 - LEGEND - words - GAP,
     );
     let mut best: Option<(f64, Vec<Placed>)> = None;
     for frames in arrangements(room, wanted) {
@@ -76,7 +80,7 @@ pub(super) fn layout([width, height]: [f64; 2], wanted: &[Wanted]) -> Layout {
     }
     Layout {
         title: Rect::new(sheet.x0, sheet.y0, sheet.x1, sheet.y0 + TITLE),
-        legend: Rect::new(sheet.x0, sheet.y1 - LEGEND, sheet.x1, sheet.y1),
+        legend: Rect::new(sheet.x0, sheet.y1 - LEGEND - words, sheet.x1, sheet.y1),
         panels: best.map(|(_, placed)| placed).unwrap_or_default(),
     }
 }

@@ -7,14 +7,8 @@ use crate::plan::Construction;
 use crate::scene::{Panel, Units};
 use kurbo::{Point, Rect};
 
-/// The box with the scales, each with a bar of a round value, and how the two routes agree.
-pub(super) fn draw(
-    drawing: &mut Drawing,
-    area: Rect,
-    units: Units,
-    panels: &[Placed],
-    construction: &Construction,
-) {
+/// The box with the scales, each with a bar of a round value.
+pub(super) fn draw(drawing: &mut Drawing, area: Rect, units: Units, panels: &[Placed]) {
     drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
     let column = area.width() / 3.0;
     let (length, time) = (units.length.as_str(), units.time.as_str());
@@ -62,8 +56,12 @@ pub(super) fn draw(
         );
         drawing.draw(Pen::Caption, Shape::Text(bar));
     }
+}
+
+/// Below the scales: how the construction and the loop equations agree.
+pub(super) fn agreement(drawing: &mut Drawing, area: Rect, construction: &Construction) {
     let text = PlacedText::new(
-        RichText::plain(&agreement(construction)),
+        RichText::plain(&comparison(construction)),
         0.95 * CAPTION,
         Point::new(area.x0 + 4.0, area.y0 + 12.6),
     );
@@ -71,7 +69,7 @@ pub(super) fn draw(
 }
 
 /// How the construction and the loop equations agree, in words.
-fn agreement(construction: &Construction) -> String {
+fn comparison(construction: &Construction) -> String {
     let known = construction.agreement.iter().flatten();
     let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
     match worst {
@@ -108,7 +106,7 @@ fn power(x: f64) -> String {
 }
 
 /// A scale value without superfluous digits.
-fn short(x: f64) -> String {
+pub(super) fn short(x: f64) -> String {
     if x != 0.0 && !(1e-4..1e6).contains(&x.abs()) {
         return format!("{x:e}");
     }

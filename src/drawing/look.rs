@@ -20,6 +20,19 @@ impl Colour {
             blue: rgb as u8,
         }
     }
+
+    /// So far (0 to 1) on the way to another colour.
+    fn towards(self, other: Colour, share: f64) -> Colour {
+        let mix = |a: u8, b: u8| {
+            let mixed = f64::from(a) + share * (f64::from(b) - f64::from(a));
+            mixed.round() as u8
+        };
+        Colour {
+            red: mix(self.red, other.red),
+            green: mix(self.green, other.green),
+            blue: mix(self.blue, other.blue),
+        }
+    }
 }
 
 /// How a line ends.
@@ -50,6 +63,49 @@ pub struct Look {
     pub halo: f64,
 }
 
+impl Look {
+    /// The same in the accent colour, its lines somewhat bolder.
+    pub(super) fn accented(self) -> Look {
+        let solid = |fill: Colour| {
+            if self.stroke.is_some() && fill == WHITE {
+                fill
+            } else {
+                ACCENT
+            }
+        };
+        Look {
+            stroke: self.stroke.map(|_| ACCENT),
+            width: self.width + BOLDER,
+            // Areas without outline stay tints, so that letters can be read on them.
+            fill: self.fill.map(|fill| match self.is_tint() {
+                true => ACCENT.towards(WHITE, 0.8),
+                false => solid(fill),
+            }),
+            ink: ACCENT,
+            ..self
+        }
+    }
+
+    /// The same, paler.
+    pub(super) fn calmed(self) -> Look {
+        let pale = |colour: Colour| colour.towards(WHITE, CALM);
+        Look {
+            stroke: self.stroke.map(pale),
+            fill: self
+                .fill
+                .map(|fill| if self.is_tint() { fill } else { pale(fill) }),
+            ink: self.ink.towards(WHITE, 0.5 * CALM),
+            ..self
+        }
+    }
+
+    /// Whether it is a pale area without outline.
+    fn is_tint(&self) -> bool {
+        let sum = |c: Colour| u16::from(c.red) + u16::from(c.green) + u16::from(c.blue);
+        self.stroke.is_none() && self.fill.is_some_and(|fill| sum(fill) > 600)
+    }
+}
+
 // Four accents of nearly the same weight. They keep apart for readers who do not tell red from
 // green: blue, a green that leans to blue, an orange red, a purple; and each kind of mark differs
 // by more than its colour (dash, head, place).
@@ -63,6 +119,13 @@ const RED: Colour = Colour::new(0xb5361c);
 const PURPLE: Colour = Colour::new(0x6d3a7c);
 const OCHRE: Colour = Colour::new(0x8a6100);
 const WHITE: Colour = Colour::new(0xffffff);
+
+/// What comes with a step.
+const ACCENT: Colour = Colour::new(0xc2410c);
+/// By how much its lines are bolder, in mm.
+const BOLDER: f64 = 0.15;
+/// How far towards white the marks of earlier steps are.
+const CALM: f64 = 0.45;
 
 /// Colours of curves in one panel; then the same with dashes.
 const CURVES: [Colour; 6] = [BLUE, RED, GREEN, PURPLE, OCHRE, INK];
@@ -168,6 +231,10 @@ pub fn look(pen: Pen) -> Look {
         Pen::Turning => line(INK, THIN),
         Pen::Leader => line(FAINT, HAIR),
         Pen::Label => writing(INK, HALO),
+        Pen::Hint => Look {
+            cap: Cap::Round,
+            ..line(ACCENT.towards(WHITE, 0.72), 2.2)
+        },
         Pen::Caption => writing(INK, 0.0),
         Pen::Heading => writing(INK, 0.0),
         Pen::Grid => line(PALE, HAIR),

@@ -21,17 +21,19 @@ mod plan_panel;
 mod scheme;
 mod shape;
 mod sheet;
+mod stages;
 mod text;
 mod view;
+mod words;
 
 pub use arrow::arrow_head;
 pub use curves::{CurvesError, curves};
-pub use figure::{figure, scales};
+pub use figure::{figure, scales, stepwise};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Look, look};
 pub use shape::Shape;
-pub use sheet::{Drawing, Mark, Pen};
+pub use sheet::{Drawing, Emphasis, Mark, Pen};
 pub use text::{PlacedRun, PlacedText, RichText, Run};
 pub use view::{Extent, View, fitting_scale, next_scale};
 

@@ -1,12 +1,12 @@
 use super::canvas::{Canvas, clipped_segment};
-use super::names::Names;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::Pen;
-use super::view::{Extent, View, on_sheet};
+use super::stages::{PlanStages, numbered};
+use super::view::{Extent, View, on_sheet, towards};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
-use crate::plan::{Part, Plan, PlanKind, PointRole, coincident_name, image_name};
+use crate::plan::{Action, Part, Plan, PlanKind, PointRole, Relation, coincident_name, image_name};
 use kurbo::{Point, Vec2};
 
 /// Plan points closer than this on paper (mm) share one label.
@@ -39,8 +39,10 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
         };
         on_the_way && !figure.special_points
     };
-    let images = images(view, mechanism, plan);
-    for corners in images.iter().filter(|corners| corners.len() > 2) {
+    let stages = scheme.stages.plan(plan.kind);
+    let images = images(view, mechanism, plan, stages);
+    for (corners, since) in images.iter().filter(|(corners, _)| corners.len() > 2) {
+        canvas.since(*since);
         canvas.draw(Pen::ImageFill, Shape::Polygon(corners.clone()));
     }
     if figure.construction && figure.special_points {
@@ -57,12 +59,14 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
             let ends = (from - along * (0.5 * BEYOND), to + along * BEYOND);
             if let Some((a, b)) = clipped_segment(canvas.room(), ends.0, ends.1) {
                 let name = format!("ray-{}-{}", ray.through, ray.to);
+                canvas.since(stages.ray(&ray.through, &ray.to));
                 canvas.draw_named(&name, Pen::Ray, Shape::Line(a, b));
             }
         }
     }
     // Over all areas and rays, so that a line that lies on a ray is seen as one.
-    for corners in images {
+    for (corners, since) in images {
+        canvas.since(since);
         match corners.as_slice() {
             [a, b] => canvas.draw(Pen::Image, Shape::Line(*a, *b)),
             [_, _, _] => canvas.draw(Pen::Image, Shape::Polygon(corners)),
@@ -79,6 +83,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
         (special || plan.rays().any(|ray| ray.to == name)) && !hidden(name)
     };
     for name in plan.points.keys().filter(|name| from_pole(name)) {
+        canvas.since(stages.point(name));
         arrow(canvas, at(pole), at(name), whole, &format!("{pole}-{name}"));
     }
     for laid in plan.arrows() {
@@ -95,9 +100,45 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
             Part::Coriolis => Pen::Coriolis,
         };
         let name = format!("{}-{}", laid.from, laid.to);
+        canvas.since(stages.point(&laid.to));
         arrow(canvas, at(&laid.from), at(&laid.to), pen, &name);
     }
-    points(canvas, view, &scheme.names, plan, &hidden);
+    points(canvas, view, scheme, plan, &hidden);
+    canvas.since(0);
+}
+
+/// What each step of a plan is about: the segment that it measures, and where its ray starts the line of the mechanism that gives
+/// the direction, with a mark of the right angle.
+pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, plan: &Plan) {
+    let at = |name: &str| plan.points.get(name).map(|p| view.at(p.vector.into()));
+    let steps = numbered(scheme.construction);
+    for (number, _, step) in steps.filter(|(_, of, _)| of.is_some_and(|of| of.kind == plan.kind)) {
+        match &step.action {
+            Action::Measure { from, to, .. } => {
+                if let (Some(from), Some(to)) = (at(from), at(to)) {
+                    canvas.hint(number, from, to);
+                }
+            }
+            Action::Ray(ray) if ray.relation == Relation::Perpendicular => {
+                if let (Some(from), Some(to)) = (at(&ray.through), at(&ray.to)) {
+                    let along = towards(from, to, on_sheet(ray.direction));
+                    right_angle(canvas, number, from, along);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// A piece of the line to which a ray from `corner` is square, and the mark of the right angle.
+fn right_angle(canvas: &mut Canvas<'_>, step: u16, corner: Point, ray: Vec2) {
+    const SIDE: f64 = 2.0;
+    const PIECE: f64 = 7.0;
+    let line = Vec2::new(-ray.y, ray.x);
+    let ends = Shape::Line(corner - line * PIECE, corner + line * PIECE);
+    canvas.passing(step, Pen::Construction, ends);
+    let chain = [line * SIDE, (line + ray) * SIDE, ray * SIDE].map(|v| corner + v);
+    canvas.passing(step, Pen::Frame, Shape::Polyline(chain.to_vec()));
 }
 
 fn arrow(canvas: &mut Canvas<'_>, from: Option<Point>, to: Option<Point>, pen: Pen, name: &str) {
@@ -108,8 +149,13 @@ fn arrow(canvas: &mut Canvas<'_>, from: Option<Point>, to: Option<Point>, pen: P
     }
 }
 
-/// The corners of the images of links: the link turned and scaled.
-fn images(view: &View, mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<Point>> {
+/// The corners of the images of links, the link turned and scaled, each with the step that completes it.
+fn images(
+    view: &View,
+    mechanism: &Mechanism,
+    plan: &Plan,
+    stages: &PlanStages,
+) -> Vec<(Vec<Point>, u16)> {
     let image = |body: &Body| {
         let own = body
             .points
@@ -120,10 +166,13 @@ fn images(view: &View, mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<Point>> {
             .iter()
             .filter(|s| mechanism.body(s.on).name == body.name);
         let under = under.map(|s| coincident_name(mechanism.point_name(s.at), &body.name));
-        own.chain(under)
-            .filter_map(|name| plan.points.get(&image_name(&name)))
-            .map(|p| view.at(p.vector.into()))
-            .collect()
+        let corners = own.chain(under).filter_map(|name| {
+            let name = image_name(&name);
+            let place = view.at(plan.points.get(&name)?.vector.into());
+            Some((place, stages.point(&name)))
+        });
+        let (places, steps): (Vec<Point>, Vec<u16>) = corners.unzip();
+        (places, steps.into_iter().max().unwrap_or_default())
     };
     mechanism.links().map(|(_, body)| image(body)).collect()
 }
@@ -140,7 +189,7 @@ fn is_vanished(plan: &Plan, name: &str) -> bool {
 fn points(
     canvas: &mut Canvas<'_>,
     view: &View,
-    names: &Names,
+    scheme: &Scheme<'_>,
     plan: &Plan,
     hidden: &dyn Fn(&str) -> bool,
 ) {
@@ -169,10 +218,13 @@ fn points(
         };
         let center = place;
         let id = format!("point-{}", here[0]);
+        let stages = scheme.stages.plan(plan.kind);
+        let steps = here.iter().map(|name| stages.point(name));
+        canvas.since(steps.min().unwrap_or_default());
         canvas.draw_named(&id, pen, Shape::Circle { center, radius });
         let shown: Vec<String> = here
             .iter()
-            .map(|name| canvas.shown(name, &names.markup(name)))
+            .map(|name| canvas.shown(name, &scheme.names.markup(name)))
             .collect();
         let away = place - middle;
         let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());

@@ -1,6 +1,6 @@
 use kurbo::Rect;
 
-use super::look::look;
+use super::look::{Look, look};
 use super::shape::{Shape, overlap};
 
 /// A sheet of paper and everything drawn on it; later marks cover earlier ones.
@@ -17,6 +17,8 @@ pub struct Drawing {
     pub description: String,
     /// Everything drawn, in drawing order.
     pub marks: Vec<Mark>,
+    /// What is done in each step of the construction, in plain words, which [`Mark::since`] counts.
+    pub steps: Vec<String>,
 }
 
 impl Drawing {
@@ -28,25 +30,49 @@ impl Drawing {
             title: String::new(),
             description: String::new(),
             marks: Vec::new(),
+            steps: Vec::new(),
         }
     }
 
     /// Draws a nameless mark on top of the others.
     pub fn draw(&mut self, pen: Pen, shape: Shape) {
-        self.marks.push(Mark {
-            id: None,
-            pen,
-            shape,
-        });
+        self.marks.push(Mark::new(pen, shape));
     }
 
     /// Draws a mark that slide programs and scripts can find by `id`.
     pub fn draw_named(&mut self, id: impl Into<String>, pen: Pen, shape: Shape) {
         self.marks.push(Mark {
             id: Some(id.into()),
-            pen,
-            shape,
+            ..Mark::new(pen, shape)
         });
+    }
+
+    /// The sheet as it stands after a step, from 1: what comes with the step in the accent colour, what came before it calm.
+    ///
+    /// Everything keeps its place from step to step.
+    #[must_use]
+    pub fn after_step(&self, step: usize) -> Drawing {
+        let shown = self.marks.iter().filter_map(|mark| {
+            let since = usize::from(mark.since);
+            let emphasis = match since {
+                0 => Emphasis::Plain,
+                _ if since == step => Emphasis::New,
+                _ => Emphasis::Earlier,
+            };
+            let shows = since <= step && !(mark.passing && since < step);
+            shows.then(|| Mark {
+                emphasis,
+                ..mark.clone()
+            })
+        });
+        let words = self.steps.get(step.wrapping_sub(1));
+        Drawing {
+            marks: shown.collect(),
+            title: self.title.clone(),
+            description: words.cloned().unwrap_or_default(),
+            steps: Vec::new(),
+            ..*self
+        }
     }
 }
 
@@ -58,7 +84,7 @@ impl Drawing {
     pub fn halos(&self) -> Vec<bool> {
         let bounds: Vec<Rect> = self.marks.iter().map(|mark| mark.shape.bounds()).collect();
         let needs = self.marks.iter().enumerate().map(|(index, mark)| {
-            let halo = look(mark.pen).halo;
+            let halo = mark.look().halo;
             let Shape::Text(text) = &mark.shape else {
                 return false;
             };
@@ -67,7 +93,7 @@ impl Drawing {
             halo > 0.0
                 && below.into_iter().any(|(other, bounds)| {
                     overlap(*bounds, area)
-                        && look(other.pen).stroke.is_some()
+                        && other.look().stroke.is_some()
                         && other.shape.lines_cross(area)
                 })
         });
@@ -84,6 +110,51 @@ pub struct Mark {
     pub pen: Pen,
     /// Where it is.
     pub shape: Shape,
+    /// With which step of the construction it comes, from 1; 0 for what stands there from the start.
+    pub since: u16,
+    /// Whether it is there in that step alone: words, or a hint at what is meant.
+    pub passing: bool,
+    /// How it stands out.
+    pub emphasis: Emphasis,
+}
+
+/// How a mark stands out among the others.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Emphasis {
+    /// As its pen has it.
+    #[default]
+    Plain,
+    /// In the accent colour.
+    New,
+    /// Paler, so that new marks are seen first.
+    Earlier,
+}
+
+impl Mark {
+    /// A nameless mark that stands there from the start.
+    pub fn new(pen: Pen, shape: Shape) -> Self {
+        Self {
+            id: None,
+            pen,
+            shape,
+            since: 0,
+            passing: false,
+            emphasis: Emphasis::Plain,
+        }
+    }
+
+    /// How it looks.
+    #[must_use]
+    pub fn look(&self) -> Look {
+        let look = look(self.pen);
+        match self.emphasis {
+            // Words are read, not looked for.
+            _ if matches!(self.pen, Pen::Caption | Pen::Heading | Pen::Hint) => look,
+            Emphasis::Plain => look,
+            Emphasis::New => look.accented(),
+            Emphasis::Earlier => look.calmed(),
+        }
+    }
 }
 
 /// What a mark *is*. Colour, width, dash and fill come from [`look`](super::look()), so a figure is
@@ -140,6 +211,8 @@ pub enum Pen {
     Leader,
     /// The name of a point, a link or a vector; haloed, so that it reads across lines.
     Label,
+    /// What a step is about, in that step alone: a broad pale line under a length or a direction.
+    Hint,
     /// Running text: scales, equations, captions.
     Caption,
     /// The heading of a panel or a sheet.

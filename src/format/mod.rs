@@ -30,7 +30,7 @@ pub use self::result::{
 };
 pub use self::steps::steps;
 pub use self::structure::{modes, structure};
-pub use self::svg::{Text, svg, svg_with};
+pub use self::svg::{Text, layered_svg, svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines};
 
 #[cfg(test)]

@@ -19,8 +19,10 @@ pub struct Term {
 /// How much of a vector is known: on the board two lines under what is known entirely, one under what is known in direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Known {
-    /// It is no vector but a sign, a number or words.
+    /// It is no vector but a sign or a number.
     Sign,
+    /// It is words.
+    Words,
     /// Neither size nor direction.
     Nothing,
     /// The direction alone.
@@ -55,16 +57,17 @@ impl Equation {
         self.terms.iter().map(|t| t.markup.as_str()).collect()
     }
 
-    /// Adds a sign or words.
+    /// Adds a sign or a number.
     pub(super) fn sign(&mut self, markup: &str) {
-        self.terms.push(Term {
-            markup: markup.to_owned(),
-            known: Known::Sign,
-            part: None,
-        });
+        self.vector(markup.to_owned(), Known::Sign, None);
     }
 
-    /// Adds a vector.
+    /// Adds words.
+    pub(super) fn words(&mut self, words: &str) {
+        self.vector(words.to_owned(), Known::Words, None);
+    }
+
+    /// Adds a vector, or what stands between two.
     pub(super) fn vector(&mut self, markup: String, known: Known, part: Option<NamedPart>) {
         self.terms.push(Term {
             markup,

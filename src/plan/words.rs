@@ -1,4 +1,4 @@
-//! Captions and equations of the steps. Names of points stand between backticks in captions; `_{…}` is low, `^{…}` high.
+//! Captions and equations of the steps. Names of points stand between backticks; `_{…}` is low, `^{…}` high.
 
 use super::cut::{CutLine, LegKind, Special};
 use super::equation::{Equation, Known, NamedPart};
@@ -71,7 +71,7 @@ pub(super) fn known(
     base: BodyId,
     point: PointId,
     kind: PlanKind,
-) -> (String, String) {
+) -> (Equation, String) {
     let body = mechanism.body(base);
     let under = mechanism.point_name(point);
     let name = &point_on(mechanism, base, point);
@@ -85,7 +85,7 @@ pub(super) fn known(
             let arm = format!("L{}", low(&[k, name]));
             match kind {
                 PlanKind::Velocity => (
-                    format!("v{} = ω_{link} {arm}", low(&[name])),
+                    format!("v{} = ω_{link} {arm}", low(&[name])).into(),
                     format!(
                         "Lay off the velocity of {name}, normal to {k}{name}, in the sense of ω_{link}."
                     ),
@@ -95,7 +95,8 @@ pub(super) fn known(
                         "a{} = a^n{} = ω_{link}^2 {arm}",
                         low(&[name]),
                         low(&[name, k])
-                    ),
+                    )
+                    .into(),
                     format!(
                         "Lay off the acceleration of {name}, from {name} towards {k}: link {link} turns uniformly."
                     ),
@@ -105,7 +106,8 @@ pub(super) fn known(
                         "a{1} = a^n{0} + a^t{0}, a^n{0} = ω_{link}^2 {arm}, a^t{0} = α_{link} {arm}",
                         low(&[name, k]),
                         low(&[name])
-                    ),
+                    )
+                    .into(),
                     format!(
                         "Lay off the acceleration of {name}: normal part from {name} towards {k}, tangential part normal to {k}{name}."
                     ),
@@ -113,11 +115,11 @@ pub(super) fn known(
             }
         }
         Role::Carrier { .. } => (
-            format!("{letter}_{name} given"),
+            given(format!("{letter}_{name}")),
             format!("Lay off the given vector {letter}_{name} from the pole."),
         ),
         _ => (
-            format!("{letter}{}", low(&[under, &body.name])),
+            format!("{letter}{}", low(&[under, &body.name])).into(),
             format!(
                 "Lay off the known vector of the point of {} under {}.",
                 body.name,
@@ -125,6 +127,14 @@ pub(super) fn known(
             ),
         ),
     }
+}
+
+/// A vector that the scene gives.
+fn given(vector: String) -> Equation {
+    let mut equation = Equation::default();
+    equation.vector(vector, Known::Entirely, None);
+    equation.words(" given");
+    equation
 }
 
 pub(super) fn ray(through: &str, relation: Relation, line: &str, to: &str) -> String {
@@ -225,7 +235,7 @@ pub(super) fn measure(from: &str, to: &str) -> String {
 }
 
 pub(super) fn measured(kind: PlanKind, from: &str, to: &str) -> String {
-    format!("{} ({from} {to})", kind.scale_name())
+    format!("{} ({} {})", kind.scale_name(), written(from), written(to))
 }
 
 /// Equation and caption of a normal part.
@@ -236,7 +246,7 @@ pub(super) fn normal(
     point: &Special,
     from: &str,
     to: &str,
-) -> (String, String) {
+) -> (Equation, String) {
     let name = |p: PointId| mechanism.point_name(p);
     let body = |b: BodyId| mechanism.body(b).name.as_str();
     let (carrier, link, base) = (body(cut.carrier), body(point.link), body(cut.leg.base));
@@ -250,10 +260,7 @@ pub(super) fn normal(
         turns.then(|| turning(link, s, from))
     };
     let sliding = |slider: SliderId, omega: &str| {
-        format!(
-            "Coriolis 2 ω_{omega} v_r({})",
-            mechanism.slider_name(slider)
-        )
+        format!("2 ω_{omega} v_r({})", mechanism.slider_name(slider))
     };
     let (start, normals, coriolis) = match cut.kind {
         LegKind::Pin { outer } => (name(outer), vec![to_special(link, outer)], None),
@@ -272,16 +279,28 @@ pub(super) fn normal(
         }
         LegKind::Sliders => ("", vec![], None),
     };
-    let mut parts: Vec<String> = normals.into_iter().flatten().collect();
+    let parts: Vec<String> = normals.into_iter().flatten().collect();
     let what = match (parts.len(), coriolis.is_some()) {
         (2, _) => "the normal parts of both links",
         (1, true) => "the normal and the Coriolis part",
         (_, true) => "the Coriolis part",
         (_, false) => "the normal part",
     };
-    parts.extend(coriolis);
+    let mut equation = Equation::default();
+    let whole = format!("a^n{}", low(&[s, start]));
+    equation.vector(whole, Known::Entirely, None);
+    let mut between = " from ";
+    for part in parts {
+        equation.words(between);
+        equation.sign(&part);
+        between = " and ";
+    }
+    if let Some(part) = coriolis {
+        equation.words(&format!("{between}Coriolis "));
+        equation.sign(&part);
+    }
     (
-        format!("a^n{} from {}", low(&[s, start]), parts.join(" and ")),
+        equation,
         format!(
             "Lay off {what} along {} from {} to {}.",
             cut.name(mechanism, s),

@@ -1,5 +1,6 @@
 use super::cut::{CutLine, LegKind, Special, special_points};
 use super::driven::{self, SlideMeasure, SlidePart};
+use super::equation::Equation;
 use super::equations::{Agreement, Construct, LegMeasure, construct};
 use super::images::images;
 use super::name::{image_name, point_on};
@@ -84,7 +85,7 @@ struct Writer<'a> {
     warnings: Vec<String>,
 }
 
-fn step(action: Action, equation: String, caption: String) -> Step {
+fn step(action: Action, equation: impl Into<Equation>, caption: String) -> Step {
     Step {
         action,
         equation: equation.into(),

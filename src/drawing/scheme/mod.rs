@@ -10,9 +10,11 @@ mod special;
 
 use super::canvas::Canvas;
 use super::names::Names;
+use super::stages::{Stages, numbered};
 use super::view::{Extent, View};
+use crate::geometry::{self, quarter_turn};
 use crate::mechanism::{GROUND, Mechanism, PointId, Role};
-use crate::plan::Construction;
+use crate::plan::{Action, Construction, CutLine, Ray, image_name};
 use crate::position::Pose;
 use crate::scene::{Figure, Scene};
 use kurbo::Point;
@@ -27,6 +29,7 @@ pub(super) struct Scheme<'a> {
     pub pose: &'a Pose,
     pub construction: &'a Construction,
     pub names: Names,
+    pub stages: Stages,
 }
 
 impl<'a> Scheme<'a> {
@@ -43,6 +46,7 @@ impl<'a> Scheme<'a> {
             pose,
             construction,
             names: Names::new(mechanism, construction),
+            stages: Stages::new(construction),
         }
     }
 
@@ -58,8 +62,10 @@ impl<'a> Scheme<'a> {
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
         self.link_areas(canvas, view);
         for special in self.special() {
+            canvas.since(self.stages.special(&special.name));
             self.cuts(canvas, view, special);
         }
+        canvas.since(0);
         for slider in self.sliders() {
             self.guide(canvas, view, slider);
         }
@@ -79,9 +85,41 @@ impl<'a> Scheme<'a> {
         self.turned_links(canvas, view);
         self.joints(canvas, view);
         for special in self.special() {
+            canvas.since(self.stages.special(&special.name));
             self.mark_special(canvas, view, special);
         }
+        canvas.since(0);
         self.link_names(canvas, view);
+    }
+
+    /// What each step is about: the length that it measures, the line that gives its ray the direction.
+    pub(super) fn hints(&self, canvas: &mut Canvas<'_>, view: &View) {
+        for (number, _, step) in numbered(self.construction) {
+            let ends = match &step.action {
+                Action::MeasureLength { from, to, .. } => {
+                    let joint = self.mechanism.point(from).map(|p| self.pose.point(p));
+                    joint.zip(
+                        self.construction
+                            .special_point(to)
+                            .and_then(|s| s.place.finite()),
+                    )
+                }
+                Action::Ray(ray) => self.line_of(ray),
+                _ => None,
+            };
+            if let Some((from, to)) = ends {
+                canvas.hint(number, view.at(from), view.at(to));
+            }
+        }
+    }
+
+    /// The stretch of the cut line to which a ray is square, from its joint to the special point.
+    fn line_of(&self, ray: &Ray) -> Option<(geometry::Point, geometry::Point)> {
+        let mut special = self.construction.special.iter().flatten();
+        let special = special.find(|s| image_name(&s.name) == ray.to)?;
+        let along = |cut: &&CutLine| cut.line.direction().map(quarter_turn) == Some(ray.direction);
+        let cut = special.cuts.iter().find(along)?;
+        Some((self.pose.point(cut.start()?), special.place.finite()?))
     }
 
     fn at(&self, view: &View, point: PointId) -> Point {

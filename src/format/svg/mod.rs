@@ -1,3 +1,4 @@
+use std::fmt::Write;
 use svg::Node;
 use svg::node::element::Element;
 use svg::node::{Blob, Text as TextNode};
@@ -11,7 +12,7 @@ pub(crate) use ink::ink_in;
 
 use super::number::{number, push_number};
 use super::outline::{FINEST, IN_FINEST, Tracer};
-use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Shape, look};
+use crate::drawing::{Cap, Colour, Drawing, Look, Mark, Pen, PlacedText, Shape};
 use shapes::{write_path, write_shape};
 
 /// How texts stand in an SVG file.
@@ -41,6 +42,19 @@ pub fn svg(drawing: &Drawing) -> String {
 /// wherever that font is, and nearly so where it is not. Marks whose numbers are not finite are
 /// left out.
 pub fn svg_with(drawing: &Drawing, text: Text) -> String {
+    document(drawing, text, body(drawing, text))
+}
+
+/// The same with a group for each step of the construction, `step-01` and so on, around all that comes with it; its title says what
+/// is done. What must lie below earlier marks, areas and cut lines, is in a second group `step-01-under`.
+///
+/// With all groups shown the file looks like the finished figure.
+pub fn layered_svg(drawing: &Drawing, text: Text) -> String {
+    document(drawing, text, layers(drawing, text))
+}
+
+/// A whole file around the marks.
+fn document(drawing: &Drawing, text: Text, marks: String) -> String {
     let (width, height) = (number(drawing.width), number(drawing.height));
     let mut root = element(
         "svg",
@@ -69,42 +83,93 @@ pub fn svg_with(drawing: &Drawing, text: Text) -> String {
             ("fill", colour(WHITE)),
         ],
     ));
-    root.append(Blob::new(body(drawing, text)));
+    root.append(Blob::new(marks));
     let mut file = root.to_string();
     file.push('\n');
     file
 }
 
+/// A mark, and whether it is a text that needs its halo.
+type Drawn<'a> = (&'a Mark, bool);
+
+/// All marks that can be drawn.
+fn drawn(drawing: &Drawing) -> Vec<Drawn<'_>> {
+    let marks = drawing.marks.iter().zip(drawing.halos());
+    marks.filter(|(mark, _)| mark.shape.is_finite()).collect()
+}
+
 /// All marks, written straight into one string: an element of the tree for each would take many
 /// times as long.
 fn body(drawing: &Drawing, text: Text) -> String {
-    let halos = drawing.halos();
-    let drawn: Vec<(&Mark, bool)> = drawing
-        .marks
-        .iter()
-        .zip(halos)
-        .filter(|(mark, _)| mark.shape.is_finite())
-        .collect();
-    let same_group =
-        |a: &(&Mark, bool), b: &(&Mark, bool)| a.0.pen == b.0.pen && is_text(a.0) == is_text(b.0);
+    let drawn = drawn(drawing);
     let each = if text == Text::Letters { 160 } else { 600 };
     let mut written = String::with_capacity(each * drawn.len());
-    for marks in drawn.chunk_by(same_group) {
-        let first = marks[0].0;
-        let look = look(first.pen);
-        if is_text(first) {
-            write_texts(&mut written, text, &look, marks);
-        } else {
-            open_line_group(&mut written, &look);
-            for (mark, _) in marks {
-                written.push('\n');
-                write_shape(&mut written, &look, &mark.shape, mark.id.as_deref());
-            }
-            written.push_str("\n</g>\n");
+    write_marks(&mut written, text, &drawn);
+    written.truncate(written.trim_end().len());
+    written
+}
+
+/// All marks in groups by the step with which they come: first what lies below everything, then what stands from the start.
+fn layers(drawing: &Drawing, text: Text) -> String {
+    let all = drawn(drawing);
+    let digits = drawing.steps.len().to_string().len().max(2);
+    let mut written = String::new();
+    let layer = |written: &mut String, step: u16, below: bool| {
+        let here = |d: &&Drawn<'_>| d.0.since == step && lies_below(d.0) == below;
+        let marks: Vec<Drawn<'_>> = all.iter().filter(here).copied().collect();
+        if marks.is_empty() {
+            return;
+        }
+        if step == 0 {
+            return write_marks(written, text, &marks);
+        }
+        let suffix = if below { "-under" } else { "" };
+        written.push_str("<g");
+        attribute(written, "id", &format!("step-{step:0digits$}{suffix}"));
+        written.push_str(">\n");
+        if let (false, Some(words)) = (below, drawing.steps.get(usize::from(step) - 1)) {
+            let _ = writeln!(written, "<title>{}</title>", escape(&clean(words)));
+        }
+        write_marks(written, text, &marks);
+        written.push_str("</g>\n");
+    };
+    for below in [true, false] {
+        for step in 0..=drawing.steps.len() as u16 {
+            layer(&mut written, step, below);
         }
     }
     written.truncate(written.trim_end().len());
     written
+}
+
+/// Whether other steps' marks go on top of it: areas and helping lines.
+fn lies_below(mark: &Mark) -> bool {
+    matches!(
+        mark.pen,
+        Pen::LinkFill(_) | Pen::ImageFill | Pen::Construction | Pen::Hint
+    )
+}
+
+/// Marks in drawing order, a group for each stretch of marks that look alike.
+fn write_marks(written: &mut String, text: Text, marks: &[Drawn<'_>]) {
+    let alike = |a: &Drawn<'_>, b: &Drawn<'_>| {
+        let of = |mark: &Mark| (mark.pen, mark.emphasis, is_text(mark));
+        of(a.0) == of(b.0)
+    };
+    for marks in marks.chunk_by(alike) {
+        let first = marks[0].0;
+        let look = first.look();
+        if is_text(first) {
+            write_texts(written, text, &look, marks);
+        } else {
+            open_line_group(written, &look);
+            for (mark, _) in marks {
+                written.push('\n');
+                write_shape(written, &look, &mark.shape, mark.id.as_deref());
+            }
+            written.push_str("\n</g>\n");
+        }
+    }
 }
 
 /// The bundled font, then faces of much the same width where it is not installed.
@@ -139,7 +204,7 @@ fn open_line_group(written: &mut String, look: &Look) {
 /// Texts of one pen, those with a halo (marked true) twice: white and outlined first. The attribute
 /// that would put a stroke behind its letters is not understood everywhere. All halos come before
 /// all letters, so that none covers a neighbour.
-fn write_texts(written: &mut String, text: Text, look: &Look, marks: &[(&Mark, bool)]) {
+fn write_texts(written: &mut String, text: Text, look: &Look, marks: &[Drawn<'_>]) {
     if marks.iter().any(|mark| mark.1) {
         written.push_str("<g");
         attribute(written, "fill", &colour(WHITE));
@@ -297,7 +362,7 @@ fn colour(Colour { red, green, blue }: Colour) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Pen, Point, RichText};
+    use crate::drawing::{Point, RichText};
 
     #[test]
     fn hostile_texts_are_escaped() {

@@ -1,0 +1,108 @@
+use crate::plan::{Action, Construction, Plan, PlanKind, Step};
+use indexmap::IndexMap;
+
+/// With which step of the construction each thing comes. Steps count from 1, through the scheme, the velocity plan and the
+/// acceleration plan.
+pub(super) struct Stages {
+    /// Special points on the scheme.
+    special: IndexMap<String, u16>,
+    velocity: PlanStages,
+    acceleration: PlanStages,
+}
+
+/// The same of a plan.
+#[derive(Default)]
+pub(super) struct PlanStages {
+    /// Its last.
+    last: u16,
+    points: IndexMap<String, u16>,
+    rays: IndexMap<[String; 2], u16>,
+}
+
+impl Stages {
+    pub(super) fn new(construction: &Construction) -> Self {
+        let mut before = construction.scheme.len();
+        let special = (1..).zip(&construction.scheme);
+        let special = special.filter_map(|(number, step)| match &step.action {
+            Action::SpecialPoint { point, .. } => Some((point.clone(), number)),
+            _ => None,
+        });
+        let special = special.collect();
+        let mut plan = |plan: Option<&Plan>| {
+            let stages = plan.map(|plan| PlanStages::new(plan, before));
+            before += plan.map_or(0, |plan| plan.steps.len());
+            stages.unwrap_or_default()
+        };
+        Self {
+            special,
+            velocity: plan(Some(&construction.velocity)),
+            acceleration: plan(construction.acceleration.as_ref()),
+        }
+    }
+
+    /// The step that finds a special point.
+    pub(super) fn special(&self, point: &str) -> u16 {
+        self.special.get(point).copied().unwrap_or_default()
+    }
+
+    pub(super) fn plan(&self, kind: PlanKind) -> &PlanStages {
+        match kind {
+            PlanKind::Velocity => &self.velocity,
+            PlanKind::Acceleration => &self.acceleration,
+        }
+    }
+}
+
+impl PlanStages {
+    fn new(plan: &Plan, before: usize) -> Self {
+        let number = |index: usize| (before + index + 1) as u16;
+        let mut stages = Self {
+            last: number(plan.steps.len().saturating_sub(1)),
+            ..Self::default()
+        };
+        for (index, step) in plan.steps.iter().enumerate() {
+            let number = number(index);
+            let mut come = |point: &String| {
+                stages.points.entry(point.clone()).or_insert(number);
+            };
+            match &step.action {
+                Action::Pole { images } => {
+                    come(&plan.kind.pole().to_owned());
+                    images.iter().for_each(come);
+                }
+                // Where a vector starts may be a point that no step made by itself.
+                Action::LayOff(arrow) => [&arrow.from, &arrow.to].into_iter().for_each(come),
+                Action::Cross { point, .. } => come(point),
+                Action::Ray(ray) => {
+                    let ends = [ray.through.clone(), ray.to.clone()];
+                    stages.rays.entry(ends).or_insert(number);
+                }
+                _ => {}
+            }
+        }
+        stages
+    }
+
+    /// The step that makes a point; the plan's last for one that none makes.
+    pub(super) fn point(&self, name: &str) -> u16 {
+        self.points.get(name).copied().unwrap_or(self.last)
+    }
+
+    /// The step that draws the ray through one point to another.
+    pub(super) fn ray(&self, through: &str, to: &str) -> u16 {
+        let ends = [through.to_owned(), to.to_owned()];
+        self.rays.get(&ends).copied().unwrap_or(self.last)
+    }
+}
+
+/// All steps in order, numbered from 1, each with its plan.
+pub(super) fn numbered(
+    construction: &Construction,
+) -> impl Iterator<Item = (u16, Option<&Plan>, &Step)> {
+    let scheme = construction.scheme.iter().map(|step| (None, step));
+    let plans = construction
+        .plans()
+        .flat_map(|plan| plan.steps.iter().map(move |step| (Some(plan), step)));
+    let steps = (1..).zip(scheme.chain(plans));
+    steps.map(|(number, (plan, step))| (number, plan, step))
+}

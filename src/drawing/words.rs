@@ -1,0 +1,316 @@
+//! What is said of each step below the panels: what to do, the equation, what comes out.
+
+use super::canvas::CAPTION;
+use super::layout::{Layout, SCALES};
+use super::legend::short;
+use super::scheme::Scheme;
+use super::shape::Shape;
+use super::sheet::{Drawing, Mark, Pen};
+use super::stages::numbered;
+use super::text::{PlacedText, RichText};
+use crate::geometry::{Vector, degrees_of};
+use crate::plan::{Action, Equation, Kind, Known, NamedPart, Plan, PlanKind, Relation, Step};
+use crate::scene::{Panel, Units};
+use kurbo::{Point, Rect};
+
+/// Room that the words need below the scales, in mm.
+pub(super) const HEIGHT: f64 = 18.0;
+
+/// Size of the words.
+const SIZE: f64 = 1.1 * CAPTION;
+/// Size of equations.
+const EQUATION: f64 = 1.25 * CAPTION;
+/// Size of the words under an equation.
+const SMALL: f64 = 0.8 * CAPTION;
+
+// Baselines below the upper edge of the words.
+const FIRST: f64 = 4.4;
+const SECOND: f64 = 11.6;
+const LAST: f64 = 23.4;
+// Below the baseline of an equation: lines under vectors, and what they are called.
+const UNDER: f64 = 1.9;
+const BELOW: f64 = 5.6;
+
+/// Writes the words of every step, each to be seen in its own step.
+pub(super) fn draw(drawing: &mut Drawing, layout: &Layout, units: Units, scheme: &Scheme<'_>) {
+    let area = layout.legend;
+    let line = |y: f64| Shape::Line(Point::new(area.x0, y), Point::new(area.x1, y));
+    drawing.draw(Pen::Frame, line(area.y0 + SCALES));
+    let area = Rect::new(area.x0 + 4.0, area.y0 + SCALES, area.x1 - 4.0, area.y1);
+    let steps: Vec<_> = numbered(scheme.construction).collect();
+    let count = steps.len();
+    for (number, plan, step) in steps {
+        let mut page = Page {
+            drawing,
+            layout,
+            units,
+            scheme,
+            area,
+            number,
+        };
+        page.caption(&step.caption, count);
+        page.details(step, plan);
+    }
+}
+
+struct Page<'a> {
+    drawing: &'a mut Drawing,
+    layout: &'a Layout,
+    units: Units,
+    scheme: &'a Scheme<'a>,
+    /// Where words go.
+    area: Rect,
+    /// Of the step.
+    number: u16,
+}
+
+/// A piece of a line, set in one way.
+enum Piece {
+    Words(String),
+    Math(String),
+}
+
+impl Page<'_> {
+    fn put(&mut self, pen: Pen, shape: Shape) {
+        self.drawing.marks.push(Mark {
+            since: self.number,
+            passing: true,
+            ..Mark::new(pen, shape)
+        });
+    }
+
+    /// Sets pieces one after another; smaller where they would not fit.
+    fn line(&mut self, pieces: &[Piece], size: f64, from: Point, room: f64) -> f64 {
+        let set = |piece: &Piece| match piece {
+            Piece::Words(words) => RichText::plain(words),
+            Piece::Math(markup) => RichText::math(markup),
+        };
+        let texts: Vec<RichText> = pieces.iter().map(set).collect();
+        // A slanted letter may lean beyond its width.
+        let advance = |text: &RichText, size: f64| text.width(size).max(text.ink_box(size).x1);
+        let width: f64 = texts.iter().map(|text| advance(text, size)).sum();
+        let size = size * (room / width).min(1.0);
+        let mut x = from.x;
+        for text in texts {
+            let after = x + advance(&text, size);
+            if !text.is_empty() {
+                let placed = PlacedText::new(text, size, Point::new(x, from.y));
+                self.put(Pen::Caption, Shape::Text(placed));
+            }
+            x = after;
+        }
+        x
+    }
+
+    /// A text of one kind with names between backticks.
+    fn pieces(&self, text: &str, kind: impl Fn(String) -> Piece) -> Vec<Piece> {
+        let pieces = text.split('`').enumerate();
+        let pieces = pieces.map(|(index, piece)| match index % 2 {
+            0 => kind(piece.to_owned()),
+            _ => Piece::Math(self.scheme.names.markup(piece)),
+        });
+        pieces.collect()
+    }
+
+    /// Which step it is, and what to do.
+    fn caption(&mut self, caption: &str, count: usize) {
+        let number = RichText::plain(&format!("{} / {count}", self.number));
+        let from = Point::new(self.area.x0, self.area.y0 + FIRST);
+        let after = from.x + number.width(SIZE) + 4.0;
+        let placed = PlacedText::new(number, SIZE, from);
+        self.put(Pen::Heading, Shape::Text(placed));
+        let pieces = self.pieces(caption, Piece::Words);
+        let room = self.area.x1 - after;
+        self.line(&pieces, SIZE, Point::new(after, from.y), room);
+    }
+
+    /// Equation and values of a step.
+    fn details(&mut self, step: &Step, plan: Option<&Plan>) {
+        let from = Point::new(self.area.x0, self.area.y0 + SECOND);
+        let kind = plan.map(|p| p.kind);
+        let segment = |from: &str, to: &str| plan.and_then(|p| p.segment(from, to));
+        let end = match &step.action {
+            Action::Solve {
+                equations,
+                unknowns,
+            } => return self.solved(equations, unknowns),
+            Action::Ray(ray) => {
+                let sign = match ray.relation {
+                    Relation::Perpendicular => "⊥",
+                    Relation::Parallel => "∥",
+                };
+                let along = format!("{sign} {}", ray.line);
+                self.equation(&step.equation, Some(&along), from)
+            }
+            _ => self.equation(&step.equation, None, from),
+        };
+        let value = match &step.action {
+            Action::Measure { value, .. } => Some(self.size(*value, kind)),
+            Action::MeasureLength { value, .. } => Some(self.size(*value, None)),
+            Action::LayOff(arrow) => segment(&arrow.from, &arrow.to).map(|v| self.vector(v, kind)),
+            Action::Cross { point, .. } => kind
+                .and_then(|kind| segment(kind.pole(), point))
+                .map(|v| self.vector(v, kind)),
+            _ => None,
+        };
+        let Some(value) = value else { return };
+        let (from, to) = match &step.action {
+            Action::LayOff(arrow) => (arrow.from.as_str(), arrow.to.as_str()),
+            Action::Cross { point, .. } => (kind.map_or("", PlanKind::pole), point.as_str()),
+            _ => ("", ""),
+        };
+        let mut pieces = Vec::new();
+        if !from.is_empty() {
+            for name in [from, to] {
+                pieces.push(Piece::Math(self.scheme.names.markup(name)));
+                pieces.push(Piece::Words(" ".to_owned()));
+            }
+        }
+        pieces.push(Piece::Words(format!("= {value}")));
+        let x = match (end > self.area.x0, from.is_empty()) {
+            (false, _) => end,
+            (true, true) => end + 1.2,
+            (true, false) => end + 8.0,
+        };
+        let y = self.area.y0 + SECOND;
+        self.line(&pieces, EQUATION, Point::new(x, y), self.area.x1 - x);
+    }
+
+    /// The equations that are solved, two in a line, and what comes out.
+    fn solved(&mut self, equations: &[String], unknowns: &[(String, f64)]) {
+        let half = 0.5 * self.area.width();
+        let lines = equations.len().div_ceil(2) as f64;
+        let step = (LAST - SECOND + 1.6) / lines.max(1.0);
+        for (index, equation) in equations.iter().enumerate() {
+            let (row, column) = ((index / 2) as f64, (index % 2) as f64);
+            let from = Point::new(
+                self.area.x0 + half * column,
+                self.area.y0 + SECOND - 1.6 + step.min(6.0) * row,
+            );
+            let pieces = self.pieces(equation, Piece::Math);
+            self.line(&pieces, EQUATION, from, half - 4.0);
+        }
+        let mut pieces = Vec::new();
+        for (index, (name, value)) in unknowns.iter().enumerate() {
+            let (symbol, unit) = self.rate(name);
+            let between = if index > 0 { ",   " } else { "" };
+            pieces.push(Piece::Words(between.to_owned()));
+            pieces.push(Piece::Math(symbol));
+            pieces.push(Piece::Words(format!(" = {} {unit}", significant(*value))));
+        }
+        let from = Point::new(self.area.x0, self.area.y0 + LAST);
+        self.line(&pieces, EQUATION, from, self.area.width());
+    }
+
+    /// Symbol and unit of a rate by its quantity name.
+    fn rate(&self, name: &str) -> (String, String) {
+        let (letter, of) = name.split_once('(').unwrap_or((name, ""));
+        let of = of.trim_end_matches(')');
+        let (symbol, kind) = match letter {
+            "omega" => (format!("ω_{{{of}}}"), Kind::AngularVelocity),
+            "alpha" => (format!("α_{{{of}}}"), Kind::AngularAcceleration),
+            "v_r" => (name.to_owned(), Kind::Velocity),
+            _ => (name.to_owned(), Kind::Acceleration),
+        };
+        (symbol, kind.unit(self.units))
+    }
+
+    /// Writes an equation, with lines under what is known: two under whole vectors, one under directions; below them what they are
+    /// called, and `along` what the direction is. Where it ends.
+    fn equation(&mut self, equation: &Equation, along: Option<&str>, from: Point) -> f64 {
+        let mut x = from.x;
+        for term in &equation.terms {
+            let kind = match term.known {
+                Known::Words => Some(Piece::Words as fn(String) -> Piece),
+                Known::Sign => Some(Piece::Math as fn(String) -> Piece),
+                _ => None,
+            };
+            if let Some(kind) = kind {
+                let pieces = self.pieces(&term.markup, kind);
+                x = self.line(&pieces, EQUATION, Point::new(x, from.y), self.area.x1 - x);
+                continue;
+            }
+            let text = RichText::math(&term.markup);
+            let mut name = match term.part {
+                Some(NamedPart::Normal) => "normal",
+                Some(NamedPart::Tangential) => "tangential",
+                Some(NamedPart::Sliding) => "sliding",
+                Some(NamedPart::Coriolis) => "Coriolis",
+                None => "",
+            }
+            .to_owned();
+            if let (Known::Direction, Some(along)) = (term.known, along) {
+                name = if name.is_empty() {
+                    along.to_owned()
+                } else {
+                    format!("{name}, {along}")
+                };
+            }
+            let name = RichText::plain(&name);
+            let (own, below) = (text.width(EQUATION), name.width(SMALL));
+            let width = own.max(below);
+            let middle = x + 0.5 * width;
+            let start = middle - 0.5 * own;
+            let placed = PlacedText::new(text, EQUATION, Point::new(start, from.y));
+            self.put(Pen::Caption, Shape::Text(placed));
+            let lines = match term.known {
+                Known::Sign | Known::Words | Known::Nothing => 0,
+                Known::Direction => 1,
+                Known::Entirely => 2,
+            };
+            for line in 0..lines {
+                let y = from.y + UNDER + 0.7 * f64::from(line);
+                let under = Shape::Line(Point::new(start, y), Point::new(start + own, y));
+                self.put(Pen::Guide, under);
+            }
+            if !name.is_empty() {
+                let at = Point::new(middle - 0.5 * below, from.y + BELOW);
+                let placed = PlacedText::new(name, SMALL, at);
+                self.put(Pen::Caption, Shape::Text(placed));
+            }
+            x += width;
+        }
+        x
+    }
+
+    /// A size of a plan, or of the mechanism, with its length on paper.
+    fn size(&self, value: f64, kind: Option<PlanKind>) -> String {
+        let (panel, unit) = match kind {
+            None => (Panel::Scheme, Kind::Length),
+            Some(PlanKind::Velocity) => (Panel::Velocity, Kind::Velocity),
+            Some(PlanKind::Acceleration) => (Panel::Acceleration, Kind::Acceleration),
+        };
+        let unit = unit.unit(self.units);
+        let placed = self.layout.panels.iter().find(|p| p.panel == panel);
+        let on_paper = placed.map(|p| format!(" ({:.2} mm × {})", value / p.mu, short(p.mu)));
+        format!(
+            "{} {unit}{}",
+            significant(value),
+            on_paper.unwrap_or_default()
+        )
+    }
+
+    /// The same of a vector, with its direction.
+    fn vector(&self, vector: Vector, kind: Option<PlanKind>) -> String {
+        let size = self.size(vector.norm(), kind);
+        if vector == Vector::zeros() {
+            return size;
+        }
+        format!("{size}, direction {:.2}°", degrees_of(vector)).replace('-', "−")
+    }
+}
+
+/// A number with five significant digits and a proper minus.
+fn significant(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let exponent = libm::floor(libm::log10(x.abs())) as i32;
+    let text = if (-4..7).contains(&exponent) {
+        format!("{x:.*}", (4 - exponent).max(0) as usize)
+    } else {
+        let mantissa = x / libm::pow(10.0, f64::from(exponent));
+        format!("{mantissa:.4}·10^{{{exponent}}}")
+    };
+    text.replace('-', "−")
+}
