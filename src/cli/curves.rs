@@ -34,7 +34,13 @@ impl CurvesCommand {
         let drawing = curves(&moved.scene, &sampled).map_err(|error| moved.fail(error))?;
         let scene = &self.range.scene;
         let name = format!("{}-curves", stem(scene));
-        self.figures.write(Some(scene), &[(name, drawing)])?;
+        let page = |_| {
+            Err(Failure::Misuse(
+                "curves have no page".into(),
+                Some("`kinegon draw --format html` makes one of the figure".into()),
+            ))
+        };
+        self.figures.write(Some(scene), &[(name, drawing)], page)?;
         self.range.tell(&branch, range, "figure")
     }
 }

@@ -2,7 +2,9 @@ use super::figures::{Figures, stem};
 use super::files::{self, Source};
 use super::message::Failure;
 use super::work::{Mode, Work, work};
-use crate::drawing::{Drawing, figure, stepwise};
+use crate::cycle::{Drive, Film};
+use crate::drawing::{Drawing, figure, frames, stepwise};
+use crate::format::{Page, html};
 use crate::motion::Order;
 use crate::scene::{Panel, Scene};
 use clap::Args;
@@ -28,6 +30,12 @@ pub(super) struct Draw {
     /// Write one SVG whose groups `step-01`, `step-02` … a slide program can reveal one after another.
     #[arg(long)]
     layered: bool,
+    /// Positions over the whole range of the drive that a page (`--format html`) can show.
+    #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u16).range(1..=1440))]
+    positions: u16,
+    /// The drive that a page moves; without it the first.
+    #[arg(long, value_name = "NAME")]
+    drive: Option<String>,
     #[command(flatten)]
     figures: Figures,
     #[command(flatten)]
@@ -48,16 +56,41 @@ impl Draw {
                 })
                 .to_vec(),
         };
-        let mut drawings = Vec::new();
+        let (mut drawings, mut works) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
             let work = work(&source, self.mode.number, needed)?;
             work.warn();
             self.sheets(name, &work, &mut drawings)?;
+            works.push((source, work));
         }
         if self.layered {
             return self.figures.write_layered(self.scene.as_deref(), &drawings);
         }
-        self.figures.write(self.scene.as_deref(), &drawings)
+        let page = |index: usize| match works.get(index) {
+            Some((source, work)) if drawings.len() == works.len() => self.page(source, work),
+            _ => Err(Failure::Misuse(
+                "a page has all steps".into(),
+                Some("leave out --steps".into()),
+            )),
+        };
+        self.figures.write(self.scene.as_deref(), &drawings, page)
+    }
+
+    /// The page of a scene: its figure with all steps, in all positions of the drive.
+    fn page(&self, source: &Source, work: &Work) -> Result<String, Failure> {
+        let (mechanism, own) = (&work.mechanism, (&work.pose, &work.construction));
+        let film = Film::new(mechanism, own, self.drive.as_deref(), self.positions.into());
+        let film = film.map_err(|error| Failure::Scene(source.clone(), Box::new(error.into())))?;
+        let value = |value: &f64| film.drive.as_ref().map(|drive| shown(drive, *value));
+        let values: Vec<String> = film.values.iter().filter_map(value).collect();
+        let quantity = film.drive.as_ref().map(Drive::quantity);
+        Ok(html(&Page {
+            frames: &frames(&work.scene, mechanism, &film.positions, film.own),
+            values: &values,
+            own: film.own,
+            is_round: film.is_round,
+            quantity: &quantity.unwrap_or_default(),
+        }))
     }
 
     /// The figure, or those of its steps that were asked for, under names of their own.
@@ -101,6 +134,15 @@ impl Draw {
         drawings.extend(sheets);
         Ok(())
     }
+}
+
+/// A drive's value on a page: tenths of a degree, four digits of a length.
+fn shown(drive: &Drive, value: f64) -> String {
+    if drive.is_angle() {
+        return format!("{value:.1}°").replace('-', "−");
+    }
+    let digits = 3.0 - libm::floor(libm::log10(value.abs().max(1e-3)));
+    format!("{value:.*}", digits.max(0.0) as usize).replace('-', "−")
 }
 
 /// Accelerations only for a figure that shows them.

@@ -12,7 +12,7 @@ pub(super) struct Figures {
     #[arg(short, long, default_value = "out/")]
     output: PathBuf,
     /// Formats to write into a folder.
-    #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::all())]
+    #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::usual())]
     format: Vec<Form>,
     /// Write the letters of SVG as outlines, for programs that lack the font.
     #[arg(long)]
@@ -27,11 +27,16 @@ enum Form {
     Svg,
     #[cfg(feature = "png")]
     Png,
+    /// A page to step through and move.
+    Html,
 }
 
 impl Form {
-    fn all() -> Vec<Form> {
-        Form::value_variants().to_vec()
+    /// What is written where nothing is said: pictures.
+    fn usual() -> Vec<Form> {
+        let all = Form::value_variants().iter().copied();
+        all.filter(|form| ["svg", "png"].contains(&form.ending()))
+            .collect()
     }
 
     fn ending(self) -> &'static str {
@@ -39,6 +44,7 @@ impl Form {
             Form::Svg => "svg",
             #[cfg(feature = "png")]
             Form::Png => "png",
+            Form::Html => "html",
         }
     }
 }
@@ -53,21 +59,23 @@ fn dots_per_inch(text: &str) -> Result<f64, String> {
 }
 
 impl Figures {
-    /// Writes drawings by their names, in all forms, but not over the scene that they show.
+    /// Writes drawings by their names, in all forms, but not over the scene that they show; `page` makes the page of a drawing.
     pub(super) fn write(
         &self,
         scene: Option<&Path>,
         drawings: &[(String, Drawing)],
+        page: impl Fn(usize) -> Result<String, Failure>,
     ) -> Result<(), Failure> {
         let text = self.text();
         let mut written = Vec::new();
-        for (name, drawing) in drawings {
+        for (index, (name, drawing)) in drawings.iter().enumerate() {
             for (path, form) in self.targets(name, drawings.len())? {
                 let bytes = match form {
                     Form::Svg => format::svg_with(drawing, text).into_bytes(),
                     #[cfg(feature = "png")]
                     Form::Png => format::png(drawing, self.dpi)
                         .map_err(|error| Failure::Misuse(error.to_string(), None))?,
+                    Form::Html => page(index)?.into_bytes(),
                 };
                 written.push((path, bytes));
             }

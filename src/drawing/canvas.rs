@@ -1,3 +1,4 @@
+use super::clip::clipped;
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
 use super::shape::{Shape, around};
@@ -18,6 +19,7 @@ pub(super) struct Canvas<'a> {
     prefix: &'static str,
     obstacles: Obstacles,
     requests: Vec<(Wanted, u16)>,
+    frame: Rect,
     /// With which step that which is drawn now comes.
     since: u16,
     renamed: &'a IndexMap<String, String>,
@@ -49,6 +51,7 @@ impl<'a> Canvas<'a> {
                 bounds: frame.inset(-1.2),
             },
             requests: Vec::new(),
+            frame,
             since: 0,
             renamed,
         }
@@ -77,12 +80,15 @@ impl<'a> Canvas<'a> {
         self.since = step;
     }
 
-    fn put(&mut self, id: Option<String>, pen: Pen, shape: Shape) {
-        self.drawing.marks.push(Mark {
-            id,
-            since: self.since,
-            ..Mark::new(pen, shape)
-        });
+    /// Draws what of a shape is within the panel.
+    fn put(&mut self, mut id: Option<String>, pen: Pen, shape: Shape) {
+        for shape in clipped(self.frame, shape) {
+            self.drawing.marks.push(Mark {
+                id: id.take(),
+                since: self.since,
+                ..Mark::new(pen, shape)
+            });
+        }
     }
 
     /// A broad line under what the step is about; nothing keeps off it.
@@ -94,11 +100,13 @@ impl<'a> Canvas<'a> {
 
     /// A mark that is there in one step alone; nothing keeps off it.
     pub(super) fn passing(&mut self, step: u16, pen: Pen, shape: Shape) {
-        self.drawing.marks.push(Mark {
-            since: step,
-            passing: true,
-            ..Mark::new(pen, shape)
-        });
+        for shape in clipped(self.frame, shape) {
+            self.drawing.marks.push(Mark {
+                since: step,
+                passing: true,
+                ..Mark::new(pen, shape)
+            });
+        }
     }
 
     /// The same, findable by a name such as `velocity-ray-b-s3`.
@@ -168,6 +176,10 @@ impl<'a> Canvas<'a> {
 
     /// Asks for a label of any look.
     pub(super) fn want(&mut self, wanted: Wanted) {
+        // What lies outside has no name.
+        if !self.frame.contains(wanted.request.anchor) {
+            return;
+        }
         self.requests.push((wanted, self.since));
     }
 
@@ -244,7 +256,7 @@ fn ascii(name: &str) -> String {
 
 /// The part of the line through `p` along `d` that lies in `area`, from the first to the last crossing of its border; `None` where
 /// it misses.
-pub(super) fn clipped(area: Rect, p: Point, d: Vec2) -> Option<(Point, Point)> {
+fn line_in(area: Rect, p: Point, d: Vec2) -> Option<(Point, Point)> {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for (start, step, near, far) in [(p.x, d.x, area.x0, area.x1), (p.y, d.y, area.y0, area.y1)] {
         if step == 0.0 {
@@ -263,7 +275,7 @@ pub(super) fn clipped(area: Rect, p: Point, d: Vec2) -> Option<(Point, Point)> {
 /// The part of the segment between two points that lies in `area`.
 pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
     let d = b - a;
-    let (p, q) = clipped(area, a, d)?;
+    let (p, q) = line_in(area, a, d)?;
     let size = d.hypot2();
     if size == 0.0 {
         return None;

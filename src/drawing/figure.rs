@@ -7,12 +7,12 @@ use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::stages::numbered;
 use super::text::{PlacedText, RichText};
-use super::view::View;
+use super::view::{Extent, View};
 use super::words;
 use crate::mechanism::Mechanism;
 use crate::plan::{Construction, Scales, plain_text};
 use crate::position::Pose;
-use crate::scene::{Panel, Scene};
+use crate::scene::{Figure, Panel, Scene};
 use kurbo::Point;
 
 /// The figure that a scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
@@ -23,7 +23,10 @@ pub fn figure(
     pose: &Pose,
     construction: &Construction,
 ) -> Drawing {
-    compose(scene, mechanism, pose, construction, false)
+    let scheme = Scheme::new(scene, mechanism, pose, construction);
+    let extents = extents(&scheme);
+    let layout = divide(&scene.figure, &extents, 0.0);
+    compose(scene, &scheme, &layout, &extents, false)
 }
 
 /// The same figure with every step of the construction in it: [`Drawing::after_step`] gives the sheet as it stands after one of them,
@@ -37,18 +40,59 @@ pub fn stepwise(
     pose: &Pose,
     construction: &Construction,
 ) -> Drawing {
-    compose(scene, mechanism, pose, construction, true)
+    let scheme = Scheme::new(scene, mechanism, pose, construction);
+    let extents = extents(&scheme);
+    let layout = divide(&scene.figure, &extents, words::HEIGHT);
+    compose(scene, &scheme, &layout, &extents, true)
+}
+
+/// The stepwise figures of one mechanism in several positions, all with the same panels and scales, so that they can be shown one
+/// after another.
+///
+/// Panels are large enough for all that the position `own` has, and for the joints and their images in the others, but for plans
+/// several times as large as most: near a limit position rates grow without bound, and special points run to infinity. What does not
+/// fit is cut off at the panel's edge.
+#[must_use]
+pub fn frames(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    positions: &[(Pose, Construction)],
+    own: usize,
+) -> Vec<Drawing> {
+    let scheme = |(pose, construction)| Scheme::new(scene, mechanism, pose, construction);
+    let schemes: Vec<Scheme<'_>> = positions.iter().map(|(p, c)| scheme((p, c))).collect();
+    let Some(first) = schemes.get(own) else {
+        return Vec::new();
+    };
+    let extents: Vec<(Panel, Extent)> = extents(first)
+        .into_iter()
+        .map(|(panel, extent)| {
+            let others = schemes.iter().filter_map(|scheme| match panel {
+                Panel::Scheme => Some(scheme.extent_of_joints()),
+                Panel::Velocity => {
+                    Some(plan_panel::extent_of_images(&scheme.construction.velocity))
+                }
+                Panel::Acceleration => {
+                    let plan = scheme.construction.acceleration.as_ref()?;
+                    Some(plan_panel::extent_of_images(plan))
+                }
+            });
+            (panel, extent.with_most(others))
+        })
+        .collect();
+    let layout = divide(&scene.figure, &extents, words::HEIGHT);
+    let draw = |scheme: &Scheme<'_>| compose(scene, scheme, &layout, &extents, true);
+    schemes.iter().map(draw).collect()
 }
 
 fn compose(
     scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
+    scheme: &Scheme<'_>,
+    layout: &Layout,
+    extents: &[(Panel, Extent)],
     by_steps: bool,
 ) -> Drawing {
-    let scheme = Scheme::new(scene, mechanism, pose, construction);
-    let layout = divide(scene, &scheme, if by_steps { words::HEIGHT } else { 0.0 });
+    let (mechanism, construction) = (scheme.mechanism, scheme.construction);
     let [width, height] = scene.figure.page.size_mm();
     let mut drawing = Drawing::new(width, height);
     let title = scene
@@ -56,7 +100,7 @@ fn compose(
         .as_deref()
         .unwrap_or("Velocity and acceleration plans");
     drawing.title = title.to_owned();
-    drawing.description = description(mechanism, &layout);
+    drawing.description = description(mechanism, layout);
     let heading = PlacedText::new(
         RichText::verbatim(title),
         5.2,
@@ -64,13 +108,23 @@ fn compose(
     );
     drawing.draw(Pen::Heading, Shape::Text(heading));
     for (index, placed) in layout.panels.iter().enumerate() {
-        panel(&mut drawing, index, placed, &scheme, by_steps);
+        let shown = extents.iter().find(|(panel, _)| *panel == placed.panel);
+        if let Some((_, extent)) = shown {
+            let view = View::new(placed.mu, extent, placed.area);
+            panel(&mut drawing, index, placed, &view, scheme, by_steps);
+        }
     }
     legend::draw(&mut drawing, layout.legend, scene.units, &layout.panels);
     let steps = numbered(construction).map(|(_, _, step)| plain_text(&step.caption));
     drawing.steps = steps.collect();
     if by_steps {
-        words::draw(&mut drawing, &layout, scene.units, &scheme);
+        words::draw(&mut drawing, layout, scene.units, scheme);
+        // After the last step.
+        let from = drawing.marks.len();
+        legend::agreement(&mut drawing, layout.legend, construction);
+        for mark in &mut drawing.marks[from..] {
+            (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
+        }
     } else {
         legend::agreement(&mut drawing, layout.legend, construction);
     }
@@ -86,7 +140,7 @@ pub fn scales(
     construction: &Construction,
 ) -> Scales {
     let scheme = Scheme::new(scene, mechanism, pose, construction);
-    let layout = divide(scene, &scheme, 0.0);
+    let layout = divide(&scene.figure, &extents(&scheme), 0.0);
     let of = |panel: Panel, given: Option<f64>| {
         let placed = layout.panels.iter().find(|p| p.panel == panel);
         given.or(placed.map(|p| p.mu))
@@ -98,27 +152,31 @@ pub fn scales(
     }
 }
 
-/// The sheet divided among the panels that have something to show; so much room is left for words.
-fn divide(scene: &Scene, scheme: &Scheme<'_>, words: f64) -> Layout {
-    let figure = &scene.figure;
-    let wanted: Vec<Wanted> = figure
-        .panels
-        .iter()
-        .filter_map(|&panel| {
-            let (extent, mu) = match panel {
-                Panel::Scheme => (scheme.extent(), figure.mu_l),
-                Panel::Velocity => {
-                    let plan = &scheme.construction.velocity;
-                    (plan_panel::extent(plan), figure.mu_v)
-                }
-                Panel::Acceleration => {
-                    let plan = scheme.construction.acceleration.as_ref()?;
-                    (plan_panel::extent(plan), figure.mu_a)
-                }
-            };
-            Some(Wanted { panel, extent, mu })
-        })
-        .collect();
+/// The panels that have something to show, and how much.
+fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
+    let panels = scheme.figure.panels.iter();
+    let extents = panels.filter_map(|&panel| {
+        let extent = match panel {
+            Panel::Scheme => scheme.extent(),
+            Panel::Velocity => plan_panel::extent(&scheme.construction.velocity),
+            Panel::Acceleration => plan_panel::extent(scheme.construction.acceleration.as_ref()?),
+        };
+        Some((panel, extent))
+    });
+    extents.collect()
+}
+
+/// The sheet divided among the panels; so much room is left for words.
+fn divide(figure: &Figure, extents: &[(Panel, Extent)], words: f64) -> Layout {
+    let wanted = extents.iter().map(|&(panel, extent)| {
+        let mu = match panel {
+            Panel::Scheme => figure.mu_l,
+            Panel::Velocity => figure.mu_v,
+            Panel::Acceleration => figure.mu_a,
+        };
+        Wanted { panel, extent, mu }
+    });
+    let wanted: Vec<Wanted> = wanted.collect();
     layout(figure.page.size_mm(), &wanted, words)
 }
 
@@ -126,6 +184,7 @@ fn panel(
     drawing: &mut Drawing,
     index: usize,
     placed: &Placed,
+    view: &View,
     scheme: &Scheme<'_>,
     by_steps: bool,
 ) {
@@ -136,6 +195,7 @@ fn panel(
         Panel::Velocity => ("velocity", "Velocity plan"),
         Panel::Acceleration => ("acceleration", "Acceleration plan"),
     };
+    drawing.panels.push((heading.to_owned(), placed.frame));
     let letter = char::from(b'a' + index as u8);
     let heading = PlacedText::new(
         RichText::plain(&format!("({letter}) {heading}")),
@@ -146,22 +206,20 @@ fn panel(
     canvas.draw(Pen::Heading, Shape::Text(heading));
     let plan = match placed.panel {
         Panel::Scheme => {
-            let view = View::new(placed.mu, &scheme.extent(), placed.area);
             if by_steps {
-                scheme.hints(&mut canvas, &view);
+                scheme.hints(&mut canvas, view);
             }
-            scheme.draw(&mut canvas, &view);
+            scheme.draw(&mut canvas, view);
             None
         }
         Panel::Velocity => Some(&scheme.construction.velocity),
         Panel::Acceleration => scheme.construction.acceleration.as_ref(),
     };
     if let Some(plan) = plan {
-        let view = View::new(placed.mu, &plan_panel::extent(plan), placed.area);
         if by_steps {
-            plan_panel::hints(&mut canvas, &view, scheme, plan);
+            plan_panel::hints(&mut canvas, view, scheme, plan);
         }
-        plan_panel::draw(&mut canvas, &view, scheme, plan);
+        plan_panel::draw(&mut canvas, view, scheme, plan);
     }
     canvas.finish();
 }

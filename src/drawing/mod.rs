@@ -8,6 +8,7 @@
 // `text`, where `labels` go.
 mod arrow;
 mod canvas;
+mod clip;
 mod curves;
 mod figure;
 mod fonts;
@@ -28,7 +29,7 @@ mod words;
 
 pub use arrow::arrow_head;
 pub use curves::{CurvesError, curves};
-pub use figure::{figure, scales, stepwise};
+pub use figure::{figure, frames, scales, stepwise};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Look, look};

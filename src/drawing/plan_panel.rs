@@ -19,6 +19,13 @@ pub(super) fn extent(plan: &Plan) -> Extent {
     Extent::of(plan.points.values().map(|p| p.vector.into()))
 }
 
+/// The same without special points and what leads to them.
+pub(super) fn extent_of_images(plan: &Plan) -> Extent {
+    let own = |role| matches!(role, PointRole::Pole | PointRole::Known | PointRole::Image);
+    let images = plan.points.values().filter(|p| own(p.role));
+    Extent::of(images.map(|p| p.vector.into()))
+}
+
 /// Draws a plan from its steps.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, plan: &Plan) {
     let Scheme {

@@ -17,6 +17,8 @@ pub struct Drawing {
     pub description: String,
     /// Everything drawn, in drawing order.
     pub marks: Vec<Mark>,
+    /// Boxes of the panels, in order, each with its name.
+    pub panels: Vec<(String, Rect)>,
     /// What is done in each step of the construction, in plain words, which [`Mark::since`] counts.
     pub steps: Vec<String>,
 }
@@ -30,6 +32,7 @@ impl Drawing {
             title: String::new(),
             description: String::new(),
             marks: Vec::new(),
+            panels: Vec::new(),
             steps: Vec::new(),
         }
     }
@@ -49,13 +52,14 @@ impl Drawing {
 
     /// The sheet as it stands after a step, from 1: what comes with the step in the accent colour, what came before it calm.
     ///
-    /// Everything keeps its place from step to step.
+    /// Everything keeps its place from step to step. After the last step the figure is finished.
     #[must_use]
     pub fn after_step(&self, step: usize) -> Drawing {
         let shown = self.marks.iter().filter_map(|mark| {
             let since = usize::from(mark.since);
             let emphasis = match since {
                 0 => Emphasis::Plain,
+                _ if step > self.steps.len() => Emphasis::Plain,
                 _ if since == step => Emphasis::New,
                 _ => Emphasis::Earlier,
             };
@@ -69,6 +73,7 @@ impl Drawing {
         Drawing {
             marks: shown.collect(),
             title: self.title.clone(),
+            panels: self.panels.clone(),
             description: words.cloned().unwrap_or_default(),
             steps: Vec::new(),
             ..*self

@@ -26,6 +26,18 @@ impl Extent {
         })
     }
 
+    /// The extent that holds this and all of the others but large ones: larger than the middle one and twice as large as this.
+    pub(super) fn with_most(self, others: impl Iterator<Item = Extent>) -> Extent {
+        let size = |extent: &Extent| extent.size().norm();
+        let mut others: Vec<Extent> = others.collect();
+        others.sort_by(|a, b| size(a).total_cmp(&size(b)));
+        let middle = others.get(others.len() / 2).map_or(0.0, size);
+        let most = middle.max(2.0 * size(&self));
+        let kept = others.into_iter().filter(|other| size(other) <= most);
+        let kept = std::iter::once(self).chain(kept);
+        Extent::of(kept.flat_map(|e| [e.low, e.high]))
+    }
+
     /// Width and height.
     #[must_use]
     pub fn size(&self) -> geometry::Vector {

@@ -9,7 +9,9 @@ use super::sheet::{Drawing, Mark, Pen};
 use super::stages::numbered;
 use super::text::{PlacedText, RichText};
 use crate::geometry::{Vector, degrees_of};
-use crate::plan::{Action, Equation, Kind, Known, NamedPart, Plan, PlanKind, Relation, Step};
+use crate::plan::{
+    Action, Equation, Kind, Known, NamedPart, Plan, PlanKind, Relation, Step, rate_symbol,
+};
 use crate::scene::{Panel, Units};
 use kurbo::{Point, Rect};
 
@@ -204,15 +206,13 @@ impl Page<'_> {
 
     /// Symbol and unit of a rate by its quantity name.
     fn rate(&self, name: &str) -> (String, String) {
-        let (letter, of) = name.split_once('(').unwrap_or((name, ""));
-        let of = of.trim_end_matches(')');
-        let (symbol, kind) = match letter {
-            "omega" => (format!("ω_{{{of}}}"), Kind::AngularVelocity),
-            "alpha" => (format!("α_{{{of}}}"), Kind::AngularAcceleration),
-            "v_r" => (name.to_owned(), Kind::Velocity),
-            _ => (name.to_owned(), Kind::Acceleration),
+        let kind = match name.split('(').next() {
+            Some("omega") => Kind::AngularVelocity,
+            Some("alpha") => Kind::AngularAcceleration,
+            Some("v_r") => Kind::Velocity,
+            _ => Kind::Acceleration,
         };
-        (symbol, kind.unit(self.units))
+        (rate_symbol(name), kind.unit(self.units))
     }
 
     /// Writes an equation, with lines under what is known: two under whole vectors, one under directions; below them what they are

@@ -5,6 +5,8 @@
 #[cfg(feature = "arrow")]
 mod columns;
 mod digits;
+#[cfg(feature = "html")]
+mod html;
 mod json;
 mod number;
 mod outline;
@@ -20,6 +22,8 @@ mod table;
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
 pub use self::digits::digits;
+#[cfg(feature = "html")]
+pub use self::html::{Page, html};
 pub use self::json::json;
 pub use self::pencil::{BandResult, PencilResult, pencil_result};
 #[cfg(feature = "png")]

@@ -385,11 +385,22 @@ pub(super) fn leg_equation(
 }
 
 pub(super) fn solve(unknowns: &[(String, f64)]) -> String {
-    let names: Vec<&str> = unknowns.iter().map(|u| u.0.as_str()).collect();
+    let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
     format!(
         "Solve the equations of the measured segments for {}.",
         names.join(", ")
     )
+}
+
+/// The symbol of a rate by its quantity name, in markup: `ω_{2}` for `omega(2)`.
+#[must_use]
+pub fn rate_symbol(name: &str) -> String {
+    let turning = [("omega(", "ω"), ("alpha(", "α")];
+    let found = turning.into_iter().find_map(|(head, letter)| {
+        let link = name.strip_prefix(head)?.strip_suffix(')')?;
+        Some(format!("{letter}_{{{link}}}"))
+    });
+    found.unwrap_or_else(|| name.to_owned())
 }
 
 pub(super) fn no_construction(far: &[String]) -> String {

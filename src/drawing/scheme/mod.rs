@@ -52,10 +52,19 @@ impl<'a> Scheme<'a> {
 
     /// What must find room: all points, and the special points that are not too far away.
     pub(super) fn extent(&self) -> Extent {
-        let points = self.pose.points.iter().copied();
         let near = self.special().filter(|s| self.is_near(s));
         let special = near.filter_map(|s| s.place.finite());
-        Extent::of(points.chain(special).chain(self.guide_ends()))
+        Extent::of(self.own_places().chain(special))
+    }
+
+    /// The same without special points.
+    pub(super) fn extent_of_joints(&self) -> Extent {
+        Extent::of(self.own_places())
+    }
+
+    fn own_places(&self) -> impl Iterator<Item = geometry::Point> {
+        let points = self.pose.points.iter().copied();
+        points.chain(self.guide_ends())
     }
 
     /// Draws the mechanism.

@@ -1,10 +1,10 @@
-use std::fmt::Write;
 use svg::Node;
 use svg::node::element::Element;
 use svg::node::{Blob, Text as TextNode};
 
 #[cfg(test)]
 mod ink;
+mod layers;
 mod shapes;
 
 #[cfg(test)]
@@ -12,7 +12,9 @@ pub(crate) use ink::ink_in;
 
 use super::number::{number, push_number};
 use super::outline::{FINEST, IN_FINEST, Tracer};
-use crate::drawing::{Cap, Colour, Drawing, Look, Mark, Pen, PlacedText, Shape};
+use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Shape};
+#[cfg(feature = "html")]
+pub(super) use layers::layers;
 use shapes::{write_path, write_shape};
 
 /// How texts stand in an SVG file.
@@ -50,7 +52,7 @@ pub fn svg_with(drawing: &Drawing, text: Text) -> String {
 ///
 /// With all groups shown the file looks like the finished figure.
 pub fn layered_svg(drawing: &Drawing, text: Text) -> String {
-    document(drawing, text, layers(drawing, text))
+    document(drawing, text, layers::groups(drawing, text))
 }
 
 /// A whole file around the marks.
@@ -109,47 +111,6 @@ fn body(drawing: &Drawing, text: Text) -> String {
     written
 }
 
-/// All marks in groups by the step with which they come: first what lies below everything, then what stands from the start.
-fn layers(drawing: &Drawing, text: Text) -> String {
-    let all = drawn(drawing);
-    let digits = drawing.steps.len().to_string().len().max(2);
-    let mut written = String::new();
-    let layer = |written: &mut String, step: u16, below: bool| {
-        let here = |d: &&Drawn<'_>| d.0.since == step && lies_below(d.0) == below;
-        let marks: Vec<Drawn<'_>> = all.iter().filter(here).copied().collect();
-        if marks.is_empty() {
-            return;
-        }
-        if step == 0 {
-            return write_marks(written, text, &marks);
-        }
-        let suffix = if below { "-under" } else { "" };
-        written.push_str("<g");
-        attribute(written, "id", &format!("step-{step:0digits$}{suffix}"));
-        written.push_str(">\n");
-        if let (false, Some(words)) = (below, drawing.steps.get(usize::from(step) - 1)) {
-            let _ = writeln!(written, "<title>{}</title>", escape(&clean(words)));
-        }
-        write_marks(written, text, &marks);
-        written.push_str("</g>\n");
-    };
-    for below in [true, false] {
-        for step in 0..=drawing.steps.len() as u16 {
-            layer(&mut written, step, below);
-        }
-    }
-    written.truncate(written.trim_end().len());
-    written
-}
-
-/// Whether other steps' marks go on top of it: areas and helping lines.
-fn lies_below(mark: &Mark) -> bool {
-    matches!(
-        mark.pen,
-        Pen::LinkFill(_) | Pen::ImageFill | Pen::Construction | Pen::Hint
-    )
-}
-
 /// Marks in drawing order, a group for each stretch of marks that look alike.
 fn write_marks(written: &mut String, text: Text, marks: &[Drawn<'_>]) {
     let alike = |a: &Drawn<'_>, b: &Drawn<'_>| {
@@ -173,7 +134,7 @@ fn write_marks(written: &mut String, text: Text, marks: &[Drawn<'_>]) {
 }
 
 /// The bundled font, then faces of much the same width where it is not installed.
-const FONTS: &str = "Libertinus Serif, Cambria, Times New Roman, serif";
+pub(super) const FONTS: &str = "Libertinus Serif, Cambria, Times New Roman, serif";
 const WHITE: Colour = Colour::new(0xffffff);
 
 fn is_text(mark: &Mark) -> bool {
@@ -330,7 +291,7 @@ fn text_element(name: &str, content: &str) -> Element {
 }
 
 /// The text without the characters that XML cannot hold.
-fn clean(text: &str) -> String {
+pub(super) fn clean(text: &str) -> String {
     text.chars()
         .filter_map(|letter| match letter {
             '\t' | '\n' | '\r' => Some(' '),
@@ -341,7 +302,7 @@ fn clean(text: &str) -> String {
         .collect()
 }
 
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for letter in text.chars() {
         match letter {
@@ -362,7 +323,7 @@ fn colour(Colour { red, green, blue }: Colour) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Point, RichText};
+    use crate::drawing::{Pen, Point, RichText};
 
     #[test]
     fn hostile_texts_are_escaped() {

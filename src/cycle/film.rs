@@ -1,0 +1,112 @@
+use super::{CycleError, Drive, Path};
+use crate::mechanism::Mechanism;
+use crate::motion::{Order, motion};
+use crate::plan::{Construction, construction};
+use crate::position::Pose;
+
+/// How far from each end of a drive's range the film keeps, in parts of the range: at a limit position rates are infinite.
+const OFF_THE_END: f64 = 0.004;
+
+/// How far a slider that has no end is followed either way, in parts of the mechanism's size.
+const WAY: f64 = 0.3;
+
+/// Positions of a mechanism at equal steps of a drive, with their constructions, for showing one after another.
+#[derive(Clone, Debug)]
+pub struct Film {
+    /// The drive; none for a drawn configuration and for a mechanism at rest, which have one position.
+    pub drive: Option<Drive>,
+    /// The drive's values in degrees or lengths, rising; one zero without a drive.
+    pub values: Vec<f64>,
+    /// The position at each value, and what is drawn of it.
+    pub positions: Vec<(Pose, Construction)>,
+    /// Which of them is the scene's own.
+    pub own: usize,
+    /// Whether the last is followed by the first: the drive turns all the way round.
+    pub is_round: bool,
+}
+
+impl Film {
+    /// About `count` positions over the whole range that the drive of this name (without one, the first) can reach on the branch of
+    /// `pose`, and `pose` itself, which has this construction. Positions without a definite motion are left out.
+    ///
+    /// # Errors
+    /// There is no drive of that name, or the branch cannot be followed.
+    pub fn new(
+        mechanism: &Mechanism,
+        (pose, own): (&Pose, &Construction),
+        drive: Option<&str>,
+        count: usize,
+    ) -> Result<Self, CycleError> {
+        let still = Self {
+            drive: None,
+            values: vec![0.0],
+            positions: vec![(pose.clone(), own.clone())],
+            own: 0,
+            is_round: false,
+        };
+        let drive = match Drive::new(mechanism, drive) {
+            Ok(drive) => drive,
+            Err(CycleError::Drawn | CycleError::NoDrive) => return Ok(still),
+            Err(error) => return Err(error),
+        };
+        let mut path = Path::new(mechanism, pose, drive.clone())?;
+        let start = path.start();
+        let [low, high] = match path.cover(None, None) {
+            Err(CycleError::Range(_)) => {
+                let way = WAY * path.unit();
+                path.cover(Some(start - way), Some(start + way))?
+            }
+            range => range?,
+        };
+        let is_round = drive.is_angle() && path.end(true).is_none();
+        let mut values: Vec<f64> = if is_round {
+            let step = path.unit() / count.max(1) as f64;
+            (1..count).map(|k| start + step * k as f64).collect()
+        } else {
+            let (low, high) = (low.max(path.low()), high.min(path.high()));
+            let off = OFF_THE_END * (high - low);
+            let step = (high - low - 2.0 * off) / count.max(2).saturating_sub(1) as f64;
+            (0..count).map(|k| low + off + step * k as f64).collect()
+        };
+        // The scene's own position takes the place of a neighbour, so that steps stay nearly equal.
+        let next = values.iter().position(|v| *v >= start);
+        let next = next.unwrap_or(values.len());
+        if values
+            .get(next)
+            .is_some_and(|v| (v - start).abs() < 1e-9 * path.unit())
+        {
+            values.remove(next);
+        }
+        values.insert(next, start);
+        let order = match own.acceleration {
+            Some(_) => Order::Acceleration,
+            None => Order::Velocity,
+        };
+        let mut film = Self {
+            drive: Some(drive),
+            values: Vec::new(),
+            positions: Vec::new(),
+            is_round,
+            ..still
+        };
+        let mut walker = path.walker();
+        for value in values {
+            if value == start {
+                film.own = film.values.len();
+                film.values.push(value);
+                film.positions.push((pose.clone(), own.clone()));
+                continue;
+            }
+            let Some(pose) = walker.position(value).map(|position| position.pose()) else {
+                continue;
+            };
+            let Ok(motion) = motion(mechanism, &pose, order) else {
+                continue;
+            };
+            let construction = construction(mechanism, &pose, &motion);
+            film.values.push(value);
+            film.positions.push((pose, construction));
+        }
+        Ok(film)
+    }
+}

@@ -1,0 +1,122 @@
+//! Shapes cut off at the edge of a panel.
+
+use super::canvas::clipped_segment;
+use super::shape::Shape;
+use kurbo::{Point, Rect};
+
+/// What of a shape is in `area`: the shape itself where it does not leave it; lines cut off at the edge, an arrow whose tip is outside
+/// as a line; of round things and texts nothing where their middle is outside.
+pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
+    let drawn = shape.drawn_box();
+    if area.union(drawn) == area {
+        return vec![shape];
+    }
+    let line = |a: &Point, b: &Point| {
+        let within = clipped_segment(area, *a, *b);
+        within.map(|(a, b)| Shape::Line(a, b))
+    };
+    match &shape {
+        Shape::Line(a, b) => line(a, b).into_iter().collect(),
+        Shape::Arrow { from, to } => match clipped_segment(area, *from, *to) {
+            Some((from, tip)) if (tip - *to).hypot() < 1e-9 => vec![Shape::Arrow { from, to: *to }],
+            Some((a, b)) => vec![Shape::Line(a, b)],
+            None => Vec::new(),
+        },
+        Shape::Polyline(points) => {
+            let parts = points
+                .windows(2)
+                .filter_map(|ends| line(&ends[0], &ends[1]));
+            parts.collect()
+        }
+        Shape::Polygon(corners) => {
+            let corners = inside(area, corners);
+            let some = corners.len() > 2;
+            some.then_some(Shape::Polygon(corners))
+                .into_iter()
+                .collect()
+        }
+        Shape::Circle { center, .. }
+        | Shape::Arc { center, .. }
+        | Shape::ArcArrow { center, .. } => {
+            let middle = *center;
+            area.contains(middle).then_some(shape).into_iter().collect()
+        }
+        Shape::Text(text) => {
+            let middle = text.ink_box().center();
+            area.contains(middle).then_some(shape).into_iter().collect()
+        }
+    }
+}
+
+/// The part of a polygon in a box, edge by edge (Sutherland and Hodgman 1974).
+fn inside(area: Rect, corners: &[Point]) -> Vec<Point> {
+    // Distance inwards from each of the four edges.
+    let depths: [&dyn Fn(Point) -> f64; 4] = [
+        &|p| p.x - area.x0,
+        &|p| area.x1 - p.x,
+        &|p| p.y - area.y0,
+        &|p| area.y1 - p.y,
+    ];
+    let mut corners = corners.to_vec();
+    for depth in depths {
+        let mut kept = Vec::new();
+        for (index, &b) in corners.iter().enumerate() {
+            let a = corners[(index + corners.len() - 1) % corners.len()];
+            let (from, to) = (depth(a), depth(b));
+            if (from < 0.0) != (to < 0.0) {
+                kept.push(a.lerp(b, from / (from - to)));
+            }
+            if to >= 0.0 {
+                kept.push(b);
+            }
+        }
+        corners = kept;
+    }
+    corners
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AREA: Rect = Rect::new(0.0, 0.0, 10.0, 10.0);
+
+    #[test]
+    fn lines_and_arrows_end_at_the_edge() {
+        let (a, b) = (Point::new(5.0, 5.0), Point::new(25.0, 5.0));
+        let cut = vec![Shape::Line(a, Point::new(10.0, 5.0))];
+        assert_eq!(clipped(AREA, Shape::Line(a, b)), cut);
+        assert_eq!(clipped(AREA, Shape::Arrow { from: a, to: b }), cut);
+        let back = clipped(AREA, Shape::Arrow { from: b, to: a });
+        let from = Point::new(10.0, 5.0);
+        assert_eq!(back, [Shape::Arrow { from, to: a }]);
+        let away = Shape::Line(Point::new(11.0, 0.0), Point::new(12.0, 9.0));
+        assert!(clipped(AREA, away).is_empty());
+        let within = Shape::Line(a, Point::new(6.0, 6.0));
+        assert_eq!(clipped(AREA, within.clone()), [within]);
+    }
+
+    #[test]
+    fn polygons_keep_what_is_inside() {
+        let corner = |x: f64, y: f64| Point::new(x, y);
+        let triangle = vec![corner(5.0, 5.0), corner(15.0, 5.0), corner(5.0, 15.0)];
+        let shapes = clipped(AREA, Shape::Polygon(triangle));
+        let [Shape::Polygon(corners)] = shapes.as_slice() else {
+            panic!("{shapes:?}");
+        };
+        // The square from (5, 5) to (10, 10), whose corner (10, 10) the long side just meets.
+        for want in [
+            corner(5.0, 5.0),
+            corner(10.0, 5.0),
+            corner(10.0, 10.0),
+            corner(5.0, 10.0),
+        ] {
+            let near = corners.iter().any(|c| (*c - want).hypot() < 1e-9);
+            assert!(near, "{want:?} in {corners:?}");
+        }
+        let all = corners
+            .iter()
+            .all(|c| AREA.inflate(1e-9, 1e-9).contains(*c));
+        assert!(all, "{corners:?}");
+    }
+}

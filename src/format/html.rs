@@ -1,0 +1,130 @@
+use super::number::number;
+use super::svg::{FONTS, Text, clean, escape, layers};
+use crate::drawing::{Drawing, Rect};
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use flate2::{Compression, GzBuilder};
+use indexmap::{IndexMap, IndexSet};
+use serde_json::{Value, json};
+use std::io::Write;
+
+/// The page without its contents.
+const PAGE: &str = include_str!("../../templates/page.html");
+
+/// What a page for the classroom shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Page<'a> {
+    /// The stepwise figure in each position, all on the same panels, as [`frames`](crate::drawing::frames) gives them; at least one.
+    pub frames: &'a [Drawing],
+    /// The drive's value in each position, in words.
+    pub values: &'a [String],
+    /// Which of them comes first.
+    pub own: usize,
+    /// Whether the last is followed by the first.
+    pub is_round: bool,
+    /// What the drive moves, as in `angle(1)`.
+    pub quantity: &'a str,
+}
+
+/// One HTML file that needs nothing else: the figure with its steps, in all positions, to be shown, stepped through, moved and printed.
+///
+/// Every position is drawn here, as for SVG; the page's script only chooses lines. Lines that are the same in several positions are
+/// kept once, and all of them compressed. Without frames the page is empty.
+#[must_use]
+pub fn html(page: &Page<'_>) -> String {
+    let Some(first) = page.frames.get(page.own) else {
+        return String::new();
+    };
+    let finished = first.after_step(first.steps.len() + 1);
+    let sheet: String = layers(&finished, Text::Letters)
+        .into_iter()
+        .map(|layer| layer.svg)
+        .collect();
+    let title = if first.title.is_empty() {
+        "Kinegon"
+    } else {
+        &first.title
+    };
+    let contents = [
+        ("title", escape(&clean(title))),
+        ("width", number(first.width)),
+        ("height", number(first.height)),
+        ("fonts", FONTS.to_owned()),
+        ("quantity", escape(&clean(page.quantity))),
+        ("sheet", sheet),
+        ("data", packed(&film(page, first))),
+    ];
+    let mut parts = PAGE.split("{{");
+    let mut written = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (name, rest) = part.split_once("}}").unwrap_or((part, ""));
+        let content = contents.iter().find(|(own, _)| *own == name);
+        written.push_str(content.map_or("", |(_, text)| text));
+        written.push_str(rest);
+    }
+    written
+}
+
+/// What the page's script reads.
+fn film(page: &Page<'_>, first: &Drawing) -> Value {
+    let last = first.steps.len() as u16 + 1;
+    let mut lines: IndexSet<String> = IndexSet::new();
+    // Layers by their place in the pile; what is below comes first.
+    let mut pile: IndexMap<(bool, u16, bool), Vec<Vec<usize>>> = IndexMap::new();
+    for below in [true, false] {
+        for step in 0..=last {
+            for passing in [false, true] {
+                let nothing = vec![Vec::new(); page.frames.len()];
+                pile.insert((!below, step, passing), nothing);
+            }
+        }
+    }
+    for (frame, drawing) in page.frames.iter().enumerate() {
+        for layer in layers(drawing, Text::Letters) {
+            let here = (!layer.below, layer.step, layer.passing);
+            let Some(layers) = pile.get_mut(&here) else {
+                continue;
+            };
+            let written = layer.svg.lines().filter(|line| !line.is_empty());
+            layers[frame] = written
+                .map(|line| lines.insert_full(line.to_owned()).0)
+                .collect();
+        }
+    }
+    pile.retain(|_, layers| layers.iter().any(|lines| !lines.is_empty()));
+    let layers = pile
+        .keys()
+        .map(|(_, step, passing)| json!({ "step": step, "passing": passing }));
+    let frames = (0..page.frames.len()).map(|frame| {
+        let layers = pile.values().map(|frames| frames[frame].clone());
+        layers.collect::<Vec<_>>()
+    });
+    let boxed = |r: Rect| [r.x0, r.y0, r.width(), r.height()];
+    let panels = first.panels.iter();
+    let panels =
+        panels.map(|(name, frame)| json!({ "name": name, "box": boxed(frame.inflate(1.0, 1.0)) }));
+    let below = first.panels.iter().map(|p| p.1.y1).fold(0.0, f64::max);
+    let words = Rect::new(0.0, below, first.width, first.height);
+    json!({
+        "title": first.title,
+        "width": first.width,
+        "height": first.height,
+        "panels": panels.collect::<Vec<_>>(),
+        "words": boxed(words),
+        "steps": first.steps,
+        "values": page.values,
+        "own": page.own,
+        "round": page.is_round,
+        "layers": layers.collect::<Vec<_>>(),
+        "frames": frames.collect::<Vec<_>>(),
+        "lines": lines,
+    })
+}
+
+/// Compressed, as letters; the same for the same value everywhere.
+fn packed(value: &Value) -> String {
+    let mut encoder = GzBuilder::new().write(Vec::new(), Compression::best());
+    let written = encoder.write_all(value.to_string().as_bytes());
+    let bytes = written.and_then(|()| encoder.finish());
+    BASE64_STANDARD.encode(bytes.expect("memory can be written to"))
+}
