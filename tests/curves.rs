@@ -339,7 +339,7 @@ fn lines_and_dots_on_paper_are_where_the_grid_says() {
                 .is_some_and(|id| id.starts_with(&format!("{name}-curve")));
             match &mark.shape {
                 Shape::Polyline(points) if own => chain.extend(points),
-                Shape::Circle { center, .. } if matches!(mark.pen, Pen::Curve(_)) => {
+                Shape::Circle { center, .. } if matches!(mark.pen, Pen::Curve) => {
                     dots.extend(panel.inflate(0.1, 0.1).contains(*center).then_some(*center));
                 }
                 _ => {}
@@ -376,7 +376,7 @@ fn faults(drawing: &Drawing, curves: &[Curve]) -> Vec<String> {
             faults.push(format!("{text} leaves the sheet"));
         }
         let inside = frames.iter().any(|frame| within(ink, *frame));
-        if matches!(mark.pen, Pen::Curve(_)) && !inside {
+        if matches!(mark.pen, Pen::Curve) && !inside {
             faults.push(format!("{text} leaves its panel"));
         }
         for (other, words) in &texts[..index] {
@@ -528,7 +528,7 @@ fn the_papers_mechanism_is_drawn_from_limit_to_limit() {
         .zip([[true, false], [true, true], [false, true]])
     {
         let lines = drawing.marks.iter().filter_map(|mark| match &mark.shape {
-            Shape::Polyline(points) if matches!(mark.pen, Pen::Curve(_)) => Some(points),
+            Shape::Polyline(points) if matches!(mark.pen, Pen::Curve) => Some(points),
             _ => None,
         });
         let own: Vec<&Vec<Point>> = lines

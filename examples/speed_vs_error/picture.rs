@@ -27,7 +27,7 @@ const ERRORS: [f64; 2] = [-1.0, 16.0];
 const NO_NUMBER: f64 = 17.6;
 
 /// Style of a method's marks.
-fn style(method: Method) -> u8 {
+fn style(method: Method) -> usize {
     match method {
         Method::Library | Method::Kernel => 0,
         Method::Naive => 1,
@@ -37,7 +37,7 @@ fn style(method: Method) -> u8 {
     }
 }
 
-const HAND_STYLE: u8 = 5;
+const HAND_STYLE: usize = 5;
 
 fn across(nanoseconds: f64) -> f64 {
     let share = (libm::log10(nanoseconds) - TIMES[0]) / (TIMES[1] - TIMES[0]);
@@ -150,7 +150,7 @@ fn tick(drawing: &mut Drawing, x: f64, label: &str) {
 }
 
 /// The marks of a method: hollow for hard families, full for random groups, which stand on top.
-fn marks(drawing: &mut Drawing, style: u8, x: f64, errors: &[(Family, f64)]) {
+fn marks(drawing: &mut Drawing, style: usize, x: f64, errors: &[(Family, f64)]) {
     let hard = errors
         .iter()
         .filter(|(family, _)| *family != Family::Random);
@@ -160,10 +160,11 @@ fn marks(drawing: &mut Drawing, style: u8, x: f64, errors: &[(Family, f64)]) {
     for (family, units) in hard.chain(random).filter(|(_, units)| !units.is_nan()) {
         let center = Point::new(x, height_of(*units));
         let (pen, radius) = match family {
-            Family::Random => (Pen::Curve(style), RADII[0]),
-            _ => (Pen::Dead(style), RADII[1]),
+            Family::Random => (Pen::Curve, RADII[0]),
+            _ => (Pen::Dead, RADII[1]),
         };
-        drawing.draw(pen, Shape::Circle { center, radius });
+        let mark = drawing.draw(pen, Shape::Circle { center, radius });
+        mark.number = Some(style);
     }
 }
 
@@ -213,7 +214,8 @@ fn legend(drawing: &mut Drawing, times: &[f64]) {
         let y = FRAME.y1 + 13.5 + 5.8 * (index / 2) as f64;
         let center = Point::new(x, y - 0.33 * TEXT);
         let radius = RADII[0];
-        drawing.draw(Pen::Curve(style), Shape::Circle { center, radius });
+        let mark = drawing.draw(Pen::Curve, Shape::Circle { center, radius });
+        mark.number = Some(style);
         text(drawing, Pen::Caption, &says, Point::new(x + 3.0, y));
     }
     let y = FRAME.y1 + 13.5 + 5.8 * 3.0;

@@ -40,7 +40,8 @@ impl CurvesCommand {
                 Some("`kinegon draw --format html` makes one of the figure".into()),
             ))
         };
-        self.figures.write(Some(scene), &[(name, drawing)], page)?;
+        self.figures
+            .write(Some(scene), vec![(name, drawing)], page)?;
         self.range.tell(&branch, range, "figure")
     }
 }

@@ -64,16 +64,17 @@ impl Draw {
             works.push((source, work));
         }
         if self.layered {
-            return self.figures.write_layered(self.scene.as_deref(), &drawings);
+            return self.figures.write_layered(self.scene.as_deref(), drawings);
         }
+        let whole = drawings.len() == works.len();
         let page = |index: usize| match works.get(index) {
-            Some((source, work)) if drawings.len() == works.len() => self.page(source, work),
+            Some((source, work)) if whole => self.page(source, work),
             _ => Err(Failure::Misuse(
                 "a page has all steps".into(),
                 Some("leave out --steps".into()),
             )),
         };
-        self.figures.write(self.scene.as_deref(), &drawings, page)
+        self.figures.write(self.scene.as_deref(), drawings, page)
     }
 
     /// The page of a scene: its figure with all steps, in all positions of the drive.
@@ -84,8 +85,10 @@ impl Draw {
         let value = |value: &f64| film.drive.as_ref().map(|drive| shown(drive, *value));
         let values: Vec<String> = film.values.iter().filter_map(value).collect();
         let quantity = film.drive.as_ref().map(Drive::quantity);
+        let mut frames = frames(&work.scene, mechanism, &film.positions, film.own);
+        self.figures.dress(&mut frames)?;
         Ok(html(&Page {
-            frames: &frames(&work.scene, mechanism, &film.positions, film.own),
+            frames: &frames,
             values: &values,
             own: film.own,
             is_round: film.is_round,

@@ -1,7 +1,8 @@
 use super::files;
 use super::message::Failure;
-use crate::drawing::Drawing;
+use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
+use crate::scene::StyleName;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -17,6 +18,9 @@ pub(super) struct Figures {
     /// Write the letters of SVG as outlines, for programs that lack the font.
     #[arg(long)]
     outlines: bool,
+    /// Drawing style in place of the scene's own: paper, print, lecture, board, or the path of a style file.
+    #[arg(long, value_name = "NAME|FILE")]
+    style: Option<String>,
     /// Resolution of PNG in dots per inch.
     #[arg(long, default_value_t = 100.0, value_parser = dots_per_inch)]
     dpi: f64,
@@ -63,9 +67,10 @@ impl Figures {
     pub(super) fn write(
         &self,
         scene: Option<&Path>,
-        drawings: &[(String, Drawing)],
+        mut drawings: Vec<(String, Drawing)>,
         page: impl Fn(usize) -> Result<String, Failure>,
     ) -> Result<(), Failure> {
+        self.dress(drawings.iter_mut().map(|(_, drawing)| drawing))?;
         let text = self.text();
         let mut written = Vec::new();
         for (index, (name, drawing)) in drawings.iter().enumerate() {
@@ -87,10 +92,11 @@ impl Figures {
     pub(super) fn write_layered(
         &self,
         scene: Option<&Path>,
-        drawings: &[(String, Drawing)],
+        mut drawings: Vec<(String, Drawing)>,
     ) -> Result<(), Failure> {
+        self.dress(drawings.iter_mut().map(|(_, drawing)| drawing))?;
         let mut written = Vec::new();
-        for (name, drawing) in drawings {
+        for (name, drawing) in &drawings {
             let targets = self.targets(name, drawings.len())?;
             let mut svg = targets.into_iter().filter(|(_, form)| *form == Form::Svg);
             let Some((path, _)) = svg.next() else {
@@ -105,6 +111,19 @@ impl Figures {
         self.finish(scene, &written)
     }
 
+    /// Gives drawings the style that was asked for in place of the scene's.
+    pub(super) fn dress<'a>(
+        &self,
+        drawings: impl IntoIterator<Item = &'a mut Drawing>,
+    ) -> Result<(), Failure> {
+        if let Some(style) = self.style.as_deref().map(style).transpose()? {
+            for drawing in drawings {
+                drawing.style = style.clone();
+            }
+        }
+        Ok(())
+    }
+
     fn text(&self) -> Text {
         if self.outlines {
             Text::Outlines
@@ -113,7 +132,7 @@ impl Figures {
         }
     }
 
-    /// Writes files, but not over the scene that they show.
+    /// Writes files, but not over the scene that they show or their style.
     fn finish(&self, scene: Option<&Path>, written: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
         if self.output == Path::new("-") {
             let [(_, bytes)] = written else {
@@ -125,7 +144,12 @@ impl Figures {
             return files::print(bytes);
         }
         for (path, _) in written {
-            files::keep_input(scene, path)?;
+            for (what, input) in [
+                ("scene", scene),
+                ("style", self.style.as_deref().map(Path::new)),
+            ] {
+                input.map_or(Ok(()), |input| files::keep_input(what, input, path))?;
+            }
         }
         files::write(written)
     }
@@ -167,6 +191,25 @@ impl Figures {
             }
         }
     }
+}
+
+/// A style by its name, or from a file.
+fn style(asked: &str) -> Result<Style, Failure> {
+    let mut names = StyleName::ALL.into_iter();
+    if let Some(name) = names.find(|name| name.as_str() == asked) {
+        return Ok(Style::named(name));
+    }
+    if !asked.contains(['.', '/', '\\']) && asked != "-" && !Path::new(asked).exists() {
+        let known = StyleName::ALL.map(StyleName::as_str).join(", ");
+        return Err(Failure::Misuse(
+            format!("there is no style `{asked}`"),
+            Some(format!(
+                "known styles: {known}; or the path of a style file"
+            )),
+        ));
+    }
+    let source = files::read_text("style", Path::new(asked))?;
+    Style::read(&source.text).map_err(|error| Failure::Scene(source, Box::new(error.into())))
 }
 
 /// The name that a scene's figure goes by.

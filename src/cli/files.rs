@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// The text of a scene and where it came from.
+/// The text of a scene, or of another file that is read, and where it came from.
 #[derive(Clone, Debug)]
 pub(super) struct Source {
     /// The file's name, or `stdin`.
@@ -15,6 +15,11 @@ pub(super) struct Source {
 
 /// Reads a scene's text from a file, or from stdin for `-`.
 pub(super) fn read(path: &Path) -> Result<Source, Failure> {
+    read_text("scene", path)
+}
+
+/// Reads the text of what is called `what` from a file, or from stdin for `-`.
+pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
     let from_stdin = path == Path::new("-");
     let name = if from_stdin {
         "stdin".to_owned()
@@ -22,8 +27,8 @@ pub(super) fn read(path: &Path) -> Result<Source, Failure> {
         path.display().to_string()
     };
     let refuse = |error: io::Error| {
-        let hint = "give the path of a scene file, or `-` to read one from stdin";
-        Failure::Misuse(format!("{name} cannot be read: {error}"), Some(hint.into()))
+        let hint = format!("give the path of a {what} file, or `-` to read one from stdin");
+        Failure::Misuse(format!("{name} cannot be read: {error}"), Some(hint))
     };
     let mut bytes = Vec::new();
     // One byte more than is allowed, so that a larger file is seen without reading it all.
@@ -37,7 +42,7 @@ pub(super) fn read(path: &Path) -> Result<Source, Failure> {
     if bytes.len() > MAX_BYTES {
         return Err(Failure::Misuse(
             format!(
-                "{name} is larger than {} MB, which no scene is",
+                "{name} is larger than {} MB, which no {what} is",
                 MAX_BYTES >> 20
             ),
             Some("is this the right file?".into()),
@@ -47,7 +52,7 @@ pub(super) fn read(path: &Path) -> Result<Source, Failure> {
         let at = error.utf8_error().valid_up_to();
         Failure::Misuse(
             format!("{name} is not text in UTF-8: byte {at} does not belong"),
-            Some("save the scene as UTF-8 text".into()),
+            Some(format!("save the {what} as UTF-8 text")),
         )
     })?;
     Ok(Source { name, text })
@@ -70,21 +75,16 @@ pub(super) fn is_printed(bytes: &[u8]) -> Result<bool, Failure> {
     }
 }
 
-/// Refuses to write over the scene itself.
-pub(super) fn keep_input(scene: Option<&Path>, output: &Path) -> Result<(), Failure> {
+/// Refuses to write over what was read.
+pub(super) fn keep_input(what: &str, input: &Path, output: &Path) -> Result<(), Failure> {
     let canonical = |path: &Path| path.canonicalize().ok();
-    let same = scene
-        .and_then(canonical)
-        .is_some_and(|s| canonical(output) == Some(s));
-    if same {
+    if canonical(input).is_some_and(|input| canonical(output) == Some(input)) {
         let message = format!(
-            "{} is the scene itself and is not overwritten",
+            "{} is the {what} itself and is not overwritten",
             output.display()
         );
-        return Err(Failure::Misuse(
-            message,
-            Some("choose another output".into()),
-        ));
+        let hint = "choose another output";
+        return Err(Failure::Misuse(message, Some(hint.into())));
     }
     Ok(())
 }

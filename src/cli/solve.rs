@@ -4,7 +4,7 @@ use super::pencil::Hand;
 use super::work::{Mode, Work, work};
 use crate::accuracy::bounds;
 use crate::drafting::readable_names;
-use crate::drawing::scales;
+use crate::drawing::{Style, scales};
 use crate::format::{self, QuantityResult, ResultFile, Solved};
 use crate::motion::Order;
 use crate::plan::{Asked, Quantity, is_acceleration, measured_names, quantity};
@@ -148,6 +148,7 @@ pub(super) struct Schema {
 enum Kind {
     Scene,
     Result,
+    Style,
 }
 
 impl Schema {
@@ -155,6 +156,7 @@ impl Schema {
         let schema = match self.kind {
             Kind::Scene => Scene::schema(),
             Kind::Result => format::result_schema(),
+            Kind::Style => Style::schema(),
         };
         files::print(format::json(&schema).as_bytes())
     }

@@ -195,7 +195,7 @@ impl SweepCommand {
         let steps = steps.map_err(|error| moved.fail(error))?;
         let sweep = Sweep::new(&branch, steps, moved.names.as_deref());
         let sweep = sweep.map_err(|error| moved.fail(error))?;
-        files::keep_input(Some(&self.range.scene), &self.output)?;
+        files::keep_input("scene", &self.range.scene, &self.output)?;
         table::write(&sweep, form, &self.output)?;
         self.range.tell(&branch, [from, to], "table")
     }

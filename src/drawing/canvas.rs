@@ -1,4 +1,4 @@
-use super::clip::clipped;
+use super::clip::{clipped, is_within};
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
 use super::shape::{Shape, around};
@@ -20,6 +20,8 @@ pub(super) struct Canvas<'a> {
     obstacles: Obstacles,
     requests: Vec<(Wanted, u16)>,
     frame: Rect,
+    /// How many marks the drawing had before.
+    before: usize,
     /// With which step that which is drawn now comes.
     since: u16,
     renamed: &'a IndexMap<String, String>,
@@ -31,6 +33,8 @@ pub(super) struct Wanted {
     /// Its mark's id without the prefix.
     pub name: String,
     pub pen: Pen,
+    /// The link or the curve that it belongs to.
+    pub number: Option<usize>,
     /// Whether it is left out where there is no free place for it.
     pub optional: bool,
 }
@@ -43,6 +47,7 @@ impl<'a> Canvas<'a> {
         renamed: &'a IndexMap<String, String>,
     ) -> Self {
         Self {
+            before: drawing.marks.len(),
             drawing,
             prefix,
             obstacles: Obstacles {
@@ -70,9 +75,9 @@ impl<'a> Canvas<'a> {
     }
 
     /// Draws a mark and remembers it as something that labels keep off: joints and arrowheads entirely, lines where they can.
-    pub(super) fn draw(&mut self, pen: Pen, shape: Shape) {
+    pub(super) fn draw(&mut self, pen: Pen, shape: Shape) -> &mut Mark {
         self.remember(pen, &shape);
-        self.put(None, pen, shape);
+        self.put(None, pen, shape)
     }
 
     /// What is drawn and asked for from now on comes with this step.
@@ -80,15 +85,12 @@ impl<'a> Canvas<'a> {
         self.since = step;
     }
 
-    /// Draws what of a shape is within the panel.
-    fn put(&mut self, mut id: Option<String>, pen: Pen, shape: Shape) {
-        for shape in clipped(self.frame, shape) {
-            self.drawing.marks.push(Mark {
-                id: id.take(),
-                since: self.since,
-                ..Mark::new(pen, shape)
-            });
-        }
+    fn put(&mut self, id: Option<String>, pen: Pen, shape: Shape) -> &mut Mark {
+        self.drawing.add(Mark {
+            id,
+            since: self.since,
+            ..Mark::new(pen, shape)
+        })
     }
 
     /// A broad line under what the step is about; nothing keeps off it.
@@ -100,20 +102,18 @@ impl<'a> Canvas<'a> {
 
     /// A mark that is there in one step alone; nothing keeps off it.
     pub(super) fn passing(&mut self, step: u16, pen: Pen, shape: Shape) {
-        for shape in clipped(self.frame, shape) {
-            self.drawing.marks.push(Mark {
-                since: step,
-                passing: true,
-                ..Mark::new(pen, shape)
-            });
-        }
+        self.drawing.add(Mark {
+            since: step,
+            passing: true,
+            ..Mark::new(pen, shape)
+        });
     }
 
     /// The same, findable by a name such as `velocity-ray-b-s3`.
-    pub(super) fn draw_named(&mut self, name: &str, pen: Pen, shape: Shape) {
+    pub(super) fn draw_named(&mut self, name: &str, pen: Pen, shape: Shape) -> &mut Mark {
         self.remember(pen, &shape);
         let id = format!("{}-{}", self.prefix, ascii(name));
-        self.put(Some(id), pen, shape);
+        self.put(Some(id), pen, shape)
     }
 
     fn remember(&mut self, pen: Pen, shape: &Shape) {
@@ -124,7 +124,7 @@ impl<'a> Canvas<'a> {
                 self.obstacles.boxes.extend(boxes);
             }
             // Areas without outline: names may stand in them.
-            _ if matches!(pen, Pen::LinkFill(_) | Pen::ImageFill) => {}
+            _ if matches!(pen, Pen::LinkFill | Pen::ImageFill) => {}
             _ => self.obstacles.lines.extend(shape.lines()),
         }
         self.obstacles.boxes.extend(shape.head_box());
@@ -156,7 +156,7 @@ impl<'a> Canvas<'a> {
         clearance: f64,
         prefer: Option<Vec2>,
         priority: u8,
-    ) {
+    ) -> &mut Wanted {
         let markup = self.renamed.get(name).map_or(standard, String::as_str);
         let request = LabelRequest {
             text: RichText::math(markup),
@@ -170,17 +170,15 @@ impl<'a> Canvas<'a> {
             request,
             name: format!("label-{name}"),
             pen: Pen::Label,
+            number: None,
             optional: false,
-        });
+        })
     }
 
     /// Asks for a label of any look.
-    pub(super) fn want(&mut self, wanted: Wanted) {
-        // What lies outside has no name.
-        if !self.frame.contains(wanted.request.anchor) {
-            return;
-        }
+    pub(super) fn want(&mut self, wanted: Wanted) -> &mut Wanted {
         self.requests.push((wanted, self.since));
+        &mut self.requests.last_mut().expect("a request was added").0
     }
 
     /// Asks for words beside `anchor`.
@@ -197,6 +195,7 @@ impl<'a> Canvas<'a> {
             request,
             name: format!("label-{name}"),
             pen: Pen::Label,
+            number: None,
             optional: false,
         });
     }
@@ -207,9 +206,10 @@ impl<'a> Canvas<'a> {
         renamed.map_or_else(|| standard.to_owned(), Clone::clone)
     }
 
-    /// Places and draws the labels.
+    /// Places and draws the labels, and cuts off what leaves the panel; what lies outside has no name.
     pub(super) fn finish(mut self) {
-        let requests = std::mem::take(&mut self.requests);
+        let mut requests = std::mem::take(&mut self.requests);
+        requests.retain(|(wanted, _)| self.frame.contains(wanted.request.anchor));
         let asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
         for (label, (wanted, since)) in place(&asked, &self.obstacles).into_iter().zip(requests) {
             if label.crowded && wanted.optional {
@@ -220,7 +220,28 @@ impl<'a> Canvas<'a> {
                 self.put(None, Pen::Leader, Shape::Line(a, b));
             }
             let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
-            self.put(Some(id), wanted.pen, Shape::Text(label.text));
+            let mark = self.put(Some(id), wanted.pen, Shape::Text(label.text));
+            mark.number = wanted.number;
+        }
+        self.cut_off();
+    }
+
+    /// Cuts off what leaves the panel.
+    fn cut_off(&mut self) {
+        let marks = &mut self.drawing.marks;
+        let leaves = |mark: &Mark| !is_within(self.frame, &mark.shape);
+        if !marks[self.before..].iter().any(leaves) {
+            return;
+        }
+        for mark in marks.split_off(self.before) {
+            let mut id = mark.id;
+            for shape in clipped(self.frame, mark.shape) {
+                marks.push(Mark {
+                    id: id.take(),
+                    shape,
+                    ..mark
+                });
+            }
         }
     }
 }

@@ -4,11 +4,15 @@ use super::canvas::clipped_segment;
 use super::shape::Shape;
 use kurbo::{Point, Rect};
 
+/// Whether a shape lies in `area`.
+pub(super) fn is_within(area: Rect, shape: &Shape) -> bool {
+    area.union(shape.drawn_box()) == area
+}
+
 /// What of a shape is in `area`: the shape itself where it does not leave it; lines cut off at the edge, an arrow whose tip is outside
 /// as a line; of round things and texts nothing where their middle is outside.
 pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
-    let drawn = shape.drawn_box();
-    if area.union(drawn) == area {
+    if is_within(area, &shape) {
         return vec![shape];
     }
     let line = |a: &Point, b: &Point| {

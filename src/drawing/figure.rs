@@ -6,6 +6,7 @@ use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::stages::numbered;
+use super::style::Style;
 use super::text::{PlacedText, RichText};
 use super::view::{Extent, View};
 use super::words;
@@ -95,6 +96,7 @@ fn compose(
     let (mechanism, construction) = (scheme.mechanism, scheme.construction);
     let [width, height] = scene.figure.page.size_mm();
     let mut drawing = Drawing::new(width, height);
+    drawing.style = Style::named(scene.figure.style);
     let title = scene
         .title
         .as_deref()

@@ -4,7 +4,7 @@
 //! of marks in drawing order with every text measured and every label placed. The formats write
 //! that list and decide nothing.
 
-// In reading order: `figure`, its `layout` and panels; then the display list: `sheet`, `shape`, `arrow`, the `look` of its pens, its
+// In reading order: `figure`, its `layout` and panels; then the display list: `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its
 // `text`, where `labels` go.
 mod arrow;
 mod canvas;
@@ -23,6 +23,7 @@ mod scheme;
 mod shape;
 mod sheet;
 mod stages;
+mod style;
 mod text;
 mod view;
 mod words;
@@ -32,9 +33,10 @@ pub use curves::{CurvesError, curves};
 pub use figure::{figure, frames, scales, stepwise};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
-pub use look::{Cap, Colour, Look, look};
+pub use look::{Cap, Colour, Dash, Look};
 pub use shape::Shape;
 pub use sheet::{Drawing, Emphasis, Mark, Pen};
+pub use style::Style;
 pub use text::{PlacedRun, PlacedText, RichText, Run};
 pub use view::{Extent, View, fitting_scale, next_scale};
 

@@ -1,8 +1,8 @@
 use super::canvas::{Canvas, clipped_segment};
 use super::scheme::Scheme;
 use super::shape::Shape;
-use super::sheet::Pen;
-use super::stages::{PlanStages, numbered};
+use super::sheet::{Mark, Pen};
+use super::stages::numbered;
 use super::view::{Extent, View, on_sheet, towards};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
@@ -47,10 +47,19 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
         on_the_way && !figure.special_points
     };
     let stages = scheme.stages.plan(plan.kind);
-    let images = images(view, mechanism, plan, stages);
-    for (corners, since) in images.iter().filter(|(corners, _)| corners.len() > 2) {
-        canvas.since(*since);
-        canvas.draw(Pen::ImageFill, Shape::Polygon(corners.clone()));
+    let images = images(mechanism, plan);
+    // The corners of an image, and the step that completes it.
+    let corners = |image: &[String]| -> (Vec<Point>, u16) {
+        let steps = image.iter().map(|name| stages.point(name));
+        let places = image.iter().filter_map(|name| at(name));
+        (places.collect(), steps.max().unwrap_or_default())
+    };
+    for (number, image) in images.iter().enumerate() {
+        if image.len() > 2 {
+            let (corners, since) = corners(image);
+            canvas.since(since);
+            canvas.draw(Pen::ImageFill, Shape::Polygon(corners)).number = Some(number);
+        }
     }
     if figure.construction && figure.special_points {
         for ray in plan.rays() {
@@ -72,13 +81,15 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
         }
     }
     // Over all areas and rays, so that a line that lies on a ray is seen as one.
-    for (corners, since) in images {
+    for (number, image) in images.iter().enumerate() {
+        let (corners, since) = corners(image);
+        let outline = match corners.as_slice() {
+            [a, b] => Shape::Line(*a, *b),
+            [_, _, _] => Shape::Polygon(corners),
+            _ => continue,
+        };
         canvas.since(since);
-        match corners.as_slice() {
-            [a, b] => canvas.draw(Pen::Image, Shape::Line(*a, *b)),
-            [_, _, _] => canvas.draw(Pen::Image, Shape::Polygon(corners)),
-            _ => {}
-        }
+        canvas.draw(Pen::Image, outline).number = Some(number);
     }
     let whole = match plan.kind {
         PlanKind::Velocity => Pen::Velocity,
@@ -108,7 +119,13 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
         };
         let name = format!("{}-{}", laid.from, laid.to);
         canvas.since(stages.point(&laid.to));
-        arrow(canvas, at(&laid.from), at(&laid.to), pen, &name);
+        let drawn = arrow(canvas, at(&laid.from), at(&laid.to), pen, &name);
+        // A side of a link's image looks like the image.
+        if let (Some(mark), Pen::Image) = (drawn, pen) {
+            let has_both =
+                |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));
+            mark.number = images.iter().position(has_both);
+        }
     }
     points(canvas, view, scheme, plan, &hidden);
     canvas.since(0);
@@ -148,21 +165,23 @@ fn right_angle(canvas: &mut Canvas<'_>, step: u16, corner: Point, ray: Vec2) {
     canvas.passing(step, Pen::Frame, Shape::Polyline(chain.to_vec()));
 }
 
-fn arrow(canvas: &mut Canvas<'_>, from: Option<Point>, to: Option<Point>, pen: Pen, name: &str) {
-    if let (Some(from), Some(to)) = (from, to)
-        && (to - from).hypot() > 1e-3
-    {
-        canvas.draw_named(&format!("vector-{name}"), pen, Shape::Arrow { from, to });
+fn arrow<'a>(
+    canvas: &'a mut Canvas<'_>,
+    from: Option<Point>,
+    to: Option<Point>,
+    pen: Pen,
+    name: &str,
+) -> Option<&'a mut Mark> {
+    let (from, to) = from.zip(to)?;
+    if (to - from).hypot() <= 1e-3 {
+        return None;
     }
+    let shape = Shape::Arrow { from, to };
+    Some(canvas.draw_named(&format!("vector-{name}"), pen, shape))
 }
 
-/// The corners of the images of links, the link turned and scaled, each with the step that completes it.
-fn images(
-    view: &View,
-    mechanism: &Mechanism,
-    plan: &Plan,
-    stages: &PlanStages,
-) -> Vec<(Vec<Point>, u16)> {
+/// The plan points that make the images of all links, in their order: a link's image is the link turned and scaled.
+fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
     let image = |body: &Body| {
         let own = body
             .points
@@ -173,13 +192,10 @@ fn images(
             .iter()
             .filter(|s| mechanism.body(s.on).name == body.name);
         let under = under.map(|s| coincident_name(mechanism.point_name(s.at), &body.name));
-        let corners = own.chain(under).filter_map(|name| {
-            let name = image_name(&name);
-            let place = view.at(plan.points.get(&name)?.vector.into());
-            Some((place, stages.point(&name)))
-        });
-        let (places, steps): (Vec<Point>, Vec<u16>) = corners.unzip();
-        (places, steps.into_iter().max().unwrap_or_default())
+        let names = own.chain(under).map(|name| image_name(&name));
+        names
+            .filter(|name| plan.points.contains_key(name))
+            .collect()
     };
     mechanism.links().map(|(_, body)| image(body)).collect()
 }

@@ -1,7 +1,10 @@
 use kurbo::Rect;
 
-use super::look::{Look, look};
+use super::look::Look;
 use super::shape::{Shape, overlap};
+use super::style::Style;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// A sheet of paper and everything drawn on it; later marks cover earlier ones.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +18,8 @@ pub struct Drawing {
     /// What the figure shows, in a sentence for readers who cannot see it; written into the file,
     /// not drawn.
     pub description: String,
+    /// How it looks.
+    pub style: Style,
     /// Everything drawn, in drawing order.
     pub marks: Vec<Mark>,
     /// Boxes of the panels, in order, each with its name.
@@ -24,13 +29,14 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// An empty sheet of `width` by `height` mm.
+    /// An empty sheet of `width` by `height` mm, in the standard style.
     pub fn new(width: f64, height: f64) -> Self {
         Self {
             width,
             height,
             title: String::new(),
             description: String::new(),
+            style: Style::default(),
             marks: Vec::new(),
             panels: Vec::new(),
             steps: Vec::new(),
@@ -38,16 +44,35 @@ impl Drawing {
     }
 
     /// Draws a nameless mark on top of the others.
-    pub fn draw(&mut self, pen: Pen, shape: Shape) {
-        self.marks.push(Mark::new(pen, shape));
+    pub fn draw(&mut self, pen: Pen, shape: Shape) -> &mut Mark {
+        self.add(Mark::new(pen, shape))
     }
 
     /// Draws a mark that slide programs and scripts can find by `id`.
-    pub fn draw_named(&mut self, id: impl Into<String>, pen: Pen, shape: Shape) {
-        self.marks.push(Mark {
+    pub fn draw_named(&mut self, id: impl Into<String>, pen: Pen, shape: Shape) -> &mut Mark {
+        self.add(Mark {
             id: Some(id.into()),
             ..Mark::new(pen, shape)
-        });
+        })
+    }
+
+    /// Puts a mark on top of the others.
+    pub fn add(&mut self, mark: Mark) -> &mut Mark {
+        self.marks.push(mark);
+        self.marks.last_mut().expect("a mark was added")
+    }
+
+    /// How one of its marks looks.
+    #[must_use]
+    pub fn look(&self, mark: &Mark) -> Look {
+        let look = self.style.look(mark.pen, mark.number);
+        match mark.emphasis {
+            // Words are read, not looked for.
+            _ if matches!(mark.pen, Pen::Caption | Pen::Heading | Pen::Hint) => look,
+            Emphasis::Plain => look,
+            Emphasis::New => self.style.accented(look),
+            Emphasis::Earlier => self.style.calmed(look),
+        }
     }
 
     /// The sheet as it stands after a step, from 1: what comes with the step in the accent colour, what came before it calm.
@@ -75,6 +100,7 @@ impl Drawing {
             title: self.title.clone(),
             panels: self.panels.clone(),
             description: words.cloned().unwrap_or_default(),
+            style: self.style.clone(),
             steps: Vec::new(),
             ..*self
         }
@@ -87,19 +113,18 @@ impl Drawing {
     ///
     /// Over blank paper a halo is not seen, and over a tinted area it would be a stain.
     pub fn halos(&self) -> Vec<bool> {
-        let bounds: Vec<Rect> = self.marks.iter().map(|mark| mark.shape.bounds()).collect();
+        let below = |mark: &Mark| (mark.shape.bounds(), self.look(mark).stroke.is_some());
+        let drawn: Vec<(Rect, bool)> = self.marks.iter().map(below).collect();
         let needs = self.marks.iter().enumerate().map(|(index, mark)| {
-            let halo = mark.look().halo;
             let Shape::Text(text) = &mark.shape else {
                 return false;
             };
+            let halo = self.look(mark).halo;
             let area = text.ink_box().inflate(0.5 * halo, 0.5 * halo);
-            let below = self.marks[..index].iter().zip(&bounds);
+            let below = self.marks[..index].iter().zip(&drawn);
             halo > 0.0
-                && below.into_iter().any(|(other, bounds)| {
-                    overlap(*bounds, area)
-                        && other.look().stroke.is_some()
-                        && other.shape.lines_cross(area)
+                && below.into_iter().any(|(other, (bounds, lines))| {
+                    *lines && overlap(*bounds, area) && other.shape.lines_cross(area)
                 })
         });
         needs.collect()
@@ -113,6 +138,9 @@ pub struct Mark {
     pub id: Option<String>,
     /// What the mark is; its look follows from that.
     pub pen: Pen,
+    /// The number of the link or the curve that it belongs to, counted from 0, by which a style picks its colour; none for a
+    /// mark of neither.
+    pub number: Option<usize>,
     /// Where it is.
     pub shape: Shape,
     /// With which step of the construction it comes, from 1; 0 for what stands there from the start.
@@ -141,30 +169,19 @@ impl Mark {
         Self {
             id: None,
             pen,
+            number: None,
             shape,
             since: 0,
             passing: false,
             emphasis: Emphasis::Plain,
         }
     }
-
-    /// How it looks.
-    #[must_use]
-    pub fn look(&self) -> Look {
-        let look = look(self.pen);
-        match self.emphasis {
-            // Words are read, not looked for.
-            _ if matches!(self.pen, Pen::Caption | Pen::Heading | Pen::Hint) => look,
-            Emphasis::Plain => look,
-            Emphasis::New => look.accented(),
-            Emphasis::Earlier => look.calmed(),
-        }
-    }
 }
 
-/// What a mark *is*. Colour, width, dash and fill come from [`look`](super::look()), so a figure is
-/// restyled in one place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// What a mark *is*. Colour, width, dash and fill come from the drawing's [`Style`], so a figure is
+/// restyled in one place. Style files write pens in small letters: `link_fill`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Pen {
     /// The border of a panel, axes, the bar of a scale.
     Frame,
@@ -174,19 +191,19 @@ pub enum Pen {
     Hatch,
     /// A link drawn as a line, or the outline of one drawn as an area.
     Link,
-    /// The tinted area of a link; the number picks the tint (four of them, repeating).
-    LinkFill(u8),
-    /// A sliding block: outlined and white inside.
+    /// The tinted area of a link.
+    LinkFill,
+    /// A sliding block, or a pivot's foot: outlined.
     Slider,
     /// The straight guide that a block slides on.
     Guide,
-    /// A revolute joint: a small circle, white inside.
+    /// A revolute joint: a small circle.
     Joint,
     /// The path of a point over a cycle.
     Trace,
-    /// A helping line: thin, grey, dashed.
+    /// A helping line of the scheme.
     Construction,
-    /// A line of known direction in a plan: thin, coloured, dash-dotted.
+    /// A line of known direction in a plan.
     Ray,
     /// A vector that is neither of the kinds below.
     Vector,
@@ -226,17 +243,21 @@ pub enum Pen {
     Grid,
     /// The line at zero.
     Zero,
-    /// A quantity over the cycle, its name, and the dots at its greatest and least values; the number picks the style (twelve of
-    /// them, repeating).
-    Curve(u8),
+    /// A quantity over the cycle, its name, and the dots at its greatest and least values.
+    Curve,
     /// A dead position of the link or slider: a small circle on the line at zero.
-    Dead(u8),
+    Dead,
     /// Where a drive can go no further.
     Limit,
     /// Where the motion could go on in another assembly mode too.
     Change,
     /// Where the drive stands in the scene.
     Stand,
+}
+
+impl Pen {
+    /// How many pens there are.
+    pub(super) const COUNT: usize = Pen::Stand as usize + 1;
 }
 
 #[cfg(test)]
@@ -260,7 +281,7 @@ mod tests {
             Shape::Line(Point::new(0.0, 0.0), Point::new(100.0, 100.0)),
         );
         drawing.draw(
-            Pen::LinkFill(0),
+            Pen::LinkFill,
             Shape::Polygon(vec![
                 Point::new(60.0, 0.0),
                 Point::new(90.0, 0.0),

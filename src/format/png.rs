@@ -2,7 +2,7 @@ use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
 use super::svg::{Text, svg_with};
-use crate::drawing::Drawing;
+use crate::drawing::{Colour, Drawing};
 
 /// Most pixels on a side; more is a slip of the pen in the resolution.
 const MOST_PIXELS: f64 = 20_000.0;
@@ -42,7 +42,7 @@ pub enum PngError {
     Encoding(#[from] ::png::EncodingError),
 }
 
-/// The bytes of a PNG file: the drawing on white at `dpi` dots per inch, 24-bit colour, its
+/// The bytes of a PNG file: the drawing on its background at `dpi` dots per inch, 24-bit colour, its
 /// resolution written in.
 ///
 /// The picture is made from the SVG file with its texts as outlines, so it is the same on every
@@ -62,7 +62,8 @@ pub fn png(drawing: &Drawing, dpi: f64) -> Result<Vec<u8>, PngError> {
     }
     // Both fit: they are at most 20 000.
     let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or(too_large)?;
-    pixmap.fill(Color::WHITE);
+    let Colour { red, green, blue } = drawing.style.background();
+    pixmap.fill(Color::from_rgba8(red, green, blue, 255));
     let (across, down) = (
         width as f32 / tree.size().width(),
         height as f32 / tree.size().height(),
@@ -96,7 +97,7 @@ fn encode(pixmap: &Pixmap, dpi: f64) -> Result<Vec<u8>, PngError> {
     Ok(file)
 }
 
-/// Red, green and blue of pixels of four bytes. On a white ground every pixel is opaque: alpha says
+/// Red, green and blue of pixels of four bytes. On an opaque ground every pixel is opaque: alpha says
 /// nothing.
 fn without_alpha(pixels: &[u8]) -> Vec<u8> {
     let mut colours = vec![0; pixels.len() / 4 * 3];

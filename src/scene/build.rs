@@ -2,7 +2,7 @@
 
 use super::build_parts::{Guide, NewLink};
 use super::error::SceneError;
-use super::figure::{Figure, Page};
+use super::figure::{Figure, Page, StyleName};
 use super::units::{LengthUnit, TimeUnit};
 use super::write::{Object, Written, texts};
 use super::{PointMotion, Scene};
@@ -203,6 +203,7 @@ fn written_figure(figure: &Figure) -> Object {
         mu_v,
         mu_a,
         page,
+        style,
         labels,
         special_points,
         construction,
@@ -212,6 +213,10 @@ fn written_figure(figure: &Figure) -> Object {
     object.add_some("mu_v", *mu_v);
     object.add_some("mu_a", *mu_a);
     object.add_some("page", (*page != Page::default()).then(|| page.name()));
+    object.add_some(
+        "style",
+        (*style != StyleName::default()).then(|| style.as_str()),
+    );
     let mut shown = Object::default();
     for (name, label) in labels {
         shown.add(name, label.as_str());

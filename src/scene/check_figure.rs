@@ -54,6 +54,7 @@ pub(super) fn figure(source: Source<'_>, file: Option<FigureFile>) -> Result<Fig
         mu_v: file.mu_v,
         mu_a: file.mu_a,
         page,
+        style: file.style.unwrap_or(standard.style),
         labels: file.labels.unwrap_or_default(),
         special_points: file.special_points.unwrap_or(true),
         construction: file.construction.unwrap_or(true),

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-/// The first thing that is wrong with a scene.
+/// The first thing that is wrong with a scene, or with a file that is read as strictly (a drawing style).
 ///
 /// Displayed as `line:column: path: message; hint: what to try`, with the parts that are known.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -17,6 +17,8 @@ pub struct Figure {
     pub mu_a: Option<f64>,
     /// The sheet.
     pub page: Page,
+    /// How lines and letters look.
+    pub style: StyleName,
     /// Text to show for a joint, a link or a plan point, in place of the standard one, by its name.
     pub labels: IndexMap<String, String>,
     /// Whether special points are shown.
@@ -34,6 +36,7 @@ impl Default for Figure {
             mu_v: None,
             mu_a: None,
             page: Page::default(),
+            style: StyleName::default(),
             labels: IndexMap::new(),
             special_points: true,
             construction: true,
@@ -61,6 +64,43 @@ impl Panel {
             Panel::Scheme => "scheme",
             Panel::Velocity => "velocity",
             Panel::Acceleration => "acceleration",
+        }
+    }
+}
+
+/// A drawing style that comes with the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(rename = "styleName")]
+pub enum StyleName {
+    /// Black lines with a few dark accents on white.
+    #[default]
+    Paper,
+    /// Black and grey: kinds of lines are told apart by widths, dashes and heads, in every photocopy.
+    Print,
+    /// A colour for each link, the same in the scheme and in the plans; told apart with any colour vision.
+    Lecture,
+    /// White and pastel lines on a dark ground.
+    Board,
+}
+
+impl StyleName {
+    /// All of them.
+    pub const ALL: [StyleName; 4] = [
+        StyleName::Paper,
+        StyleName::Print,
+        StyleName::Lecture,
+        StyleName::Board,
+    ];
+
+    /// The style as a scene file writes it: `"paper"`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            StyleName::Paper => "paper",
+            StyleName::Print => "print",
+            StyleName::Lecture => "lecture",
+            StyleName::Board => "board",
         }
     }
 }

@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
-use super::figure::Panel;
+use super::figure::{Panel, StyleName};
 use super::forms::{Direction, Ground, LinkForm, NameOrPlace, NearValue, ShapePoint, Vector};
 use super::units::{LengthUnit, TimeUnit};
 
@@ -218,6 +218,8 @@ pub(super) struct FigureFile {
     /// The sheet: "a4", "a3" or "letter", with "-portrait" where it does not lie; left out: "a4".
     #[schemars(extend("enum" = super::figure::Page::NAMES))]
     pub page: Option<String>,
+    /// How lines and letters look; left out: "paper".
+    pub style: Option<StyleName>,
     /// Text to show in place of a name: { "B'": "B₁" }.
     pub labels: Option<IndexMap<String, String>>,
     /// Whether special points are shown; left out: true.

@@ -2,7 +2,7 @@
 //! A `Scene` says what the person wrote, in the person's units, degrees and order; every name in it refers to something.
 //! It does not solve positions, count degrees of freedom, look for groups or read files: later stages do.
 //!
-//! In reading order: `units`, `link`, `slider` and `figure` hold the types of a scene; `read` goes the whole way;
+//! In reading order: `units`, `link`, `slider` and `figure` hold the types of a scene; `read` goes the whole way (`kind`: for any kind of file);
 //! `text` turns text into JSON, `file` and `forms` say what the file looks like, `names` and the `check_…` files hold
 //! what must be true; `error`, `place` and `words` say what is wrong and where; `schema` says all of it to editors.
 //! `build`, `build_parts` and `write` put the text of a scene together in Rust, which then goes the same way.
@@ -12,6 +12,7 @@ mod link;
 mod slider;
 mod units;
 
+mod kind;
 mod read;
 mod text;
 
@@ -37,11 +38,15 @@ mod words;
 pub use build::Builder;
 pub use build_parts::{Guide, NewLink, Push, Turn};
 pub use error::{Place, SceneError};
-pub use figure::{Figure, Page, PageSize, Panel};
+pub use figure::{Figure, Page, PageSize, Panel, StyleName};
 pub use forms::{Direction, polar};
 pub use link::{At, Drive, Length, Link, LinkMotion, Shape};
 pub use slider::{Along, On, Slider, SliderDrive};
 pub use units::{LengthUnit, TimeUnit, Units};
+
+pub(crate) use kind::FileKind;
+pub(crate) use read::read_as;
+pub(crate) use schema::schema_of;
 
 use indexmap::IndexMap;
 
@@ -140,6 +145,6 @@ impl Scene {
 
     /// The JSON Schema (draft 2020-12) of the scene file, with descriptions, for editors.
     pub fn schema() -> serde_json::Value {
-        schema::schema()
+        schema::schema_of::<file::SceneFile>("Kinegon scene, version 1")
     }
 }

@@ -1,6 +1,6 @@
 //! The whole way: text, JSON, file, scene.
 
-use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use serde_path_to_error::Segment;
 
@@ -10,21 +10,17 @@ use super::check_points::{check_given_once, check_points, ground, known, near};
 use super::check_sliders::sliders;
 use super::error::SceneError;
 use super::file::SceneFile;
+use super::kind::FileKind;
 use super::names::Names;
 use super::place::{Source, Spot};
 use super::units::Units;
 use super::words::{describe, plain, shortened};
 use super::{Form, Scene, text};
 
-/// The version of the scene format that this program reads.
-const VERSION: u64 = 1;
-
 /// The scene that the text describes.
 pub(super) fn read(text: &str) -> Result<Scene, SceneError> {
     let source = Source(text);
-    let json = text::parse(source)?;
-    check_version(source, &json)?;
-    let file = typed(source, &json)?;
+    let file: SceneFile = read_as(text, &FileKind::SCENE)?;
 
     let form = if file.points.is_some() {
         Form::Drawn
@@ -60,49 +56,57 @@ pub(super) fn read(text: &str) -> Result<Scene, SceneError> {
     })
 }
 
-/// The version comes first: a scene of another version may have other keys.
-fn check_version(source: Source<'_>, json: &Json) -> Result<(), SceneError> {
+/// The file of that kind that the text holds, as its types, or the first thing that is wrong with it.
+pub(crate) fn read_as<T: DeserializeOwned>(text: &str, kind: &FileKind) -> Result<T, SceneError> {
+    let source = Source(text);
+    let json = text::parse(source, kind)?;
+    check_version(source, &json, kind)?;
+    typed(source, &json)
+}
+
+/// The version comes first: a file of another version may have other keys.
+fn check_version(source: Source<'_>, json: &Json, kind: &FileKind) -> Result<(), SceneError> {
+    let FileKind { what, key, version } = *kind;
     let Some(object) = json.as_object() else {
-        let message = format!(
-            r#"expected a scene as {{ "kinegon": 1, … }}, found {}"#,
-            describe(json)
-        );
+        let start = kind.start();
+        let message = format!("expected a {what} as {start}, found {}", describe(json));
         return Err(source.error(&[], message));
     };
-    match object.get("kinegon") {
+    match object.get(key) {
         None => {
             // An unknown key that is nearly this one is the better message.
             let near = object
                 .keys()
-                .find(|key| super::words::nearest(key, ["kinegon"]).is_some());
+                .find(|other| super::words::nearest(other, [key]).is_some());
             let hint = match near {
-                Some(key) => format!("did you mean `kinegon` by `{}`?", shortened(key)),
-                None => r#"add "kinegon": 1, the version of the scene format"#.into(),
+                Some(other) => format!("did you mean `{key}` by `{}`?", shortened(other)),
+                None => format!(r#"add "{key}": {version}, the version of the {what} format"#),
             };
-            let message = "`kinegon` is missing, so this may be something other than a scene";
+            let message =
+                format!("`{key}` is missing, so this may be something other than a {what}");
             Err(source.error(&[], message).hint(hint))
         }
-        Some(Json::Number(version)) if version.as_f64() == Some(VERSION as f64) => Ok(()),
-        Some(Json::Number(version)) => {
-            let message = format!("this program reads version {VERSION}, the scene says {version}");
-            Err(source.error(&["kinegon"], message))
+        Some(Json::Number(said)) if said.as_f64() == Some(version as f64) => Ok(()),
+        Some(Json::Number(said)) => {
+            let message = format!("this program reads version {version}, the {what} says {said}");
+            Err(source.error(&[key], message))
         }
         Some(other) => {
             let message = format!(
-                "expected the number {VERSION}, the version of the format, found {}",
+                "expected the number {version}, the version of the format, found {}",
                 describe(other)
             );
             Err(source
-                .error(&["kinegon"], message)
-                .hint(r#"write "kinegon": 1"#))
+                .error(&[key], message)
+                .hint(format!(r#"write "{key}": {version}"#)))
         }
     }
 }
 
 /// The JSON as the types of the file.
-fn typed(source: Source<'_>, json: &Json) -> Result<SceneFile, SceneError> {
+fn typed<T: DeserializeOwned>(source: Source<'_>, json: &Json) -> Result<T, SceneError> {
     let mut track = serde_path_to_error::Track::new();
-    let result = SceneFile::deserialize(serde_path_to_error::Deserializer::new(json, &mut track));
+    let result = T::deserialize(serde_path_to_error::Deserializer::new(json, &mut track));
     result.map_err(|error| {
         let parts = track.path().iter().filter_map(part).collect::<Vec<_>>();
         let mut path: Vec<&str> = parts.iter().map(String::as_str).collect();

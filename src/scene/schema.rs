@@ -1,17 +1,15 @@
-//! The JSON Schema of the scene file.
+//! The JSON Schemas of files, from the types that read them.
 
-use schemars::Schema;
 use schemars::generate::SchemaSettings;
 use schemars::transform::{RecursiveTransform, Transform};
+use schemars::{JsonSchema, Schema};
 use serde_json::{Value as Json, json};
 
-use super::file::SceneFile;
-
-/// The JSON Schema (draft 2020-12) of the scene file.
-pub(super) fn schema() -> Json {
+/// The JSON Schema (draft 2020-12) of a kind of file that is read strictly.
+pub(crate) fn schema_of<T: JsonSchema>(title: &str) -> Json {
     let mut schema = SchemaSettings::draft2020_12()
         .into_generator()
-        .into_root_schema_for::<SceneFile>();
+        .into_root_schema_for::<T>();
     RecursiveTransform(forbid_null).transform(&mut schema);
     RecursiveTransform(allow_note).transform(&mut schema);
     if let Some(properties) = schema.get_mut("properties").and_then(Json::as_object_mut) {
@@ -21,7 +19,7 @@ pub(super) fn schema() -> Json {
             json!({ "type": "string", "description": description }),
         );
     }
-    schema.insert("title".into(), "Kinegon scene, version 1".into());
+    schema.insert("title".into(), title.into());
     schema.to_value()
 }
 

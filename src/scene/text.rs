@@ -1,4 +1,4 @@
-//! From text to JSON, strictly: no comments, no doubled keys, no number that overflows, no `null`, not too deep.
+//! From a file's text to JSON, strictly: no comments, no doubled keys, no number that overflows, no `null`, not too deep.
 
 use std::ops::Range;
 
@@ -8,6 +8,7 @@ use serde_json::{Map, Number, Value as Json};
 
 use super::MAX_BYTES;
 use super::error::SceneError;
+use super::kind::FileKind;
 use super::place::{Source, key_range, parse_tree, push_index, push_key, range_of, without_mark};
 use super::words::shortened;
 
@@ -19,9 +20,11 @@ const LARGEST: f64 = 1e100;
 
 /// Bytes, what is wrong with them, and what to try.
 type Wrong = (Range<usize>, String, Option<&'static str>);
+type NotJson = (Range<usize>, String, Option<String>);
 
 /// The text as JSON, without its notes and its `$schema`.
-pub(super) fn parse(source: Source<'_>) -> Result<Json, SceneError> {
+pub(super) fn parse(source: Source<'_>, kind: &FileKind) -> Result<Json, SceneError> {
+    let what = kind.what;
     let (body, offset) = without_mark(source.0);
     let at = |span: Range<usize>| Some(source.place(span.start + offset..span.end + offset));
     let failure = |span: Option<Range<usize>>, message: String, hint: Option<&str>| SceneError {
@@ -32,7 +35,7 @@ pub(super) fn parse(source: Source<'_>) -> Result<Json, SceneError> {
     };
     if source.0.len() > MAX_BYTES {
         let message = format!(
-            "the scene has {} bytes; at most {MAX_BYTES} ({} MiB) are read",
+            "the {what} has {} bytes; at most {MAX_BYTES} ({} MiB) are read",
             source.0.len(),
             MAX_BYTES >> 20
         );
@@ -41,8 +44,8 @@ pub(super) fn parse(source: Source<'_>) -> Result<Json, SceneError> {
     if body.trim().is_empty() {
         return Err(failure(
             None,
-            "the scene is empty".into(),
-            Some(r#"a scene begins with { "kinegon": 1, … }"#),
+            format!("the {what} is empty"),
+            Some(&kind.beginning()),
         ));
     }
     if let Some((span, message, hint)) = scan(body) {
@@ -51,8 +54,8 @@ pub(super) fn parse(source: Source<'_>) -> Result<Json, SceneError> {
     let tree = match parse_tree(body) {
         Ok(tree) => tree.value,
         Err(error) => {
-            let (span, message, hint) = not_json(body, &error);
-            return Err(failure(Some(span), message, hint));
+            let (span, message, hint) = not_json(body, &error, kind);
+            return Err(failure(Some(span), message, hint.as_deref()));
         }
     };
     // What the parser lets through although it is not JSON, such as control characters in texts.
@@ -122,7 +125,8 @@ fn offset_of(body: &str, line: usize, column: usize) -> usize {
 }
 
 /// Where a text stops being JSON, why, and what to try.
-fn not_json(body: &str, error: &ParseError) -> Wrong {
+fn not_json(body: &str, error: &ParseError, kind: &FileKind) -> NotJson {
+    let what = kind.what;
     let span = range_of(&error.range());
     let word: String = body[span.start..]
         .chars()
@@ -131,8 +135,10 @@ fn not_json(body: &str, error: &ParseError) -> Wrong {
     let word: String = word.chars().take(40).collect();
     let shown = span.start..span.end.max(span.start + word.len()).min(body.len());
     let not_a_number =
-        "every number of a scene is finite; leave the key out where a value is not known";
-    let (message, hint) = match error.kind() {
+        format!("every number of a {what} is finite; leave the key out where a value is not known");
+    let beginning = kind.beginning();
+    let one = format!("a file holds one {what}, in one pair of {{ }}");
+    let (message, hint): (String, Option<&str>) = match error.kind() {
         Kind::CommentsNotAllowed | Kind::UnterminatedCommentBlock => (
             "JSON has no comments".into(),
             Some(r#"write "note": "…", which is allowed anywhere"#),
@@ -144,10 +150,7 @@ fn not_json(body: &str, error: &ParseError) -> Wrong {
         _ if body[..span.start].trim().is_empty()
             && !body[span.start..].starts_with(['{', '[']) =>
         {
-            (
-                "this is not JSON".into(),
-                Some(r#"a scene begins with { "kinegon": 1, … }"#),
-            )
+            ("this is not JSON".into(), Some(&beginning))
         }
         Kind::ExpectedComma
             if body[..span.start].ends_with('0')
@@ -168,8 +171,8 @@ fn not_json(body: &str, error: &ParseError) -> Wrong {
         Kind::ExpectedColonAfterObjectKey => ("a colon is missing after this key".into(), None),
         Kind::ExpectedObjectValue => ("the value of this key is missing".into(), None),
         Kind::MultipleRootJsonValues => (
-            "something stands after the end of the scene".into(),
-            Some("a file holds one scene, in one pair of { }"),
+            format!("something stands after the end of the {what}"),
+            Some(&one),
         ),
         Kind::SingleQuotedStringsNotAllowed => (
             "texts stand in double quotes".into(),
@@ -179,11 +182,13 @@ fn not_json(body: &str, error: &ParseError) -> Wrong {
             format!("the key {word} needs double quotes"),
             Some(r#"write "key": value"#),
         ),
-        Kind::NonFiniteNumbersNotAllowed => (format!("{word} is not a number"), Some(not_a_number)),
+        Kind::NonFiniteNumbersNotAllowed => {
+            (format!("{word} is not a number"), Some(&not_a_number))
+        }
         Kind::UnexpectedWord | Kind::ExpectedDigitFollowingNegativeSign
             if ["nan", "inf", "infinity"].contains(&word.to_lowercase().as_str()) =>
         {
-            (format!("{word} is not a number"), Some(not_a_number))
+            (format!("{word} is not a number"), Some(&not_a_number))
         }
         Kind::UnexpectedWord | Kind::UnexpectedToken | Kind::UnexpectedTokenInObject => {
             match word.as_str() {
@@ -230,7 +235,7 @@ fn not_json(body: &str, error: &ParseError) -> Wrong {
             None,
         ),
     };
-    (shown, message, hint)
+    (shown, message, hint.map(str::to_owned))
 }
 
 /// Turns the tree into JSON and knows the path it is at.

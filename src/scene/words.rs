@@ -105,6 +105,10 @@ pub(super) fn plain(message: &str, path: &[&str], found: Option<&Json>) -> Plain
         return unknown_key(path, word, &names);
     }
     if let Some((word, names)) = unknown(message, "unknown variant `") {
+        // The word may be a key of an object whose keys are chosen from a list.
+        if found.is_some_and(|found| found.get(word).is_some()) {
+            return unknown_key(path, word, &names);
+        }
         return Plain {
             message: format!("unknown word \"{}\"", shortened(word)),
             hint: suggestion(word, names.iter().copied(), "write one of"),
@@ -155,7 +159,7 @@ fn unknown<'a>(message: &'a str, start: &str) -> Option<(&'a str, Vec<&'a str>)>
 }
 
 /// Keys that later versions will understand.
-const LATER: [(&str, &str); 2] = [("figure", "style"), ("figure", "step")];
+const LATER: [(&str, &str); 1] = [("figure", "step")];
 
 fn unknown_key(path: &[&str], word: &str, names: &[&str]) -> Plain {
     let around = path
@@ -176,7 +180,7 @@ fn unknown_key(path: &[&str], word: &str, names: &[&str]) -> Plain {
     let names = names
         .iter()
         .copied()
-        .filter(|name| *name != "kinegon")
+        .filter(|name| !name.starts_with("kinegon"))
         .chain(["note"]);
     Plain {
         message: format!("unknown key `{}`", shortened(word)),
@@ -211,12 +215,14 @@ fn type_hint(expected: &str, found: &Json) -> Option<String> {
                 Some(format!("write {text} without quotes"))
             } else if pointed.parse::<f64>().is_ok_and(f64::is_finite) {
                 Some(format!("write {pointed} without quotes and with a point"))
-            } else if number.parse::<f64>().is_ok_and(f64::is_finite) {
+            } else if !number.parse::<f64>().is_ok_and(f64::is_finite) {
+                None
+            } else if expected.contains(" mm") {
+                Some(format!("write {number} without quotes"))
+            } else {
                 Some(format!(
                     "write {number} without quotes; units stand in `units`, angles are in degrees"
                 ))
-            } else {
-                None
             }
         }
         Json::Number(number) if expected.contains("text") || expected.contains("name") => {

@@ -11,9 +11,9 @@ mod words;
 use super::canvas::CAPTION;
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::{HEADING, MARGIN, TITLE};
-use super::look::CURVE_STYLES;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
+use super::style::Style;
 use super::text::{PlacedText, RichText};
 use crate::cycle::{Curves, Happening};
 use crate::plan::Kind;
@@ -39,6 +39,9 @@ const APART: f64 = 16.0;
 /// The part of the range that is added beyond a limit, so that its line stands off the panel's border.
 const BEYOND: f64 = 0.02;
 
+/// How many curves in one panel every style tells apart.
+const MOST_CURVES: usize = 12;
+
 /// Why curves do not fit on a sheet.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CurvesError {
@@ -55,7 +58,7 @@ pub enum CurvesError {
     },
     /// More curves in a panel than can be told apart.
     #[error(
-        "{wanted} curves in one panel are more than can be told apart, which is {CURVE_STYLES}\n  \
+        "{wanted} curves in one panel are more than can be told apart, which is {MOST_CURVES}\n  \
          try: fewer quantities at a time"
     )]
     Crowd {
@@ -76,7 +79,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
             None => kinds.push((curve.kind(), vec![index])),
         }
     }
-    if let Some((_, members)) = kinds.iter().find(|(_, m)| m.len() > CURVE_STYLES) {
+    if let Some((_, members)) = kinds.iter().find(|(_, m)| m.len() > MOST_CURVES) {
         let wanted = members.len();
         return Err(CurvesError::Crowd { wanted });
     }
@@ -93,7 +96,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     let sheet = Sheet {
         scene,
         curves,
-        styles: styles(curves, &kinds),
+        numbers: numbers(curves, &kinds),
     };
     // The first panel's heading stands above the row of the vertical lines' names.
     let mut y = top - BAND;
@@ -108,6 +111,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     let across = [MARGIN + numbers + BESIDE, width - MARGIN - 0.5];
     let drive = sheet.drive_axis(across);
     let mut drawing = Drawing::new(width, height);
+    drawing.style = Style::named(scene.figure.style);
     sheet.title(&mut drawing, across);
     for panel in &panels {
         panel.draw(&sheet, &mut drawing, &drive);
@@ -120,16 +124,16 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     Ok(drawing)
 }
 
-/// What is drawn, and how each curve looks.
+/// What is drawn, and by which number each curve looks.
 pub(super) struct Sheet<'a> {
     scene: &'a Scene,
     curves: &'a Curves<'a>,
     /// By curve.
-    styles: Vec<u8>,
+    numbers: Vec<usize>,
 }
 
-/// Styles of the curves: those of one link or point look the same in all panels, those in one panel differ.
-fn styles(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<u8> {
+/// Numbers of the curves' looks: those of one link or point look the same in all panels, those in one panel differ.
+fn numbers(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<usize> {
     let subject = |index: &usize| curves.curves[*index].asked[0].subject();
     // The subjects that are in more than one panel.
     let mut shared: Vec<&str> = Vec::new();
@@ -142,27 +146,27 @@ fn styles(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<u8> {
             }
         }
     }
-    let mut styles = vec![0; curves.curves.len()];
+    let mut numbers = vec![0; curves.curves.len()];
     for (_, members) in kinds {
-        let mut free: Vec<usize> = (0..CURVE_STYLES).collect();
+        let mut free: Vec<usize> = (0..MOST_CURVES).collect();
         let mut later = Vec::new();
         let mut take = |free: &mut Vec<usize>, index: usize, place: usize| {
-            styles[index] = free.remove(place) as u8;
+            numbers[index] = free.remove(place);
         };
         for &index in members {
             let own = shared.iter().position(|s| *s == subject(&index));
-            match free.iter().position(|style| Some(*style) == own) {
+            match free.iter().position(|number| Some(*number) == own) {
                 Some(place) => take(&mut free, index, place),
                 None => later.push(index),
             }
         }
-        // Others keep off the shared styles while there are more.
+        // Others keep off the shared numbers while there are more.
         for index in later {
-            let own = free.iter().position(|style| *style >= shared.len());
+            let own = free.iter().position(|number| *number >= shared.len());
             take(&mut free, index, own.unwrap_or(0));
         }
     }
-    styles
+    numbers
 }
 
 impl Sheet<'_> {

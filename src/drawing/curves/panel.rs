@@ -162,10 +162,10 @@ impl Panel {
         let own = || {
             self.members
                 .iter()
-                .map(|i| (&sheet.curves.curves[*i], sheet.styles[*i]))
+                .map(|i| (&sheet.curves.curves[*i], Some(sheet.numbers[*i])))
         };
         let mut lines: Vec<Vec<Vec<Point>>> = Vec::new();
-        for (curve, style) in own() {
+        for (curve, number) in own() {
             let pieces = curve.pieces.iter();
             let chains = pieces.flat_map(|piece| {
                 let points: Vec<Point> = piece.iter().map(|[x, y]| place(*x, *y)).collect();
@@ -174,19 +174,22 @@ impl Panel {
             let chains: Vec<Vec<Point>> = chains.map(|chain| simplified(&chain)).collect();
             for (part, chain) in chains.iter().enumerate() {
                 let name = format!("curve-{}-{part}", curve.asked[0].name());
-                canvas.draw_named(&name, Pen::Curve(style), Shape::Polyline(chain.clone()));
+                let line = Shape::Polyline(chain.clone());
+                canvas.draw_named(&name, Pen::Curve, line).number = number;
             }
             lines.push(chains);
         }
-        for (curve, style) in own() {
+        for (curve, number) in own() {
             for (index, at) in curve.dead.iter().enumerate() {
                 let (center, radius) = (place(*at, 0.0), DEAD);
                 let name = format!("dead-{}-{index}", curve.asked[0].name());
-                canvas.draw_named(&name, Pen::Dead(style), Shape::Circle { center, radius });
+                let circle = Shape::Circle { center, radius };
+                canvas.draw_named(&name, Pen::Dead, circle).number = number;
             }
             for extreme in &curve.extremes {
                 let (center, radius) = (place(extreme.at, extreme.value), DOT);
-                canvas.draw(Pen::Curve(style), Shape::Circle { center, radius });
+                let dot = Shape::Circle { center, radius };
+                canvas.draw(Pen::Curve, dot).number = number;
             }
         }
         let around = Surroundings {
@@ -196,10 +199,10 @@ impl Panel {
         };
         // Names keep off the values, which stand where they like best.
         let mut taken = Vec::new();
-        for (curve, style) in own() {
-            self.values(canvas, curve, style, &mut taken, place);
+        for (curve, number) in own() {
+            self.values(canvas, curve, number, &mut taken, place);
         }
-        for (index, (curve, style)) in own().enumerate() {
+        for (index, (curve, number)) in own().enumerate() {
             let text = RichText::math(&self.name(sheet, canvas, curve));
             let size = text.ink_box(LABEL).size();
             let Some((anchor, toward, area)) = name_place(index, size, &around, &taken) else {
@@ -217,7 +220,8 @@ impl Panel {
             canvas.want(Wanted {
                 request,
                 name: format!("label-{}", curve.asked[0].name()),
-                pen: Pen::Curve(style),
+                pen: Pen::Curve,
+                number,
                 optional: false,
             });
         }
@@ -228,7 +232,7 @@ impl Panel {
         &self,
         canvas: &mut Canvas<'_>,
         curve: &Curve,
-        style: u8,
+        number: Option<usize>,
         taken: &mut Vec<Rect>,
         place: impl Fn(f64, f64) -> Point,
     ) {
@@ -254,7 +258,8 @@ impl Panel {
             canvas.want(Wanted {
                 request,
                 name: format!("{word}-{}", curve.asked[0].name()),
-                pen: Pen::Curve(style),
+                pen: Pen::Curve,
+                number,
                 optional: true,
             });
         }

@@ -5,14 +5,14 @@ use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
 use super::Scheme;
-use crate::mechanism::{GROUND, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, GROUND, PointId, Role, SliderId};
 use kurbo::{Point, Vec2};
 
 impl Scheme<'_> {
     pub(super) fn turned_links(&self, canvas: &mut Canvas<'_>, view: &View) {
-        for body in &self.mechanism.bodies {
+        for (link, body) in self.mechanism.links() {
             if let Role::Driver { pivot, omega, .. } = body.role {
-                self.turning(canvas, view, pivot, &body.points, &body.name, omega);
+                self.turning(canvas, view, link, pivot, omega);
             }
         }
     }
@@ -30,14 +30,15 @@ impl Scheme<'_> {
         &self,
         canvas: &mut Canvas<'_>,
         view: &View,
+        link: BodyId,
         pivot: PointId,
-        points: &[PointId],
-        name: &str,
         omega: f64,
     ) {
         const RADIUS: f64 = 7.5;
         const SWEEP: f64 = 1.5;
-        let Some(&tip) = points.iter().find(|&&p| p != pivot) else {
+        let body = self.mechanism.body(link);
+        let name = body.name.as_str();
+        let Some(&tip) = body.points.iter().find(|&&p| p != pivot) else {
             return;
         };
         let center = self.at(view, pivot);
@@ -74,19 +75,15 @@ impl Scheme<'_> {
         let start = libm::atan2(arm.y, arm.x) + sense * lead;
         let sweep = sense * SWEEP;
         let shape = arc(radius, lead);
-        canvas.draw_named(&format!("omega-{name}"), Pen::Turning, shape);
+        let arrow = canvas.draw_named(&format!("omega-{name}"), Pen::Turning, shape);
+        arrow.number = self.number(link);
         let middle = start + 0.6 * sweep;
         let direction = Vec2::new(libm::cos(middle), libm::sin(middle));
         let label = format!("ω_{{{}}}", canvas.shown(name, name));
         let anchor = center + direction * radius;
-        canvas.label(
-            &format!("omega({name})"),
-            &label,
-            anchor,
-            0.8,
-            Some(direction),
-            2,
-        );
+        let name = format!("omega({name})");
+        let label = canvas.label(&name, &label, anchor, 0.8, Some(direction), 2);
+        label.number = self.number(link);
     }
 
     /// The sense in which a driven slider is pushed along its guide, seen from the guide's body.
@@ -127,10 +124,12 @@ impl Scheme<'_> {
         let (side, from, to) = best.expect("there are six places to choose from");
         let name = self.mechanism.push_name(id);
         let shape = Shape::Arrow { from, to };
-        canvas.draw_named(&format!("speed-{name}"), Pen::Turning, shape);
+        let arrow = canvas.draw_named(&format!("speed-{name}"), Pen::Turning, shape);
+        arrow.number = self.number(slider.link);
         let label = format!("v_{{{}}}", canvas.shown(&name, &name));
         let anchor = from.midpoint(to);
         let name = format!("speed({name})");
-        canvas.label(&name, &label, anchor, 0.8, Some(side), 2);
+        let label = canvas.label(&name, &label, anchor, 0.8, Some(side), 2);
+        label.number = self.number(slider.link);
     }
 }

@@ -119,34 +119,36 @@ impl Scheme<'_> {
     }
 
     pub(super) fn link_areas(&self, canvas: &mut Canvas<'_>, view: &View) {
-        for (index, (id, _)) in self.mechanism.links().enumerate() {
+        for (id, _) in self.mechanism.links() {
             if let LinkShape::Plate(corners) = self.shape(view, id) {
-                canvas.draw(Pen::LinkFill(index as u8), Shape::Polygon(corners));
+                let area = Shape::Polygon(corners);
+                canvas.draw(Pen::LinkFill, area).number = self.number(id);
             }
         }
     }
 
     pub(super) fn link_lines(&self, canvas: &mut Canvas<'_>, view: &View) {
         for (id, body) in self.mechanism.links() {
+            let lines = match self.shape(view, id) {
+                LinkShape::Nothing => Vec::new(),
+                LinkShape::Bars(bars) => bars.iter().map(|[a, b]| Shape::Line(*a, *b)).collect(),
+                LinkShape::Plate(corners) => vec![Shape::Polygon(corners)],
+            };
             let name = format!("link-{}", body.name);
-            match self.shape(view, id) {
-                LinkShape::Nothing => {}
-                LinkShape::Bars(bars) => {
-                    let mut bars = bars.into_iter().map(|[a, b]| Shape::Line(a, b));
-                    if let Some(first) = bars.next() {
-                        canvas.draw_named(&name, Pen::Link, first);
-                    }
-                    bars.for_each(|bar| canvas.draw(Pen::Link, bar));
-                }
-                LinkShape::Plate(corners) => {
-                    canvas.draw_named(&name, Pen::Link, Shape::Polygon(corners));
-                }
+            for (index, line) in lines.into_iter().enumerate() {
+                let mark = match index {
+                    0 => canvas.draw_named(&name, Pen::Link, line),
+                    _ => canvas.draw(Pen::Link, line),
+                };
+                mark.number = self.number(id);
             }
         }
     }
 
     /// A link of the neighbouring mechanism: a piece of it, broken off.
-    pub(super) fn stub(&self, canvas: &mut Canvas<'_>, view: &View, point: PointId, name: &str) {
+    pub(super) fn stub(&self, canvas: &mut Canvas<'_>, view: &View, link: BodyId) {
+        let body = self.mechanism.body(link);
+        let (point, name) = (body.points[0], body.name.as_str());
         const LENGTH: f64 = 11.0;
         let from = self.at(view, point);
         const HALF_WAVE: f64 = 2.6;
@@ -176,7 +178,9 @@ impl Scheme<'_> {
         let away = *best.or(on_panel().next()).unwrap_or(&outward);
         let across = Vec2::new(-away.y, away.x);
         let end = from + away * LENGTH;
-        canvas.draw_named(&format!("link-{name}"), Pen::Link, Shape::Line(from, end));
+        let piece = Shape::Line(from, end);
+        let mark = canvas.draw_named(&format!("link-{name}"), Pen::Link, piece);
+        mark.number = self.number(link);
         let wave = vec![
             end + across * HALF_WAVE,
             end + across * 0.7,
@@ -186,14 +190,9 @@ impl Scheme<'_> {
             end - across * HALF_WAVE,
         ];
         canvas.draw(Pen::Guide, Shape::Polyline(wave));
-        canvas.label(
-            name,
-            name,
-            from + away * (0.6 * LENGTH),
-            1.2,
-            Some(across),
-            1,
-        );
+        let anchor = from + away * (0.6 * LENGTH);
+        let label = canvas.label(name, name, anchor, 1.2, Some(across), 1);
+        label.number = self.number(link);
     }
 
     /// The directions in which links and guides are drawn from a point.

@@ -13,7 +13,7 @@ use super::names::Names;
 use super::stages::{Stages, numbered};
 use super::view::{Extent, View};
 use crate::geometry::{self, quarter_turn};
-use crate::mechanism::{GROUND, Mechanism, PointId, Role};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
 use crate::plan::{Action, Construction, CutLine, Ray, image_name};
 use crate::position::Pose;
 use crate::scene::{Figure, Scene};
@@ -86,9 +86,9 @@ impl<'a> Scheme<'a> {
         for slider in self.sliders() {
             self.block(canvas, view, slider);
         }
-        for body in &self.mechanism.bodies {
+        for (link, body) in self.mechanism.links() {
             if body.role == Role::Stub {
-                self.stub(canvas, view, body.points[0], &body.name);
+                self.stub(canvas, view, link);
             }
         }
         self.turned_links(canvas, view);
@@ -129,6 +129,11 @@ impl<'a> Scheme<'a> {
         let along = |cut: &&CutLine| cut.line.direction().map(quarter_turn) == Some(ray.direction);
         let cut = special.cuts.iter().find(along)?;
         Some((self.pose.point(cut.start()?), special.place.finite()?))
+    }
+
+    /// The number of a link among all, by which a style picks its colour; none for the ground and for blocks without name.
+    fn number(&self, link: BodyId) -> Option<usize> {
+        self.mechanism.links().position(|(id, _)| id == link)
     }
 
     fn at(&self, view: &View, point: PointId) -> Point {

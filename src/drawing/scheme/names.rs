@@ -95,7 +95,8 @@ impl Scheme<'_> {
                     ((sum / corners.len() as f64).to_point(), 0.0, None)
                 }
             };
-            canvas.label(&body.name, &body.name, anchor, clearance, prefer, 1);
+            let label = canvas.label(&body.name, &body.name, anchor, clearance, prefer, 1);
+            label.number = self.number(id);
         }
         if let Some(&first) = self.mechanism.body(GROUND).points.first() {
             let name = self.mechanism.body(GROUND).name.as_str();

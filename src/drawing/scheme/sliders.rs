@@ -108,10 +108,11 @@ impl Scheme<'_> {
         }
         for offset in off_line {
             let foot = at + along * offset.dot(along).clamp(low, high);
-            canvas.draw(Pen::Link, Shape::Line(at + offset, foot));
+            let arm = Shape::Line(at + offset, foot);
+            canvas.draw(Pen::Link, arm).number = self.number(slider.on);
         }
         let (a, b) = (at + along * low, at + along * high);
-        canvas.draw(Pen::Guide, Shape::Line(a, b));
+        canvas.draw(Pen::Guide, Shape::Line(a, b)).number = self.number(slider.on);
     }
 
     /// A block or a slot, and over it the links that hang on its pin.
@@ -130,14 +131,16 @@ impl Scheme<'_> {
         ];
         let name = format!("slider-{}", self.mechanism.body(slider.link).name);
         let corners = corners.into_iter().map(on_sheet).collect();
-        canvas.draw_named(&name, Pen::Slider, Shape::Polygon(corners));
+        let block = canvas.draw_named(&name, Pen::Slider, Shape::Polygon(corners));
+        block.number = self.number(slider.link);
         let others = self.mechanism.links().map(|(link, _)| link);
         for link in others.filter(|&link| link != slider.link && link != slider.on) {
             let lines = self.shape(view, link).lines();
             for [a, b] in lines.into_iter().filter(|&ends| is_on(ends, at)) {
                 let own = |p: Point| Point::new((p - at).dot(along), (p - at).dot(across));
                 if let Some((a, b)) = clipped_segment(area, own(a), own(b)) {
-                    canvas.draw(Pen::Link, Shape::Line(on_sheet(a), on_sheet(b)));
+                    let bar = Shape::Line(on_sheet(a), on_sheet(b));
+                    canvas.draw(Pen::Link, bar).number = self.number(link);
                 }
             }
         }

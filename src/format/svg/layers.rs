@@ -30,7 +30,7 @@ pub(in crate::format) fn layers(drawing: &Drawing, text: Text) -> Vec<Layer> {
                 let marks: Vec<Drawn<'_>> = all.iter().filter(here).copied().collect();
                 if !marks.is_empty() {
                     let mut svg = String::new();
-                    write_marks(&mut svg, text, &marks);
+                    write_marks(&mut svg, drawing, text, &marks);
                     layers.push(Layer {
                         step,
                         passing,
@@ -75,6 +75,6 @@ pub(super) fn groups(drawing: &Drawing, text: Text) -> String {
 fn lies_below(mark: &Mark) -> bool {
     matches!(
         mark.pen,
-        Pen::LinkFill(_) | Pen::ImageFill | Pen::Construction | Pen::Hint
+        Pen::LinkFill | Pen::ImageFill | Pen::Construction | Pen::Hint
     )
 }

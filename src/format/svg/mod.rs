@@ -82,7 +82,7 @@ fn document(drawing: &Drawing, text: Text, marks: String) -> String {
         [
             ("width", width),
             ("height", height),
-            ("fill", colour(WHITE)),
+            ("fill", drawing.style.background().to_string()),
         ],
     ));
     root.append(Blob::new(marks));
@@ -106,22 +106,22 @@ fn body(drawing: &Drawing, text: Text) -> String {
     let drawn = drawn(drawing);
     let each = if text == Text::Letters { 160 } else { 600 };
     let mut written = String::with_capacity(each * drawn.len());
-    write_marks(&mut written, text, &drawn);
+    write_marks(&mut written, drawing, text, &drawn);
     written.truncate(written.trim_end().len());
     written
 }
 
 /// Marks in drawing order, a group for each stretch of marks that look alike.
-fn write_marks(written: &mut String, text: Text, marks: &[Drawn<'_>]) {
-    let alike = |a: &Drawn<'_>, b: &Drawn<'_>| {
+fn write_marks(written: &mut String, drawing: &Drawing, text: Text, marks: &[Drawn<'_>]) {
+    let alike = |(a, _): &Drawn<'_>, (b, _): &Drawn<'_>| {
         let of = |mark: &Mark| (mark.pen, mark.emphasis, is_text(mark));
-        of(a.0) == of(b.0)
+        of(a) == of(b) && (a.number == b.number || drawing.look(a) == drawing.look(b))
     };
     for marks in marks.chunk_by(alike) {
         let first = marks[0].0;
-        let look = first.look();
+        let look = drawing.look(first);
         if is_text(first) {
-            write_texts(written, text, &look, marks);
+            write_texts(written, text, &look, drawing.style.background(), marks);
         } else {
             open_line_group(written, &look);
             for (mark, _) in marks {
@@ -135,7 +135,6 @@ fn write_marks(written: &mut String, text: Text, marks: &[Drawn<'_>]) {
 
 /// The bundled font, then faces of much the same width where it is not installed.
 pub(super) const FONTS: &str = "Libertinus Serif, Cambria, Times New Roman, serif";
-const WHITE: Colour = Colour::new(0xffffff);
 
 fn is_text(mark: &Mark) -> bool {
     matches!(mark.shape, Shape::Text(_))
@@ -145,7 +144,7 @@ fn is_text(mark: &Mark) -> bool {
 fn open_line_group(written: &mut String, look: &Look) {
     written.push_str("<g");
     if let Some(stroke) = look.stroke {
-        attribute(written, "stroke", &colour(stroke));
+        attribute(written, "stroke", &stroke.to_string());
         length(written, "stroke-width", look.width);
         if !look.dash.is_empty() {
             let lengths: Vec<String> = look.dash.iter().copied().map(number).collect();
@@ -157,19 +156,25 @@ fn open_line_group(written: &mut String, look: &Look) {
         attribute(written, "stroke-linejoin", "round");
     }
     if let Some(fill) = look.fill {
-        attribute(written, "fill", &colour(fill));
+        attribute(written, "fill", &fill.to_string());
     }
     written.push('>');
 }
 
-/// Texts of one pen, those with a halo (marked true) twice: white and outlined first. The attribute
+/// Texts of one pen, those with a halo (marked true) twice: outlined in the background's colour first. The attribute
 /// that would put a stroke behind its letters is not understood everywhere. All halos come before
 /// all letters, so that none covers a neighbour.
-fn write_texts(written: &mut String, text: Text, look: &Look, marks: &[Drawn<'_>]) {
+fn write_texts(
+    written: &mut String,
+    text: Text,
+    look: &Look,
+    background: Colour,
+    marks: &[Drawn<'_>],
+) {
     if marks.iter().any(|mark| mark.1) {
         written.push_str("<g");
-        attribute(written, "fill", &colour(WHITE));
-        attribute(written, "stroke", &colour(WHITE));
+        attribute(written, "fill", &background.to_string());
+        attribute(written, "stroke", &background.to_string());
         match text {
             Text::Letters => length(written, "stroke-width", look.halo),
             Text::Outlines => {
@@ -186,7 +191,7 @@ fn write_texts(written: &mut String, text: Text, look: &Look, marks: &[Drawn<'_>
         written.push_str("\n</g>\n");
     }
     written.push_str("<g");
-    attribute(written, "fill", &colour(look.ink));
+    attribute(written, "fill", &look.ink.to_string());
     if text == Text::Outlines {
         attribute(written, "transform", IN_FINEST);
     }
@@ -314,10 +319,6 @@ pub(super) fn escape(text: &str) -> String {
         }
     }
     escaped
-}
-
-fn colour(Colour { red, green, blue }: Colour) -> String {
-    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Shapes as elements and path data.
 
 use super::super::number::{number, push_number};
-use super::{colour, length, write_id};
+use super::{length, write_id};
 use crate::drawing::{Look, Point, Shape};
 
 /// One shape in the group of its pen.
@@ -46,10 +46,8 @@ pub(super) fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: 
             }
             if let Some(head) = shape.head() {
                 // Without stroke, so that the tip is where the vector ends.
-                let ink = format!(
-                    " fill=\"{}\" stroke=\"none\"",
-                    colour(look.stroke.unwrap_or(look.ink))
-                );
+                let ink = look.stroke.unwrap_or(look.ink);
+                let ink = format!(" fill=\"{ink}\" stroke=\"none\"");
                 write_path(written, None, &ink, |data| chain(data, &head, true));
             }
             written.push_str("</g>");

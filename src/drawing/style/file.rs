@@ -1,0 +1,133 @@
+//! The style file, version 1, as it is written: the contract, key by key.
+
+use super::super::look::{Cap, Colour};
+use super::super::sheet::Pen;
+use super::paint::{DashList, Dashes, Millimetres, Paint};
+use super::{Style, Table};
+use crate::scene::StyleName;
+use indexmap::IndexMap;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+use serde_json::Value as Json;
+use std::sync::Arc;
+
+/// How a figure looks: colours, widths and dashes of its pens. What is left out is as in the style that this one is based on.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"a style as { "kinegon_style": 1, … }"#
+)]
+#[schemars(rename = "style")]
+pub(super) struct StyleFile {
+    /// Version of the style format.
+    #[schemars(schema_with = "version")]
+    #[serde(rename = "kinegon_style")]
+    pub _version: u64,
+    /// Where an editor finds the schema.
+    #[schemars(skip)]
+    #[serde(rename = "$schema")]
+    pub _schema: Option<String>,
+    /// The style that this one differs from; left out: "paper".
+    pub based_on: Option<StyleName>,
+    /// Colour of the paper, and of the halos around letters.
+    pub background: Option<Colour>,
+    /// Colour of everything that has no other.
+    pub ink: Option<Colour>,
+    /// Colour of what comes with the step that a sheet shows.
+    pub accent: Option<Colour>,
+    /// Colours of the links in their order, again from the first where there are more links; [] for none.
+    pub links: Option<Vec<Colour>>,
+    /// Tints of the links' areas, likewise.
+    pub tints: Option<Vec<Colour>>,
+    /// Colours of the curves in a panel, likewise.
+    pub curves: Option<Vec<Colour>>,
+    /// Dashes of the curves: all colours with the first, then all with the second, and so on.
+    pub curve_dashes: Option<Vec<DashList>>,
+    /// How each kind of mark looks.
+    #[schemars(schema_with = "pens")]
+    #[serde(default)]
+    pub pens: IndexMap<Pen, PenFile>,
+}
+
+/// How one kind of mark looks.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r##"a pen as { "stroke": "#b5361c", "width": 0.25 }"##
+)]
+#[schemars(rename = "pen")]
+pub(super) struct PenFile {
+    /// Colour of lines and arrowheads.
+    pub stroke: Option<Paint>,
+    /// Width of lines, in mm.
+    pub width: Option<Millimetres>,
+    /// Dashes and gaps in turn, in mm; [] for full lines.
+    pub dash: Option<Dashes>,
+    /// Colour inside polygons and circles.
+    pub fill: Option<Paint>,
+    /// How lines end: "flat" at the very end, "round" beyond it.
+    pub cap: Option<Cap>,
+    /// Colour of letters; left out: that of lines, else the style's ink.
+    pub ink: Option<Paint>,
+    /// Width of the line in the background's colour around letters that stand on lines, in mm; 0 for none.
+    pub halo: Option<Millimetres>,
+}
+
+impl PenFile {
+    /// This pen where it says something, the other elsewhere.
+    fn or(self, other: PenFile) -> PenFile {
+        PenFile {
+            stroke: self.stroke.or(other.stroke),
+            width: self.width.or(other.width),
+            dash: self.dash.or(other.dash),
+            fill: self.fill.or(other.fill),
+            cap: self.cap.or(other.cap),
+            ink: self.ink.or(other.ink),
+            halo: self.halo.or(other.halo),
+        }
+    }
+}
+
+impl StyleFile {
+    /// The style: this file where it says something, the table elsewhere.
+    pub(super) fn over(self, mut table: Table) -> Style {
+        table.background = self.background.unwrap_or(table.background);
+        table.ink = self.ink.unwrap_or(table.ink);
+        table.accent = self.accent.unwrap_or(table.accent);
+        table.links = self.links.unwrap_or(table.links);
+        table.tints = self.tints.unwrap_or(table.tints);
+        table.curves = self.curves.unwrap_or(table.curves);
+        if let Some(dashes) = self.curve_dashes {
+            table.curve_dashes = dashes.into_iter().map(|DashList(dash)| dash).collect();
+        }
+        table.pens.resize(Pen::COUNT, PenFile::default());
+        for (pen, own) in self.pens {
+            let place = &mut table.pens[pen as usize];
+            *place = own.or(std::mem::take(place));
+        }
+        Style(Arc::new(table))
+    }
+}
+
+fn version(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "const": 1 })
+}
+
+/// An object with a key for each pen.
+fn pens(generator: &mut SchemaGenerator) -> Schema {
+    let pen = generator.subschema_for::<PenFile>();
+    let names = Pen::json_schema(generator).to_value();
+    let mut properties = serde_json::Map::new();
+    for name in names["oneOf"].as_array().into_iter().flatten() {
+        let Some(key) = name["const"].as_str() else {
+            continue;
+        };
+        let mut schema = pen.clone();
+        schema.insert("description".into(), name["description"].clone());
+        properties.insert(key.to_owned(), schema.to_value());
+    }
+    json_schema!({
+        "description": "How each kind of mark looks",
+        "type": "object", "properties": Json::Object(properties), "additionalProperties": false
+    })
+}

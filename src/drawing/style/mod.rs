@@ -1,0 +1,158 @@
+//! Styles: how each pen looks. In: a style file (`templates/styles`, or a person's own). Out: a [`Style`], asked for the look of a mark.
+//! Nothing is decided here of what is drawn, or where.
+
+mod emphasis;
+mod file;
+mod paint;
+
+use super::look::{Colour, Dash, Look};
+use super::sheet::Pen;
+use crate::scene::{FileKind, SceneError, StyleName, read_as, schema_of};
+use file::{PenFile, StyleFile};
+use paint::{Dashes, Paint};
+use std::sync::{Arc, LazyLock};
+
+const STYLE: FileKind = FileKind {
+    what: "style",
+    key: "kinegon_style",
+    version: 1,
+};
+
+/// How the marks of a drawing look. Copies share one table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Style(Arc<Table>);
+
+/// A style file with everything that it is based on.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Table {
+    background: Colour,
+    ink: Colour,
+    accent: Colour,
+    links: Vec<Colour>,
+    tints: Vec<Colour>,
+    curves: Vec<Colour>,
+    curve_dashes: Vec<Dash>,
+    /// By pen.
+    pens: Vec<PenFile>,
+}
+
+impl Default for Style {
+    /// The style `paper`.
+    fn default() -> Self {
+        Style::named(StyleName::default())
+    }
+}
+
+impl Style {
+    /// A style that comes with the program.
+    #[must_use]
+    pub fn named(name: StyleName) -> Style {
+        static STYLES: [LazyLock<Style>; 4] = [
+            LazyLock::new(|| whole(include_str!("../../../templates/styles/paper.json"))),
+            LazyLock::new(|| based(own(include_str!("../../../templates/styles/print.json")))),
+            LazyLock::new(|| based(own(include_str!("../../../templates/styles/lecture.json")))),
+            LazyLock::new(|| based(own(include_str!("../../../templates/styles/board.json")))),
+        ];
+        (*STYLES[name as usize]).clone()
+    }
+
+    /// The style that the text of a style file describes, or the first thing that is wrong with it.
+    ///
+    /// What the file leaves out is as in the style that it is based on, `paper` unless it says otherwise.
+    ///
+    /// ```
+    /// use kinegon::drawing::Style;
+    /// let style = Style::read(r##"{ "kinegon_style": 1, "based_on": "board", "background": "#000000" }"##)?;
+    /// assert_eq!(style.background().to_string(), "#000000");
+    ///
+    /// let error = Style::read(r#"{ "kinegon_style": 1, "pens": { "rays": { "width": 0.3 } } }"#).unwrap_err();
+    /// assert_eq!(error.to_string(), "1:34: pens.rays: unknown key `rays`; hint: did you mean `ray`?");
+    /// # Ok::<(), kinegon::scene::SceneError>(())
+    /// ```
+    pub fn read(text: &str) -> Result<Style, SceneError> {
+        read_as(text, &STYLE).map(based)
+    }
+
+    /// The JSON Schema (draft 2020-12) of the style file, with descriptions, for editors.
+    #[must_use]
+    pub fn schema() -> serde_json::Value {
+        schema_of::<StyleFile>("Kinegon drawing style, version 1")
+    }
+
+    /// How a mark of a pen looks that belongs to the link or the curve of that number, or to none.
+    #[must_use]
+    pub fn look(&self, pen: Pen, number: Option<usize>) -> Look {
+        let own = &self.0.pens[pen as usize];
+        let paint = |paint: Option<Paint>| paint.and_then(|paint| self.colour(paint, number));
+        let stroke = paint(own.stroke);
+        let ink = paint(own.ink).or(stroke).unwrap_or(self.0.ink);
+        Look {
+            stroke,
+            width: own.width.map_or(0.0, f64::from),
+            dash: match &own.dash {
+                Some(Dashes::Of(dash)) => dash.clone(),
+                Some(Dashes::OfCurve) => self.curve_dash(number.unwrap_or(0)),
+                None => Dash::new(),
+            },
+            fill: paint(own.fill),
+            cap: own.cap.unwrap_or_default(),
+            ink,
+            halo: own.halo.map_or(0.0, f64::from),
+        }
+    }
+
+    /// Colour of the paper, and of the halos of letters.
+    #[must_use]
+    pub fn background(&self) -> Colour {
+        self.0.background
+    }
+
+    /// Colours of the links in turn; empty where links are not told apart by colours.
+    #[must_use]
+    pub fn links(&self) -> &[Colour] {
+        &self.0.links
+    }
+
+    fn colour(&self, paint: Paint, number: Option<usize>) -> Option<Colour> {
+        let table = &self.0;
+        let of = |list: &[Colour]| {
+            let number = number.filter(|_| !list.is_empty())?;
+            Some(list[number % list.len()])
+        };
+        match paint {
+            Paint::None => None,
+            Paint::Of(colour) => Some(colour),
+            Paint::Ink => Some(table.ink),
+            Paint::Background => Some(table.background),
+            Paint::Link => of(&table.links).or(Some(table.ink)),
+            Paint::Tint => of(&table.tints),
+            Paint::Curve => of(&table.curves).or(Some(table.ink)),
+        }
+    }
+
+    /// All colours with the first dash, then all with the second, and so on.
+    fn curve_dash(&self, number: usize) -> Dash {
+        let dashes = &self.0.curve_dashes;
+        let round = number / self.0.curves.len().max(1);
+        match dashes.len() {
+            0 => Dash::new(),
+            count => dashes[round % count].clone(),
+        }
+    }
+}
+
+/// The style that the others are based on, in the end.
+fn whole(text: &str) -> Style {
+    own(text).over(Table::default())
+}
+
+/// A style that is based on another.
+fn based(file: StyleFile) -> Style {
+    let base = Style::named(file.based_on.unwrap_or_default());
+    file.over((*base.0).clone())
+}
+
+/// A style file of the program, which needs no check when it runs: a test reads it strictly.
+fn own(text: &str) -> StyleFile {
+    serde_json::from_str(text).expect("the styles of the program are sound")
+}
