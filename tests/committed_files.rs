@@ -1,7 +1,7 @@
 //! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper and curves over the second
 //! one's cycle, the gallery.
 //!
-//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `kinegon draw`,
+//! `kinegon schema scene > templates/scene.schema.json`, likewise `result` and `style`, `kinegon draw`,
 //! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"` and
 //! `cargo run --release --example gallery` make them anew.
 
@@ -12,7 +12,7 @@ mod gallery;
 mod stages;
 
 use kinegon::cycle::{Curves, Drive, Path};
-use kinegon::drawing::Drawing;
+use kinegon::drawing::{Drawing, Style};
 use kinegon::scene::Scene;
 use kinegon::{drawing, format, mechanism, position};
 use stages::Stages;
@@ -67,6 +67,10 @@ fn schemas_are_current() {
     same(
         "templates/result.schema.json",
         &format::json(&format::result_schema()),
+    );
+    same(
+        "templates/style.schema.json",
+        &format::json(&Style::schema()),
     );
 }
 

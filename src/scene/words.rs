@@ -106,7 +106,7 @@ pub(super) fn plain(message: &str, path: &[&str], found: Option<&Json>) -> Plain
     }
     if let Some((word, names)) = unknown(message, "unknown variant `") {
         // The word may be a key of an object whose keys are chosen from a list.
-        if found.is_some_and(|found| found.get(word).is_some()) {
+        if found.is_some_and(Json::is_object) {
             return unknown_key(path, word, &names);
         }
         return Plain {

@@ -8,6 +8,7 @@ use crate::scene::StyleName;
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
+use serde::de::IntoDeserializer;
 use serde_json::Value as Json;
 use std::sync::Arc;
 
@@ -46,7 +47,20 @@ pub(super) struct StyleFile {
     /// How each kind of mark looks.
     #[schemars(schema_with = "pens")]
     #[serde(default)]
-    pub pens: IndexMap<Pen, PenFile>,
+    pub pens: IndexMap<PenName, PenFile>,
+}
+
+/// A pen as a key. It is read as a text first, so that a message about its value can name it.
+#[derive(Debug, PartialEq, Eq, Hash, Deserialize)]
+#[serde(try_from = "String")]
+pub(super) struct PenName(Pen);
+
+impl TryFrom<String> for PenName {
+    type Error = serde::de::value::Error;
+
+    fn try_from(name: String) -> Result<PenName, Self::Error> {
+        Pen::deserialize(name.into_deserializer()).map(PenName)
+    }
 }
 
 /// How one kind of mark looks.
@@ -101,7 +115,7 @@ impl StyleFile {
             table.curve_dashes = dashes.into_iter().map(|DashList(dash)| dash).collect();
         }
         table.pens.resize(Pen::COUNT, PenFile::default());
-        for (pen, own) in self.pens {
+        for (PenName(pen), own) in self.pens {
             let place = &mut table.pens[pen as usize];
             *place = own.or(std::mem::take(place));
         }

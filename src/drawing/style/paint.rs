@@ -176,7 +176,7 @@ impl<'de> Deserialize<'de> for Dashes {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(DashForms {
             word: true,
-            expecting: "dashes and gaps in turn as [1.8, 1.0], [] for a full line, or \"curve\"",
+            expecting: "dashes and gaps above 0 in turn as [1.8, 1.0], [] for a full line, or \"curve\"",
         })
     }
 }
@@ -185,7 +185,7 @@ impl<'de> Deserialize<'de> for DashList {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let dashes = deserializer.deserialize_any(DashForms {
             word: false,
-            expecting: "dashes and gaps in turn as [1.8, 1.0], or [] for a full line",
+            expecting: "dashes and gaps above 0 in turn as [1.8, 1.0], or [] for a full line",
         })?;
         match dashes {
             Dashes::Of(dash) => Ok(DashList(dash)),
