@@ -5,7 +5,7 @@ mod files;
 mod program;
 mod stages;
 
-use kinegon::drawing::{Colour, Drawing, Look, Mark, Pen, Shape, Style};
+use kinegon::drawing::{Colour, Drawing, Emphasis, Look, Mark, Pen, Shape, Style};
 use kinegon::format;
 use kinegon::scene::StyleName;
 use program::{kinegon, scratch, stderr};
@@ -171,6 +171,22 @@ fn letters_stand_out_from_what_they_stand_on() {
                     name.as_str()
                 );
             }
+        }
+        // On sheets of single steps names are in the accent colour, or paler.
+        let mut drawing = Drawing::new(100.0, 100.0);
+        drawing.style = style.clone();
+        for emphasis in [Emphasis::New, Emphasis::Earlier] {
+            let outline = Shape::Polygon(Vec::new());
+            let mark = Mark {
+                emphasis,
+                ..Mark::new(Pen::Label, outline)
+            };
+            let contrast = contrast(drawing.look(&mark).ink, style.background());
+            assert!(
+                contrast >= 4.5,
+                "{}: {emphasis:?}: {contrast}",
+                name.as_str()
+            );
         }
         // Names and values of curves stand on the background; so do lines, for which 3 is enough (WCAG 2.1, 1.4.11).
         for (pen, look) in &looks {
