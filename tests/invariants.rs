@@ -17,8 +17,9 @@ use kinegon::Error;
 use kinegon::format::ResultFile;
 use kinegon::geometry::{Point, cross};
 use kinegon::mechanism::{LoopEquations, StructureError, mechanism};
-use kinegon::motion::{ClosedForm, RightSide};
+use kinegon::motion::ClosedForm;
 use kinegon::scene::Scene;
+use nalgebra::DVector;
 use random::Random;
 use serde_json::Value;
 use stages::Stages;
@@ -290,11 +291,16 @@ fn the_closed_form_agrees_with_the_whole_system() {
         let Some(form) = ClosedForm::new(&equations, &pose.points, &pose.guides) else {
             continue;
         };
-        let side = RightSide::velocity(&equations, pose, motion);
-        let closed = form.solve_all(&side.value);
+        // The right side that belongs to this motion.
+        let rates = DVector::from_fn(equations.unknowns, |unknown, _| {
+            let link = equations.link_of(unknown).expect("all pins");
+            motion.body(link).omega
+        });
+        let side = &matrix * rates;
+        let closed = form.solve_all(side.as_slice());
         let closed: [f64; 4] =
             std::array::from_fn(|i| equations.spin(links[i], &closed, |_| f64::NAN));
-        let whole = system.solve(&side.value);
+        let whole = system.solve(side.as_slice());
         let rates: [f64; 4] =
             std::array::from_fn(|i| equations.spin(links[i], &whole, |_| f64::NAN));
         // Every rate counts with the length of its arm, as it stands in the equations.

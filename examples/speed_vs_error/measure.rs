@@ -179,6 +179,21 @@ impl Case {
         Some(largest.map(|error| error / (U * condition)))
     }
 
+    /// The largest error of a link's ω or α in units u·|its true value|; 1 at most where it is the nearest f64.
+    pub fn roundings(&self, rates: &Rates<f64>) -> f64 {
+        let truth = self.truth.omega.iter().chain(&self.truth.alpha);
+        let got = rates.omega.into_iter().chain(rates.alpha);
+        let errors = got.zip(truth).map(|(got, truth)| {
+            let error = error(got, truth);
+            if error == 0.0 {
+                0.0
+            } else {
+                error / (U * rounded(truth).abs())
+            }
+        });
+        errors.fold(0.0, f64::max)
+    }
+
     /// The larger of both.
     pub fn worst_units(&self, rates: &Rates<f64>) -> Option<f64> {
         self.units(rates).map(|[v, a]| v.max(a))

@@ -3,6 +3,7 @@
 //! Nothing here knows what a mechanism is.
 
 mod angle;
+mod ball;
 mod lanes;
 mod line;
 mod numbers;
@@ -10,6 +11,7 @@ mod reduced;
 mod system;
 
 pub use angle::{degrees_of, direction_of_degrees, turn_of_degrees};
+pub use ball::Ball;
 pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row};
 pub use line::{Crossing, Line, PARALLEL, Place};
 pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};

@@ -104,7 +104,7 @@ pub fn direction_near<T: Number>(degrees: T, quarters: f64) -> Pair<T> {
 }
 
 /// A vector of such numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pair<T> {
     /// Along x.
     pub x: T,
@@ -112,7 +112,7 @@ pub struct Pair<T> {
     pub y: T,
 }
 
-impl<T: Number> Pair<T> {
+impl<T: Neg<Output = T>> Pair<T> {
     /// Turned by +90°.
     #[inline(always)]
     #[must_use]
@@ -122,7 +122,9 @@ impl<T: Number> Pair<T> {
             y: self.x,
         }
     }
+}
 
+impl<T: Number> Pair<T> {
     /// `local` turned by the angle of which this is cosine and sine.
     #[inline(always)]
     #[must_use]
@@ -194,7 +196,7 @@ impl From<Vector> for Pair<f64> {
     }
 }
 
-impl<T: Number> Add for Pair<T> {
+impl<T: Add<Output = T>> Add for Pair<T> {
     type Output = Self;
 
     #[inline(always)]
@@ -206,7 +208,7 @@ impl<T: Number> Add for Pair<T> {
     }
 }
 
-impl<T: Number> Sub for Pair<T> {
+impl<T: Sub<Output = T>> Sub for Pair<T> {
     type Output = Self;
 
     #[inline(always)]
@@ -218,7 +220,7 @@ impl<T: Number> Sub for Pair<T> {
     }
 }
 
-impl<T: Number> Neg for Pair<T> {
+impl<T: Neg<Output = T>> Neg for Pair<T> {
     type Output = Self;
 
     #[inline(always)]
@@ -230,7 +232,7 @@ impl<T: Number> Neg for Pair<T> {
     }
 }
 
-impl<T: Number> Mul<T> for Pair<T> {
+impl<T: Copy + Mul<Output = T>> Mul<T> for Pair<T> {
     type Output = Self;
 
     #[inline(always)]

@@ -21,8 +21,17 @@ pub struct LinearSystem {
     factors: LU<f64, Dyn, Dyn>,
     column_scale: DVector<f64>,
     row_scale: DVector<f64>,
-    /// Magnitudes of the scaled matrix's inverse, once somebody has asked for them.
-    inverse: OnceLock<DMatrix<f64>>,
+    /// Once somebody has asked for it.
+    inverse: OnceLock<Inverse>,
+}
+
+/// The inverse of the scaled matrix.
+#[derive(Clone, Debug)]
+struct Inverse {
+    /// Magnitudes of its elements.
+    magnitudes: DMatrix<f64>,
+    /// The condition number that goes with it.
+    condition: f64,
 }
 
 impl LinearSystem {
@@ -66,6 +75,13 @@ impl LinearSystem {
             .collect()
     }
 
+    /// The largest of the unknowns `x` as the scaled matrix has them: each counts with the size of its column.
+    #[must_use]
+    pub fn size(&self, x: impl IntoIterator<Item = f64>) -> f64 {
+        let scaled = x.into_iter().zip(&self.column_scale);
+        scaled.fold(0.0, |largest, (x, scale)| largest.max((x / scale).abs()))
+    }
+
     /// The determinant of the matrix.
     #[must_use]
     pub fn determinant(&self) -> f64 {
@@ -73,21 +89,28 @@ impl LinearSystem {
         scales.fold(self.factors.determinant(), |d, scale| d / scale)
     }
 
-    /// The magnitudes of the scaled matrix's inverse.
-    fn inverse_magnitudes(&self) -> &DMatrix<f64> {
+    fn inverse(&self) -> &Inverse {
         self.inverse.get_or_init(|| {
             let size = self.scaled.nrows();
-            let mut inverse = DMatrix::identity(size, size);
-            self.factors.solve_mut(&mut inverse);
-            inverse.abs()
+            let mut magnitudes = DMatrix::identity(size, size);
+            self.factors.solve_mut(&mut magnitudes);
+            magnitudes.apply(|x| *x = x.abs());
+            let norm = |matrix: &DMatrix<f64>| {
+                let rows = matrix.row_iter();
+                let sums = rows.map(|row| row.iter().map(|x| x.abs()).sum());
+                sums.fold(0.0, f64::max)
+            };
+            Inverse {
+                condition: (norm(&self.scaled) * norm(&magnitudes)).max(1.0),
+                magnitudes,
+            }
         })
     }
 
     /// The condition number of the scaled matrix in the largest-row-sum norm, at least 1.
     #[must_use]
     pub fn condition(&self) -> f64 {
-        let norm = |m: &DMatrix<f64>| m.row_iter().map(|r| r.sum()).fold(0.0, f64::max);
-        (norm(&self.scaled.abs()) * norm(self.inverse_magnitudes())).max(1.0)
+        self.inverse().condition
     }
 
     /// A bound on the error of each element of the solution `x` of the right side `b`, taking the matrix as exact.
@@ -96,28 +119,33 @@ impl LinearSystem {
     /// The bound is |A⁻¹| (|b − A x| + `uncertain` + the rounding of that residual, added up as it goes on).
     #[must_use]
     pub fn error_bound(&self, x: &[f64], b: &[f64], uncertain: &[f64]) -> Numbers {
-        let x = DVector::from_column_slice(x).component_div(&self.column_scale);
-        let right = DVector::from_column_slice(b).component_mul(&self.row_scale);
-        let mut doubt = DVector::from_column_slice(uncertain).component_mul(&self.row_scale);
-        for (row, coefficients) in self.scaled.row_iter().enumerate() {
-            let (mut residual, mut rounding) = (right[row], 0.0);
-            for (a, x) in coefficients.iter().zip(&x) {
-                let product = a * x;
+        let x = x.iter().zip(&self.column_scale);
+        let x: Numbers = x.map(|(x, scale)| x / scale).collect();
+        let doubt = (0..b.len()).map(|row| {
+            let (mut residual, mut rounding) = (b[row] * self.row_scale[row], 0.0);
+            for (column, x) in x.iter().enumerate() {
+                let product = self.scaled[(row, column)] * x;
                 residual -= product;
                 if product != 0.0 {
                     rounding += product.abs() + residual.abs();
                 }
             }
-            doubt[row] += residual.abs() + rounding * UNIT_ROUNDOFF;
-        }
+            let inherited = uncertain[row] * self.row_scale[row];
+            inherited + residual.abs() + rounding * UNIT_ROUNDOFF
+        });
+        let doubt: Numbers = doubt.collect();
+        let Inverse {
+            magnitudes,
+            condition,
+        } = self.inverse();
         // The inverse is known to about u·condition only.
-        let blur = 1.0 + INVERSE_ROUNDINGS * UNIT_ROUNDOFF * self.condition();
-        let bound = self.inverse_magnitudes() * doubt * blur;
-        bound
-            .component_mul(&self.column_scale)
-            .iter()
-            .copied()
-            .collect()
+        let blur = 1.0 + INVERSE_ROUNDINGS * UNIT_ROUNDOFF * condition;
+        let bound = self.column_scale.iter().enumerate().map(|(row, scale)| {
+            let doubt = doubt.iter().enumerate();
+            let products = doubt.map(|(column, doubt)| magnitudes[(row, column)] * doubt);
+            products.sum::<f64>() * blur * scale
+        });
+        bound.collect()
     }
 }
 

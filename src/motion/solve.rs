@@ -1,20 +1,20 @@
 use super::known::{driven_motion, known_motion, slid};
+use super::moving::{Moving, Sliding, State};
+use super::refine::Solver;
+use super::sides::{acceleration_sides, velocity_sides};
 use super::singular::singular;
-use super::{
-    BodyMotion, ClosedForm, GroupAccuracy, Motion, MotionError, MotionErrors, Order, Rates,
-    RightSide, SlideMotion,
-};
-use crate::geometry::{Numbers, UNIT_ROUNDOFF, Vector};
+use super::{GroupAccuracy, Motion, MotionError, Order};
+use crate::geometry::{Ball, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::{
-    BodyId, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, SliderId,
+    BodyId, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, SliderId, Spin,
 };
 use crate::position::Pose;
 use smallvec::smallvec;
 
-/// Condition number from which a group counts as singular: no digit of a rate would be certain.
+/// Condition number from which a group counts as singular: with coordinates rounded to f64 no digit of a rate would be certain.
 const SINGULAR_CONDITION: f64 = 0.05 / UNIT_ROUNDOFF;
 
-/// Condition number from which a result carries a warning: fewer than 8 certain digits are left.
+/// Condition number from which a result carries a warning: such coordinates determine fewer than 8 digits.
 const NEARLY_SINGULAR_CONDITION: f64 = 1e-8 / UNIT_ROUNDOFF;
 
 /// The largest velocity, acceleration or rate that is given out: its square is still a number, and so are sums of squares.
@@ -26,21 +26,23 @@ const LARGEST: f64 = 1e150;
 /// [`MotionError::Singular`] names the links and lines where a group has no definite motion.
 pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion, MotionError> {
     let bodies = mechanism.bodies.iter();
-    let (bodies, errors) = bodies
-        .map(|body| known_motion(mechanism, pose, body, order))
-        .unzip();
-    let sliders = mechanism.sliders.iter();
-    let mut motion = Motion {
-        order,
-        bodies,
-        errors,
-        slides: sliders.map(|s| driven_motion(s, order)).collect(),
-        groups: Vec::new(),
-        warnings: Vec::new(),
+    let mut state = State {
+        bodies: bodies.map(|b| known_motion(mechanism, pose, b)).collect(),
+        slides: mechanism.sliders.iter().map(driven_motion).collect(),
     };
+    let (mut groups, mut warnings) = (Vec::new(), Vec::new());
     for group in &mechanism.groups {
-        move_group(mechanism, group, pose, &mut motion)?;
+        let condition = move_group(mechanism, group, pose, order, &mut state)?;
+        if condition > NEARLY_SINGULAR_CONDITION {
+            let digits = -libm::log10(condition * UNIT_ROUNDOFF);
+            warnings.push(format!(
+                "links {} are near a singular position (condition {condition:.1e}): coordinates of 16 digits determine about {digits:.0} digits of their rates",
+                group.link_names(mechanism),
+            ));
+        }
+        groups.push(GroupAccuracy { condition });
     }
+    let motion = state.rounded(order, groups, warnings);
     match too_large(mechanism, pose, &motion) {
         Some(link) => Err(MotionError::Overflow {
             links: mechanism.body(link).name.clone(),
@@ -63,13 +65,14 @@ fn too_large(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Option<Body
     })
 }
 
-/// Adds the motion of `group`, whose outer bodies' motions are known.
+/// Adds the motion of `group`, whose outer bodies' motions are known. Returns the condition number.
 fn move_group(
     mechanism: &Mechanism,
     group: &Group,
     pose: &Pose,
-    motion: &mut Motion,
-) -> Result<(), MotionError> {
+    order: Order,
+    state: &mut State,
+) -> Result<f64, MotionError> {
     let equations = LoopEquations::new(mechanism, group);
     let singular = |condition| singular(mechanism, group, pose, condition);
     let system = equations
@@ -89,77 +92,42 @@ fn move_group(
     if condition.is_nan() || condition >= SINGULAR_CONDITION {
         return Err(singular(condition));
     }
-    if condition > NEARLY_SINGULAR_CONDITION {
-        let digits = -libm::log10(condition * UNIT_ROUNDOFF);
-        motion.warnings.push(format!(
-            "links {} are near a singular position (condition {condition:.1e}): about {digits:.0} digits of their rates are certain",
-            group.link_names(mechanism),
-        ));
-    }
-    let closed = ClosedForm::new(&equations, &pose.points, &pose.guides);
-    let solved = |mut side: RightSide| {
-        let rates = match &closed {
-            Some(form) => form.solve_all(&side.value),
-            None => system.solve(&side.value),
-        };
-        side.doubt_coefficients(&equations, pose, &rates);
-        let errors = system.error_bound(&rates, &side.value, &side.uncertain);
-        (rates, errors)
+    let solver = Solver::new(&equations, &system, pose);
+    let rates = solver.solve(&velocity_sides(&equations, pose, state));
+    let seconds = match order {
+        Order::Velocity => smallvec![Ball::default(); equations.unknowns],
+        Order::Acceleration => solver.solve(&acceleration_sides(&equations, pose, state, &rates)),
     };
-    let (rates, rate_errors) = solved(RightSide::velocity(&equations, pose, motion));
-    let (seconds, second_errors) = match motion.order {
-        Order::Velocity => {
-            let zeros: Numbers = smallvec![0.0; equations.unknowns];
-            (zeros.clone(), zeros)
-        }
-        Order::Acceleration => {
-            let rates = Rates {
-                values: &rates,
-                errors: &rate_errors,
-            };
-            solved(RightSide::acceleration(&equations, pose, motion, rates))
-        }
-    };
-    let finite = |x: &Numbers| x.iter().all(|x| x.is_finite());
-    if ![&rates, &rate_errors, &seconds, &second_errors]
-        .into_iter()
-        .all(finite)
-    {
+    let mut all = rates.iter().chain(&seconds);
+    if !all.all(|x| x.high.is_finite() && x.error().is_finite()) {
         return Err(MotionError::Overflow {
             links: group.link_names(mechanism),
         });
     }
-    motion.groups.push(GroupAccuracy { condition });
 
     for &link in &group.bodies {
-        let omega = equations.spin(link, &rates, |b| motion.body(b).omega);
-        let alpha = equations.spin(link, &seconds, |b| motion.body(b).alpha);
-        let errors = MotionErrors {
-            omega: equations.spin(link, &rate_errors, |b| motion.error(b).omega),
-            alpha: equations.spin(link, &second_errors, |b| motion.error(b).alpha),
-            ..MotionErrors::default()
+        let (omega, alpha) = match equations.spin_of(link) {
+            Spin::Unknown(unknown) => (rates[unknown], seconds[unknown]),
+            Spin::Known(body) => (state.body(body).omega, state.body(body).alpha),
         };
-        let body = &mut motion.bodies[link.0];
+        let body = &mut state.bodies[link.0];
         (body.omega, body.alpha) = (omega, alpha);
-        motion.errors[link.0] = errors;
     }
     for slider in (0..mechanism.sliders.len()).map(SliderId) {
         if let Some(unknown) = equations.slide_unknown(slider) {
-            motion.slides[slider.0] = SlideMotion {
+            state.slides[slider.0] = Sliding {
                 velocity: rates[unknown],
                 acceleration: seconds[unknown],
-                velocity_error: rate_errors[unknown],
-                acceleration_error: second_errors[unknown],
             };
         }
     }
-    place_motions(mechanism, group, pose, motion);
-    Ok(())
+    place_motions(mechanism, group, pose, state);
+    Ok(condition)
 }
 
 /// Gives each link a place whose motion is known: from the start of its loop, the last link from the end; the links of a compound
 /// link from that of them which the loop enters.
-fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, motion: &mut Motion) {
+fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, state: &mut State) {
     let mut placed: Vec<BodyId> = Vec::new();
     let mut waiting: Vec<&Loop> = group.loops.iter().collect();
     // A loop that closes on a link of the group waits for that link.
@@ -180,10 +148,10 @@ fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, motion: &mut
             }
             placed.push(to);
             let [from, entered] = [from, to].map(|link| mechanism.side(joint, link));
-            carry_over(mechanism, pose, motion, joint, from, entered);
+            carry_over(mechanism, pose, state, joint, from, entered);
             for link in mechanism.compound(to) {
                 for slide in mechanism.way(entered, link) {
-                    slide_over(mechanism, pose, motion, slide.slider, slide.from, slide.to);
+                    slide_over(mechanism, pose, state, slide.slider, slide.from, slide.to);
                 }
             }
         }
@@ -194,30 +162,20 @@ fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, motion: &mut
 fn carry_over(
     mechanism: &Mechanism,
     pose: &Pose,
-    motion: &mut Motion,
+    state: &mut State,
     joint: JointId,
     from: BodyId,
     to: BodyId,
 ) {
     match mechanism.joint(joint).kind {
-        JointKind::Prismatic(slider) => slide_over(mechanism, pose, motion, slider, from, to),
+        JointKind::Prismatic(slider) => slide_over(mechanism, pose, state, slider, from, to),
         JointKind::Revolute(point) => {
-            let at = pose.point(point);
-            let (source, errors) = (motion.body(from), motion.error(from));
-            let (moved, errors) = (source.referred_to(at), errors.at(source, at));
-            let (omega, alpha) = (motion.body(to).omega, motion.body(to).alpha);
-            let moved = BodyMotion {
-                omega,
-                alpha,
-                ..moved
-            };
-            let own = motion.error(to);
-            let errors = MotionErrors {
+            let own = *state.body(to);
+            state.bodies[to.0] = Moving {
                 omega: own.omega,
                 alpha: own.alpha,
-                ..errors
+                ..state.body(from).referred_to(pose.point(point))
             };
-            put(motion, to, moved, errors);
         }
     }
 }
@@ -226,23 +184,11 @@ fn carry_over(
 fn slide_over(
     mechanism: &Mechanism,
     pose: &Pose,
-    motion: &mut Motion,
+    state: &mut State,
     slider: SliderId,
     from: BodyId,
     to: BodyId,
 ) {
-    let source = (*motion.body(from), *motion.error(from));
-    let slide = motion.slide(slider);
-    let (moved, errors) = slid(mechanism, pose, slider, from, source, slide);
-    put(motion, to, moved, errors);
-}
-
-/// Notes the motion of body `to` as far as it was asked for.
-fn put(motion: &mut Motion, to: BodyId, mut moved: BodyMotion, mut errors: MotionErrors) {
-    if motion.order == Order::Velocity {
-        moved.acceleration.fill(0.0);
-        errors.acceleration.fill(0.0);
-    }
-    motion.bodies[to.0] = moved;
-    motion.errors[to.0] = errors;
+    let (source, slide) = (state.body(from), state.slide(slider));
+    state.bodies[to.0] = slid(mechanism, pose, slider, from, source, slide);
 }

@@ -1,4 +1,4 @@
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Ball, Pair, Point, Vector};
 use crate::mechanism::{PointId, SliderId};
 
 /// Where a mechanism is.
@@ -40,6 +40,13 @@ impl Pose {
     #[must_use]
     pub fn arm(&self, from: PointId, to: PointId) -> Vector {
         self.points[to.0] - self.points[from.0]
+    }
+
+    /// The same without any rounding.
+    #[inline]
+    #[must_use]
+    pub fn exact_arm(&self, from: PointId, to: PointId) -> Pair<Ball> {
+        Pair::between(self.points[from.0], self.points[to.0])
     }
 
     /// The unit direction of a slider's guide.
