@@ -3,6 +3,7 @@
 mod files;
 mod stages;
 
+use kinegon::accuracy::bounds;
 use kinegon::cycle::{Drive, Path, alone};
 use kinegon::geometry::{Point, Vector, span};
 use kinegon::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
@@ -13,9 +14,9 @@ use stages::Stages;
 /// How far a drive is moved to each side: degrees, or parts of the mechanism's size.
 const TO_EACH_SIDE: [f64; 2] = [8.0, 0.01];
 
-/// How far apart rates may be, in stated bounds, which hold for the places of a pose as they are: here the loop equations begin at
-/// rounded places, the way at angles and slides.
-const BOUNDS: f64 = 16.0;
+/// How far apart rates may be, in stated bounds, in which rounded places count: here the loop equations begin at such, the way at
+/// angles and slides.
+const BOUNDS: f64 = 1.0;
 
 /// How near the order of differences is to 2.
 const ORDER_WITHIN: f64 = 0.1;
@@ -70,8 +71,10 @@ fn rates_on_the_way_are_those_of_the_loop_equations() {
         for part in -4..=4 {
             let value = middle + 0.25 * f64::from(part) * width;
             let position = walker.position(value).expect("it is on the path");
-            let motion = motion(mechanism, &position.pose(), Order::Acceleration)
+            let pose = position.pose();
+            let motion = motion(mechanism, &pose, Order::Acceleration)
                 .unwrap_or_else(|error| panic!("{name} at {value}: {error}"));
+            let bounds = bounds(mechanism, &pose, &motion);
             let near = |what: &str, got: f64, other: f64, bound: f64| {
                 let rounding = 4.0 * f64::EPSILON * other.abs();
                 let off = (got - other).abs();
@@ -81,17 +84,17 @@ fn rates_on_the_way_are_those_of_the_loop_equations() {
                 );
             };
             for (id, body) in mechanism.links() {
-                let ([omega, alpha], errors) = (position.spin(id), motion.errors[id.0]);
+                let ([omega, alpha], errors) = (position.spin(id), bounds.spin(id));
                 let is = |what| format!("{what} of {}", body.name);
-                near(&is("ω"), omega, motion.body(id).omega, errors.omega);
-                near(&is("α"), alpha, motion.body(id).alpha, errors.alpha);
+                near(&is("ω"), omega, motion.body(id).omega, errors[0]);
+                near(&is("α"), alpha, motion.body(id).alpha, errors[1]);
             }
             for id in (0..mechanism.sliders.len()).map(SliderId) {
                 let ([first, second], other) = (position.slide_rates(id), motion.slide(id));
                 let is = |what| format!("{what} of {}", mechanism.slider_name(id));
-                near(&is("v_r"), first, other.velocity, other.velocity_error);
-                let bound = other.acceleration_error;
-                near(&is("a_r"), second, other.acceleration, bound);
+                let errors = bounds.slide(id);
+                near(&is("v_r"), first, other.velocity, errors[0]);
+                near(&is("a_r"), second, other.acceleration, errors[1]);
             }
         }
     });

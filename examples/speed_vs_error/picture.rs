@@ -23,7 +23,7 @@ const BREAK: f64 = 178.0;
 const BY_HAND: f64 = 193.0;
 
 /// Decades of errors, and the height of those without a number.
-const ERRORS: [f64; 2] = [-1.0, 16.0];
+const ERRORS: [f64; 2] = [-2.0, 16.0];
 const NO_NUMBER: f64 = 17.6;
 
 /// Style of a method's marks.
@@ -82,7 +82,7 @@ pub fn picture(survey: &Survey, times: &[f64]) -> Drawing {
 
 fn axes(drawing: &mut Drawing) {
     let (left, right) = (FRAME.x0, FRAME.x1);
-    let mut decade = ERRORS[0] + 1.0;
+    let mut decade = 0.0;
     while decade <= ERRORS[1] {
         let y = height(decade);
         drawing.draw(
