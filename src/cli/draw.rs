@@ -82,8 +82,11 @@ impl Draw {
         let (mechanism, own) = (&work.mechanism, (&work.pose, &work.construction));
         let film = Film::new(mechanism, own, self.drive.as_deref(), self.positions.into());
         let film = film.map_err(|error| Failure::Scene(source.clone(), Box::new(error.into())))?;
-        let value = |value: &f64| film.drive.as_ref().map(|drive| shown(drive, *value));
-        let values: Vec<String> = film.values.iter().filter_map(value).collect();
+        let value = |value: &f64| {
+            let drive = film.drive.as_ref();
+            drive.map_or_else(String::new, |drive| shown(drive, *value))
+        };
+        let values: Vec<String> = film.values.iter().map(value).collect();
         let quantity = film.drive.as_ref().map(Drive::quantity);
         let mut frames = frames(&work.scene, mechanism, &film.positions, film.own);
         self.figures.dress(&mut frames)?;
