@@ -37,6 +37,7 @@ pub mod motion;
 pub mod plan;
 pub mod position;
 pub mod scene;
+pub mod words;
 
 mod error;
 

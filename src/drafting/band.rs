@@ -93,7 +93,7 @@ pub fn pencil(
         let needed = Sheet::ALL.into_iter().zip(given);
         let mut needed = needed.filter(|(sheet, _)| *sheet <= reading.sheet);
         match needed.find(|(_, scale)| scale.is_none()) {
-            Some((sheet, _)) => Err(Unread::NoSheet(sheet.name())),
+            Some((sheet, _)) => Err(Unread::NoSheet(sheet)),
             None => Ok(reading),
         }
     });

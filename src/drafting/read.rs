@@ -44,8 +44,8 @@ pub enum Unread {
     #[error("errors of this size take the construction apart")]
     Apart,
     /// The figure has no such panel.
-    #[error("the figure has no {0}, so no scale")]
-    NoSheet(&'static str),
+    #[error("the figure has no {}, so no scale", .0.name())]
+    NoSheet(Sheet),
 }
 
 impl Sheet {

@@ -4,6 +4,7 @@ use crate::mechanism::{
     BodyId, DrivenSlide, Group, JointKind, Leg, Mechanism, PointId, SliderId, SpecialPoint,
 };
 use crate::position::Pose;
+use crate::words::Wording;
 
 /// The kinds of a leg's joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,7 +125,7 @@ impl CutLine {
 
     /// Name of the line, as in `BC`, or `the normal to the guide of 3/2 through B`.
     #[must_use]
-    pub fn name(&self, mechanism: &Mechanism, point: &str) -> String {
+    pub fn name(&self, words: &Wording, mechanism: &Mechanism, point: &str) -> String {
         let name = |p: PointId| mechanism.point_name(p);
         match self.kind {
             LegKind::Pin { outer } => format!("{}{point}", name(outer)),
@@ -142,9 +143,9 @@ impl CutLine {
                 at: pin,
             } => {
                 let guide = mechanism.slider_name(slider);
-                format!("the normal to the guide of {guide} through {}", name(pin))
+                (words.language.normal_to_guide)(&guide, name(pin))
             }
-            LegKind::Sliders => "the line at infinity".to_owned(),
+            LegKind::Sliders => words.language.line_at_infinity.to_owned(),
         }
     }
 }

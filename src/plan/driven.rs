@@ -1,10 +1,11 @@
 use super::name::{coriolis_name, slide_name};
 use super::step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Step};
-use super::words;
+use super::words::{self, Added};
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{DrivenSlide, Mechanism};
 use crate::motion::Motion;
 use crate::position::Pose;
+use crate::words::Wording;
 
 /// What a driven slider adds to the motion of a point, from the body before it to the body behind it: known vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,7 +54,8 @@ pub(super) struct SlidePart {
     pub to: String,
     vector: Vector,
     part: Part,
-    words: [String; 2],
+    added: Added,
+    slide: DrivenSlide,
 }
 
 /// The vectors that driven sliders add to a plan from the point `start` on; those that vanish are left out.
@@ -66,7 +68,7 @@ pub(super) fn parts(
     let mut parts = Vec::new();
     let mut entered = String::new();
     for measure in slides {
-        let slide = &measure.slide;
+        let slide = measure.slide;
         entered.push_str(&mechanism.body(slide.to).name);
         let to = slide_name(start, &entered);
         match kind {
@@ -74,20 +76,23 @@ pub(super) fn parts(
                 to,
                 vector: measure.velocity,
                 part: Part::Sliding,
-                words: words::driven(mechanism, slide, 'v'),
+                added: Added::SlidingVelocity,
+                slide,
             }),
             PlanKind::Acceleration => {
                 parts.push(SlidePart {
                     to,
                     vector: measure.acceleration,
                     part: Part::Sliding,
-                    words: words::driven(mechanism, slide, 'a'),
+                    added: Added::SlidingAcceleration,
+                    slide,
                 });
                 parts.push(SlidePart {
                     to: coriolis_name(start, &entered),
                     vector: measure.coriolis,
                     part: Part::Coriolis,
-                    words: words::driven_coriolis(mechanism, slide),
+                    added: Added::Coriolis,
+                    slide,
                 });
             }
         }
@@ -98,6 +103,8 @@ pub(super) fn parts(
 
 /// Lays them off one after the other from the plan point `from`, but for those that are there; the point where the last one ends.
 pub(super) fn lay_off(
+    words: &Wording,
+    mechanism: &Mechanism,
     plan: &mut Plan,
     role: PointRole,
     from: String,
@@ -109,9 +116,11 @@ pub(super) fn lay_off(
             let vector = plan.points[&here].vector + part.vector;
             plan.points
                 .insert(part.to.clone(), PlanPoint { vector, role });
-            let [equation, what] = part.words;
+            let ends = [here.as_str(), part.to.as_str()];
+            let (equation, caption) =
+                words::driven(words, mechanism, &part.slide, part.added, ends);
             plan.steps.push(Step {
-                caption: words::lay_off(&what, &here, &part.to),
+                caption,
                 equation: equation.into(),
                 action: Action::LayOff(Arrow {
                     from: here,

@@ -6,12 +6,14 @@ use crate::geometry::Vector;
 use crate::mechanism::{Carried, Group, JointKind, Leg, Mechanism, SliderId};
 use crate::motion::Motion;
 use crate::position::Pose;
+use crate::words::Wording;
 
 /// Adds to the velocity plan the images of a group's inner joints, from the images of its outer ones.
 ///
 /// With the rates known every point of a carrying link follows from its outer joint; at a prismatic joint
 /// the point of the guide's body under the slider comes first, then the sliding velocity.
 pub(super) fn images(
+    words: &Wording,
     mechanism: &Mechanism,
     pose: &Pose,
     motion: &Motion,
@@ -19,6 +21,7 @@ pub(super) fn images(
     plan: &mut Plan,
 ) {
     let mut board = Images {
+        words,
         mechanism,
         pose,
         motion,
@@ -42,6 +45,7 @@ pub(super) fn images(
 }
 
 struct Images<'a> {
+    words: &'a Wording,
     mechanism: &'a Mechanism,
     pose: &'a Pose,
     motion: &'a Motion,
@@ -67,7 +71,7 @@ impl Images<'_> {
                 let name = self.mechanism.point_name(point);
                 let place = self.pose.point(point);
                 let velocity = self.motion.body(holder).velocity_at(place);
-                let words = words::image(carrier, outer_name, name);
+                let words = words::image(self.words, carrier, outer_name, name);
                 self.lay_off(&from, image_name(name), velocity, Part::Relative, words);
             }
             JointKind::Prismatic(id) => {
@@ -81,7 +85,7 @@ impl Images<'_> {
                 };
                 let place = self.pose.point(slider.at);
                 let velocity = self.motion.body(holder).velocity_at(place);
-                let words = words::image(carrier, outer_name, &own);
+                let words = words::image(self.words, carrier, outer_name, &own);
                 self.lay_off(&from, image_name(&own), velocity, Part::Relative, words);
                 self.slide(id);
             }
@@ -93,7 +97,14 @@ impl Images<'_> {
         let way = leg.carrier_slides(self.mechanism);
         let slides = SlideMeasure::on_way(self.mechanism, self.pose, self.motion, &way);
         let parts = driven::parts(self.mechanism, self.plan.kind, &from, &slides);
-        driven::lay_off(self.plan, PointRole::Slid, from, parts)
+        driven::lay_off(
+            self.words,
+            self.mechanism,
+            self.plan,
+            PointRole::Slid,
+            from,
+            parts,
+        )
     }
 
     /// The sliding velocity at a slider, from the image of the guide's point to that of the slider's; returns both names.
@@ -111,7 +122,7 @@ impl Images<'_> {
             let point = PlanPoint { vector, role };
             self.plan.points.entry(name.clone()).or_insert(point);
         }
-        let words = words::sliding(&self.mechanism.slider_name(id), &under, at);
+        let words = words::sliding(self.words, &self.mechanism.slider_name(id), &under, at);
         self.lay_off(&under_image, image.clone(), own, Part::Sliding, words);
         (under_image, image)
     }

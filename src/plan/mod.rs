@@ -30,4 +30,4 @@ pub use state::{Snapshot, State};
 pub use step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};
 pub use symbol::Kind;
 pub use words::{plain_text, rate_symbol};
-pub use write::{Construction, construction};
+pub use write::{Construction, construction, construction_in};

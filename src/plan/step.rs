@@ -1,5 +1,6 @@
 use super::equation::Equation;
 use crate::geometry::Vector;
+use crate::words::{Notation, with_prime};
 use indexmap::IndexMap;
 
 /// Which plan.
@@ -18,6 +19,15 @@ impl PlanKind {
         match self {
             PlanKind::Velocity => "p",
             PlanKind::Acceleration => "π",
+        }
+    }
+
+    /// How the pole is written, in markup.
+    #[must_use]
+    pub fn pole_in(self, notation: &Notation) -> &'static str {
+        match self {
+            PlanKind::Velocity => notation.velocity_pole,
+            PlanKind::Acceleration => notation.acceleration_pole,
         }
     }
 
@@ -203,6 +213,18 @@ impl Plan {
     #[must_use]
     pub fn segment(&self, from: &str, to: &str) -> Option<Vector> {
         Some(self.points.get(to)?.vector - self.points.get(from)?.vector)
+    }
+
+    /// How a name within the plan is shown where it would be `written` otherwise: poles and images follow the notation.
+    #[must_use]
+    pub fn shown(&self, name: &str, written: String, notation: &Notation) -> String {
+        use PointRole::{Image, Known, Pole, Special};
+        let primes = notation.primes && self.kind == PlanKind::Acceleration;
+        match self.points.get(name).map(|point| point.role) {
+            Some(Pole) if name == self.kind.pole() => self.kind.pole_in(notation).to_owned(),
+            Some(Pole | Known | Special | Image) if primes => with_prime(&written),
+            _ => written,
+        }
     }
 
     /// The vectors that the steps lay off, in order.

@@ -7,6 +7,7 @@ use super::step::{PlanKind, Relation};
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
+use crate::words::{NormalParts, Wording};
 
 /// A name within a caption.
 pub(super) fn written(name: &str) -> String {
@@ -24,32 +25,29 @@ fn low(names: &[&str]) -> String {
     format!("_{{{}}}", names.concat())
 }
 
-pub(super) fn pole(kind: PlanKind, images: &[String]) -> String {
-    let (pole, scale) = (kind.pole(), kind.scale_name());
+pub(super) fn pole(words: &Wording, kind: PlanKind, images: &[String]) -> String {
+    let (pole, scale) = (kind.pole_in(words.notation), kind.scale_name());
     if images.is_empty() {
-        format!("Choose the pole {pole} and the scale {scale}.")
-    } else {
-        let images: Vec<String> = images.iter().map(|i| written(i)).collect();
-        let images = images.join(", ");
-        format!(
-            "Choose the pole {pole} and the scale {scale}; points at rest have their images there: {images}."
-        )
+        return (words.language.choose_pole)(pole, scale);
     }
+    let images: Vec<String> = images.iter().map(|i| written(i)).collect();
+    (words.language.choose_pole_with)(pole, scale, &images.join(", "))
 }
 
-pub(super) fn special_point(name: &str, link: &str, cuts: &[String; 2], place: &Place) -> String {
-    let name = written(name);
+pub(super) fn special_point(
+    words: &Wording,
+    name: &str,
+    link: &str,
+    [first, second]: &[String; 2],
+    place: &Place,
+) -> String {
+    let (name, language) = (written(name), words.language);
     match place {
-        Place::At(_) => format!(
-            "{name}, special point of link {link}: where {} meets {}.",
-            cuts[0], cuts[1]
-        ),
-        Place::AtInfinity(direction) => format!(
-            "{name}, special point of link {link}, lies at infinity (direction {:.2}°): {} and {} are parallel.",
-            degrees_of(*direction),
-            cuts[0],
-            cuts[1]
-        ),
+        Place::At(_) => (language.special_point)(&name, link, first, second),
+        Place::AtInfinity(direction) => {
+            let direction = words.number(format!("{:.2}", degrees_of(*direction)));
+            (language.special_point_at_infinity)(&name, link, &direction, first, second)
+        }
     }
 }
 
@@ -57,21 +55,19 @@ pub(super) fn length(from: &str, to: &str) -> String {
     format!("L{}", low(&[from, to]))
 }
 
-pub(super) fn measure_length(from: &str, to: &str) -> String {
-    format!(
-        "Measure the length from {} to {}.",
-        written(from),
-        written(to)
-    )
+pub(super) fn measure_length(words: &Wording, from: &str, to: &str) -> String {
+    (words.language.measure_length)(&written(from), &written(to))
 }
 
 /// Equation and caption of a known vector: that of body `base` at a point.
 pub(super) fn known(
+    words: &Wording,
     mechanism: &Mechanism,
     base: BodyId,
     point: PointId,
     kind: PlanKind,
 ) -> (Equation, String) {
+    let (language, notation) = (words.language, words.notation);
     let body = mechanism.body(base);
     let under = mechanism.point_name(point);
     let name = &point_on(mechanism, base, point);
@@ -82,75 +78,64 @@ pub(super) fn known(
     match &body.role {
         Role::Driver { pivot, alpha, .. } => {
             let (k, link) = (mechanism.point_name(*pivot), &body.name);
-            let arm = format!("L{}", low(&[k, name]));
+            let (arm, line) = (format!("L{}", low(&[k, name])), format!("{k}{name}"));
+            let (own, both) = (low(&[name]), low(&[name, k]));
+            let (n, t) = (notation.normal, notation.tangential);
             match kind {
                 PlanKind::Velocity => (
-                    format!("v{} = ω_{link} {arm}", low(&[name])).into(),
-                    format!(
-                        "Lay off the velocity of {name}, normal to {k}{name}, in the sense of ω_{link}."
-                    ),
+                    format!("v{own} = ω_{link} {arm}").into(),
+                    (language.lay_off_velocity)(name, &line, link),
                 ),
                 PlanKind::Acceleration if *alpha == 0.0 => (
-                    format!(
-                        "a{} = a^n{} = ω_{link}^2 {arm}",
-                        low(&[name]),
-                        low(&[name, k])
-                    )
-                    .into(),
-                    format!(
-                        "Lay off the acceleration of {name}, from {name} towards {k}: link {link} turns uniformly."
-                    ),
+                    format!("a{own} = a^{n}{both} = ω_{link}^2 {arm}").into(),
+                    (language.lay_off_normal_acceleration)(name, k, link),
                 ),
                 PlanKind::Acceleration => (
                     format!(
-                        "a{1} = a^n{0} + a^t{0}, a^n{0} = ω_{link}^2 {arm}, a^t{0} = α_{link} {arm}",
-                        low(&[name, k]),
-                        low(&[name])
+                        "a{own} = a^{n}{both} + a^{t}{both}, a^{n}{both} = ω_{link}^2 {arm}, a^{t}{both} = α_{link} {arm}"
                     )
                     .into(),
-                    format!(
-                        "Lay off the acceleration of {name}: normal part from {name} towards {k}, tangential part normal to {k}{name}."
-                    ),
+                    (language.lay_off_whole_acceleration)(name, k, &line),
                 ),
             }
         }
-        Role::Carrier { .. } => (
-            given(format!("{letter}_{name}")),
-            format!("Lay off the given vector {letter}_{name} from the pole."),
-        ),
+        Role::Carrier { .. } => {
+            let vector = format!("{letter}_{name}");
+            let caption = (language.lay_off_given)(&vector);
+            (given(words, vector), caption)
+        }
         _ => (
             format!("{letter}{}", low(&[under, &body.name])).into(),
-            format!(
-                "Lay off the known vector of the point of {} under {}.",
-                body.name,
-                written(under)
-            ),
+            (language.lay_off_point_under)(&body.name, &written(under)),
         ),
     }
 }
 
 /// A vector that the scene gives.
-fn given(vector: String) -> Equation {
+fn given(words: &Wording, vector: String) -> Equation {
     let mut equation = Equation::default();
     equation.vector(vector, Known::Entirely, None);
-    equation.words(" given");
+    equation.words(words.language.given);
     equation
 }
 
-pub(super) fn ray(through: &str, relation: Relation, line: &str, to: &str) -> String {
-    let relation = match relation {
-        Relation::Perpendicular => "normal to",
-        Relation::Parallel => "parallel to the",
+pub(super) fn ray(
+    words: &Wording,
+    through: &str,
+    relation: Relation,
+    line: &str,
+    to: &str,
+) -> String {
+    let sentence = match relation {
+        Relation::Perpendicular => words.language.ray_normal,
+        Relation::Parallel => words.language.ray_parallel,
     };
-    format!(
-        "Draw the ray through {} {relation} {line}; {} lies on it.",
-        written(through),
-        written(to)
-    )
+    sentence(&written(through), line, &written(to))
 }
 
 /// The equation behind a velocity ray; driven sliders on the way add their sliding velocities.
 pub(super) fn relative_velocity(
+    words: &Wording,
     mechanism: &Mechanism,
     slides: &[DrivenSlide],
     special: &str,
@@ -164,7 +149,8 @@ pub(super) fn relative_velocity(
         let name = mechanism.slider_name(slide.slider);
         equation.sign(&format!(" {} ", plus_or_minus(slide)));
         let sliding = Some(NamedPart::Sliding);
-        equation.vector(format!("v_r({name})"), Known::Entirely, sliding);
+        let added = format!("v_{}({name})", words.notation.relative);
+        equation.vector(added, Known::Entirely, sliding);
     }
     equation.sign(" + ");
     let relative = format!("v{}", low(&[special, start]));
@@ -174,6 +160,7 @@ pub(super) fn relative_velocity(
 
 /// The equation behind an acceleration ray; driven sliders on the way add their sliding and Coriolis accelerations.
 pub(super) fn relative_acceleration(
+    words: &Wording,
     mechanism: &Mechanism,
     cut: &CutLine,
     special: &str,
@@ -185,13 +172,17 @@ pub(super) fn relative_acceleration(
         LegKind::Slider { .. } => (false, true),
         LegKind::Sliders => (false, false),
     };
+    let notation = words.notation;
     let mut equation = Equation::default();
     equation.vector(format!("a{}", low(&[special])), Known::Nothing, None);
     equation.sign(" = ");
     equation.vector(format!("a{}", low(&[start])), Known::Entirely, None);
     for slide in &cut.slides {
         let name = mechanism.slider_name(slide.slider);
-        for (letter, part) in [("r", NamedPart::Sliding), ("c", NamedPart::Coriolis)] {
+        for (letter, part) in [
+            (notation.relative, NamedPart::Sliding),
+            (notation.coriolis, NamedPart::Coriolis),
+        ] {
             equation.sign(&format!(" {} ", plus_or_minus(slide)));
             let added = format!("a_{letter}({name})");
             equation.vector(added, Known::Entirely, Some(part));
@@ -200,9 +191,9 @@ pub(super) fn relative_acceleration(
     let both = low(&[special, start]);
     let (known, direction) = (Known::Entirely, Known::Direction);
     for (letter, known, part) in [
-        ("n", known, NamedPart::Normal),
-        ("c", known, NamedPart::Coriolis),
-        ("t", direction, NamedPart::Tangential),
+        (notation.normal, known, NamedPart::Normal),
+        (notation.coriolis, known, NamedPart::Coriolis),
+        (notation.tangential, direction, NamedPart::Tangential),
     ] {
         let has = match part {
             NamedPart::Normal => has_normal,
@@ -222,16 +213,12 @@ fn plus_or_minus(slide: &DrivenSlide) -> char {
     if slide.sign < 0.0 { '−' } else { '+' }
 }
 
-pub(super) fn cross(image: &str) -> String {
-    format!("Mark {} where the two rays cross.", written(image))
+pub(super) fn cross(words: &Wording, image: &str) -> String {
+    (words.language.cross)(&written(image))
 }
 
-pub(super) fn measure(from: &str, to: &str) -> String {
-    format!(
-        "Measure the segment from {} to {}.",
-        written(from),
-        written(to)
-    )
+pub(super) fn measure(words: &Wording, from: &str, to: &str) -> String {
+    (words.language.measure_segment)(&written(from), &written(to))
 }
 
 pub(super) fn measured(kind: PlanKind, from: &str, to: &str) -> String {
@@ -240,6 +227,7 @@ pub(super) fn measured(kind: PlanKind, from: &str, to: &str) -> String {
 
 /// Equation and caption of a normal part.
 pub(super) fn normal(
+    words: &Wording,
     mechanism: &Mechanism,
     pose: &Pose,
     cut: &CutLine,
@@ -260,7 +248,8 @@ pub(super) fn normal(
         turns.then(|| turning(link, s, from))
     };
     let sliding = |slider: SliderId, omega: &str| {
-        format!("2 ω_{omega} v_r({})", mechanism.slider_name(slider))
+        let name = mechanism.slider_name(slider);
+        format!("2 ω_{omega} v_{}({name})", words.notation.relative)
     };
     let (start, normals, coriolis) = match cut.kind {
         LegKind::Pin { outer } => (name(outer), vec![to_special(link, outer)], None),
@@ -281,39 +270,35 @@ pub(super) fn normal(
     };
     let parts: Vec<String> = normals.into_iter().flatten().collect();
     let what = match (parts.len(), coriolis.is_some()) {
-        (2, _) => "the normal parts of both links",
-        (1, true) => "the normal and the Coriolis part",
-        (_, true) => "the Coriolis part",
-        (_, false) => "the normal part",
+        (2, _) => NormalParts::Both,
+        (1, true) => NormalParts::WithCoriolis,
+        (_, true) => NormalParts::Coriolis,
+        (_, false) => NormalParts::One,
     };
+    let language = words.language;
     let mut equation = Equation::default();
-    let whole = format!("a^n{}", low(&[s, start]));
+    let whole = format!("a^{}{}", words.notation.normal, low(&[s, start]));
     equation.vector(whole, Known::Entirely, None);
-    let mut between = " from ";
+    let mut between = language.made_from;
     for part in parts {
         equation.words(between);
         equation.sign(&part);
-        between = " and ";
+        between = language.and;
     }
     if let Some(part) = coriolis {
-        equation.words(&format!("{between}Coriolis "));
+        equation.words(&format!("{between}{}", language.coriolis_word));
         equation.sign(&part);
     }
-    (
-        equation,
-        format!(
-            "Lay off {what} along {} from {} to {}.",
-            cut.name(mechanism, s),
-            written(from),
-            written(to)
-        ),
-    )
+    let line = cut.name(words, mechanism, s);
+    let caption = (language.lay_off_normal)(what, &line, &written(from), &written(to));
+    (equation, caption)
 }
 
 /// The equation of a leg: its rates, counter-clockwise positive, times lengths make up the measured segment `signed`.
 ///
 /// Every term has the sign that it takes along the segment from its start to the special point's image.
 pub(super) fn leg_equation(
+    words: &Wording,
     mechanism: &Mechanism,
     pose: &Pose,
     cut: &CutLine,
@@ -344,7 +329,11 @@ pub(super) fn leg_equation(
         let along = u.dot(&quarter_turn(direction));
         (
             along,
-            format!("{slide}_r({})", mechanism.slider_name(slider)),
+            format!(
+                "{slide}_{}({})",
+                words.notation.relative,
+                mechanism.slider_name(slider)
+            ),
         )
     };
     let terms = match cut.kind {
@@ -384,12 +373,9 @@ pub(super) fn leg_equation(
     )
 }
 
-pub(super) fn solve(unknowns: &[(String, f64)]) -> String {
+pub(super) fn solve(words: &Wording, unknowns: &[(String, f64)]) -> String {
     let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
-    format!(
-        "Solve the equations of the measured segments for {}.",
-        names.join(", ")
-    )
+    (words.language.solve)(&names.join(", "))
 }
 
 /// The symbol of a rate by its quantity name, in markup: `ω_{2}` for `omega(2)`.
@@ -403,71 +389,68 @@ pub fn rate_symbol(name: &str) -> String {
     found.unwrap_or_else(|| name.to_owned())
 }
 
-pub(super) fn no_construction(far: &[String]) -> String {
+pub(super) fn no_construction(words: &Wording, far: &[String]) -> String {
+    let language = words.language;
     if far.is_empty() {
-        "There is no construction by two rays for this group; the rates come from the loop equations alone."
-            .to_owned()
+        language.no_construction.to_owned()
     } else {
-        format!(
-            "{} at infinity: its rays are parallel, so the construction stops and the rates come from the loop equations alone.",
-            far.join(" and ")
-        )
+        (language.no_construction_far)(&far.join(language.and))
     }
 }
 
 /// Equation and caption of a relative velocity, for the image of an inner joint.
-pub(super) fn image(link: &str, from: &str, to: &str) -> (String, String) {
+pub(super) fn image(words: &Wording, link: &str, from: &str, to: &str) -> (String, String) {
+    let line = format!("{from}{to}");
     (
         format!("v{0} = ω_{link} L{0}", low(&[to, from])),
-        format!(
-            "From ω_{link}: lay off the velocity of {} relative to {}, normal to {from}{to}.",
-            written(to),
-            written(from)
-        ),
+        (words.language.lay_off_relative)(link, &written(to), &written(from), &line),
     )
 }
 
 /// Equation and caption of a sliding velocity.
-pub(super) fn sliding(slider: &str, from: &str, to: &str) -> (String, String) {
-    let what = format!("the sliding velocity of {slider} along its guide");
-    (format!("v_r({slider})"), lay_off(&what, from, to))
+pub(super) fn sliding(words: &Wording, slider: &str, from: &str, to: &str) -> (String, String) {
+    let caption =
+        (words.language.lay_off_sliding_velocity)(slider, false, &written(from), &written(to));
+    (format!("v_{}({slider})", words.notation.relative), caption)
 }
 
-/// Caption of a vector laid off between two plan points.
-pub(super) fn lay_off(what: &str, from: &str, to: &str) -> String {
-    format!("Lay off {what}, from {} to {}.", written(from), written(to))
+/// What a driven slider adds to a plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Added {
+    SlidingVelocity,
+    SlidingAcceleration,
+    Coriolis,
 }
 
-/// What a driven slider adds, as it stands in an equation and in words: sliding velocity `v`, sliding acceleration `a`.
-pub(super) fn driven(mechanism: &Mechanism, slide: &DrivenSlide, letter: char) -> [String; 2] {
-    let name = mechanism.slider_name(slide.slider);
-    let (minus, reversed) = reversal(slide);
-    let what = match letter {
-        'v' => "velocity",
-        _ => "acceleration",
-    };
-    [
-        format!("{minus}{letter}_r({name})"),
-        format!("the sliding {what} of {name}{reversed} along its guide"),
-    ]
-}
-
-/// The same for its Coriolis acceleration.
-pub(super) fn driven_coriolis(mechanism: &Mechanism, slide: &DrivenSlide) -> [String; 2] {
+/// Equation and caption of what a driven slider adds between two plan points.
+pub(super) fn driven(
+    words: &Wording,
+    mechanism: &Mechanism,
+    slide: &DrivenSlide,
+    added: Added,
+    [from, to]: [&str; 2],
+) -> (String, String) {
     let name = mechanism.slider_name(slide.slider);
     let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
-    let (minus, reversed) = reversal(slide);
-    [
-        format!("{minus}a_c({name}) = {minus}2 ω_{on} v_r({name})"),
-        format!("the Coriolis acceleration of {name}{reversed}, normal to its guide"),
-    ]
-}
-
-/// Sign and word for a slider whose way leads from the sliding link to the guide.
-fn reversal(slide: &DrivenSlide) -> (&'static str, &'static str) {
-    if slide.sign < 0.0 {
-        ("−", " reversed")
-    } else {
-        ("", "")
-    }
+    // The way may lead from the sliding link to the guide.
+    let backwards = slide.sign < 0.0;
+    let minus = if backwards { "−" } else { "" };
+    let (language, notation) = (words.language, words.notation);
+    let (r, c) = (notation.relative, notation.coriolis);
+    let (equation, sentence) = match added {
+        Added::SlidingVelocity => (
+            format!("{minus}v_{r}({name})"),
+            language.lay_off_sliding_velocity,
+        ),
+        Added::SlidingAcceleration => (
+            format!("{minus}a_{r}({name})"),
+            language.lay_off_sliding_acceleration,
+        ),
+        Added::Coriolis => (
+            format!("{minus}a_{c}({name}) = {minus}2 ω_{on} v_{r}({name})"),
+            language.lay_off_coriolis,
+        ),
+    };
+    let caption = sentence(&name, backwards, &written(from), &written(to));
+    (equation, caption)
 }

@@ -10,6 +10,7 @@ use crate::geometry::Vector;
 use crate::mechanism::{BodyId, GROUND, Group, LoopEquations, Mechanism, PointId, Role, SliderId};
 use crate::motion::{Motion, Order};
 use crate::position::Pose;
+use crate::words::Wording;
 use indexmap::IndexMap;
 
 /// Everything that is drawn on the board for a mechanism: special points, then the plans, step by step.
@@ -42,10 +43,23 @@ impl Construction {
     }
 }
 
-/// The graphical construction for every group of `mechanism`, as steps for both plans from one pole each.
+/// The graphical construction for every group of `mechanism`, as steps for both plans from one pole each; said in English and written as
+/// the source paper does.
 #[must_use]
 pub fn construction(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Construction {
+    construction_in(mechanism, pose, motion, &Wording::default())
+}
+
+/// The same in another wording, as in [`Wording::of`] a scene's figure. Points of plans and quantities keep their names.
+#[must_use]
+pub fn construction_in(
+    mechanism: &Mechanism,
+    pose: &Pose,
+    motion: &Motion,
+    words: &Wording,
+) -> Construction {
     let mut writer = Writer {
+        words,
         mechanism,
         pose,
         motion,
@@ -76,6 +90,7 @@ pub fn construction(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Cons
 }
 
 struct Writer<'a> {
+    words: &'a Wording,
     mechanism: &'a Mechanism,
     pose: &'a Pose,
     motion: &'a Motion,
@@ -112,6 +127,7 @@ impl Writer<'_> {
         let images: Vec<String> = grounded
             .map(|&p| image_name(self.mechanism.point_name(p)))
             .collect();
+        let words = self.words;
         for plan in self.plans() {
             let pole = PlanPoint {
                 vector: Vector::zeros(),
@@ -122,7 +138,7 @@ impl Writer<'_> {
             for image in &images {
                 plan.points.insert(image.clone(), pole);
             }
-            let caption = words::pole(plan.kind, &images);
+            let caption = words::pole(words, plan.kind, &images);
             plan.steps.push(step(
                 Action::Pole {
                     images: images.clone(),
@@ -144,6 +160,7 @@ impl Writer<'_> {
         let Some(construct) = construct else {
             self.without_construction(special);
             images(
+                self.words,
                 self.mechanism,
                 self.pose,
                 self.motion,
@@ -157,6 +174,7 @@ impl Writer<'_> {
         }
         self.solve(group, special, construct, Order::Velocity);
         images(
+            self.words,
             self.mechanism,
             self.pose,
             self.motion,
@@ -205,14 +223,14 @@ impl Writer<'_> {
         if !point.is_assur {
             return;
         }
-        let names = [0, 1].map(|i| point.cuts[i].name(self.mechanism, &point.name));
+        let names = [0, 1].map(|i| point.cuts[i].name(self.words, self.mechanism, &point.name));
         let action = Action::SpecialPoint {
             point: point.name.clone(),
             cuts: names.clone(),
             sine: point.crossing.sine(),
         };
         let link = &self.mechanism.body(point.link).name;
-        let caption = words::special_point(&point.name, link, &names, &point.place);
+        let caption = words::special_point(self.words, &point.name, link, &names, &point.place);
         self.scheme.push(step(action, String::new(), caption));
         let Some(place) = point.place.finite() else {
             return;
@@ -222,7 +240,7 @@ impl Writer<'_> {
                 let value = (place - self.pose.point(end)).norm();
                 let from = self.mechanism.point_name(end).to_owned();
                 let equation = words::length(&from, &point.name);
-                let caption = words::measure_length(&from, &point.name);
+                let caption = words::measure_length(self.words, &from, &point.name);
                 let action = Action::MeasureLength {
                     from,
                     to: point.name.clone(),
@@ -256,7 +274,7 @@ impl Writer<'_> {
             return;
         }
         let captions = [PlanKind::Velocity, PlanKind::Acceleration]
-            .map(|kind| words::known(self.mechanism, base, point, kind));
+            .map(|kind| words::known(self.words, self.mechanism, base, point, kind));
         for ((plan, vector), (equation, caption)) in self.plans().zip(vectors).zip(captions) {
             let role = PointRole::Known;
             plan.points.insert(name.clone(), PlanPoint { vector, role });
@@ -273,7 +291,7 @@ impl Writer<'_> {
     /// Lays off the vector of a body that drives push from one of known motion: that one's own point first, then what the driven
     /// sliders add.
     fn pushed_vector(&mut self, base: BodyId, point: PointId) {
-        let (mechanism, pose, motion) = (self.mechanism, self.pose, self.motion);
+        let (words, mechanism, pose, motion) = (self.words, self.mechanism, self.pose, self.motion);
         let root = mechanism.root(base);
         self.known_vector(root, point);
         let (start, name) = (self.start_name(root, point), self.start_name(base, point));
@@ -287,7 +305,14 @@ impl Writer<'_> {
                     plan.points.insert(name.clone(), here);
                 }
             }
-            driven::lay_off(plan, PointRole::Known, start.clone(), parts);
+            driven::lay_off(
+                words,
+                mechanism,
+                plan,
+                PointRole::Known,
+                start.clone(),
+                parts,
+            );
         }
     }
 
@@ -296,18 +321,21 @@ impl Writer<'_> {
         let (relation, line) = match cut.kind {
             LegKind::Pin { .. } | LegKind::Pins { .. } => (
                 Relation::Perpendicular,
-                cut.name(self.mechanism, &point.name),
+                cut.name(self.words, self.mechanism, &point.name),
             ),
             LegKind::PinThenSlider { inner: slider, .. }
             | LegKind::Slider { outer: slider, .. }
             | LegKind::SliderThenPin { outer: slider, .. } => (
                 Relation::Parallel,
-                format!("guide of {}", self.mechanism.slider_name(slider)),
+                (self.words.language.guide_of)(&self.mechanism.slider_name(slider)),
             ),
-            LegKind::Sliders => (Relation::Parallel, cut.name(self.mechanism, &point.name)),
+            LegKind::Sliders => (
+                Relation::Parallel,
+                cut.name(self.words, self.mechanism, &point.name),
+            ),
         };
         let direction = cut.line.direction().unwrap_or_else(Vector::x);
-        let caption = words::ray(&through, relation, &line, &image);
+        let caption = words::ray(self.words, &through, relation, &line, &image);
         let ray = Ray {
             through,
             to: image,
@@ -325,11 +353,23 @@ impl Writer<'_> {
             let Some(start) = cut.start() else { return };
             let name = self.start_name(cut.leg.base, start);
             let parts = self.slide_parts(PlanKind::Velocity, cut, leg);
-            let name = driven::lay_off(&mut self.velocity, PointRole::Slid, name, parts);
+            let name = driven::lay_off(
+                self.words,
+                self.mechanism,
+                &mut self.velocity,
+                PointRole::Slid,
+                name,
+                parts,
+            );
             let mut ray = self.ray(cut, point, name.clone());
             let from = point_on(self.mechanism, cut.leg.base, start);
-            ray.equation =
-                words::relative_velocity(self.mechanism, &cut.slides, &point.name, &from);
+            ray.equation = words::relative_velocity(
+                self.words,
+                self.mechanism,
+                &cut.slides,
+                &point.name,
+                &from,
+            );
             self.velocity.steps.push(ray);
             through.push(name);
         }
@@ -338,10 +378,16 @@ impl Writer<'_> {
         let plan = &mut self.velocity;
         plan.points
             .insert(image.clone(), PlanPoint { vector, role });
-        plan.steps.push(cross_step(point, &image, &through));
+        plan.steps
+            .push(cross_step(self.words, point, &image, &through));
         for (name, leg) in through.into_iter().zip(&construct.legs[index]) {
-            plan.steps
-                .push(measure_step(PlanKind::Velocity, name, &image, leg.velocity));
+            plan.steps.push(measure_step(
+                self.words,
+                PlanKind::Velocity,
+                name,
+                &image,
+                leg.velocity,
+            ));
         }
     }
 
@@ -356,9 +402,23 @@ impl Writer<'_> {
             let Some(start) = cut.start() else { continue };
             let from = self.start_name(cut.leg.base, start);
             let parts = self.slide_parts(plan.kind, cut, leg);
-            let from = driven::lay_off(&mut plan, PointRole::Slid, from, parts);
-            let (equation, caption) =
-                words::normal(self.mechanism, self.pose, cut, point, &from, &normal);
+            let from = driven::lay_off(
+                self.words,
+                self.mechanism,
+                &mut plan,
+                PointRole::Slid,
+                from,
+                parts,
+            );
+            let (equation, caption) = words::normal(
+                self.words,
+                self.mechanism,
+                self.pose,
+                cut,
+                point,
+                &from,
+                &normal,
+            );
             let arrow = Arrow {
                 from,
                 to: normal.clone(),
@@ -371,7 +431,8 @@ impl Writer<'_> {
                 .insert(normal.clone(), PlanPoint { vector, role });
             let mut ray = self.ray(cut, point, normal.clone());
             let start = point_on(self.mechanism, cut.leg.base, start);
-            ray.equation = words::relative_acceleration(self.mechanism, cut, &point.name, &start);
+            ray.equation =
+                words::relative_acceleration(self.words, self.mechanism, cut, &point.name, &start);
             plan.steps.push(ray);
             through.push((normal, leg.acceleration));
         }
@@ -380,10 +441,16 @@ impl Writer<'_> {
         plan.points
             .insert(image.clone(), PlanPoint { vector, role });
         let names: Vec<String> = through.iter().map(|t| t.0.clone()).collect();
-        plan.steps.push(cross_step(point, &image, &names));
+        plan.steps
+            .push(cross_step(self.words, point, &image, &names));
         for (name, segment) in through {
-            plan.steps
-                .push(measure_step(PlanKind::Acceleration, name, &image, segment));
+            plan.steps.push(measure_step(
+                self.words,
+                PlanKind::Acceleration,
+                name,
+                &image,
+                segment,
+            ));
         }
         self.acceleration = Some(plan);
     }
@@ -410,6 +477,7 @@ impl Writer<'_> {
                 };
                 let what = (kind, signed);
                 equations.push(words::leg_equation(
+                    self.words,
                     self.mechanism,
                     self.pose,
                     cut,
@@ -420,7 +488,7 @@ impl Writer<'_> {
             }
         }
         let unknowns = self.unknowns(group, order);
-        let caption = words::solve(&unknowns);
+        let caption = words::solve(self.words, &unknowns);
         let action = Action::Solve {
             equations,
             unknowns,
@@ -474,8 +542,10 @@ impl Writer<'_> {
             .filter(|s| s.place.finite().is_none())
             .map(|s| written(&s.name))
             .collect();
-        let caption = words::no_construction(&far);
-        self.warnings.push(words::plain_text(&caption));
+        // Warnings are messages, which are in English whatever the figure says.
+        let warning = words::no_construction(&Wording::default(), &far);
+        self.warnings.push(words::plain_text(&warning));
+        let caption = words::no_construction(self.words, &far);
         for plan in self.plans() {
             plan.steps
                 .push(step(Action::Note, String::new(), caption.clone()));
@@ -500,9 +570,9 @@ fn measured_end(cut: &CutLine) -> Option<PointId> {
     }
 }
 
-fn cross_step(point: &Special, image: &str, from: &[String]) -> Step {
+fn cross_step(words: &Wording, point: &Special, image: &str, from: &[String]) -> Step {
     let from = [0, 1].map(|i| from.get(i).cloned().unwrap_or_default());
-    let caption = words::cross(image);
+    let caption = words::cross(words, image);
     let action = Action::Cross {
         point: image.to_owned(),
         from,
@@ -511,9 +581,9 @@ fn cross_step(point: &Special, image: &str, from: &[String]) -> Step {
     step(action, String::new(), caption)
 }
 
-fn measure_step(kind: PlanKind, from: String, to: &str, signed: f64) -> Step {
+fn measure_step(words: &Wording, kind: PlanKind, from: String, to: &str, signed: f64) -> Step {
     let equation = words::measured(kind, &from, to);
-    let caption = words::measure(&from, to);
+    let caption = words::measure(words, &from, to);
     let action = Action::Measure {
         from,
         to: to.to_owned(),

@@ -2,7 +2,7 @@
 
 use super::build_parts::{Guide, NewLink};
 use super::error::SceneError;
-use super::figure::{Figure, Page, StyleName};
+use super::figure::{DecimalMark, Figure, LanguageName, NotationName, Page, StyleName};
 use super::units::{LengthUnit, TimeUnit};
 use super::write::{Object, Written, texts};
 use super::{PointMotion, Scene};
@@ -204,6 +204,9 @@ fn written_figure(figure: &Figure) -> Object {
         mu_a,
         page,
         style,
+        notation,
+        language,
+        decimal,
         labels,
         special_points,
         construction,
@@ -213,10 +216,27 @@ fn written_figure(figure: &Figure) -> Object {
     object.add_some("mu_v", *mu_v);
     object.add_some("mu_a", *mu_a);
     object.add_some("page", (*page != Page::default()).then(|| page.name()));
-    object.add_some(
-        "style",
-        (*style != StyleName::default()).then(|| style.as_str()),
-    );
+    let other = |is_standard: bool, name: &'static str| (!is_standard).then_some(name);
+    for (key, name) in [
+        (
+            "style",
+            other(*style == StyleName::default(), style.as_str()),
+        ),
+        (
+            "notation",
+            other(*notation == NotationName::default(), notation.as_str()),
+        ),
+        (
+            "language",
+            other(*language == LanguageName::default(), language.as_str()),
+        ),
+        (
+            "decimal",
+            other(*decimal == DecimalMark::default(), decimal.as_str()),
+        ),
+    ] {
+        object.add_some(key, name);
+    }
     let mut shown = Object::default();
     for (name, label) in labels {
         shown.add(name, label.as_str());

@@ -19,6 +19,12 @@ pub struct Figure {
     pub page: Page,
     /// How lines and letters look.
     pub style: StyleName,
+    /// How poles, images and parts of accelerations are written.
+    pub notation: NotationName,
+    /// The language of headings and captions.
+    pub language: LanguageName,
+    /// What stands before the decimals of numbers.
+    pub decimal: DecimalMark,
     /// Text to show for a joint, a link or a plan point, in place of the standard one, by its name.
     pub labels: IndexMap<String, String>,
     /// Whether special points are shown.
@@ -37,6 +43,9 @@ impl Default for Figure {
             mu_a: None,
             page: Page::default(),
             style: StyleName::default(),
+            notation: NotationName::default(),
+            language: LanguageName::default(),
+            decimal: DecimalMark::default(),
             labels: IndexMap::new(),
             special_points: true,
             construction: true,
@@ -101,6 +110,96 @@ impl StyleName {
             StyleName::Print => "print",
             StyleName::Lecture => "lecture",
             StyleName::Board => "board",
+        }
+    }
+}
+
+/// Whose way of writing poles, images and parts of accelerations. Names of quantities stay the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(rename = "notation")]
+pub enum NotationName {
+    /// The source paper's: poles p and π, images b, parts n, t, c.
+    #[default]
+    Paper,
+    /// Poles o and o′, images b and, in the acceleration plan, b′, parts n, t, c.
+    English,
+    /// Poles p and π, images b, parts n, τ, k.
+    Russian,
+    /// Poles P_v and P_a, images b, parts n, t, c.
+    German,
+}
+
+impl NotationName {
+    /// All of them.
+    pub const ALL: [NotationName; 4] = [
+        NotationName::Paper,
+        NotationName::English,
+        NotationName::Russian,
+        NotationName::German,
+    ];
+
+    /// The notation as a scene file writes it: `"paper"`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            NotationName::Paper => "paper",
+            NotationName::English => "english",
+            NotationName::Russian => "russian",
+            NotationName::German => "german",
+        }
+    }
+}
+
+/// A language of headings and captions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[schemars(rename = "language")]
+pub enum LanguageName {
+    /// English.
+    #[default]
+    #[serde(rename = "en")]
+    English,
+    /// Spanish.
+    #[serde(rename = "es")]
+    Spanish,
+}
+
+impl LanguageName {
+    /// All of them.
+    pub const ALL: [LanguageName; 2] = [LanguageName::English, LanguageName::Spanish];
+
+    /// The language as a scene file writes it: `"en"`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            LanguageName::English => "en",
+            LanguageName::Spanish => "es",
+        }
+    }
+}
+
+/// What stands before the decimals of numbers on figures and in the text of steps; results always have points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(rename = "decimal")]
+pub enum DecimalMark {
+    /// 2.5
+    #[default]
+    Point,
+    /// 2,5
+    Comma,
+}
+
+impl DecimalMark {
+    /// All of them.
+    pub const ALL: [DecimalMark; 2] = [DecimalMark::Point, DecimalMark::Comma];
+
+    /// The mark as a scene file names it: `"point"`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            DecimalMark::Point => "point",
+            DecimalMark::Comma => "comma",
         }
     }
 }

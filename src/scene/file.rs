@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
-use super::figure::{Panel, StyleName};
+use super::figure::{DecimalMark, LanguageName, NotationName, Panel, StyleName};
 use super::forms::{Direction, Ground, LinkForm, NameOrPlace, NearValue, ShapePoint, Vector};
 use super::units::{LengthUnit, TimeUnit};
 
@@ -220,6 +220,12 @@ pub(super) struct FigureFile {
     pub page: Option<String>,
     /// How lines and letters look; left out: "paper".
     pub style: Option<StyleName>,
+    /// How poles, images and parts of accelerations are written; left out: "paper". Names of quantities stay the same.
+    pub notation: Option<NotationName>,
+    /// Language of headings and captions; left out: "en".
+    pub language: Option<LanguageName>,
+    /// What stands before the decimals of numbers on figures and in the text of steps; left out: "point".
+    pub decimal: Option<DecimalMark>,
     /// Text to show in place of a name: { "B'": "B₁" }.
     pub labels: Option<IndexMap<String, String>>,
     /// Whether special points are shown; left out: true.

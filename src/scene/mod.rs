@@ -38,7 +38,9 @@ mod words;
 pub use build::Builder;
 pub use build_parts::{Guide, NewLink, Push, Turn};
 pub use error::{Place, SceneError};
-pub use figure::{Figure, Page, PageSize, Panel, StyleName};
+pub use figure::{
+    DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, Panel, StyleName,
+};
 pub use forms::{Direction, polar};
 pub use link::{At, Drive, Length, Link, LinkMotion, Shape};
 pub use slider::{Along, On, Slider, SliderDrive};

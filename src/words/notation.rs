@@ -1,0 +1,78 @@
+/// How a school writes poles, images of points and parts of accelerations; in markup, `_{…}` low.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Notation {
+    /// The pole of the velocity plan.
+    pub velocity_pole: &'static str,
+    /// The pole of the acceleration plan.
+    pub acceleration_pole: &'static str,
+    /// Whether images of points bear a prime in the acceleration plan: `b′` beside `b` of the velocity plan.
+    pub primes: bool,
+    /// Normal part.
+    pub normal: &'static str,
+    /// Tangential part.
+    pub tangential: &'static str,
+    /// Coriolis part.
+    pub coriolis: &'static str,
+    /// Part along a guide.
+    pub relative: &'static str,
+}
+
+/// H. Quintero, G. Calle, A. Díaz, E. Henao, Rev. Fac. Ing. Univ. Antioquia 60 (2011) 81–91.
+pub(super) const PAPER: Notation = Notation {
+    velocity_pole: "p",
+    acceleration_pole: "π",
+    primes: false,
+    normal: "n",
+    tangential: "t",
+    coriolis: "c",
+    relative: "r",
+};
+
+/// C. E. Wilson, J. P. Sadler, *Kinematics and Dynamics of Machinery*, 3rd ed., Pearson 2003.
+pub(super) const ENGLISH: Notation = Notation {
+    velocity_pole: "o",
+    acceleration_pole: "o′",
+    primes: true,
+    ..PAPER
+};
+
+/// K. V. Frolov (ed.), *Теория механизмов и машин*, Высшая школа, Moscow 1987.
+pub(super) const RUSSIAN: Notation = Notation {
+    tangential: "τ",
+    coriolis: "k",
+    ..PAPER
+};
+
+/// H. Kerle, B. Corves, M. Hüsing, *Getriebetechnik*, 5th ed., Springer Vieweg 2015.
+pub(super) const GERMAN: Notation = Notation {
+    velocity_pole: "P_{v}",
+    acceleration_pole: "P_{a}",
+    ..PAPER
+};
+
+/// A name with a prime after its letter: `b′`, `d′_2`, `s′3`.
+#[must_use]
+pub fn with_prime(name: &str) -> String {
+    let letters = name.split('_').next().unwrap_or(name);
+    let letters = letters.trim_end_matches(|c: char| c.is_ascii_digit());
+    let (letter, rest) = name.split_at(letters.len());
+    format!("{letter}′{rest}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn primes_stand_by_the_letter() {
+        for (name, primed) in [
+            ("b", "b′"),
+            ("s3", "s′3"),
+            ("d_2", "d′_2"),
+            ("s_{24}", "s′_{24}"),
+            ("b'", "b'′"),
+        ] {
+            assert_eq!(with_prime(name), primed);
+        }
+    }
+}
