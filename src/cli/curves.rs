@@ -1,6 +1,7 @@
 use super::figures::{Figures, stem};
 use super::message::Failure;
 use super::sweep::Range;
+use super::wording::Words;
 use crate::cycle::Curves;
 use crate::drawing::curves;
 use clap::Args;
@@ -15,11 +16,14 @@ pub(super) struct CurvesCommand {
     range: Range,
     #[command(flatten)]
     figures: Figures,
+    #[command(flatten)]
+    words: Words,
 }
 
 impl CurvesCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let moved = self.range.moved()?;
+        let mut moved = self.range.moved()?;
+        self.words.put_into(&mut moved.scene.figure);
         let (mut branch, mut range) = moved.follow(&self.range)?;
         // A turn reads best from 0° to 360°.
         if !self.range.is_given() && branch.drive.is_angle() && branch.end(true).is_none() {

@@ -1,6 +1,7 @@
 use super::figures::{Figures, stem};
 use super::files::{self, Source};
 use super::message::Failure;
+use super::wording::Words;
 use super::work::{Mode, Work, work};
 use crate::cycle::{Drive, Film};
 use crate::drawing::{Drawing, figure, frames, stepwise};
@@ -39,6 +40,8 @@ pub(super) struct Draw {
     #[command(flatten)]
     figures: Figures,
     #[command(flatten)]
+    words: Words,
+    #[command(flatten)]
     mode: Mode,
 }
 
@@ -58,7 +61,7 @@ impl Draw {
         };
         let (mut drawings, mut works) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
-            let work = work(&source, self.mode.number, needed)?;
+            let work = work(&source, self.mode.number, &self.words, needed)?;
             work.warn();
             self.sheets(name, &work, &mut drawings)?;
             works.push((source, work));

@@ -14,6 +14,7 @@ mod steps;
 mod structure;
 mod sweep;
 mod table;
+mod wording;
 mod work;
 
 pub use message::shown;

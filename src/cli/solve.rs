@@ -1,6 +1,7 @@
 use super::files;
 use super::message::{Failure, warn};
 use super::pencil::Hand;
+use super::wording::Words;
 use super::work::{Mode, Work, work};
 use crate::accuracy::bounds;
 use crate::drafting::readable_names;
@@ -32,7 +33,7 @@ pub(super) struct Solve {
 impl Solve {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let work = work(&source, self.mode.number, needed)?;
+        let work = work(&source, self.mode.number, &Words::default(), needed)?;
         if self.digits {
             return print_digits(&work);
         }

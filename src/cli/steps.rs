@@ -1,6 +1,7 @@
 use super::files;
 use super::message::Failure;
 use super::pencil::Hand;
+use super::wording::Words;
 use super::work::{Mode, work};
 use crate::format;
 use crate::motion::Order;
@@ -16,13 +17,17 @@ pub(super) struct Steps {
     #[command(flatten)]
     mode: Mode,
     #[command(flatten)]
+    words: Words,
+    #[command(flatten)]
     hand: Hand,
 }
 
 impl Steps {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let work = work(&source, self.mode.number, |_| Order::Acceleration)?;
+        let work = work(&source, self.mode.number, &self.words, |_| {
+            Order::Acceleration
+        })?;
         let names = step_names(&work.construction);
         let asked = names.iter().map(|name| Asked::new(name, &work.mechanism));
         let asked = asked.collect::<Result<Vec<Asked>, _>>();

@@ -1,10 +1,12 @@
 use super::files::{self, Source};
 use super::message::{Failure, warn};
+use super::wording::Words;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::{Motion, Order, motion};
-use crate::plan::{Construction, construction};
+use crate::plan::{Construction, construction_in};
 use crate::position::{AssemblyError, Pose, pose, poses};
 use crate::scene::{Near, Scene};
+use crate::words::Wording;
 use clap::Args;
 use std::path::Path;
 
@@ -37,12 +39,15 @@ pub(super) struct Work {
 pub(super) fn work(
     source: &Source,
     mode: Option<usize>,
+    words: &Words,
     order: impl Fn(&Scene) -> Order,
 ) -> Result<Work, Failure> {
     let stages = || -> Result<Work, crate::Error> {
-        let (scene, mechanism, pose) = posed(source, mode)?;
+        let (mut scene, mechanism, pose) = posed(source, mode)?;
+        words.put_into(&mut scene.figure);
         let motion = motion(&mechanism, &pose, order(&scene))?;
-        let construction = construction(&mechanism, &pose, &motion);
+        let wording = Wording::of(&scene.figure);
+        let construction = construction_in(&mechanism, &pose, &motion, &wording);
         Ok(Work {
             scene,
             mechanism,

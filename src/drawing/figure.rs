@@ -11,9 +11,10 @@ use super::text::{PlacedText, RichText};
 use super::view::{Extent, View};
 use super::words;
 use crate::mechanism::Mechanism;
-use crate::plan::{Construction, Scales, plain_text};
+use crate::plan::{Construction, Scales, shown_text};
 use crate::position::Pose;
 use crate::scene::{Figure, Panel, Scene};
+use crate::words::Language;
 use kurbo::Point;
 
 /// The figure that a scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
@@ -97,12 +98,10 @@ fn compose(
     let [width, height] = scene.figure.page.size_mm();
     let mut drawing = Drawing::new(width, height);
     drawing.style = Style::named(scene.figure.style);
-    let title = scene
-        .title
-        .as_deref()
-        .unwrap_or("Velocity and acceleration plans");
+    let language = scheme.words.language;
+    let title = scene.title.as_deref().unwrap_or(language.title);
     drawing.title = title.to_owned();
-    drawing.description = description(mechanism, layout);
+    drawing.description = description(language, mechanism, layout);
     let heading = PlacedText::new(
         RichText::verbatim(title),
         5.2,
@@ -116,19 +115,27 @@ fn compose(
             panel(&mut drawing, index, placed, &view, scheme, by_steps);
         }
     }
-    legend::draw(&mut drawing, layout.legend, scene.units, &layout.panels);
-    let steps = numbered(construction).map(|(_, _, step)| plain_text(&step.caption));
+    let words = &scheme.words;
+    legend::draw(
+        &mut drawing,
+        layout.legend,
+        words,
+        scene.units,
+        &layout.panels,
+    );
+    let steps = numbered(construction);
+    let steps = steps.map(|(_, plan, step)| shown_text(&step.caption, plan, words));
     drawing.steps = steps.collect();
     if by_steps {
         words::draw(&mut drawing, layout, scene.units, scheme);
         // After the last step.
         let from = drawing.marks.len();
-        legend::agreement(&mut drawing, layout.legend, construction);
+        legend::agreement(&mut drawing, layout.legend, words, construction);
         for mark in &mut drawing.marks[from..] {
             (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
         }
     } else {
-        legend::agreement(&mut drawing, layout.legend, construction);
+        legend::agreement(&mut drawing, layout.legend, words, construction);
     }
     drawing
 }
@@ -192,10 +199,11 @@ fn panel(
 ) {
     let frame = Shape::Polygon(legend::corners(placed.frame));
     drawing.draw(Pen::Frame, frame);
+    let language = scheme.words.language;
     let (prefix, heading) = match placed.panel {
-        Panel::Scheme => ("scheme", "Scheme"),
-        Panel::Velocity => ("velocity", "Velocity plan"),
-        Panel::Acceleration => ("acceleration", "Acceleration plan"),
+        Panel::Scheme => ("scheme", language.scheme),
+        Panel::Velocity => ("velocity", language.velocity_plan),
+        Panel::Acceleration => ("acceleration", language.acceleration_plan),
     };
     drawing.panels.push((heading.to_owned(), placed.frame));
     let letter = char::from(b'a' + index as u8);
@@ -227,30 +235,20 @@ fn panel(
 }
 
 /// The figure in a sentence, for those who cannot see it.
-fn description(mechanism: &Mechanism, layout: &Layout) -> String {
+fn description(language: &Language, mechanism: &Mechanism, layout: &Layout) -> String {
     let panels: Vec<&str> = layout
         .panels
         .iter()
         .map(|p| match p.panel {
-            Panel::Scheme => "the mechanism to scale",
-            Panel::Velocity => "its velocity plan",
-            Panel::Acceleration => "its acceleration plan",
+            Panel::Scheme => language.described_scheme,
+            Panel::Velocity => language.described_velocity_plan,
+            Panel::Acceleration => language.described_acceleration_plan,
         })
         .collect();
     let groups: Vec<String> = mechanism
         .groups
         .iter()
-        .map(|g| {
-            format!(
-                "class {}, links {}",
-                g.class.numeral(),
-                g.link_names(mechanism)
-            )
-        })
+        .map(|g| (language.described_group)(g.class.numeral(), &g.link_names(mechanism)))
         .collect();
-    format!(
-        "Panels: {}. Assur groups: {}.",
-        panels.join(", "),
-        groups.join("; ")
-    )
+    (language.description)(&panels.join(", "), &groups.join("; "))
 }

@@ -5,10 +5,17 @@ use super::sheet::{Drawing, Pen};
 use super::text::{PlacedText, RichText};
 use crate::plan::Construction;
 use crate::scene::{Panel, Units};
+use crate::words::{Language, Wording};
 use kurbo::{Point, Rect};
 
 /// The box with the scales, each with a bar of a round value.
-pub(super) fn draw(drawing: &mut Drawing, area: Rect, units: Units, panels: &[Placed]) {
+pub(super) fn draw(
+    drawing: &mut Drawing,
+    area: Rect,
+    words: &Wording,
+    units: Units,
+    panels: &[Placed],
+) {
     drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
     let column = area.width() / 3.0;
     let (length, time) = (units.length.as_str(), units.time.as_str());
@@ -32,7 +39,7 @@ pub(super) fn draw(drawing: &mut Drawing, area: Rect, units: Units, panels: &[Pl
         );
         let after = x + symbol.text.width(symbol.size) + 1.2;
         drawing.draw(Pen::Caption, Shape::Text(symbol));
-        let value = format!("= {} {per_mm}", short(placed.mu));
+        let value = format!("= {} {per_mm}", short(words, placed.mu));
         let value = PlacedText::new(
             RichText::plain(&value),
             CAPTION,
@@ -48,7 +55,7 @@ pub(super) fn draw(drawing: &mut Drawing, area: Rect, units: Units, panels: &[Pl
             let tick = Shape::Line(Point::new(end.x, y - 0.9), Point::new(end.x, y + 0.9));
             drawing.draw(Pen::Ground, tick);
         }
-        let bar = format!("{} {unit}", short(10.0 * placed.mu));
+        let bar = format!("{} {unit}", short(words, 10.0 * placed.mu));
         let bar = PlacedText::new(
             RichText::plain(&bar),
             0.9 * CAPTION,
@@ -59,9 +66,14 @@ pub(super) fn draw(drawing: &mut Drawing, area: Rect, units: Units, panels: &[Pl
 }
 
 /// Below the scales: how the construction and the loop equations agree.
-pub(super) fn agreement(drawing: &mut Drawing, area: Rect, construction: &Construction) {
+pub(super) fn agreement(
+    drawing: &mut Drawing,
+    area: Rect,
+    words: &Wording,
+    construction: &Construction,
+) {
     let text = PlacedText::new(
-        RichText::plain(&comparison(construction)),
+        RichText::plain(&comparison(words.language, construction)),
         0.95 * CAPTION,
         Point::new(area.x0 + 4.0, area.y0 + 12.6),
     );
@@ -69,25 +81,22 @@ pub(super) fn agreement(drawing: &mut Drawing, area: Rect, construction: &Constr
 }
 
 /// How the construction and the loop equations agree, in words.
-fn comparison(construction: &Construction) -> String {
+fn comparison(language: &Language, construction: &Construction) -> String {
     let known = construction.agreement.iter().flatten();
     let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
     match worst {
-        Some(worst) if construction.agreement.iter().all(Option::is_some) => format!(
-            "Construction and loop equations agree: rates differ by {} of the largest (crossings allow {}). Printed at 100 %, mm × μ is the value.",
-            power(worst.difference),
-            power(worst.allowed)
-        ),
+        Some(worst) if construction.agreement.iter().all(Option::is_some) => {
+            (language.agreement)(&power(worst.difference), &power(worst.allowed))
+        }
         _ => {
             let mut special = construction.special.iter().flatten();
-            let why = if special.any(|s| s.place.finite().is_none()) {
-                "A special point lies at infinity"
+            let far = special.any(|s| s.place.finite().is_none());
+            let why = if far {
+                language.one_route_far
             } else {
-                "A group has no construction by two rays"
+                language.one_route
             };
-            format!(
-                "{why}: rates are from the loop equations alone. Printed at 100 %, mm × μ is the value."
-            )
+            why.to_owned()
         }
     }
 }
@@ -106,12 +115,12 @@ fn power(x: f64) -> String {
 }
 
 /// A scale value without superfluous digits.
-pub(super) fn short(x: f64) -> String {
+pub(super) fn short(words: &Wording, x: f64) -> String {
     if x != 0.0 && !(1e-4..1e6).contains(&x.abs()) {
-        return format!("{x:e}");
+        return words.number(format!("{x:e}"));
     }
     let text = format!("{x:.6}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    words.number(text.trim_end_matches('0').trim_end_matches('.').to_owned())
 }
 
 pub(super) fn corners(r: Rect) -> Vec<Point> {

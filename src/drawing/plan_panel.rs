@@ -247,7 +247,10 @@ fn points(
         canvas.draw_named(&id, pen, Shape::Circle { center, radius });
         let shown: Vec<String> = here
             .iter()
-            .map(|name| canvas.shown(name, &scheme.names.markup(name)))
+            .map(|name| {
+                let written = scheme.names.markup(name);
+                canvas.shown(name, &plan.shown(name, written, scheme.words.notation))
+            })
             .collect();
         let away = place - middle;
         let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());

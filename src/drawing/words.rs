@@ -50,7 +50,7 @@ pub(super) fn draw(drawing: &mut Drawing, layout: &Layout, units: Units, scheme:
             area,
             number,
         };
-        page.caption(&step.caption, count);
+        page.caption(step, plan, count);
         page.details(step, plan);
     }
 }
@@ -105,23 +105,37 @@ impl Page<'_> {
     }
 
     /// A text of one kind with names between backticks.
-    fn pieces(&self, text: &str, kind: impl Fn(String) -> Piece) -> Vec<Piece> {
+    fn pieces(
+        &self,
+        text: &str,
+        plan: Option<&Plan>,
+        kind: impl Fn(String) -> Piece,
+    ) -> Vec<Piece> {
         let pieces = text.split('`').enumerate();
         let pieces = pieces.map(|(index, piece)| match index % 2 {
             0 => kind(piece.to_owned()),
-            _ => Piece::Math(self.scheme.names.markup(piece)),
+            _ => Piece::Math(self.name(piece, plan)),
         });
         pieces.collect()
     }
 
+    /// A name as it is written, within a plan or on the mechanism.
+    fn name(&self, name: &str, plan: Option<&Plan>) -> String {
+        let written = self.scheme.names.markup(name);
+        match plan {
+            Some(plan) => plan.shown(name, written, self.scheme.words.notation),
+            None => written,
+        }
+    }
+
     /// Which step it is, and what to do.
-    fn caption(&mut self, caption: &str, count: usize) {
+    fn caption(&mut self, step: &Step, plan: Option<&Plan>, count: usize) {
         let number = RichText::plain(&format!("{} / {count}", self.number));
         let from = Point::new(self.area.x0, self.area.y0 + FIRST);
         let after = from.x + number.width(SIZE) + 4.0;
         let placed = PlacedText::new(number, SIZE, from);
         self.put(Pen::Heading, Shape::Text(placed));
-        let pieces = self.pieces(caption, Piece::Words);
+        let pieces = self.pieces(&step.caption, plan, Piece::Words);
         let room = self.area.x1 - after;
         self.line(&pieces, SIZE, Point::new(after, from.y), room);
     }
@@ -135,16 +149,16 @@ impl Page<'_> {
             Action::Solve {
                 equations,
                 unknowns,
-            } => return self.solved(equations, unknowns),
+            } => return self.solved(equations, unknowns, plan),
             Action::Ray(ray) => {
                 let sign = match ray.relation {
                     Relation::Perpendicular => "⊥",
                     Relation::Parallel => "∥",
                 };
                 let along = format!("{sign} {}", ray.line);
-                self.equation(&step.equation, Some(&along), from)
+                self.equation(&step.equation, plan, Some(&along), from)
             }
-            _ => self.equation(&step.equation, None, from),
+            _ => self.equation(&step.equation, plan, None, from),
         };
         let value = match &step.action {
             Action::Measure { value, .. } => Some(self.size(*value, kind)),
@@ -164,7 +178,7 @@ impl Page<'_> {
         let mut pieces = Vec::new();
         if !from.is_empty() {
             for name in [from, to] {
-                pieces.push(Piece::Math(self.scheme.names.markup(name)));
+                pieces.push(Piece::Math(self.name(name, plan)));
                 pieces.push(Piece::Words(" ".to_owned()));
             }
         }
@@ -179,7 +193,7 @@ impl Page<'_> {
     }
 
     /// The equations that are solved, two in a line, and what comes out.
-    fn solved(&mut self, equations: &[String], unknowns: &[(String, f64)]) {
+    fn solved(&mut self, equations: &[String], unknowns: &[(String, f64)], plan: Option<&Plan>) {
         let half = 0.5 * self.area.width();
         let lines = equations.len().div_ceil(2) as f64;
         let step = (LAST - SECOND + 1.6) / lines.max(1.0);
@@ -189,7 +203,7 @@ impl Page<'_> {
                 self.area.x0 + half * column,
                 self.area.y0 + SECOND - 1.6 + step.min(6.0) * row,
             );
-            let pieces = self.pieces(equation, Piece::Math);
+            let pieces = self.pieces(equation, plan, Piece::Math);
             self.line(&pieces, EQUATION, from, half - 4.0);
         }
         let mut pieces = Vec::new();
@@ -198,7 +212,10 @@ impl Page<'_> {
             let between = if index > 0 { ",   " } else { "" };
             pieces.push(Piece::Words(between.to_owned()));
             pieces.push(Piece::Math(symbol));
-            pieces.push(Piece::Words(format!(" = {} {unit}", significant(*value))));
+            pieces.push(Piece::Words(format!(
+                " = {} {unit}",
+                self.significant(*value)
+            )));
         }
         let from = Point::new(self.area.x0, self.area.y0 + LAST);
         self.line(&pieces, EQUATION, from, self.area.width());
@@ -217,7 +234,14 @@ impl Page<'_> {
 
     /// Writes an equation, with lines under what is known: two under whole vectors, one under directions; below them what they are
     /// called, and `along` what the direction is. Where it ends.
-    fn equation(&mut self, equation: &Equation, along: Option<&str>, from: Point) -> f64 {
+    fn equation(
+        &mut self,
+        equation: &Equation,
+        plan: Option<&Plan>,
+        along: Option<&str>,
+        from: Point,
+    ) -> f64 {
+        let language = self.scheme.words.language;
         let mut x = from.x;
         for term in &equation.terms {
             let kind = match term.known {
@@ -226,16 +250,16 @@ impl Page<'_> {
                 _ => None,
             };
             if let Some(kind) = kind {
-                let pieces = self.pieces(&term.markup, kind);
+                let pieces = self.pieces(&term.markup, plan, kind);
                 x = self.line(&pieces, EQUATION, Point::new(x, from.y), self.area.x1 - x);
                 continue;
             }
             let text = RichText::math(&term.markup);
             let mut name = match term.part {
-                Some(NamedPart::Normal) => "normal",
-                Some(NamedPart::Tangential) => "tangential",
-                Some(NamedPart::Sliding) => "sliding",
-                Some(NamedPart::Coriolis) => "Coriolis",
+                Some(NamedPart::Normal) => language.normal,
+                Some(NamedPart::Tangential) => language.tangential,
+                Some(NamedPart::Sliding) => language.sliding,
+                Some(NamedPart::Coriolis) => language.coriolis,
                 None => "",
             }
             .to_owned();
@@ -282,12 +306,13 @@ impl Page<'_> {
         };
         let unit = unit.unit(self.units);
         let placed = self.layout.panels.iter().find(|p| p.panel == panel);
-        let on_paper = placed.map(|p| format!(" ({:.2} mm × {})", value / p.mu, short(p.mu)));
-        format!(
-            "{} {unit}{}",
-            significant(value),
-            on_paper.unwrap_or_default()
-        )
+        let words = &self.scheme.words;
+        let on_paper = placed.map(|p| {
+            let mm = words.number(format!("{:.2}", value / p.mu));
+            format!(" ({mm} mm × {})", short(words, p.mu))
+        });
+        let value = self.significant(value);
+        format!("{value} {unit}{}", on_paper.unwrap_or_default())
     }
 
     /// The same of a vector, with its direction.
@@ -296,7 +321,13 @@ impl Page<'_> {
         if vector == Vector::zeros() {
             return size;
         }
-        format!("{size}, direction {:.2}°", degrees_of(vector)).replace('-', "−")
+        let words = &self.scheme.words;
+        let degrees = words.number(format!("{:.2}", degrees_of(vector)));
+        (words.language.with_direction)(&size, &degrees.replace('-', "−"))
+    }
+
+    fn significant(&self, value: f64) -> String {
+        self.scheme.words.number(significant(value))
     }
 }
 

@@ -1,16 +1,20 @@
-use crate::drafting::{Pencil, Tolerance, Unread};
-use crate::geometry::degrees_of;
-use crate::plan::{Action, Construction, Plan, PlanKind, Step, plain_text};
+use crate::drafting::{Pencil, Sheet, Tolerance, Unread};
+use crate::geometry::{Vector, degrees_of};
+use crate::plan::{Action, Construction, Plan, PlanKind, Step, plain_text, shown_text};
 use crate::scene::{Scene, Units};
+use crate::words::Wording;
 use std::fmt::Write;
 
 /// The construction as numbered text, each step with its values, its lengths in millimetres of paper and the bands of hand drawings.
 #[must_use]
 pub fn steps(scene: &Scene, construction: &Construction, pencil: &Pencil) -> String {
+    let words = Wording::of(&scene.figure);
+    let language = words.language;
     let mut page = Page {
         text: String::new(),
         number: 0,
         units: scene.units,
+        words,
         pencil,
     };
     if let Some(title) = &scene.title {
@@ -18,25 +22,23 @@ pub fn steps(scene: &Scene, construction: &Construction, pencil: &Pencil) -> Str
     }
     page.scales_line();
     page.pencil_lines();
-    page.line("\nOn the mechanism");
+    page.heading(language.on_the_mechanism);
     for step in &construction.scheme {
         page.step(step, None);
     }
     for plan in construction.plans() {
-        page.line(match plan.kind {
-            PlanKind::Velocity => "\nVelocity plan",
-            PlanKind::Acceleration => "\nAcceleration plan",
+        page.heading(match plan.kind {
+            PlanKind::Velocity => language.velocity_plan,
+            PlanKind::Acceleration => language.acceleration_plan,
         });
         for step in &plan.steps {
             page.step(step, Some(plan));
         }
     }
     for agreement in construction.agreement.iter().flatten() {
-        let _ = writeln!(
-            page.text,
-            "\nThe rates from this construction and from the loop equations differ by {:.0e} of the largest; its crossings allow {:.0e}.",
-            agreement.difference, agreement.allowed
-        );
+        let [difference, allowed] =
+            [agreement.difference, agreement.allowed].map(|x| format!("{x:.0e}"));
+        page.heading(&(language.routes_differ)(&difference, &allowed));
     }
     page.text
 }
@@ -45,6 +47,7 @@ struct Page<'a> {
     text: String,
     number: usize,
     units: Units,
+    words: Wording,
     pencil: &'a Pencil,
 }
 
@@ -52,6 +55,16 @@ impl Page<'_> {
     fn line(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push('\n');
+    }
+
+    /// A line that stands apart.
+    fn heading(&mut self, line: &str) {
+        self.text.push('\n');
+        self.line(line);
+    }
+
+    fn number(&self, written: String) -> String {
+        self.words.number(written)
     }
 
     fn unit(&self, kind: Option<PlanKind>) -> String {
@@ -77,22 +90,24 @@ impl Page<'_> {
             .into_iter()
             .zip(["μ_l", "μ_v", "μ_a"])
             .filter_map(|(kind, name)| {
-                Some(format!(
-                    "{name} = {} {} per mm",
-                    self.mu(kind)?,
-                    self.unit(kind)
+                let mu = self.number(self.mu(kind)?.to_string());
+                Some((self.words.language.scale_per_mm)(
+                    name,
+                    &mu,
+                    &self.unit(kind),
                 ))
             });
-        let line = format!("Scales: {}", entries.collect::<Vec<_>>().join(", "));
+        let entries: Vec<String> = entries.collect();
+        let line = (self.words.language.scales)(&entries.join(", "));
         self.line(&line);
     }
 
     /// What the bands mean, and why some values have none.
     fn pencil_lines(&mut self) {
         let Tolerance { mm, degrees } = self.pencil.tolerance;
-        self.line(&format!(
-            "± is what honest hand drawings (±{mm} mm, ±{degrees}°) keep to, at least 95 of 100."
-        ));
+        let [mm, degrees] = [mm, degrees].map(|x| self.number(x.to_string()));
+        let language = self.words.language;
+        self.line(&(language.bands)(&mm, &degrees));
         let mut reasons: Vec<&Unread> = Vec::new();
         for (_, band) in &self.pencil.quantities {
             if let Err(why @ (Unread::NoConstruction | Unread::NoSheet(_))) = band
@@ -102,7 +117,16 @@ impl Page<'_> {
             }
         }
         for why in reasons {
-            self.line(&format!("A value has no ± where {why}."));
+            let sheet = match why {
+                Unread::NoSheet(Sheet::Scheme) => language.scheme,
+                Unread::NoSheet(Sheet::Velocity) => language.velocity_plan,
+                Unread::NoSheet(Sheet::Acceleration) => language.acceleration_plan,
+                _ => {
+                    self.line(language.no_band_no_construction);
+                    continue;
+                }
+            };
+            self.line(&(language.no_band_no_sheet)(&sheet.to_lowercase()));
         }
     }
 
@@ -111,11 +135,18 @@ impl Page<'_> {
         let Some(band) = self.pencil.band(name) else {
             return String::new();
         };
-        let on_paper = mu.map(|mu| format!(" ({:.2} mm)", band.band / mu));
-        let rough = if band.is_rough { ", only roughly" } else { "" };
+        let on_paper = mu.map(|mu| {
+            let mm = self.number(format!("{:.2}", band.band / mu));
+            format!(" ({mm} mm)")
+        });
+        let rough = if band.is_rough {
+            self.words.language.only_roughly
+        } else {
+            ""
+        };
         format!(
             "; ± {} {unit}{}{rough}",
-            significant(band.band, 2),
+            self.number(significant(band.band, 2)),
             on_paper.unwrap_or_default()
         )
     }
@@ -128,12 +159,13 @@ impl Page<'_> {
 
     /// A value with its unit and its length on paper.
     fn measure(&self, value: f64, kind: Option<PlanKind>) -> String {
-        let on_paper = self
-            .mu(kind)
-            .map(|mu| format!(" ({:.2} mm on paper)", value / mu));
+        let on_paper = self.mu(kind).map(|mu| {
+            let mm = self.number(format!("{:.2}", value / mu));
+            format!(" ({})", (self.words.language.on_paper)(&mm))
+        });
         format!(
             "{} {}{}",
-            digits(value),
+            self.digits(value),
             self.unit(kind),
             on_paper.unwrap_or_default()
         )
@@ -145,21 +177,51 @@ impl Page<'_> {
             self.text,
             "{:3}. {}",
             self.number,
-            plain_text(&step.caption)
+            self.text(&step.caption, plan)
         );
         for detail in self.details(step, plan) {
             let _ = writeln!(self.text, "     {detail}");
         }
     }
 
+    /// A caption or an equation as plain text.
+    fn text(&self, markup: &str, plan: Option<&Plan>) -> String {
+        shown_text(markup, plan, &self.words)
+    }
+
+    /// A number with seven significant digits.
+    fn digits(&self, value: f64) -> String {
+        self.number(significant(value, 7))
+    }
+
+    fn degrees(&self, degrees: f64) -> String {
+        self.number(format!("{degrees:.2}"))
+    }
+
+    /// The acute angle of a crossing with this sine.
+    fn crossing(&self, sine: f64) -> String {
+        let angle = libm::asin(sine.abs().min(1.0)).to_degrees();
+        (self.words.language.angle_of_crossing)(&self.degrees(angle))
+    }
+
+    /// A vector's size with its length on paper, and its direction.
+    fn vector(&self, vector: Vector, kind: Option<PlanKind>) -> String {
+        let size = self.measure(vector.norm(), kind);
+        (self.words.language.with_direction)(&size, &self.degrees(degrees_of(vector)))
+    }
+
     /// Equation and values of a step, a line each.
     fn details(&self, step: &Step, plan: Option<&Plan>) -> Vec<String> {
         let kind = plan.map(|p| p.kind);
-        let equation = plain_text(&step.equation.markup());
+        let equation = self.text(&step.equation.markup(), plan);
+        let shown = |name: &str| match plan {
+            Some(plan) => plain_text(&plan.shown(name, name.to_owned(), self.words.notation)),
+            None => name.to_owned(),
+        };
         match &step.action {
             Action::Pole { .. } | Action::Note => Vec::new(),
             Action::SpecialPoint { sine, .. } => {
-                vec![format!("angle of crossing {:.2}°", angle_of_sine(*sine))]
+                vec![self.crossing(*sine)]
             }
             Action::MeasureLength { from, to, value } => {
                 let band = self.band(&format!("L({from},{to})"), &self.unit(None), self.mu(None));
@@ -175,17 +237,17 @@ impl Page<'_> {
                     lines.push(equation);
                 }
                 lines.push(format!(
-                    "{} {} = {}, direction {:.2}°{}",
-                    arrow.from,
-                    arrow.to,
-                    self.measure(vector.norm(), kind),
-                    degrees_of(vector),
+                    "{} {} = {}{}",
+                    shown(&arrow.from),
+                    shown(&arrow.to),
+                    self.vector(vector, kind),
                     self.segment_band(kind, &arrow.from, &arrow.to)
                 ));
                 lines
             }
             Action::Ray(ray) => {
-                let direction = format!("direction {:.2}°", degrees_of(ray.direction));
+                let direction =
+                    (self.words.language.direction)(&self.degrees(degrees_of(ray.direction)));
                 if equation.is_empty() {
                     vec![direction]
                 } else {
@@ -193,14 +255,14 @@ impl Page<'_> {
                 }
             }
             Action::Cross { point, sine, .. } => {
-                let mut lines = vec![format!("angle of crossing {:.2}°", angle_of_sine(*sine))];
+                let mut lines = vec![self.crossing(*sine)];
                 let vector = plan.and_then(|p| p.segment(p.kind.pole(), point));
                 if let (Some(vector), Some(plan)) = (vector, plan) {
                     lines.push(format!(
-                        "{} {point} = {}, direction {:.2}°{}",
-                        plan.kind.pole(),
-                        self.measure(vector.norm(), kind),
-                        degrees_of(vector),
+                        "{} {} = {}{}",
+                        shown(plan.kind.pole()),
+                        shown(point),
+                        self.vector(vector, kind),
                         self.segment_band(kind, plan.kind.pole(), point)
                     ));
                 }
@@ -209,7 +271,9 @@ impl Page<'_> {
             Action::Measure { from, to, value } => {
                 let band = self.segment_band(kind, from, to);
                 vec![format!(
-                    "{from} {to} = {}{band}",
+                    "{} {} = {}{band}",
+                    shown(from),
+                    shown(to),
                     self.measure(*value, kind)
                 )]
             }
@@ -217,7 +281,7 @@ impl Page<'_> {
                 equations,
                 unknowns,
             } => {
-                let mut lines: Vec<String> = equations.iter().map(|e| plain_text(e)).collect();
+                let mut lines: Vec<String> = equations.iter().map(|e| self.text(e, plan)).collect();
                 let time = self.units.time.as_str();
                 lines.extend(unknowns.iter().map(|(name, value)| {
                     let unit = match name.split('(').next() {
@@ -227,7 +291,7 @@ impl Page<'_> {
                     };
                     // Computed, not measured: it has no length on paper.
                     let band = self.band(name, &unit, None);
-                    format!("{name} = {} {unit}{band}", digits(*value))
+                    format!("{name} = {} {unit}{band}", self.digits(*value))
                 }));
                 lines
             }
@@ -247,14 +311,4 @@ fn significant(x: f64, count: i32) -> String {
     } else {
         format!("{x:.*e}", count as usize - 1)
     }
-}
-
-/// Seven significant digits.
-fn digits(x: f64) -> String {
-    significant(x, 7)
-}
-
-/// The acute angle, in degrees, that has this sine.
-fn angle_of_sine(sine: f64) -> f64 {
-    libm::asin(sine.abs().min(1.0)).to_degrees()
 }

@@ -29,5 +29,5 @@ pub use quantity::{
 pub use state::{Snapshot, State};
 pub use step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};
 pub use symbol::Kind;
-pub use words::{plain_text, rate_symbol};
+pub use words::{plain_text, rate_symbol, shown_text};
 pub use write::{Construction, construction, construction_in};

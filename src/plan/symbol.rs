@@ -1,6 +1,7 @@
 use super::quantity::{Asked, Component, Normality, What};
 use crate::mechanism::Mechanism;
 use crate::scene::Units;
+use crate::words::Notation;
 
 /// Of what kind a quantity is: what may share an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -89,9 +90,15 @@ impl Asked {
         inner.rsplit_once(')').map_or(inner, |(inner, _)| inner)
     }
 
-    /// How it is written, as in `ω_{4}`; a vector by its size, as in `|v_{D}|`. `shown` gives the text for a name.
+    /// How it is written, as in `ω_{4}`; a vector by its size, as in `|v_{D}|`. `shown` gives the text for a name; segments of plans
+    /// are called by the points' own names.
     #[must_use]
-    pub fn symbol(&self, mechanism: &Mechanism, shown: &dyn Fn(&str) -> String) -> String {
+    pub fn symbol(
+        &self,
+        mechanism: &Mechanism,
+        notation: &Notation,
+        shown: &dyn Fn(&str) -> String,
+    ) -> String {
         let plain = |letter, low: String| Symbol {
             letter,
             high: "",
@@ -116,17 +123,20 @@ impl Asked {
             What::Alpha(id) => plain("α", link(*id)),
             What::Angle(id) => plain("φ", link(*id)),
             What::SlidePosition(id) => slider("s", "", *id),
-            What::SlideVelocity(id) => slider("v", "r", *id),
-            What::SlideAcceleration(id) => slider("a", "r", *id),
-            What::Coriolis(id, _) => slider("a", "c", *id),
+            What::SlideVelocity(id) => slider("v", notation.relative, *id),
+            What::SlideAcceleration(id) => slider("a", notation.relative, *id),
+            What::Coriolis(id, _) => slider("a", notation.coriolis, *id),
             What::Coordinate(0, spot) => plain("x", shown(spot.name())),
             What::Coordinate(_, spot) => plain("y", shown(spot.name())),
             What::Length(a, b) => relative("L", "", a.name(), Some(b.name())),
             What::Velocity(a, b) => relative("v", "", a.name(), b.as_ref().map(|b| b.name())),
             What::Acceleration(a, b) => relative("a", "", a.name(), b.as_ref().map(|b| b.name())),
-            What::Part(Normality::Normal, a, b, _) => relative("a", "n", a.name(), Some(b.name())),
-            What::Part(Normality::Tangential, a, b, _) => {
-                relative("a", "t", a.name(), Some(b.name()))
+            What::Part(normality, a, b, _) => {
+                let part = match normality {
+                    Normality::Normal => notation.normal,
+                    Normality::Tangential => notation.tangential,
+                };
+                relative("a", part, a.name(), Some(b.name()))
             }
             What::Segment { kind, from, to, .. } => Symbol {
                 after: format!(" ({} {})", shown(from), shown(to)),
@@ -167,6 +177,7 @@ mod tests {
         let text = include_str!("../../examples/figure-2.json");
         let scene = crate::scene::Scene::read(text).expect("a good scene");
         let mechanism = crate::mechanism::mechanism(&scene).expect("a mechanism");
+        let notation = crate::words::Wording::default().notation;
         for (name, symbol, kind, subject) in [
             ("omega(4)", "ω_{4}", Kind::AngularVelocity, "4"),
             ("angle(4)", "φ_{4}", Kind::Angle, "4"),
@@ -183,7 +194,7 @@ mod tests {
             ("vplan(b,s3)", "μ_v (b s_{3})", Kind::Velocity, "b,s3"),
         ] {
             let asked = Asked::new(name, &mechanism).expect(name);
-            assert_eq!(asked.symbol(&mechanism, &display), symbol);
+            assert_eq!(asked.symbol(&mechanism, notation, &display), symbol);
             assert_eq!((asked.kind(), asked.subject()), (kind, subject), "{name}");
         }
         let paper = Asked::new("vplan(b,s3)/mu", &mechanism).expect("a known form");

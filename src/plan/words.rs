@@ -3,7 +3,7 @@
 use super::cut::{CutLine, LegKind, Special};
 use super::equation::{Equation, Known, NamedPart};
 use super::name::{image_name, point_on};
-use super::step::{PlanKind, Relation};
+use super::step::{Plan, PlanKind, Relation};
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
@@ -18,6 +18,17 @@ pub(super) fn written(name: &str) -> String {
 #[must_use]
 pub fn plain_text(markup: &str) -> String {
     markup.replace("^2", "²").replace(['{', '}', '`'], "")
+}
+
+/// A caption or an equation as plain text, names of plan points as the notation has them.
+#[must_use]
+pub fn shown_text(markup: &str, plan: Option<&Plan>, words: &Wording) -> String {
+    let pieces = markup.split('`').enumerate();
+    let shown = pieces.map(|(index, piece)| match (index % 2, plan) {
+        (1, Some(plan)) => plan.shown(piece, piece.to_owned(), words.notation),
+        _ => piece.to_owned(),
+    });
+    plain_text(&shown.collect::<String>())
 }
 
 /// A subscript made of several names, as in `S3B`.

@@ -1,4 +1,5 @@
 use crate::drawing::view::next_of;
+use crate::words::Wording;
 
 /// Steps of angles, in degrees, that are round.
 const DEGREES: [f64; 17] = [
@@ -21,11 +22,18 @@ pub(super) struct Axis {
     /// Numbers are shown in units of ten to this power.
     pub power: i32,
     decimals: usize,
+    words: Wording,
 }
 
 impl Axis {
     /// The axis from `ends[0]` at `places[0]` to `ends[1]` at `places[1]`, with round values at least `apart` mm from each other.
-    pub fn new(ends: [f64; 2], places: [f64; 2], apart: f64, degrees: bool) -> Axis {
+    pub fn new(
+        words: Wording,
+        ends: [f64; 2],
+        places: [f64; 2],
+        apart: f64,
+        degrees: bool,
+    ) -> Axis {
         let width = ends[1] - ends[0];
         let least = width * apart / (places[1] - places[0]).abs();
         let of_degrees = DEGREES.into_iter().find(|step| *step >= least);
@@ -51,6 +59,7 @@ impl Axis {
             ticks: (0..=count).map(|k| (first + k as f64) * step).collect(),
             power,
             decimals: usize::try_from(-step_decade).unwrap_or(0),
+            words,
         }
     }
 
@@ -63,12 +72,14 @@ impl Axis {
     /// A round value as it is written beside the axis.
     pub fn tick(&self, value: f64) -> String {
         let shown = value / libm::exp10(f64::from(self.power));
-        minus(format!("{:.*}", self.decimals, shown + 0.0))
+        let written = minus(format!("{:.*}", self.decimals, shown + 0.0));
+        self.words.number(written)
     }
 
     /// A value beside its curve, in the axis's unit, with four digits.
     pub fn value(&self, value: f64) -> String {
-        digits(value / libm::exp10(f64::from(self.power)), 4)
+        let shown = value / libm::exp10(f64::from(self.power));
+        self.words.number(digits(shown, 4))
     }
 }
 
@@ -105,7 +116,7 @@ mod tests {
     use super::*;
 
     fn ticks(ends: [f64; 2], length: f64, degrees: bool) -> Vec<String> {
-        let axis = Axis::new(ends, [0.0, length], 10.0, degrees);
+        let axis = Axis::new(Wording::default(), ends, [0.0, length], 10.0, degrees);
         axis.ticks.iter().map(|t| axis.tick(*t)).collect()
     }
 

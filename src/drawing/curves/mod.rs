@@ -18,6 +18,7 @@ use super::text::{PlacedText, RichText};
 use crate::cycle::{Curves, Happening};
 use crate::plan::Kind;
 use crate::scene::Scene;
+use crate::words::Wording;
 use axis::{Axis, digits};
 use kurbo::{Point, Rect, Vec2};
 use panel::Panel;
@@ -95,6 +96,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     let each = each.min(SLENDER * (width - 2.0 * MARGIN));
     let sheet = Sheet {
         scene,
+        words: Wording::of(&scene.figure),
         curves,
         numbers: numbers(curves, &kinds),
     };
@@ -127,6 +129,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
 /// What is drawn, and by which number each curve looks.
 pub(super) struct Sheet<'a> {
     scene: &'a Scene,
+    words: Wording,
     curves: &'a Curves<'a>,
     /// By curve.
     numbers: Vec<usize>,
@@ -176,6 +179,11 @@ impl Sheet<'_> {
         renamed.map_or_else(|| crate::plan::display(name), Clone::clone)
     }
 
+    /// A number with that many digits.
+    fn number(&self, value: f64, count: i32) -> String {
+        self.words.number(digits(value, count))
+    }
+
     /// The axis of the drive's values.
     fn drive_axis(&self, across: [f64; 2]) -> Axis {
         let [low, high] = self.curves.range;
@@ -186,7 +194,8 @@ impl Sheet<'_> {
         };
         let end = |at: f64, beyond: f64| if beside(at) { at + beyond } else { at };
         let ends = [end(low, -margin), end(high, margin)];
-        Axis::new(ends, across, APART, self.curves.path.drive.is_angle())
+        let turns = self.curves.path.drive.is_angle();
+        Axis::new(self.words, ends, across, APART, turns)
     }
 
     /// The values of the drive that are marked by vertical lines.
@@ -211,14 +220,16 @@ impl Sheet<'_> {
         } else {
             ""
         };
+        let language = self.words.language;
         let request = |(pen, value): (Pen, f64)| {
             let word = match pen {
-                Pen::Limit => "limit",
-                Pen::Change => "change",
-                _ => "scene",
+                Pen::Limit => language.limit,
+                Pen::Change => language.change,
+                _ => language.scene,
             };
+            let value_shown = self.number(value, 5);
             LabelRequest {
-                text: RichText::plain(&format!("{word} {}{unit}", digits(value, 5))),
+                text: RichText::plain(&format!("{word} {value_shown}{unit}")),
                 size: SIZE,
                 anchor: Point::new(drive.at(value), y),
                 clearance: 0.7,
@@ -267,16 +278,20 @@ impl Sheet<'_> {
         };
         let curves = &self.curves.curves;
         if curves.iter().any(|c| !c.dead.is_empty()) {
-            explain(Pen::Joint, panel::DEAD, "dead position");
+            explain(Pen::Joint, panel::DEAD, self.words.language.dead_position);
         }
         if curves.iter().any(|c| !c.extremes.is_empty()) {
-            explain(Pen::Pole, panel::DOT, "greatest, least value");
+            explain(Pen::Pole, panel::DOT, self.words.language.extremes);
         }
     }
 
     /// What the figure is called, and how the drives run.
     fn title(&self, drawing: &mut Drawing, across: [f64; 2]) {
-        let title = self.scene.title.as_deref().unwrap_or("Curves");
+        let title = self
+            .scene
+            .title
+            .as_deref()
+            .unwrap_or(self.words.language.curves);
         drawing.title = title.to_owned();
         let y = MARGIN + 5.6;
         let heading = PlacedText::new(RichText::verbatim(title), 5.2, Point::new(MARGIN, y));

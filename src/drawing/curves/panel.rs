@@ -64,7 +64,13 @@ impl Panel {
         let ends = [low - more, high + more];
         let apart = APART.max(LEAST_APART * height);
         Panel {
-            axis: Axis::new(ends, [rows[2], rows[1]], apart, kind == Kind::Angle),
+            axis: Axis::new(
+                sheet.words,
+                ends,
+                [rows[2], rows[1]],
+                apart,
+                kind == Kind::Angle,
+            ),
             letter: char::from(b'a' + index as u8),
             kind,
             members,
@@ -121,7 +127,9 @@ impl Panel {
             0 => unit,
             power => format!("10^{{{}}} {unit}", power.to_string().replace('-', "−")),
         };
-        let heading = format!("({}) {} in {unit}", self.letter, words::kind(self.kind));
+        let language = sheet.words.language;
+        let shows = (language.in_unit)(words::kind(language, self.kind), &unit);
+        let heading = format!("({}) {shows}", self.letter);
         let baseline = Point::new(frame.x0, self.rows[0] + 4.4);
         let heading = PlacedText::new(RichText::plain(&heading), 1.1 * CAPTION, baseline);
         drawing.draw(Pen::Heading, Shape::Text(heading));
@@ -270,7 +278,7 @@ impl Panel {
         let mechanism = sheet.curves.path.mechanism;
         let mut parts: Vec<String> = Vec::new();
         for asked in &curve.asked {
-            let symbol = asked.symbol(mechanism, &|name| sheet.shown(name));
+            let symbol = asked.symbol(mechanism, sheet.words.notation, &|name| sheet.shown(name));
             let symbol = canvas.shown(asked.name(), &symbol);
             if !parts.contains(&symbol) {
                 parts.push(symbol);

@@ -1,11 +1,11 @@
 use super::Sheet;
-use super::axis::digits;
 use super::panel::Panel;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{PlacedText, RichText};
 use crate::mechanism::{Role, SliderId};
 use crate::plan::Kind;
+use crate::words::Language;
 use kurbo::Point;
 
 /// A line of text in which symbols are slanted and words are upright.
@@ -44,30 +44,30 @@ impl Line {
 }
 
 /// What a panel shows.
-pub(super) fn kind(kind: Kind) -> &'static str {
+pub(super) fn kind(language: &Language, kind: Kind) -> &'static str {
     match kind {
-        Kind::Angle => "Angle",
-        Kind::AngularVelocity => "Angular velocity",
-        Kind::AngularAcceleration => "Angular acceleration",
-        Kind::Position => "Position",
-        Kind::Length => "Length",
-        Kind::Velocity => "Velocity",
-        Kind::Acceleration => "Acceleration",
+        Kind::Angle => language.angle,
+        Kind::AngularVelocity => language.angular_velocity,
+        Kind::AngularAcceleration => language.angular_acceleration,
+        Kind::Position => language.position,
+        Kind::Length => language.length,
+        Kind::Velocity => language.velocity,
+        Kind::Acceleration => language.acceleration,
     }
 }
 
 /// What the drive's axis shows.
 pub(super) fn drive(sheet: &Sheet) -> Line {
-    let drive = &sheet.curves.path.drive;
+    let (drive, language) = (&sheet.curves.path.drive, sheet.words.language);
     let link = sheet.shown(&drive.name);
     let length = sheet.scene.units.length.as_str();
     let plain = RichText::plain;
     Line(if drive.is_angle() {
         let symbol = RichText::math(&format!("φ_{{{link}}}"));
-        vec![plain("Angle"), symbol, plain("of the drive in °")]
+        let [before, behind] = language.drive_angle;
+        vec![plain(before), symbol, plain(behind)]
     } else {
-        let words = format!("Position of drive {link} in {length}");
-        vec![plain(&words)]
+        vec![plain(&(language.drive_position)(&link, length))]
     })
 }
 
@@ -76,7 +76,7 @@ pub(super) fn speeds(sheet: &Sheet) -> Line {
     let (mechanism, units) = (sheet.curves.path.mechanism, sheet.scene.units);
     let mut parts: Vec<[String; 2]> = Vec::new();
     let mut add = |symbol: String, value: f64, kind: Kind| {
-        let value = format!("= {} {}", digits(value, 4), kind.unit(units));
+        let value = format!("= {} {}", sheet.number(value, 4), kind.unit(units));
         parts.push([symbol, value]);
     };
     for (_, body) in mechanism.links() {
@@ -116,31 +116,32 @@ pub(super) fn speeds(sheet: &Sheet) -> Line {
 
 /// The figure in sentences, for those who cannot see it.
 pub(super) fn description(sheet: &Sheet, panels: &[Panel]) -> String {
-    let (curves, units) = (sheet.curves, sheet.scene.units);
+    let (curves, units, language) = (sheet.curves, sheet.scene.units, sheet.words.language);
     let drive = &curves.path.drive;
-    let [from, to] = curves.range.map(|v| drive.amount(v));
-    let mut text = format!("Over {} from {from} to {to}:", drive.quantity());
+    let amount = |value: f64| sheet.words.number(drive.amount(value));
+    let [from, to] = curves.range.map(amount);
+    let mut text = (language.over)(&drive.quantity(), &from, &to);
     for panel in panels {
         let unit = panel.kind.unit(units);
+        let value = |value: f64| format!("{} {unit}", sheet.number(value, 6));
         for curve in panel.members.iter().map(|i| &curves.curves[*i]) {
             let names: Vec<&str> = curve.asked.iter().map(|a| a.name()).collect();
-            text.push_str(&format!(" {}", names.join(" = ")));
-            if let Some(value) = curve.constant {
-                text.push_str(&format!(" is {} {unit};", digits(value, 6)));
+            let names = names.join(" = ");
+            if let Some(constant) = curve.constant {
+                let sentence = (language.is_constant)(&names, &value(constant));
+                text.push_str(&format!(" {sentence};"));
                 continue;
             }
-            for (greatest, word) in [(false, "least"), (true, "greatest")] {
+            let extreme = |greatest: bool, sentence: fn(&str, &str) -> String, none: &str| {
                 let mut extremes = curve.extremes.iter();
                 match extremes.find(|e| e.greatest == greatest) {
-                    Some(e) => text.push_str(&format!(
-                        ", {word} {} {unit} at {}",
-                        digits(e.value, 6),
-                        drive.amount((e.at * 1e4).round() / 1e4)
-                    )),
-                    None => text.push_str(&format!(", {word} without bound")),
+                    Some(e) => sentence(&value(e.value), &amount((e.at * 1e4).round() / 1e4)),
+                    None => none.to_owned(),
                 }
-            }
-            text.push(';');
+            };
+            let least = extreme(false, language.least, language.no_least);
+            let greatest = extreme(true, language.greatest, language.no_greatest);
+            text.push_str(&format!(" {names}, {least}, {greatest};"));
         }
     }
     text.pop();

@@ -17,6 +17,7 @@ use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
 use crate::plan::{Action, Construction, CutLine, Ray, image_name};
 use crate::position::Pose;
 use crate::scene::{Figure, Scene};
+use crate::words::Wording;
 use kurbo::Point;
 
 /// Radius of a joint's circle in mm.
@@ -30,6 +31,7 @@ pub(super) struct Scheme<'a> {
     pub construction: &'a Construction,
     pub names: Names,
     pub stages: Stages,
+    pub words: Wording,
 }
 
 impl<'a> Scheme<'a> {
@@ -47,6 +49,7 @@ impl<'a> Scheme<'a> {
             construction,
             names: Names::new(mechanism, construction),
             stages: Stages::new(construction),
+            words: Wording::of(&scene.figure),
         }
     }
 

@@ -120,9 +120,10 @@ impl Scheme<'_> {
             Place::At(place) => {
                 let distance = (place - self.pose.point(start)).norm();
                 let name = self.mechanism.point_name(start);
-                format!("{label}: {} from {name}", significant(distance))
+                let distance = self.words.number(significant(distance));
+                (self.words.language.far_away)(&label, &distance, name)
             }
-            Place::AtInfinity(_) => format!("{label} at infinity"),
+            Place::AtInfinity(_) => (self.words.language.at_infinity)(&label),
         };
         let name = format!("point-{}", special.name);
         canvas.draw_named(

@@ -1,0 +1,38 @@
+use crate::scene::{DecimalMark, Figure, LanguageName, NotationName};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+/// How things are said and written, in place of what the scene's figure asks for.
+#[derive(Debug, Default, Args)]
+pub(super) struct Words {
+    /// Whose way of writing poles, images and parts of accelerations.
+    #[arg(long, value_parser = one_of(NotationName::ALL, NotationName::as_str))]
+    notation: Option<NotationName>,
+    /// Language of headings and captions.
+    #[arg(long, value_parser = one_of(LanguageName::ALL, LanguageName::as_str))]
+    language: Option<LanguageName>,
+    /// What stands before the decimals of numbers.
+    #[arg(long, value_parser = one_of(DecimalMark::ALL, DecimalMark::as_str))]
+    decimal: Option<DecimalMark>,
+}
+
+impl Words {
+    /// Writes what was asked for into a scene's figure.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        figure.notation = self.notation.unwrap_or(figure.notation);
+        figure.language = self.language.unwrap_or(figure.language);
+        figure.decimal = self.decimal.unwrap_or(figure.decimal);
+    }
+}
+
+/// Accepts the names of some values.
+fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    all: [T; N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.map(name)).map(move |given| {
+        let mut values = all.into_iter();
+        let found = values.find(|value| name(*value) == given);
+        found.expect("only known names come through")
+    })
+}
