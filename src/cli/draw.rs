@@ -8,6 +8,7 @@ use crate::drawing::{Drawing, figure, frames, stepwise};
 use crate::format::{Page, html};
 use crate::motion::Order;
 use crate::scene::{Panel, Scene};
+use crate::words::Wording;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -83,11 +84,13 @@ impl Draw {
     /// The page of a scene: its figure with all steps, in all positions of the drive.
     fn page(&self, source: &Source, work: &Work) -> Result<String, Failure> {
         let (mechanism, own) = (&work.mechanism, (&work.pose, &work.construction));
-        let film = Film::new(mechanism, own, self.drive.as_deref(), self.positions.into());
+        let words = Wording::of(&work.scene.figure);
+        let drive = self.drive.as_deref();
+        let film = Film::new(mechanism, own, &words, drive, self.positions.into());
         let film = film.map_err(|error| Failure::Scene(source.clone(), Box::new(error.into())))?;
         let value = |value: &f64| {
             let drive = film.drive.as_ref();
-            drive.map_or_else(String::new, |drive| shown(drive, *value))
+            drive.map_or_else(String::new, |drive| words.number(shown(drive, *value)))
         };
         let values: Vec<String> = film.values.iter().map(value).collect();
         let quantity = film.drive.as_ref().map(Drive::quantity);

@@ -1,8 +1,9 @@
 use super::{CycleError, Drive, Path};
 use crate::mechanism::Mechanism;
 use crate::motion::{Order, motion};
-use crate::plan::{Construction, construction};
+use crate::plan::{Construction, construction_in};
 use crate::position::Pose;
+use crate::words::Wording;
 
 /// How far from each end of a drive's range the film keeps, in parts of the range: at a limit position rates are infinite.
 const OFF_THE_END: f64 = 0.004;
@@ -27,13 +28,14 @@ pub struct Film {
 
 impl Film {
     /// About `count` positions over the whole range that the drive of this name (without one, the first) can reach on the branch of
-    /// `pose`, and `pose` itself, which has this construction. Positions without a definite motion are left out.
+    /// `pose`, and `pose` itself, which has this construction; steps are told in these words. Positions without a definite motion are left out.
     ///
     /// # Errors
     /// There is no drive of that name, or the branch cannot be followed.
     pub fn new(
         mechanism: &Mechanism,
         (pose, own): (&Pose, &Construction),
+        words: &Wording,
         drive: Option<&str>,
         count: usize,
     ) -> Result<Self, CycleError> {
@@ -103,7 +105,7 @@ impl Film {
             let Ok(motion) = motion(mechanism, &pose, order) else {
                 continue;
             };
-            let construction = construction(mechanism, &pose, &motion);
+            let construction = construction_in(mechanism, &pose, &motion, words);
             film.values.push(value);
             film.positions.push((pose, construction));
         }
