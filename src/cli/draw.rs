@@ -102,6 +102,7 @@ impl Draw {
             own: film.own,
             is_round: film.is_round,
             quantity: &quantity.unwrap_or_default(),
+            language: words.language,
         }))
     }
 

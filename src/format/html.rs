@@ -1,6 +1,7 @@
 use super::number::number;
 use super::svg::{FONTS, Text, clean, escape, layers};
 use crate::drawing::{Drawing, Rect};
+use crate::words::Language;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use flate2::{Compression, GzBuilder};
@@ -24,6 +25,8 @@ pub struct Page<'a> {
     pub is_round: bool,
     /// What the drive moves, as in `angle(1)`.
     pub quantity: &'a str,
+    /// The figure's language.
+    pub language: &'a Language,
 }
 
 /// One HTML file that needs nothing else: the figure with its steps, in all positions, to be shown, stepped through, moved and printed.
@@ -45,6 +48,27 @@ pub fn html(page: &Page<'_>) -> String {
     } else {
         &first.title
     };
+    let words = &page.language.page;
+    let said = [
+        ("figure", words.figure),
+        ("panels", words.panels),
+        ("steps", words.steps),
+        ("first", words.first),
+        ("back", words.back),
+        ("forward", words.forward),
+        ("finished", words.finished),
+        ("motion", words.motion),
+        ("play", words.play),
+        ("own", words.own),
+        ("speed", words.speed),
+        ("look", words.look),
+        ("dark", words.dark),
+        ("print", words.print),
+        ("to_scale", words.to_scale),
+        ("no_script", words.no_script),
+        ("too_old", words.too_old),
+        ("language", page.language.code),
+    ];
     let contents = [
         ("title", escape(&clean(title))),
         ("width", number(first.width)),
@@ -54,6 +78,8 @@ pub fn html(page: &Page<'_>) -> String {
         ("sheet", sheet),
         ("data", packed(&film(page, first))),
     ];
+    let said = said.map(|(name, text)| (name, escape(text)));
+    let contents: Vec<(&str, String)> = contents.into_iter().chain(said).collect();
     let mut parts = PAGE.split("{{");
     let mut written = parts.next().unwrap_or_default().to_owned();
     for part in parts {
@@ -68,6 +94,7 @@ pub fn html(page: &Page<'_>) -> String {
 /// What the page's script reads.
 fn film(page: &Page<'_>, first: &Drawing) -> Value {
     let last = first.steps.len() as u16 + 1;
+    let said = &page.language.page;
     let mut lines: IndexSet<String> = IndexSet::new();
     // Layers by their place in the pile; what is below comes first.
     let mut pile: IndexMap<(bool, u16, bool), Vec<Vec<usize>>> = IndexMap::new();
@@ -107,6 +134,7 @@ fn film(page: &Page<'_>, first: &Drawing) -> Value {
     let words = Rect::new(0.0, below, first.width, first.height);
     json!({
         "title": first.title,
+        "said": { "all": said.all, "count": said.count, "play": said.play, "pause": said.pause },
         "width": first.width,
         "height": first.height,
         "panels": panels.collect::<Vec<_>>(),

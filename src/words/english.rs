@@ -1,4 +1,4 @@
-use super::language::{Language, NormalParts};
+use super::language::{Language, NormalParts, PageWords};
 
 /// English, the language that others fall back to.
 pub(super) const ENGLISH: Language = Language {
@@ -161,6 +161,29 @@ pub(super) const ENGLISH: Language = Language {
     only_roughly: ", only roughly",
     direction: |degrees| format!("direction {degrees}°"),
     angle_of_crossing: |degrees| format!("angle of crossing {degrees}°"),
+
+    page: PageWords {
+        figure: "Figure",
+        panels: "Panels",
+        all: "All",
+        steps: "Steps of the construction",
+        first: "First step (Home)",
+        back: "Step back (←)",
+        forward: "Step forward (→)",
+        finished: "Finished figure (End)",
+        count: "steps",
+        motion: "Motion",
+        play: "Play (space)",
+        pause: "Pause (space)",
+        own: "The scene's own position (0)",
+        speed: "Speed",
+        look: "Look",
+        dark: "Dark or light (d)",
+        print: "Print",
+        to_scale: "Print true to scale (p)",
+        no_script: "This page needs JavaScript to go step by step and to move. It loads nothing from anywhere.",
+        too_old: "This browser is too old to unpack the steps and the motion; the finished figure is shown.",
+    },
 };
 
 fn reversed(backwards: bool) -> &'static str {

@@ -199,4 +199,52 @@ pub struct Language {
     pub direction: With1,
     /// Degrees.
     pub angle_of_crossing: With1,
+
+    /// What stands on the buttons of a page.
+    pub page: PageWords,
+}
+
+/// What stands on the buttons of a page for the classroom, or is read out for them; names of keys are in brackets.
+#[derive(Clone, Copy, Debug)]
+pub struct PageWords {
+    /// The whole row of buttons.
+    pub figure: &'static str,
+    /// Which panels show.
+    pub panels: &'static str,
+    /// All panels.
+    pub all: &'static str,
+    /// The steps of the construction.
+    pub steps: &'static str,
+    /// To the first step.
+    pub first: &'static str,
+    /// A step back.
+    pub back: &'static str,
+    /// A step forward.
+    pub forward: &'static str,
+    /// To the finished figure.
+    pub finished: &'static str,
+    /// Behind the number of steps.
+    pub count: &'static str,
+    /// The motion.
+    pub motion: &'static str,
+    /// Sets it going.
+    pub play: &'static str,
+    /// Stops it.
+    pub pause: &'static str,
+    /// Back to the scene's own position.
+    pub own: &'static str,
+    /// How fast.
+    pub speed: &'static str,
+    /// Colours and paper.
+    pub look: &'static str,
+    /// Dark or light.
+    pub dark: &'static str,
+    /// Prints.
+    pub print: &'static str,
+    /// What printing does.
+    pub to_scale: &'static str,
+    /// Where scripts are off.
+    pub no_script: &'static str,
+    /// Where the browser is too old.
+    pub too_old: &'static str,
 }

@@ -10,7 +10,7 @@ mod language;
 mod notation;
 mod spanish;
 
-pub use language::{Language, NormalParts};
+pub use language::{Language, NormalParts, PageWords};
 pub use notation::{Notation, with_prime};
 
 use crate::scene::{DecimalMark, Figure, LanguageName, NotationName};

@@ -1,4 +1,4 @@
-use super::language::{Language, NormalParts};
+use super::language::{Language, NormalParts, PageWords};
 
 /// Spanish, with the terms of the source paper's school: polo, plano de velocidades, eslabón, punto especial, grupo de Assur.
 pub(super) const SPANISH: Language = Language {
@@ -159,6 +159,29 @@ pub(super) const SPANISH: Language = Language {
     only_roughly: ", solo aproximadamente",
     direction: |degrees| format!("dirección {degrees}°"),
     angle_of_crossing: |degrees| format!("ángulo de corte {degrees}°"),
+
+    page: PageWords {
+        figure: "Figura",
+        panels: "Paneles",
+        all: "Todo",
+        steps: "Pasos de la construcción",
+        first: "Primer paso (Inicio)",
+        back: "Paso atrás (←)",
+        forward: "Paso adelante (→)",
+        finished: "Figura terminada (Fin)",
+        count: "pasos",
+        motion: "Movimiento",
+        play: "Reproducir (espacio)",
+        pause: "Pausa (espacio)",
+        own: "La posición propia de la escena (0)",
+        speed: "Velocidad",
+        look: "Aspecto",
+        dark: "Oscuro o claro (d)",
+        print: "Imprimir",
+        to_scale: "Imprimir a escala (p)",
+        no_script: "Esta página necesita JavaScript para avanzar paso a paso y moverse. No carga nada de ninguna parte.",
+        too_old: "Este navegador es demasiado antiguo para desempaquetar los pasos y el movimiento; se muestra la figura terminada.",
+    },
 };
 
 fn reversed(backwards: bool) -> &'static str {
