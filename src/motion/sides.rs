@@ -39,22 +39,25 @@ pub(super) fn residuals(
 ) -> Sides {
     let loops = equations.loops.iter().zip(sides);
     loops
-        .map(|(terms, &side)| {
-            let mut rest = side;
-            for arm in &terms.arms {
-                if let Spin::Unknown(unknown) = arm.spin {
-                    let turned = pose.exact_arm(arm.from, arm.to).quarter_turn();
-                    rest = rest - turned * x[unknown];
-                }
-            }
-            for slide in &terms.slides {
-                if let SlideRate::Unknown(unknown) = slide.rate {
-                    rest = rest - guide(pose, slide.slider, slide.sign) * x[unknown];
-                }
-            }
-            rest
-        })
+        .map(|(terms, &side)| residual(terms, pose, side, x))
         .collect()
+}
+
+/// side − Σ ω J r − Σ ṡ u with the unknowns `x`.
+fn residual(terms: &LoopTerms, pose: &Pose, side: Pair<Ball>, x: &[Ball]) -> Pair<Ball> {
+    let mut rest = side;
+    for arm in &terms.arms {
+        if let Spin::Unknown(unknown) = arm.spin {
+            let turned = pose.exact_arm(arm.from, arm.to).quarter_turn();
+            rest = rest - turned * x[unknown];
+        }
+    }
+    for slide in &terms.slides {
+        if let SlideRate::Unknown(unknown) = slide.rate {
+            rest = rest - guide(pose, slide.slider, slide.sign) * x[unknown];
+        }
+    }
+    rest
 }
 
 /// The right side of a loop's velocity equations.
