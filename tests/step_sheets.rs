@@ -253,3 +253,34 @@ fn the_program_writes_them() {
     let count = list().len();
     assert_eq!(count, all.steps.len() + 1, "a refused command wrote a file");
 }
+
+/// Places too close for their names are shown larger: distances in the circle are exactly so many times as large.
+#[test]
+fn crowded_places_are_shown_larger_beside_the_plan() {
+    let text = read("examples/figure-2.json");
+    let drawing = Stages::of(&text).expect("a good scene").drawing();
+    let place = |id: &str| {
+        let mark = drawing.marks.iter().find(|m| m.id.as_deref() == Some(id));
+        mark.map(|mark| mark.shape.bounds().center())
+            .expect("it is drawn")
+    };
+    let factor = drawing.marks.iter().find_map(|mark| match &mark.shape {
+        Shape::Text(text) => text.text.content().strip_suffix(": 1").map(str::to_owned),
+        _ => None,
+    });
+    let factor: f64 = factor.expect("an inset").trim().parse().expect("a number");
+    assert!(factor >= 2.0);
+    // b and the ends of its normal parts, in the plan and in the circle.
+    let names = ["b", "n_b3", "n_b5"].map(|name| place(&format!("acceleration-point-{name}")));
+    let dots = drawing
+        .marks
+        .iter()
+        .filter(|m| m.pen == Pen::ImagePoint && m.id.is_none());
+    let dots: Vec<_> = dots.map(|mark| mark.shape.bounds().center()).collect();
+    assert_eq!(dots.len(), 3, "{dots:?}");
+    for (k, l) in [(0, 1), (1, 2), (2, 0)] {
+        let (small, large) = ((names[k] - names[l]).hypot(), (dots[k] - dots[l]).hypot());
+        assert!((large / small - factor).abs() < 1e-9, "{small} {large}");
+        assert!(small < 2.0 && large > 4.0);
+    }
+}

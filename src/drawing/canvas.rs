@@ -5,7 +5,7 @@ use super::shape::{Shape, around};
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::RichText;
 use indexmap::IndexMap;
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
 
 /// Size of labels: mm of one em.
 pub(super) const LABEL: f64 = 4.2;
@@ -140,6 +140,26 @@ impl<'a> Canvas<'a> {
         let touches = |area: &&Rect| area.overlaps(own);
         let lines = self.obstacles.lines.iter().filter(crosses).count();
         lines + self.obstacles.boxes.iter().filter(touches).count()
+    }
+
+    /// What has been drawn so far.
+    pub(super) fn marks(&self) -> &[Mark] {
+        &self.drawing.marks[self.before..]
+    }
+
+    /// Whether nothing has been drawn within a circle.
+    pub(super) fn is_free(&self, centre: Point, radius: f64) -> bool {
+        let far = radius * radius;
+        let lines = self.obstacles.lines.iter();
+        let mut lines = lines.map(|&(a, b)| Line::new(a, b).nearest(centre, 1e-3).distance_sq);
+        let mut boxes = self.obstacles.boxes.iter().map(|area| {
+            let nearest = Point::new(
+                centre.x.clamp(area.x0, area.x1),
+                centre.y.clamp(area.y0, area.y1),
+            );
+            (nearest - centre).hypot2()
+        });
+        lines.all(|distance| distance > far) && boxes.all(|distance| distance > far)
     }
 
     /// Keeps labels off a box.

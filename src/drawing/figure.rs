@@ -61,7 +61,10 @@ pub fn frames(
     positions: &[(Pose, Construction)],
     own: usize,
 ) -> Vec<Drawing> {
-    let scheme = |(pose, construction)| Scheme::new(scene, mechanism, pose, construction);
+    let scheme = |(pose, construction)| Scheme {
+        insets: false,
+        ..Scheme::new(scene, mechanism, pose, construction)
+    };
     let schemes: Vec<Scheme<'_>> = positions.iter().map(|(p, c)| scheme((p, c))).collect();
     let Some(first) = schemes.get(own) else {
         return Vec::new();

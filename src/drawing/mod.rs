@@ -12,6 +12,7 @@ mod clip;
 mod curves;
 mod figure;
 mod fonts;
+mod inset;
 mod labels;
 mod layout;
 mod legend;

@@ -1,4 +1,5 @@
 use super::canvas::{Canvas, clipped_segment};
+use super::inset::Inset;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
@@ -118,7 +119,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
             Part::Coriolis => Pen::Coriolis,
         };
         let name = format!("{}-{}", laid.from, laid.to);
-        canvas.since(stages.point(&laid.to));
+        canvas.since(stages.vector(&laid.from, &laid.to));
         let drawn = arrow(canvas, at(&laid.from), at(&laid.to), pen, &name);
         // A side of a link's image looks like the image.
         if let (Some(mark), Pen::Image) = (drawn, pen) {
@@ -233,18 +234,29 @@ fn points(
             None => places.push((place, vec![name], point.role)),
         }
     }
-    for (place, here, role) in places {
-        let (pen, radius) = match role {
-            PointRole::Pole => (Pen::Pole, 0.9),
-            PointRole::Special => (Pen::Special, 0.8),
-            _ => (Pen::ImagePoint, 0.45),
-        };
-        let center = place;
+    let stages = scheme.stages.plan(plan.kind);
+    let since = |here: &[&str]| here.iter().map(|name| stages.point(name)).min();
+    let radius = |role: PointRole| match role {
+        PointRole::Pole => (Pen::Pole, 0.9),
+        PointRole::Special => (Pen::Special, 0.8),
+        _ => (Pen::ImagePoint, 0.45),
+    };
+    for (center, here, role) in &places {
+        let (center, (pen, radius)) = (*center, radius(*role));
+        canvas.since(since(here).unwrap_or_default());
         let id = format!("point-{}", here[0]);
-        let stages = scheme.stages.plan(plan.kind);
-        let steps = here.iter().map(|name| stages.point(name));
-        canvas.since(steps.min().unwrap_or_default());
         canvas.draw_named(&id, pen, Shape::Circle { center, radius });
+    }
+    let crowded: Vec<Point> = places.iter().map(|(place, ..)| *place).collect();
+    let inset = scheme
+        .insets
+        .then(|| Inset::new(canvas, &crowded))
+        .flatten();
+    if let Some(inset) = &inset {
+        inset.draw(canvas);
+    }
+    for (place, here, role) in places {
+        canvas.since(since(&here).unwrap_or_default());
         let shown: Vec<String> = here
             .iter()
             .map(|name| {
@@ -252,10 +264,16 @@ fn points(
                 canvas.shown(name, &plan.shown(name, written, scheme.words.notation))
             })
             .collect();
-        let away = place - middle;
+        // The pole is looked for in the plan itself.
+        let small = |inset: &Inset| inset.shows(place) && role != PointRole::Pole;
+        let (anchor, away) = match inset.filter(small) {
+            Some(inset) => (inset.at(place), Vec2::ZERO),
+            None => (place, place - middle),
+        };
         let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
         // The renamed names are joined already; the joint label goes by the first one's id.
         let joined = format!("{} ", here[0]);
-        canvas.label(&joined, &shown.join(", "), place, radius + 0.7, prefer, 2);
+        let clearance = radius(role).1 + 0.7;
+        canvas.label(&joined, &shown.join(", "), anchor, clearance, prefer, 2);
     }
 }

@@ -17,6 +17,7 @@ pub(super) struct PlanStages {
     last: u16,
     points: IndexMap<String, u16>,
     rays: IndexMap<[String; 2], u16>,
+    vectors: IndexMap<[String; 2], u16>,
 }
 
 impl Stages {
@@ -71,7 +72,11 @@ impl PlanStages {
                     images.iter().for_each(come);
                 }
                 // Where a vector starts may be a point that no step made by itself.
-                Action::LayOff(arrow) => [&arrow.from, &arrow.to].into_iter().for_each(come),
+                Action::LayOff(arrow) => {
+                    [&arrow.from, &arrow.to].into_iter().for_each(come);
+                    let ends = [arrow.from.clone(), arrow.to.clone()];
+                    stages.vectors.entry(ends).or_insert(number);
+                }
                 Action::Cross { point, .. } => come(point),
                 Action::Ray(ray) => {
                     let ends = [ray.through.clone(), ray.to.clone()];
@@ -86,6 +91,12 @@ impl PlanStages {
     /// The step that makes a point; the plan's last for one that none makes.
     pub(super) fn point(&self, name: &str) -> u16 {
         self.points.get(name).copied().unwrap_or(self.last)
+    }
+
+    /// The step that lays off a vector.
+    pub(super) fn vector(&self, from: &str, to: &str) -> u16 {
+        let ends = [from.to_owned(), to.to_owned()];
+        self.vectors.get(&ends).copied().unwrap_or(self.last)
     }
 
     /// The step that draws the ray through one point to another.

@@ -7,6 +7,7 @@ use super::super::view::{View, on_sheet};
 use super::Scheme;
 use crate::mechanism::{BodyId, GROUND, PointId, Role, SliderId};
 use kurbo::{Point, Vec2};
+use std::f64::consts::PI;
 
 impl Scheme<'_> {
     pub(super) fn turned_links(&self, canvas: &mut Canvas<'_>, view: &View) {
@@ -22,6 +23,42 @@ impl Scheme<'_> {
             if let Some(drive) = self.mechanism.slider(slider).drive {
                 self.pushing(canvas, view, slider, drive.speed);
             }
+        }
+    }
+
+    /// The senses of the angular rates that a step finds: a curved arrow around the middle of each link.
+    pub(super) fn senses(
+        &self,
+        canvas: &mut Canvas<'_>,
+        view: &View,
+        step: u16,
+        unknowns: &[(String, f64)],
+    ) {
+        const RADIUS: f64 = 5.0;
+        const SWEEP: f64 = 4.2;
+        for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0) {
+            let link = name
+                .split_once('(')
+                .map(|(_, link)| link.trim_end_matches(')'));
+            let link = link.and_then(|link| self.mechanism.link(link));
+            let Some(link) = link.filter(|_| !name.contains("_r(")) else {
+                continue;
+            };
+            let places = &self.mechanism.body(link).points;
+            let sum = places.iter().fold(Vec2::ZERO, |sum, &point| {
+                sum + self.at(view, point).to_vec2()
+            });
+            if places.is_empty() {
+                continue;
+            }
+            let sense = -value.signum();
+            let shape = Shape::ArcArrow {
+                center: (sum / places.len() as f64).to_point(),
+                radius: RADIUS,
+                start: -0.5 * PI - 0.5 * sense * SWEEP,
+                sweep: sense * SWEEP,
+            };
+            canvas.passing(step, Pen::Turning, shape);
         }
     }
 

@@ -31,6 +31,8 @@ pub(super) struct Scheme<'a> {
     pub construction: &'a Construction,
     pub names: Names,
     pub stages: Stages,
+    /// Whether crowded places of plans are shown larger beside them; in motion such circles would come and go.
+    pub insets: bool,
     pub words: Wording,
 }
 
@@ -49,6 +51,7 @@ impl<'a> Scheme<'a> {
             construction,
             names: Names::new(mechanism, construction),
             stages: Stages::new(construction),
+            insets: true,
             words: Wording::of(&scene.figure),
         }
     }
@@ -117,6 +120,10 @@ impl<'a> Scheme<'a> {
                     )
                 }
                 Action::Ray(ray) => self.line_of(ray),
+                Action::Solve { unknowns, .. } => {
+                    self.senses(canvas, view, number, unknowns);
+                    None
+                }
                 _ => None,
             };
             if let Some((from, to)) = ends {

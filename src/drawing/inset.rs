@@ -1,0 +1,199 @@
+//! What is too small to be seen, shown larger in a circle beside the plan.
+
+use super::canvas::{CAPTION, Canvas};
+use super::shape::Shape;
+use super::sheet::{Mark, Pen};
+use super::text::{PlacedText, RichText};
+use kurbo::{Point, Rect, Vec2};
+use std::f64::consts::PI;
+
+/// Places closer than this, in mm, belong together: their names would hide them.
+const NEAR: f64 = 2.0;
+/// How many places make a crowd.
+const CROWD: usize = 3;
+/// Radii of the circle that are tried, in mm.
+const RADII: [f64; 3] = [16.0, 13.0, 10.5];
+/// The part of the circle's radius that the crowd fills; the rest is for names.
+const FILLED: f64 = 0.62;
+/// How many times larger, least first.
+const FACTORS: [f64; 8] = [2.0, 2.5, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0];
+/// White around the circle, in mm.
+const APART: f64 = 1.5;
+/// Steps in which places for it are tried, in mm.
+const STEP: f64 = 2.0;
+
+/// A circle in which a crowd of places is shown larger.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Inset {
+    /// The middle of the crowd.
+    crowd: Point,
+    /// The circle's centre and radius.
+    centre: Point,
+    radius: f64,
+    /// How many times larger.
+    factor: f64,
+}
+
+impl Inset {
+    /// A circle for the largest crowd among some places, near it where the panel is free; `None` without a crowd, or without room.
+    pub(super) fn new(canvas: &Canvas<'_>, places: &[Point]) -> Option<Inset> {
+        let (crowd, reach) = crowd(places)?;
+        RADII.into_iter().find_map(|radius| {
+            let fits = |factor: &f64| reach * factor <= FILLED * radius;
+            let factor = FACTORS.into_iter().rfind(fits)?;
+            let centre = free_place(canvas, crowd, radius)?;
+            let inset = Inset {
+                crowd,
+                centre,
+                radius,
+                factor,
+            };
+            // Nothing is shown twice in the same place.
+            let apart = (centre - crowd).hypot() > radius + inset.shown();
+            apart.then_some(inset)
+        })
+    }
+
+    /// The radius of what it shows.
+    fn shown(&self) -> f64 {
+        self.radius / self.factor
+    }
+
+    /// Whether it shows a place.
+    pub(super) fn shows(&self, place: Point) -> bool {
+        (place - self.crowd).hypot() < FILLED * self.shown() * 1.001
+    }
+
+    /// Where it shows a place.
+    pub(super) fn at(&self, place: Point) -> Point {
+        self.centre + (place - self.crowd) * self.factor
+    }
+
+    /// Draws the circles and, larger, all that the canvas shows of the crowd.
+    pub(super) fn draw(&self, canvas: &mut Canvas<'_>) {
+        let lasting = canvas.marks().iter().filter(|mark| !mark.passing);
+        let marks: Vec<Mark> = lasting.cloned().collect();
+        for mark in &marks {
+            for shape in self.enlarged(&mark.shape) {
+                canvas.since(mark.since);
+                canvas.draw(mark.pen, shape).number = mark.number;
+            }
+        }
+        let first = marks.iter().filter(|mark| {
+            matches!(mark.shape, Shape::Circle { .. }) && self.shows(mark.shape.bounds().center())
+        });
+        let since = first.map(|mark| mark.since).min();
+        canvas.since(since.unwrap_or_default());
+        let small = self.shown().max(FILLED * self.shown() + 0.8);
+        for (center, radius) in [(self.crowd, small), (self.centre, self.radius)] {
+            for start in [0.0, PI] {
+                let half = Shape::Arc {
+                    center,
+                    radius,
+                    start,
+                    sweep: PI,
+                };
+                canvas.draw(Pen::Frame, half);
+            }
+        }
+        let way = (self.centre - self.crowd).normalize();
+        let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
+        canvas.draw(Pen::Frame, line);
+        let text = RichText::plain(&format!("{} : 1", self.factor));
+        let size = 0.9 * CAPTION;
+        let below = Vec2::new(-0.5 * text.width(size), self.radius - 1.4);
+        let text = PlacedText::new(text, size, self.centre + below);
+        canvas.draw(Pen::Label, Shape::Text(text));
+    }
+
+    /// What the circle shows of a shape.
+    fn enlarged(&self, shape: &Shape) -> Vec<Shape> {
+        let line = |a: Point, b: Point| self.within(self.at(a), self.at(b));
+        let lines = |points: &[Point], closed: bool| {
+            let ends = points.iter().zip(points.iter().cycle().skip(1));
+            let count = points.len().saturating_sub(usize::from(!closed));
+            let parts = ends.take(count).filter_map(|(a, b)| line(*a, *b));
+            parts.map(|(a, b)| Shape::Line(a, b)).collect()
+        };
+        match shape {
+            Shape::Line(a, b) => lines(&[*a, *b], false),
+            Shape::Polyline(points) => lines(points, false),
+            Shape::Polygon(corners) => lines(corners, true),
+            Shape::Arrow { from, to } => match line(*from, *to) {
+                Some((from, end)) if (self.at(*to) - end).hypot() < 1e-9 => {
+                    vec![Shape::Arrow { from, to: end }]
+                }
+                Some((a, b)) => vec![Shape::Line(a, b)],
+                None => Vec::new(),
+            },
+            Shape::Circle { center, radius } if self.shows(*center) => {
+                let (center, radius) = (self.at(*center), *radius);
+                vec![Shape::Circle { center, radius }]
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The part of a line within the circle.
+    fn within(&self, a: Point, b: Point) -> Option<(Point, Point)> {
+        let (from, along) = (a - self.centre, b - a);
+        let size = along.hypot2();
+        if size == 0.0 {
+            return None;
+        }
+        // Where |from + t along| is the radius.
+        let middle = -from.dot(along) / size;
+        let rest = middle * middle - (from.hypot2() - self.radius * self.radius) / size;
+        let half = libm::sqrt(rest.max(0.0));
+        let (start, end) = ((middle - half).max(0.0), (middle + half).min(1.0));
+        (rest > 0.0 && start < end).then(|| (a + along * start, a + along * end))
+    }
+}
+
+/// The middle of the largest crowd, and how far from it its places lie.
+fn crowd(places: &[Point]) -> Option<(Point, f64)> {
+    let mut left: Vec<Point> = places.to_vec();
+    let mut largest: Vec<Point> = Vec::new();
+    while let Some(first) = left.pop() {
+        let mut crowd = vec![first];
+        let mut next = 0;
+        while let Some(&here) = crowd.get(next) {
+            let near: Vec<Point>;
+            (near, left) = left.into_iter().partition(|p| (*p - here).hypot() < NEAR);
+            crowd.extend(near);
+            next += 1;
+        }
+        if crowd.len() > largest.len() {
+            largest = crowd;
+        }
+    }
+    if largest.len() < CROWD {
+        return None;
+    }
+    let around = largest
+        .iter()
+        .fold(Rect::from_points(largest[0], largest[0]), |all, &place| {
+            all.union_pt(place)
+        });
+    let middle = around.center();
+    let reach = largest.iter().map(|p| (*p - middle).hypot());
+    Some((middle, reach.fold(0.0, f64::max)))
+}
+
+/// The free place for a circle of this radius that is nearest to a point.
+fn free_place(canvas: &Canvas<'_>, near: Point, radius: f64) -> Option<Point> {
+    let room = canvas.room().inset(-(radius + APART));
+    if room.width() < 0.0 || room.height() < 0.0 {
+        return None;
+    }
+    let places = |from: f64, to: f64| {
+        let count = ((to - from) / STEP) as usize;
+        (0..=count).map(move |k| from + STEP * k as f64)
+    };
+    let all = places(room.x0, room.x1)
+        .flat_map(|x| places(room.y0, room.y1).map(move |y| Point::new(x, y)));
+    let mut all: Vec<Point> = all.collect();
+    let distance = |p: &Point| (*p - near).hypot2();
+    all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    all.into_iter().find(|p| canvas.is_free(*p, radius + APART))
+}
