@@ -8,6 +8,7 @@ mod stages;
 use files::read;
 use kinegon::drawing::{Drawing, Mark, Pen, Point, Rect, Shape};
 use kinegon::format::{Text, svg, svg_with};
+use kinegon::scene::NotationName;
 use stages::Stages;
 
 /// Most bytes of a figure's SVG file.
@@ -224,10 +225,38 @@ fn covers(corners: &[Point], area: Rect) -> bool {
     !separated(corners, corners, &box_corners) && !separated(&box_corners, corners, &box_corners)
 }
 
+/// Some scenes in every notation, in Spanish with decimal commas.
+fn worded() -> Vec<(String, Drawing)> {
+    let mut all = Vec::new();
+    for path in [
+        "examples/figure-1.json",
+        "examples/figure-2.json",
+        "templates/hydraulic-boom.json",
+        "templates/third-class.json",
+        "templates/whitworth.json",
+    ] {
+        for notation in NotationName::ALL.map(NotationName::as_str) {
+            let mut scene: serde_json::Value =
+                serde_json::from_str(&read(path)).expect("a scene is JSON");
+            for (key, value) in [
+                ("notation", notation),
+                ("language", "es"),
+                ("decimal", "comma"),
+            ] {
+                scene["figure"][key] = value.into();
+            }
+            let (drawing, _) = drawn(&scene.to_string()).expect("it can be drawn");
+            all.push((format!("{path} in {notation} notation"), drawing));
+        }
+    }
+    all
+}
+
 #[test]
 fn nothing_covers_a_label_and_nothing_leaves_its_panel() {
-    let drawings = drawings();
-    assert!(drawings.len() >= 88, "only {} drawings", drawings.len());
+    let mut drawings = drawings();
+    drawings.extend(worded());
+    assert!(drawings.len() >= 108, "only {} drawings", drawings.len());
     let mut wrong = Vec::new();
     for (name, drawing) in &drawings {
         for fault in faults(drawing) {

@@ -30,7 +30,12 @@ fn drawn(text: &str) -> (Stages, Drawing) {
 fn scenes() -> Vec<(String, String)> {
     let mut all = files::scenes("templates");
     for name in ["figure-1", "figure-2"] {
-        all.push((name.to_owned(), read(&format!("examples/{name}.json"))));
+        let text = read(&format!("examples/{name}.json"));
+        // Sentences are longer in Spanish.
+        let mut spanish: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        spanish["figure"]["language"] = "es".into();
+        all.push((format!("{name} in Spanish"), spanish.to_string()));
+        all.push((name.to_owned(), text));
     }
     all
 }

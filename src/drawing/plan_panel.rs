@@ -257,13 +257,15 @@ fn points(
     }
     for (place, here, role) in places {
         canvas.since(since(&here).unwrap_or_default());
-        let shown: Vec<String> = here
+        let mut shown: Vec<String> = here
             .iter()
             .map(|name| {
                 let written = scheme.names.markup(name);
                 canvas.shown(name, &plan.shown(name, written, scheme.words.notation))
             })
             .collect();
+        // The fixed point O has its image at the pole o.
+        shown.dedup();
         // The pole is looked for in the plan itself.
         let small = |inset: &Inset| inset.shows(place) && role != PointRole::Pole;
         let (anchor, away) = match inset.filter(small) {

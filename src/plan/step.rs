@@ -219,11 +219,22 @@ impl Plan {
     #[must_use]
     pub fn shown(&self, name: &str, written: String, notation: &Notation) -> String {
         use PointRole::{Image, Known, Pole, Special};
+        let pole = self.kind.pole_in(notation);
+        let Some(point) = self.points.get(name) else {
+            return written;
+        };
+        if name == self.kind.pole() {
+            return pole.to_owned();
+        }
         let primes = notation.primes && self.kind == PlanKind::Acceleration;
-        match self.points.get(name).map(|point| point.role) {
-            Some(Pole) if name == self.kind.pole() => self.kind.pole_in(notation).to_owned(),
-            Some(Pole | Known | Special | Image) if primes => with_prime(&written),
+        let shown = match point.role {
+            Pole | Known | Special | Image if primes => with_prime(&written),
             _ => written,
+        };
+        // The pole's letter is taken, but for a point at rest, whose image is the pole.
+        match shown == pole && point.role != Pole {
+            true => with_prime(&shown),
+            false => shown,
         }
     }
 

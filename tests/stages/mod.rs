@@ -5,9 +5,10 @@ use kinegon::drawing::{Drawing, figure};
 use kinegon::format::{self, ResultFile, Solved};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
-use kinegon::plan::{Construction, construction};
+use kinegon::plan::{Construction, construction_in};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
+use kinegon::words::Wording;
 
 /// All that is known of a scene.
 pub struct Stages {
@@ -24,7 +25,8 @@ impl Stages {
         let mechanism = mechanism(&scene)?;
         let pose = pose(&mechanism, &scene.near)?;
         let motion = motion(&mechanism, &pose, Order::Acceleration)?;
-        let construction = construction(&mechanism, &pose, &motion);
+        let words = Wording::of(&scene.figure);
+        let construction = construction_in(&mechanism, &pose, &motion, &words);
         Ok(Stages {
             scene,
             mechanism,
