@@ -10,7 +10,7 @@ use super::style::Style;
 use super::text::{PlacedText, RichText};
 use super::view::{Extent, View};
 use super::words;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Class, Mechanism};
 use crate::plan::{Construction, Scales, shown_text};
 use crate::position::Pose;
 use crate::scene::{Figure, Panel, Scene};
@@ -251,7 +251,13 @@ fn description(language: &Language, mechanism: &Mechanism, layout: &Layout) -> S
     let groups: Vec<String> = mechanism
         .groups
         .iter()
-        .map(|g| (language.described_group)(g.class.numeral(), &g.link_names(mechanism)))
+        .map(|g| {
+            let class = match g.class {
+                Class::Higher => language.higher,
+                other => other.numeral(),
+            };
+            (language.described_group)(class, &g.link_names(mechanism))
+        })
         .collect();
     (language.description)(&panels.join(", "), &groups.join("; "))
 }

@@ -116,6 +116,7 @@ pub(super) const ENGLISH: Language = Language {
     described_velocity_plan: "its velocity plan",
     described_acceleration_plan: "its acceleration plan",
     described_group: |class, links| format!("class {class}, links {links}"),
+    higher: "higher",
 
     curves: "Curves",
     angle: "Angle",

@@ -129,6 +129,8 @@ pub struct Language {
     pub described_acceleration_plan: &'static str,
     /// A group in that sentence: class, links.
     pub described_group: With2,
+    /// The class of a group above the fourth.
+    pub higher: &'static str,
 
     // Curves.
     /// Their title where the scene has none.

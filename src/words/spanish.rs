@@ -114,6 +114,7 @@ pub(super) const SPANISH: Language = Language {
     described_velocity_plan: "su plano de velocidades",
     described_acceleration_plan: "su plano de aceleraciones",
     described_group: |class, links| format!("clase {class}, eslabones {links}"),
+    higher: "superior",
 
     curves: "Curvas",
     angle: "Ángulo",
