@@ -3,8 +3,9 @@
 mod files;
 
 use kinegon::scene::{
-    Builder, Figure, Guide, LengthUnit, LinkMotion, NewLink, Page, PageSize, Panel, PointMotion,
-    Push, Scene, TimeUnit, Turn, polar,
+    Builder, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink,
+    NotationName, Page, PageSize, Panel, PointMotion, Push, Scene, StyleName, TimeUnit, Turn,
+    polar,
 };
 
 /// The scene in a file of the repository.
@@ -245,6 +246,7 @@ fn every_other_key() {
             "drive": { "position": 40, "speed": 3e20, "acceleration": -2 } } ],
         "near": { "E": [1, 2], "angle(2)": 12.5 },
         "figure": { "panels": ["velocity", "scheme"], "mu_l": 1, "mu_v": 2.5, "mu_a": 0.1, "page": "letter-portrait",
+                    "style": "board", "notation": "german", "language": "es", "decimal": "comma",
                     "special_points": false, "construction": false },
         "want": ["omega(2)", "v(E)"] }"#;
     let push = Push::speed(3e20).position(40.0).acceleration(-2.0);
@@ -283,6 +285,10 @@ fn every_other_key() {
                 size: PageSize::Letter,
                 landscape: false,
             },
+            style: StyleName::Board,
+            notation: NotationName::German,
+            language: LanguageName::Spanish,
+            decimal: DecimalMark::Comma,
             special_points: false,
             construction: false,
             ..Figure::default()

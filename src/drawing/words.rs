@@ -121,6 +121,9 @@ impl Page<'_> {
 
     /// A name as it is written, within a plan or on the mechanism.
     fn name(&self, name: &str, plan: Option<&Plan>) -> String {
+        if let Some(renamed) = self.scheme.figure.labels.get(name) {
+            return renamed.clone();
+        }
         let written = self.scheme.names.markup(name);
         match plan {
             Some(plan) => plan.shown(name, written, self.scheme.words.notation),
