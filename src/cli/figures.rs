@@ -12,7 +12,7 @@ pub(super) struct Figures {
     #[arg(short, long, default_value = "out/")]
     output: PathBuf,
     /// Formats to write into a folder.
-    #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::all())]
+    #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::usual())]
     format: Vec<Form>,
     /// Write the letters of SVG as outlines, for programs that lack the font.
     #[arg(long)]
@@ -25,18 +25,27 @@ pub(super) struct Figures {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Form {
     Svg,
+    #[cfg(feature = "pdf")]
+    Pdf,
     #[cfg(feature = "png")]
     Png,
 }
 
 impl Form {
-    fn all() -> Vec<Form> {
-        Form::value_variants().to_vec()
+    /// What is written where nothing else is asked for.
+    fn usual() -> Vec<Form> {
+        vec![
+            Form::Svg,
+            #[cfg(feature = "png")]
+            Form::Png,
+        ]
     }
 
     fn ending(self) -> &'static str {
         match self {
             Form::Svg => "svg",
+            #[cfg(feature = "pdf")]
+            Form::Pdf => "pdf",
             #[cfg(feature = "png")]
             Form::Png => "png",
         }
@@ -69,6 +78,9 @@ impl Figures {
             for (path, form) in self.targets(name, drawings.len())? {
                 let bytes = match form {
                     Form::Svg => format::svg_with(drawing, text).into_bytes(),
+                    #[cfg(feature = "pdf")]
+                    Form::Pdf => format::pdf(drawing)
+                        .map_err(|error| Failure::Misuse(error.to_string(), None))?,
                     #[cfg(feature = "png")]
                     Form::Png => format::png(drawing, self.dpi)
                         .map_err(|error| Failure::Misuse(error.to_string(), None))?,

@@ -32,7 +32,7 @@ pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Look, look};
 pub use shape::Shape;
 pub use sheet::{Drawing, Mark, Pen};
-pub use text::{PlacedRun, PlacedText, RichText, Run};
+pub use text::{Anchor, PlacedRun, PlacedText, RichText, Run, Script};
 pub use view::{Extent, View, fitting_scale, next_scale};
 
 /// A point of the sheet: millimetres from its upper left corner, y down.

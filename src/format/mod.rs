@@ -8,6 +8,8 @@ mod digits;
 mod json;
 mod number;
 mod outline;
+#[cfg(feature = "pdf")]
+mod pdf;
 mod pencil;
 #[cfg(feature = "png")]
 mod png;
@@ -21,6 +23,8 @@ mod table;
 pub use self::columns::{Columns, ColumnsError};
 pub use self::digits::digits;
 pub use self::json::json;
+#[cfg(feature = "pdf")]
+pub use self::pdf::{PdfError, pdf};
 pub use self::pencil::{BandResult, PencilResult, pencil_result};
 #[cfg(feature = "png")]
 pub use self::png::{PngError, png};

@@ -14,7 +14,7 @@ use super::layout::{HEADING, MARGIN, TITLE};
 use super::look::CURVE_STYLES;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
-use super::text::{PlacedText, RichText};
+use super::text::{Anchor, PlacedText, RichText};
 use crate::cycle::{Curves, Happening};
 use crate::plan::Kind;
 use crate::scene::Scene;
@@ -244,7 +244,8 @@ impl Sheet<'_> {
         for tick in &drive.ticks {
             let text = RichText::plain(&drive.tick(*tick));
             let x = drive.at(*tick) - 0.5 * text.width(CAPTION);
-            let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 2.2));
+            let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 2.2))
+                .anchored(Anchor::Middle);
             drawing.draw(Pen::Caption, Shape::Text(text));
         }
         let baseline = y + FOOT - 1.8;
