@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 /// Where figures go, and in which forms.
 #[derive(Debug, Args)]
 pub(super) struct Figures {
-    /// Folder to write to, or a file whose ending gives the format, or `-` for SVG on stdout.
+    /// Folder to write to, or a file whose ending gives the format, or `-` for stdout.
     #[arg(short, long, default_value = "out/")]
     output: PathBuf,
-    /// Formats to write into a folder.
+    /// Formats to write into a folder; on stdout the one that is given, or SVG.
     #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::usual())]
     format: Vec<Form>,
     /// Write the letters of SVG as outlines, for programs that lack the font.
@@ -27,6 +27,7 @@ enum Form {
     Svg,
     #[cfg(feature = "pdf")]
     Pdf,
+    Tikz,
     #[cfg(feature = "png")]
     Png,
 }
@@ -46,6 +47,7 @@ impl Form {
             Form::Svg => "svg",
             #[cfg(feature = "pdf")]
             Form::Pdf => "pdf",
+            Form::Tikz => "tex",
             #[cfg(feature = "png")]
             Form::Png => "png",
         }
@@ -81,6 +83,7 @@ impl Figures {
                     #[cfg(feature = "pdf")]
                     Form::Pdf => format::pdf(drawing)
                         .map_err(|error| Failure::Misuse(error.to_string(), None))?,
+                    Form::Tikz => format::tikz(drawing).into_bytes(),
                     #[cfg(feature = "png")]
                     Form::Png => format::png(drawing, self.dpi)
                         .map_err(|error| Failure::Misuse(error.to_string(), None))?,
@@ -106,7 +109,11 @@ impl Figures {
     /// The files to write for a drawing.
     fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, Form)>, Failure> {
         if self.output == Path::new("-") {
-            return Ok(vec![(self.output.clone(), Form::Svg)]);
+            let form = match self.format.as_slice() {
+                [form] => *form,
+                _ => Form::Svg,
+            };
+            return Ok(vec![(self.output.clone(), form)]);
         }
         let ending = self.output.extension().and_then(|e| e.to_str());
         let is_folder = self.output.is_dir()

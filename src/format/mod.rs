@@ -18,6 +18,7 @@ mod steps;
 mod structure;
 mod svg;
 mod table;
+mod tikz;
 
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
@@ -36,6 +37,7 @@ pub use self::steps::steps;
 pub use self::structure::{modes, structure};
 pub use self::svg::{Text, svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines};
+pub use self::tikz::tikz;
 
 #[cfg(test)]
 pub(crate) use self::svg::ink_in;
