@@ -29,20 +29,30 @@ impl Fonts {
     /// Writes a text in the colour that is set, as a span of the page, run by run; spaces between runs are written too, so that words stay
     /// apart when they are copied.
     ///
-    /// Readers guess words from gaps between letters, and gaps beside scripts mislead them, so a formula says what it reads. They take what
+    /// Readers guess words from gaps between letters, and gaps beside scripts mislead them, so a formula says what it reads, and so does a text with a letter that
+    /// the font lacks. They take what
     /// does so for a line of its own: prose with an exponent is left to their guess.
     pub(super) fn write(&self, surface: &mut Surface<'_>, text: &PlacedText) -> Identifier {
         let runs = text.text.runs();
-        let is_formula =
-            runs.iter().any(|run| run.italic) && runs.iter().any(|run| !run.scripts.is_empty());
-        let reads = is_formula.then(|| reading(runs));
+        let has = |what: fn(&Run) -> bool| runs.iter().any(what);
+        let is_formula = has(|run| run.italic) && has(|run| !run.scripts.is_empty());
+        let reads = (is_formula || text.runs().any(lacks_a_letter)).then(|| reading(runs));
         let span = SpanTag::empty().with_actual_text(reads.as_deref());
         let span = surface.start_tagged(ContentTag::Span(span));
         for (placed, run) in text.runs().zip(runs) {
             if run.spaced {
                 self.write_run(surface, &space_before(placed));
             }
-            self.write_run(surface, &placed);
+            if lacks_a_letter(placed) {
+                // Its box as lines, and a space as the letter that the reading stands for.
+                let mut path = PathBuilder::new();
+                outline(&mut path, placed);
+                super::draw_path(surface, path.finish());
+                let content = " ";
+                self.write_run(surface, &PlacedRun { content, ..placed });
+            } else {
+                self.write_run(surface, &placed);
+            }
         }
         surface.end_tagged();
         span
@@ -76,6 +86,13 @@ impl Fonts {
     }
 }
 
+/// Whether the face lacks a letter of the run; what is drawn in its place says nothing to a reader.
+fn lacks_a_letter(run: PlacedRun<'_>) -> bool {
+    let mut lacks = false;
+    run.glyphs(|glyph, _, _| lacks |= glyph == 0);
+    lacks
+}
+
 /// The letters of runs with the spaces between them.
 fn reading(runs: &[Run]) -> String {
     let mut reading = String::new();
@@ -100,8 +117,10 @@ fn space_before(run: PlacedRun<'_>) -> PlacedRun<'_> {
 /// The outlines of all letters of a text; none for one without ink.
 pub(super) fn outlines(text: &PlacedText) -> Option<Path> {
     let mut path = PathBuilder::new();
-    for run in text.runs() {
-        run.outline(|glyph, origin| paths::outline(&mut path, glyph, origin, run.size));
-    }
+    text.runs().for_each(|run| outline(&mut path, run));
     path.finish()
+}
+
+fn outline(path: &mut PathBuilder, run: PlacedRun<'_>) {
+    run.outline(|glyph, origin| paths::outline(path, glyph, origin, run.size));
 }
