@@ -74,7 +74,7 @@ fn labels_are_formulas() {
         ("b'^n", "$b'{}^{n}$"),
         ("b^n'", "$b^{n}{}'$"),
         ("v_{S_{3b}}^t", "$v_{S_{3b}}^{t}$"),
-        ("a_{b^{c_d}}_e", "$a_{b^{c_{d}}}{}_{e}$"),
+        ("a_{b^{c_d}}_e", "$a_{b^{c_{d}}e}$"),
         ("v_{CB} ⊥ BC", "$v_{CB}$ $\\perp$ $BC$"),
         ("ω_2×v_r", "$\\omega_{2}{\\times}v_{r}$"),
         ("αβ", "$\\alpha\\beta$"),
@@ -292,7 +292,7 @@ fn a_document_takes_the_picture_in() {
 \tikzset{kinegon/link/.style={draw=cyan,line width=1mm}}
 \begin{document}
 before\begin{figure}[h]\centering\resizebox{10cm}{!}{\input{picture}}\caption{A picture.}\end{figure}after
-\setbox0\hbox{\input{picture}}\typeout{It is \the\wd0 wide and \the\ht0 high.}
+\setbox0\hbox{\input{picture}}\typeout{It is \the\wd0; \the\ht0; large.}
 \end{document}
 ";
     let Some((file, said)) = compile(
@@ -305,11 +305,11 @@ before\begin{figure}[h]\centering\resizebox{10cm}{!}{\input{picture}}\caption{A 
     // 297 mm and 210 mm in TeX's points; nothing but the picture, not even a space.
     let size = said
         .split_once("It is ")
-        .and_then(|(_, rest)| rest.split_once(" high."))
+        .and_then(|(_, rest)| rest.split_once("; large."))
         .expect("it is said")
         .0;
     let size: Vec<f64> = size
-        .split("pt wide and ")
+        .split("; ")
         .map(|part| part.trim_end_matches("pt").parse().expect("a number"))
         .collect();
     for (size, mm) in size.iter().zip([297.0, 210.0]) {

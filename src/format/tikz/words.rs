@@ -59,12 +59,13 @@ impl Writer {
         self.on_baseline(&run.content)
     }
 
-    /// Upright letters on the baseline: signs join a formula, prose does not.
+    /// Upright letters on the baseline: signs and Greek letters join a formula, prose does not.
     fn on_baseline(&mut self, content: &str) -> Option<()> {
         for letter in content.chars() {
-            match sign(letter) {
-                Some(sign) => self.sign(sign),
-                None => {
+            match (sign(letter), greek(letter)) {
+                (Some(sign), _) => self.sign(sign),
+                (None, Some(name)) => self.put(name),
+                (None, None) => {
                     self.end_formula();
                     let written = in_text(letter)?;
                     // Two hyphens or quotes would melt into another sign.
