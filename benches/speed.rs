@@ -248,6 +248,24 @@ fn scene_to_svg(bencher: Bencher, which: &str) {
     });
 }
 
+/// A drawing to PDF.
+#[cfg(feature = "pdf")]
+#[divan::bench]
+fn drawing_to_pdf(bencher: Bencher) {
+    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
+    let plans = construction(&mechanism, &pose, &motion);
+    let drawing = drawing::figure(&scene, &mechanism, &pose, &plans);
+    bencher.bench(|| format::pdf(black_box(&drawing)));
+}
+
+#[divan::bench]
+fn drawing_to_tikz(bencher: Bencher) {
+    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
+    let plans = construction(&mechanism, &pose, &motion);
+    let drawing = drawing::figure(&scene, &mechanism, &pose, &plans);
+    bencher.bench(|| format::tikz(black_box(&drawing)));
+}
+
 /// A drawing to PNG at 100 dots per inch, 1169 by 827 pixels.
 #[cfg(feature = "png")]
 #[divan::bench]

@@ -327,6 +327,64 @@ fn output_follows_the_ending_and_never_covers_the_scene() {
     assert!(stdout.stdout.starts_with(b"<svg"));
 }
 
+/// What each format's files start with, by its name and its ending.
+const FORMATS: &[(&str, &str, &[u8])] = &[
+    ("svg", "svg", b"<svg"),
+    #[cfg(feature = "pdf")]
+    ("pdf", "pdf", b"%PDF-1."),
+    ("tikz", "tex", b"% Quintero et al. (2011), Figure 2\n"),
+    #[cfg(feature = "png")]
+    ("png", "png", b"\x89PNG"),
+];
+
+#[test]
+fn draw_and_curves_write_all_formats() {
+    let folder = scratch("formats");
+    for task in ["draw", "curves"] {
+        let (mut formats, mut endings) = (String::new(), String::new());
+        for (format, ending, start) in FORMATS {
+            let on_stdout = with_scene(
+                &[task, "-", "--format", format, "-o", "-"],
+                FIGURE_2.as_bytes(),
+            );
+            assert!(
+                on_stdout.stdout.starts_with(start),
+                "{task}: {}",
+                stderr(&on_stdout)
+            );
+            let file = folder.join(format!("{task}.{ending}"));
+            let place = file.to_str().expect("a path in UTF-8");
+            let to_file = with_scene(&[task, "-", "-o", place], FIGURE_2.as_bytes());
+            assert_eq!(
+                to_file.status.code(),
+                Some(0),
+                "{task}: {}",
+                stderr(&to_file)
+            );
+            // The file says the same as stdout did.
+            assert!(
+                std::fs::read(&file).expect("it was written") == on_stdout.stdout,
+                "{task}: {format}"
+            );
+            let apart = if formats.is_empty() { "" } else { ", " };
+            formats = formats + apart + format;
+            endings = endings + apart + ending;
+        }
+        let unknown = with_scene(&[task, "-", "-o", "figure.bmp"], FIGURE_2.as_bytes());
+        assert!(
+            stderr(&unknown).contains(&format!("known endings: {endings}; ")),
+            "{}",
+            stderr(&unknown)
+        );
+        let unknown = with_scene(&[task, "-", "--format", "bmp"], FIGURE_2.as_bytes());
+        assert!(
+            stderr(&unknown).contains(&format!("[possible values: {formats}]")),
+            "{}",
+            stderr(&unknown)
+        );
+    }
+}
+
 #[test]
 fn a_missing_file_and_a_misspelt_task_are_misuse() {
     let missing = kinegon().args(["solve", "no such file.json"]).output();

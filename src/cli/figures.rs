@@ -9,10 +9,10 @@ use std::path::{Path, PathBuf};
 /// Where figures go, and in which forms.
 #[derive(Debug, Args)]
 pub(super) struct Figures {
-    /// Folder to write to, or a file whose ending gives the format, or `-` for SVG on stdout.
+    /// Folder to write to, or a file whose ending gives the format, or `-` for stdout.
     #[arg(short, long, default_value = "out/")]
     output: PathBuf,
-    /// Formats to write into a folder.
+    /// Formats to write into a folder; on stdout the one that is given, or SVG.
     #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::usual())]
     format: Vec<Form>,
     /// Write the letters of SVG as outlines, for programs that lack the font.
@@ -29,6 +29,9 @@ pub(super) struct Figures {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Form {
     Svg,
+    #[cfg(feature = "pdf")]
+    Pdf,
+    Tikz,
     #[cfg(feature = "png")]
     Png,
     /// A page to step through and move.
@@ -36,16 +39,21 @@ enum Form {
 }
 
 impl Form {
-    /// What is written where nothing is said: pictures.
+    /// What is written where nothing else is asked for.
     fn usual() -> Vec<Form> {
-        let all = Form::value_variants().iter().copied();
-        all.filter(|form| ["svg", "png"].contains(&form.ending()))
-            .collect()
+        vec![
+            Form::Svg,
+            #[cfg(feature = "png")]
+            Form::Png,
+        ]
     }
 
     fn ending(self) -> &'static str {
         match self {
             Form::Svg => "svg",
+            #[cfg(feature = "pdf")]
+            Form::Pdf => "pdf",
+            Form::Tikz => "tex",
             #[cfg(feature = "png")]
             Form::Png => "png",
             Form::Html => "html",
@@ -77,6 +85,10 @@ impl Figures {
             for (path, form) in self.targets(name, drawings.len())? {
                 let bytes = match form {
                     Form::Svg => format::svg_with(drawing, text).into_bytes(),
+                    #[cfg(feature = "pdf")]
+                    Form::Pdf => format::pdf(drawing)
+                        .map_err(|error| Failure::Misuse(error.to_string(), None))?,
+                    Form::Tikz => format::tikz(drawing).into_bytes(),
                     #[cfg(feature = "png")]
                     Form::Png => format::png(drawing, self.dpi)
                         .map_err(|error| Failure::Misuse(error.to_string(), None))?,
@@ -157,7 +169,11 @@ impl Figures {
     /// The files to write for a drawing.
     fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, Form)>, Failure> {
         if self.output == Path::new("-") {
-            return Ok(vec![(self.output.clone(), Form::Svg)]);
+            let form = match self.format.as_slice() {
+                [form] => *form,
+                _ => Form::Svg,
+            };
+            return Ok(vec![(self.output.clone(), form)]);
         }
         let ending = self.output.extension().and_then(|e| e.to_str());
         let is_folder = self.output.is_dir()

@@ -104,6 +104,7 @@ fn compose(
     let language = scheme.words.language;
     let title = scene.title.as_deref().unwrap_or(language.title);
     drawing.title = title.to_owned();
+    drawing.language = language.code;
     drawing.description = description(language, mechanism, layout);
     let heading = PlacedText::new(
         RichText::verbatim(title),

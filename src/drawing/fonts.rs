@@ -1,3 +1,4 @@
+use std::ops::Range;
 use std::str::Chars;
 use std::sync::OnceLock;
 
@@ -102,7 +103,7 @@ impl Face {
     /// ligatures.
     pub(super) fn measure(&self, text: &str) -> Extent {
         let mut ink: Option<Rect> = None;
-        let advance = self.set(text, |glyph, pen| {
+        let advance = self.set(text, |glyph, _, pen| {
             if let Some(own) = self.extent(glyph).ink {
                 let own = own + kurbo::Vec2::new(pen, 0.0);
                 ink = Some(ink.map_or(own, |all| all.union(own)));
@@ -115,19 +116,31 @@ impl Face {
     /// y down, set as [`measure`](Face::measure) measures. A letter that the face lacks is an empty
     /// box.
     pub(super) fn outline(&'static self, text: &str, mut show: impl FnMut(&'static BezPath, f64)) {
-        self.set(text, |glyph, pen| show(self.outline_of(glyph), pen));
+        self.set(text, |glyph, _, pen| show(self.outline_of(glyph), pen));
     }
 
-    /// Sets a text glyph by glyph: `put` gets each, none for a letter that the face lacks, with the
+    /// Shows the numbers of a text's glyphs one by one, 0 for a letter that the face lacks, each with the bytes of the text that it draws
+    /// and the place of its left end in em. Returns how far the text moves the pen.
+    pub(super) fn glyphs(&self, text: &str, mut show: impl FnMut(u16, Range<usize>, f64)) -> f64 {
+        self.set(text, |glyph, letters, pen| {
+            show(glyph.map_or(0, |glyph| glyph.0), letters, pen);
+        })
+    }
+
+    /// Sets a text glyph by glyph: `put` gets each, none for a letter that the face lacks, with the bytes of the text that it draws and the
     /// place of its left end. Returns how far the text moves the pen.
-    fn set(&self, text: &str, mut put: impl FnMut(Option<GlyphId>, f64)) -> f64 {
+    fn set(&self, text: &str, mut put: impl FnMut(Option<GlyphId>, Range<usize>, f64)) -> f64 {
         let mut pen = 0.0;
         let mut previous: Option<GlyphId> = None;
         let mut script = Script::Latin;
         let mut letters = text.chars();
-        while let Some(letter) = letters.next() {
+        loop {
+            let start = text.len() - letters.as_str().len();
+            let Some(letter) = letters.next() else {
+                return pen;
+            };
             let Some(mut glyph) = self.index(letter) else {
-                put(None, pen);
+                put(None, start..start + letter.len_utf8(), pen);
                 pen += UNKNOWN.advance;
                 previous = None;
                 continue;
@@ -146,11 +159,10 @@ impl Face {
             if let Some(before) = previous {
                 pen += self.kern(script, before, glyph);
             }
-            put(Some(glyph), pen);
+            put(Some(glyph), start..text.len() - letters.as_str().len(), pen);
             pen += self.extent(Some(glyph)).advance;
             previous = Some(glyph);
         }
-        pen
     }
 
     fn extent(&self, glyph: Option<GlyphId>) -> Extent {

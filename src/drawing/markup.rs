@@ -3,7 +3,7 @@
 use kurbo::{Point, Rect};
 
 use super::fonts::{self, Extent};
-use super::text::Run;
+use super::text::{Run, Script};
 
 // Proportions of scripts, in em of what they hang on; near those of TeX for a serif of this
 // x-height.
@@ -60,6 +60,10 @@ pub(super) struct Setter {
     kind: Kind,
     /// By how much the last run leans over the pen.
     lean: f64,
+    /// The scripts that the pen is in, from the baseline on.
+    scripts: Vec<Script>,
+    /// Whether a space stands between the last run and the pen.
+    spaced: bool,
 }
 
 impl Setter {
@@ -82,6 +86,8 @@ impl Setter {
             content: String::new(),
             kind,
             lean: 0.0,
+            scripts: Vec::new(),
+            spaced: false,
         }
     }
 
@@ -122,15 +128,17 @@ impl Setter {
             SUBSCRIPT_DROP
         };
         let mut end: f64 = base.x;
-        for (body, lean, shift) in [
-            (subscript, 0.0, drop),
-            (superscript, lean, -SUPERSCRIPT_RISE),
+        for (script, body, lean, shift) in [
+            (Script::Sub, subscript, 0.0, drop),
+            (Script::Super, superscript, lean, -SUPERSCRIPT_RISE),
         ] {
             let Some(body) = body else { continue };
             self.pen = Point::new(base.x + lean + SCRIPT_GAP * scale, base.y + shift * scale);
             self.scale = (scale * SCRIPT_SCALE).max(SMALLEST_SCALE);
             self.lean = 0.0;
+            self.scripts.push(script);
             self.line(body, depth - 1);
+            self.scripts.pop();
             end = end.max(self.pen.x + self.lean);
         }
         self.pen = Point::new(end + SCRIPT_GAP * scale, base.y);
@@ -174,6 +182,7 @@ impl Setter {
             self.end_run();
             self.pen.x += self.scale * fonts::face(false).measure(" ").advance;
             self.lean = 0.0;
+            self.spaced = true;
         } else {
             self.content.push(' ');
         }
@@ -210,6 +219,8 @@ impl Setter {
             scale: self.scale,
             x: self.pen.x,
             y: self.pen.y,
+            scripts: self.scripts.clone(),
+            spaced: std::mem::replace(&mut self.spaced, spaces > 0.0),
         });
         if let Some(ink) = ink {
             let scale = self.scale;

@@ -38,7 +38,7 @@ pub use look::{Cap, Colour, Dash, Look};
 pub use shape::Shape;
 pub use sheet::{Drawing, Emphasis, Mark, Pen};
 pub use style::Style;
-pub use text::{PlacedRun, PlacedText, RichText, Run};
+pub use text::{Anchor, PlacedRun, PlacedText, RichText, Run, Script};
 pub use view::{Extent, View, fitting_scale, next_scale};
 
 /// A point of the sheet: millimetres from its upper left corner, y down.

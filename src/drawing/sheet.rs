@@ -15,6 +15,8 @@ pub struct Drawing {
     pub height: f64,
     /// What the figure is called; written into the file, not drawn.
     pub title: String,
+    /// Code of the language of its texts, as in `en`; written into the file, not drawn.
+    pub language: &'static str,
     /// What the figure shows, in a sentence for readers who cannot see it; written into the file,
     /// not drawn.
     pub description: String,
@@ -35,6 +37,7 @@ impl Drawing {
             width,
             height,
             title: String::new(),
+            language: "en",
             description: String::new(),
             style: Style::default(),
             marks: Vec::new(),

@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use kurbo::{BezPath, Point, Rect, Vec2};
 
 use super::fonts;
@@ -31,6 +33,19 @@ pub struct Run {
     pub x: f64,
     /// Baseline of the run, from that of the text; positive in subscripts.
     pub y: f64,
+    /// From which script to which script one goes down from the baseline to the run; empty on the baseline.
+    pub scripts: Vec<Script>,
+    /// Whether a space stands before the run.
+    pub spaced: bool,
+}
+
+/// Where letters stand beside those that they hang on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Script {
+    /// Below them.
+    Sub,
+    /// Above them.
+    Super,
 }
 
 impl RichText {
@@ -100,6 +115,19 @@ pub struct PlacedText {
     pub size: f64,
     /// The left end of its baseline.
     pub origin: Point,
+    /// What of it stays in place where another font sets it wider or narrower than measured.
+    pub anchor: Anchor,
+}
+
+/// A place on the baseline of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// Its left end.
+    Start,
+    /// Its middle.
+    Middle,
+    /// Its right end.
+    End,
 }
 
 /// A run at its place on the sheet, in mm.
@@ -123,12 +151,29 @@ impl PlacedRun<'_> {
             show(glyph, self.origin + Vec2::new(pen * self.size, 0.0));
         });
     }
+
+    /// Shows the numbers that the run's glyphs have in its face ([`REGULAR`](super::REGULAR) or [`ITALIC`](super::ITALIC)), 0 for a letter
+    /// that the face lacks: each with the bytes of `content` that it draws and the place of its left end from that of the run, in em.
+    /// Returns how far the run moves the pen, in em.
+    pub fn glyphs(&self, show: impl FnMut(u16, Range<usize>, f64)) -> f64 {
+        fonts::face(self.italic).glyphs(self.content, show)
+    }
 }
 
 impl PlacedText {
     /// A text whose baseline starts at `origin`.
     pub fn new(text: RichText, size: f64, origin: Point) -> Self {
-        Self { text, size, origin }
+        Self {
+            text,
+            size,
+            origin,
+            anchor: Anchor::Start,
+        }
+    }
+
+    /// The same text where it stands, with another part of it that stays in place.
+    pub fn anchored(self, anchor: Anchor) -> Self {
+        Self { anchor, ..self }
     }
 
     /// A text whose ink is centred at `center`, left to right and top to bottom.
@@ -138,6 +183,7 @@ impl PlacedText {
             origin: center - ink.center().to_vec2(),
             text,
             size,
+            anchor: Anchor::Middle,
         }
     }
 
@@ -147,6 +193,7 @@ impl PlacedText {
             origin: Point::new(end.x - text.width(size), end.y),
             text,
             size,
+            anchor: Anchor::End,
         }
     }
 

@@ -10,6 +10,8 @@ mod html;
 mod json;
 mod number;
 mod outline;
+#[cfg(feature = "pdf")]
+mod pdf;
 mod pencil;
 #[cfg(feature = "png")]
 mod png;
@@ -18,6 +20,7 @@ mod steps;
 mod structure;
 mod svg;
 mod table;
+mod tikz;
 
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
@@ -25,6 +28,8 @@ pub use self::digits::digits;
 #[cfg(feature = "html")]
 pub use self::html::{Page, html};
 pub use self::json::json;
+#[cfg(feature = "pdf")]
+pub use self::pdf::{PdfError, pdf};
 pub use self::pencil::{BandResult, PencilResult, pencil_result};
 #[cfg(feature = "png")]
 pub use self::png::{PngError, png};
@@ -36,6 +41,7 @@ pub use self::steps::steps;
 pub use self::structure::{modes, structure};
 pub use self::svg::{Text, layered_svg, svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines};
+pub use self::tikz::tikz;
 
 #[cfg(test)]
 pub(crate) use self::svg::ink_in;

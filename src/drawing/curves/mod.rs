@@ -14,7 +14,7 @@ use super::layout::{HEADING, MARGIN, TITLE};
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::style::Style;
-use super::text::{PlacedText, RichText};
+use super::text::{Anchor, PlacedText, RichText};
 use crate::cycle::{Curves, Happening};
 use crate::plan::Kind;
 use crate::scene::Scene;
@@ -259,7 +259,8 @@ impl Sheet<'_> {
         for tick in &drive.ticks {
             let text = RichText::plain(&drive.tick(*tick));
             let x = drive.at(*tick) - 0.5 * text.width(CAPTION);
-            let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 2.2));
+            let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 2.2))
+                .anchored(Anchor::Middle);
             drawing.draw(Pen::Caption, Shape::Text(text));
         }
         let baseline = y + FOOT - 1.8;
@@ -293,6 +294,7 @@ impl Sheet<'_> {
             .as_deref()
             .unwrap_or(self.words.language.curves);
         drawing.title = title.to_owned();
+        drawing.language = self.words.language.code;
         let y = MARGIN + 5.6;
         let heading = PlacedText::new(RichText::verbatim(title), 5.2, Point::new(MARGIN, y));
         let free = across[1] - heading.text.width(heading.size) - MARGIN - 6.0;

@@ -16,7 +16,7 @@ mod moves;
 mod places;
 mod search;
 
-use super::text::{PlacedText, RichText};
+use super::text::{Anchor, PlacedText, RichText};
 use places::Place;
 use search::Search;
 
@@ -85,7 +85,8 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
             let place = found.unwrap_or_else(|| search.least_bad(index));
             let ink = request.text.ink_box(request.size);
             let origin = Point::ORIGIN + (place.ink.origin() - ink.origin());
-            let text = PlacedText::new(request.text.clone(), request.size, origin);
+            let text = PlacedText::new(request.text.clone(), request.size, origin)
+                .anchored(Anchor::Middle);
             PlacedLabel {
                 text,
                 leader: place.leader,

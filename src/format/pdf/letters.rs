@@ -1,0 +1,126 @@
+//! Texts as glyphs of the bundled fonts, at the places where they were measured.
+
+use std::ops::Range;
+use std::sync::OnceLock;
+
+use krilla::geom::{self, Path, PathBuilder};
+use krilla::surface::Surface;
+use krilla::tagging::{ContentTag, Identifier, SpanTag};
+use krilla::text::{Font, GlyphId, KrillaGlyph};
+
+use super::paths;
+use crate::drawing::{ITALIC, PlacedRun, PlacedText, REGULAR, Run};
+
+/// The bundled fonts as the writer of PDF takes them.
+pub(super) struct Fonts {
+    upright: Font,
+    italic: Font,
+}
+
+impl Fonts {
+    pub(super) fn new() -> Self {
+        static FONTS: OnceLock<[Font; 2]> = OnceLock::new();
+        let parse =
+            |face: &'static [u8]| Font::new(face.into(), 0).expect("the bundled fonts are sound");
+        let [upright, italic] = FONTS.get_or_init(|| [REGULAR, ITALIC].map(parse)).clone();
+        Self { upright, italic }
+    }
+
+    /// Writes a text in the colour that is set, as a span of the page, run by run; spaces between runs are written too, so that words stay
+    /// apart when they are copied.
+    ///
+    /// Readers guess words from gaps between letters, and gaps beside scripts mislead them, so a formula says what it reads, and so does a text with a letter that
+    /// the font lacks. They take what
+    /// does so for a line of its own: prose with an exponent is left to their guess.
+    pub(super) fn write(&self, surface: &mut Surface<'_>, text: &PlacedText) -> Identifier {
+        let runs = text.text.runs();
+        let has = |what: fn(&Run) -> bool| runs.iter().any(what);
+        let is_formula = has(|run| run.italic) && has(|run| !run.scripts.is_empty());
+        let reads = (is_formula || text.runs().any(lacks_a_letter)).then(|| reading(runs));
+        let span = SpanTag::empty().with_actual_text(reads.as_deref());
+        let span = surface.start_tagged(ContentTag::Span(span));
+        for (placed, run) in text.runs().zip(runs) {
+            if run.spaced {
+                self.write_run(surface, &space_before(placed));
+            }
+            if lacks_a_letter(placed) {
+                // Its box as lines, and a space as the letter that the reading stands for.
+                let mut path = PathBuilder::new();
+                outline(&mut path, placed);
+                super::draw_path(surface, path.finish());
+                let content = " ";
+                self.write_run(surface, &PlacedRun { content, ..placed });
+            } else {
+                self.write_run(surface, &placed);
+            }
+        }
+        surface.end_tagged();
+        span
+    }
+
+    fn write_run(&self, surface: &mut Surface<'_>, run: &PlacedRun<'_>) {
+        let mut set: Vec<(u16, Range<usize>, f64)> = Vec::new();
+        let end = run.glyphs(|glyph, letters, x| set.push((glyph, letters, x)));
+        let ends = set.iter().skip(1).map(|next| next.2).chain([end]);
+        let glyphs = set.iter().zip(ends).map(|((glyph, letters, x), end)| {
+            let glyph = GlyphId::new(u32::from(*glyph));
+            KrillaGlyph::new(
+                glyph,
+                (end - x) as f32,
+                0.0,
+                0.0,
+                0.0,
+                letters.clone(),
+                None,
+            )
+        });
+        let glyphs: Vec<KrillaGlyph> = glyphs.collect();
+        let font = if run.italic {
+            &self.italic
+        } else {
+            &self.upright
+        };
+        let [x, y, size] = [run.origin.x, run.origin.y, run.size].map(paths::length);
+        let start = geom::Point::from_xy(x, y);
+        surface.draw_glyphs(start, &glyphs, font.clone(), run.content, size, false);
+    }
+}
+
+/// Whether the face lacks a letter of the run; what is drawn in its place says nothing to a reader.
+fn lacks_a_letter(run: PlacedRun<'_>) -> bool {
+    let mut lacks = false;
+    run.glyphs(|glyph, _, _| lacks |= glyph == 0);
+    lacks
+}
+
+/// The letters of runs with the spaces between them.
+fn reading(runs: &[Run]) -> String {
+    let mut reading = String::new();
+    for run in runs {
+        reading.push_str(if run.spaced { " " } else { "" });
+        reading.push_str(&run.content);
+    }
+    reading
+}
+
+/// A space that ends where a run starts.
+fn space_before(run: PlacedRun<'_>) -> PlacedRun<'_> {
+    let mut space = PlacedRun {
+        content: " ",
+        italic: false,
+        ..run
+    };
+    space.origin.x -= space.glyphs(|_, _, _| {}) * space.size;
+    space
+}
+
+/// The outlines of all letters of a text; none for one without ink.
+pub(super) fn outlines(text: &PlacedText) -> Option<Path> {
+    let mut path = PathBuilder::new();
+    text.runs().for_each(|run| outline(&mut path, run));
+    path.finish()
+}
+
+fn outline(path: &mut PathBuilder, run: PlacedRun<'_>) {
+    run.outline(|glyph, origin| paths::outline(path, glyph, origin, run.size));
+}

@@ -1,0 +1,195 @@
+use krilla::Document;
+use krilla::color::rgb;
+use krilla::geom::Transform;
+use krilla::metadata::Metadata;
+use krilla::num::NormalizedF32;
+use krilla::page::PageSettings;
+use krilla::paint::{Fill, FillRule, LineCap, LineJoin, Stroke, StrokeDash};
+use krilla::surface::Surface;
+use krilla::tagging::{ArtifactType, ContentTag, Tag, TagGroup, TagTree};
+
+mod letters;
+mod paths;
+
+use crate::drawing::{Cap, Colour, Dash, Drawing, Look, Mark, Point, Shape};
+use letters::Fonts;
+
+/// Points of PDF in a millimetre.
+const POINTS: f64 = 72.0 / 25.4;
+/// Most millimetres on a side: what PDF readers take.
+const MOST_MM: f64 = 14_400.0 / POINTS;
+
+/// Why a drawing could not be written as PDF.
+#[derive(Debug, thiserror::Error)]
+pub enum PdfError {
+    /// The sheet has no size that a page can have.
+    #[error(
+        "a sheet of {width} x {height} mm: a page of PDF has sides of more than 0 and up to {MOST_MM} mm"
+    )]
+    Size {
+        /// Width in mm.
+        width: f64,
+        /// Height in mm.
+        height: f64,
+    },
+    /// The writer of PDF refuses it.
+    #[error("the drawing cannot be written as PDF: {0}")]
+    Writing(String),
+}
+
+/// The bytes of a PDF file of one page, as large as the sheet, in lines and letters, with those letters of the bundled fonts that it uses.
+///
+/// Texts can be searched and copied. Title, language and, for readers who cannot see it, the description are written in; no date, so that the
+/// same drawing gives the same bytes. A letter that the bundled font lacks is an empty box and still found. Marks whose numbers are not
+/// finite are left out.
+pub fn pdf(drawing: &Drawing) -> Result<Vec<u8>, PdfError> {
+    let (width, height) = (drawing.width, drawing.height);
+    let fits = |side: f64| side > 0.0 && side <= MOST_MM;
+    let page = PageSettings::from_wh((width * POINTS) as f32, (height * POINTS) as f32);
+    let page = page.filter(|_| fits(width) && fits(height));
+    let page = page.ok_or(PdfError::Size { width, height })?;
+
+    let fonts = Fonts::new();
+    let mut document = Document::new();
+    let mut figure = TagGroup::new(Tag::Figure(Some(drawing.description.clone())));
+    let mut page = document.start_page_with(page);
+    let mut surface = page.surface();
+    let millimetres = POINTS as f32;
+    surface.push_transform(&Transform::from_scale(millimetres, millimetres));
+    let marks: Vec<(&Mark, bool)> = drawing.marks.iter().zip(drawing.halos()).collect();
+    let background = drawing.style.background();
+    if background != Colour::new(0xffffff) {
+        let (x, y) = (width, height);
+        let corners = [(0.0, 0.0), (x, 0.0), (x, y), (0.0, y)].map(Point::from);
+        surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
+        pens(&mut surface, None, Some(fill(background)));
+        draw_path(&mut surface, paths::chain(&corners, true));
+        surface.end_tagged();
+    }
+    // Stretches of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
+    for marks in marks.chunk_by(|a, b| a.0.pen == b.0.pen && is_text(a.0) == is_text(b.0)) {
+        for (mark, _) in marks.iter().filter(|mark| mark.1) {
+            surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
+            halo(&mut surface, background, &drawing.look(mark), &mark.shape);
+            surface.end_tagged();
+        }
+        for (mark, _) in marks.iter().filter(|(mark, _)| mark.shape.is_finite()) {
+            let look = drawing.look(mark);
+            if let Shape::Text(text) = &mark.shape {
+                pens(&mut surface, None, Some(fill(look.ink)));
+                figure.push(fonts.write(&mut surface, text));
+            } else {
+                figure.push(surface.start_tagged(ContentTag::Other));
+                draw(&mut surface, &look, &mark.shape);
+                surface.end_tagged();
+            }
+        }
+    }
+    surface.pop();
+    surface.finish();
+    page.finish();
+
+    let mut tags = TagTree::new();
+    tags.push(figure);
+    document.set_tag_tree(tags);
+    let about = Metadata::new()
+        .title(drawing.title.clone())
+        .language(drawing.language.into());
+    document.set_metadata(
+        about
+            .description(drawing.description.clone())
+            .creator("Kinegon".into()),
+    );
+    document
+        .finish()
+        .map_err(|error| PdfError::Writing(format!("{error:?}")))
+}
+
+fn is_text(mark: &Mark) -> bool {
+    matches!(mark.shape, Shape::Text(_))
+}
+
+/// One mark that is not a text, in the look of its pen.
+fn draw(surface: &mut Surface<'_>, look: &Look, shape: &Shape) {
+    match shape {
+        // Texts are written by themselves.
+        Shape::Text(_) => {}
+        Shape::Arrow { .. } | Shape::ArcArrow { .. } => {
+            if let Some(shaft) = shape.shaft() {
+                draw(surface, look, &shaft);
+            }
+            if let Some(head) = shape.head() {
+                // Without stroke, so that the tip is where the vector ends.
+                pens(surface, None, Some(fill(look.stroke.unwrap_or(look.ink))));
+                draw_path(surface, paths::chain(&head, true));
+            }
+        }
+        // An open line stays clear inside whatever its pen does to areas.
+        Shape::Line(..) | Shape::Polyline(_) | Shape::Arc { .. } => {
+            pens(surface, stroke(look), None);
+            draw_path(surface, paths::path(shape));
+        }
+        Shape::Polygon(_) | Shape::Circle { .. } => {
+            pens(surface, stroke(look), look.fill.map(fill));
+            draw_path(surface, paths::path(shape));
+        }
+    }
+}
+
+/// The line in the background's colour around the letters of a text, as outlines, so that the letters are found once only.
+fn halo(surface: &mut Surface<'_>, background: Colour, look: &Look, shape: &Shape) {
+    let Shape::Text(text) = shape else { return };
+    let around = Look {
+        stroke: Some(background),
+        width: look.halo,
+        dash: Dash::new(),
+        ..look.clone()
+    };
+    pens(surface, stroke(&around), Some(fill(background)));
+    draw_path(surface, letters::outlines(text));
+}
+
+/// Draws a path; one that has nothing to draw is none.
+fn draw_path(surface: &mut Surface<'_>, path: Option<krilla::geom::Path>) {
+    // Without fill and stroke the writer would take black.
+    let invisible = surface.get_fill().is_none() && surface.get_stroke().is_none();
+    if let Some(path) = path.filter(|_| !invisible) {
+        surface.draw_path(&path);
+    }
+}
+
+fn pens(surface: &mut Surface<'_>, stroke: Option<Stroke>, fill: Option<Fill>) {
+    surface.set_stroke(stroke);
+    surface.set_fill(fill);
+}
+
+fn paint(Colour { red, green, blue }: Colour) -> krilla::paint::Paint {
+    rgb::Color::new(red, green, blue).into()
+}
+
+fn fill(colour: Colour) -> Fill {
+    Fill {
+        paint: paint(colour),
+        opacity: NormalizedF32::ONE,
+        rule: FillRule::NonZero,
+    }
+}
+
+/// The line of a look; none for areas without outline.
+fn stroke(look: &Look) -> Option<Stroke> {
+    let dash = StrokeDash {
+        array: look.dash.iter().map(|&length| length as f32).collect(),
+        offset: 0.0,
+    };
+    Some(Stroke {
+        paint: paint(look.stroke?),
+        width: look.width as f32,
+        line_cap: match look.cap {
+            Cap::Flat => LineCap::Butt,
+            Cap::Round => LineCap::Round,
+        },
+        line_join: LineJoin::Round,
+        dash: (!look.dash.is_empty()).then_some(dash),
+        ..Stroke::default()
+    })
+}

@@ -1,0 +1,105 @@
+//! Shapes as paths of PDF, which has lines and cubic curves only. Lengths are in mm.
+
+use krilla::geom::{Path, PathBuilder};
+
+use crate::drawing::{Outline, OutlinePart, Point, Shape};
+
+/// A length in mm, rounded to a micrometre: short texts, the same on every platform.
+pub(super) fn length(mm: f64) -> f32 {
+    ((mm * 1000.0).round() / 1000.0) as f32
+}
+
+/// A shape of one line; none for a text, for an arrow, and where there is nothing to draw.
+pub(super) fn path(shape: &Shape) -> Option<Path> {
+    match *shape {
+        Shape::Line(from, to) => chain(&[from, to], false),
+        Shape::Polyline(ref points) => chain(points, false),
+        Shape::Polygon(ref points) => chain(points, true),
+        Shape::Circle { center, radius } => {
+            let mut path = PathBuilder::new();
+            arc(&mut path, center, radius, 0.0, std::f64::consts::TAU);
+            path.close();
+            path.finish()
+        }
+        Shape::Arc {
+            center,
+            radius,
+            start,
+            sweep,
+        } => {
+            let mut path = PathBuilder::new();
+            arc(&mut path, center, radius, start, sweep);
+            path.finish()
+        }
+        Shape::Arrow { .. } | Shape::ArcArrow { .. } | Shape::Text(_) => None,
+    }
+}
+
+/// Straight lines through points; none without points.
+pub(super) fn chain(points: &[Point], closed: bool) -> Option<Path> {
+    let (&first, rest) = points.split_first()?;
+    let mut path = PathBuilder::new();
+    path.move_to(length(first.x), length(first.y));
+    for &point in rest {
+        path.line_to(length(point.x), length(point.y));
+    }
+    if closed {
+        path.close();
+    }
+    path.finish()
+}
+
+/// Draws part of a circle in cubic curves, each over a quarter at most: off the circle by less than 0.03 % of its radius.
+fn arc(path: &mut PathBuilder, center: Point, radius: f64, start: f64, sweep: f64) {
+    let sweep = sweep.clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
+    let parts = (sweep.abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
+    let step = sweep / parts;
+    // Handles of this length make the curve's middle lie on the circle.
+    let handle = 4.0 / 3.0 * libm::tan(0.25 * step) * radius;
+    let on = |angle: f64, aside: f64| {
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        [
+            length(center.x + radius * cos - aside * sin),
+            length(center.y + radius * sin + aside * cos),
+        ]
+    };
+    let [x, y] = on(start, 0.0);
+    path.move_to(x, y);
+    for part in 0..parts as u32 {
+        let (from, to) = (
+            start + step * f64::from(part),
+            start + step * f64::from(part + 1),
+        );
+        let ([x1, y1], [x2, y2], [x, y]) = (on(from, handle), on(to, -handle), on(to, 0.0));
+        path.cubic_to(x1, y1, x2, y2, x, y);
+    }
+}
+
+/// Draws an outline given in em at a size in mm.
+pub(super) fn outline(path: &mut PathBuilder, glyph: &Outline, origin: Point, size: f64) {
+    let at = |point: Point| {
+        let place = origin + point.to_vec2() * size;
+        [length(place.x), length(place.y)]
+    };
+    for element in glyph {
+        match element {
+            OutlinePart::MoveTo(to) => {
+                let [x, y] = at(to);
+                path.move_to(x, y);
+            }
+            OutlinePart::LineTo(to) => {
+                let [x, y] = at(to);
+                path.line_to(x, y);
+            }
+            OutlinePart::QuadTo(by, to) => {
+                let ([x1, y1], [x, y]) = (at(by), at(to));
+                path.quad_to(x1, y1, x, y);
+            }
+            OutlinePart::CurveTo(first, second, to) => {
+                let ([x1, y1], [x2, y2], [x, y]) = (at(first), at(second), at(to));
+                path.cubic_to(x1, y1, x2, y2, x, y);
+            }
+            OutlinePart::ClosePath => path.close(),
+        }
+    }
+}

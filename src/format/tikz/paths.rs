@@ -1,0 +1,92 @@
+//! Shapes as paths of TikZ.
+
+use super::super::number::push_number;
+use crate::drawing::{Outline, OutlinePart, Point, Shape};
+
+/// A shape of one line as a path; nothing for a text and for an arrow.
+pub(super) fn write_path(file: &mut String, shape: &Shape) {
+    match *shape {
+        Shape::Line(from, to) => write_chain(file, &[from, to]),
+        Shape::Polyline(ref points) => write_chain(file, points),
+        Shape::Polygon(ref points) => {
+            write_chain(file, points);
+            file.push_str("--cycle");
+        }
+        Shape::Circle { center, radius } => {
+            write_point(file, center);
+            file.push_str("circle[radius=");
+            push_number(file, radius.abs());
+            file.push(']');
+        }
+        Shape::Arc {
+            center,
+            radius,
+            start,
+            sweep,
+        } => {
+            let (sin, cos) = (libm::sin(start), libm::cos(start));
+            write_point(file, center + crate::drawing::Vec2::new(cos, sin) * radius);
+            for (name, value) in [
+                ("arc[start angle=", start.to_degrees()),
+                (",end angle=", (start + sweep).to_degrees()),
+                (",radius=", radius),
+            ] {
+                file.push_str(name);
+                push_number(file, value);
+            }
+            file.push(']');
+        }
+        Shape::Arrow { .. } | Shape::ArcArrow { .. } | Shape::Text(_) => {}
+    }
+}
+
+fn write_chain(file: &mut String, points: &[Point]) {
+    for (index, &point) in points.iter().enumerate() {
+        file.push_str(if index == 0 { "" } else { "--" });
+        write_point(file, point);
+    }
+}
+
+fn write_point(file: &mut String, point: Point) {
+    file.push('(');
+    push_number(file, point.x);
+    file.push(',');
+    push_number(file, point.y);
+    file.push(')');
+}
+
+/// An outline given in em at a size in mm, each of its closed lines on a line of its own.
+pub(super) fn write_outline(file: &mut String, glyph: &Outline, origin: Point, size: f64) {
+    let at = |point: Point| origin + point.to_vec2() * size;
+    let mut pen = Point::ORIGIN;
+    for element in glyph {
+        let [first, second, to] = match element {
+            OutlinePart::MoveTo(to) => {
+                file.push_str("\n  ");
+                write_point(file, at(to));
+                pen = to;
+                continue;
+            }
+            OutlinePart::LineTo(to) => {
+                file.push_str("--");
+                write_point(file, at(to));
+                pen = to;
+                continue;
+            }
+            // The same curve as a cubic one.
+            OutlinePart::QuadTo(by, to) => [pen.lerp(by, 2.0 / 3.0), to.lerp(by, 2.0 / 3.0), to],
+            OutlinePart::CurveTo(first, second, to) => [first, second, to],
+            OutlinePart::ClosePath => {
+                file.push_str("--cycle");
+                continue;
+            }
+        };
+        file.push_str("..controls");
+        write_point(file, at(first));
+        file.push_str("and");
+        write_point(file, at(second));
+        file.push_str("..");
+        write_point(file, at(to));
+        pen = to;
+    }
+}
