@@ -74,6 +74,17 @@ pub fn html(page: &Page<'_>) -> String {
         ("width", number(first.width)),
         ("height", number(first.height)),
         ("fonts", FONTS.to_owned()),
+        ("background", first.style.background().to_string()),
+        ("accent", first.style.accent().to_string()),
+        (
+            "class",
+            (if first.style.is_dark() {
+                "dark board"
+            } else {
+                ""
+            })
+            .to_owned(),
+        ),
         ("quantity", escape(&clean(page.quantity))),
         ("sheet", sheet),
         ("data", packed(&film(page, first))),

@@ -107,6 +107,19 @@ impl Style {
         self.0.background
     }
 
+    /// The colour of what comes with a step.
+    #[must_use]
+    pub fn accent(&self) -> Colour {
+        self.0.accent
+    }
+
+    /// Whether it draws on a dark background.
+    #[must_use]
+    pub fn is_dark(&self) -> bool {
+        let Colour { red, green, blue } = self.background();
+        u16::from(red) + u16::from(green) + u16::from(blue) < 3 * 128
+    }
+
     /// Colours of the links in turn; empty where links are not told apart by colours.
     #[must_use]
     pub fn links(&self) -> &[Colour] {
