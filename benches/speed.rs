@@ -266,12 +266,24 @@ fn drawing_to_tikz(bencher: Bencher) {
     bencher.bench(|| format::tikz(black_box(&drawing)));
 }
 
-/// A drawing to PNG at 100 dots per inch, 1169 by 827 pixels.
+/// A drawing to PNG at so many dots per inch; 100 give 1169 by 827 pixels.
 #[cfg(feature = "png")]
-#[divan::bench]
-fn drawing_to_png(bencher: Bencher) {
+#[divan::bench(args = [100.0, 150.0])]
+fn drawing_to_png(bencher: Bencher, dpi: f64) {
     let (scene, mechanism, pose, motion) = solved(FIGURE_2);
     let plans = construction(&mechanism, &pose, &motion);
     let drawing = drawing::figure(&scene, &mechanism, &pose, &plans);
-    bencher.bench(|| format::png(black_box(&drawing), 100.0));
+    bencher.bench(|| format::png(black_box(&drawing), dpi));
+}
+
+/// The sheets of all 41 steps as SVG.
+#[divan::bench]
+fn step_sheets_to_svg(bencher: Bencher) {
+    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
+    let plans = construction(&mechanism, &pose, &motion);
+    bencher.bench(|| {
+        let all = drawing::stepwise(black_box(&scene), &mechanism, &pose, &plans);
+        let sheets = (1..=all.steps.len()).map(|step| format::svg(&all.after_step(step)));
+        sheets.map(|sheet| sheet.len()).sum::<usize>()
+    });
 }

@@ -3,7 +3,7 @@
 
 use kinegon::Error;
 use kinegon::drafting::{Tolerance, pencil};
-use kinegon::drawing::{Drawing, scales};
+use kinegon::drawing::{Drawing, scales, stepwise};
 use kinegon::format::{self, ResultFile};
 use kinegon::plan::{Asked, Quantity, measured_names, quantity, step_names};
 use kinegon::scene::Scene;
@@ -33,6 +33,13 @@ pub fn whole_way(text: &str) -> Result<(), Error> {
         motion,
         construction,
     } = &stages;
+    let all = stepwise(scene, mechanism, pose, construction);
+    for step in [1, all.steps.len() / 2 + 1, all.steps.len() + 1] {
+        drawing_is_finite(&all.after_step(step));
+    }
+    let layered = format::layered_svg(&all, format::Text::Letters);
+    assert!(Document::parse(&layered).is_ok(), "{layered}");
+    assert!(!format::tikz(&stages.drawing()).is_empty());
     assert!(!format::structure(mechanism).is_empty());
     let names = step_names(construction);
     let asked = names.iter().map(|name| Asked::new(name, mechanism));
