@@ -29,9 +29,8 @@ impl Fonts {
     /// Writes a text in the colour that is set, as a span of the page, run by run; spaces between runs are written too, so that words stay
     /// apart when they are copied.
     ///
-    /// Readers guess words from gaps between letters, and gaps beside scripts mislead them, so a formula says what it reads, and so does a text with a letter that
-    /// the font lacks. They take what
-    /// does so for a line of its own: prose with an exponent is left to their guess.
+    /// Readers guess words from gaps between letters, and gaps beside scripts mislead them; so a formula says what it reads, and so does a
+    /// text with a letter that the font lacks. Readers take such a text for a line of its own: prose with an exponent is left to their guess.
     pub(super) fn write(&self, surface: &mut Surface<'_>, text: &PlacedText) -> Identifier {
         let runs = text.text.runs();
         let has = |what: fn(&Run) -> bool| runs.iter().any(what);

@@ -14,14 +14,11 @@ use style::{Used, name, write_colour, write_style};
 ///
 /// The file compiles by itself and can be read with `\input` into a document that loads the package `tikz`; then only the picture is taken.
 /// Colours and styles have names, one for each pen, and keep to what the document has set before. Texts are LaTeX text and formulas in the
-/// document's own fonts; each keeps its left end, middle or right end, because those fonts are not the measured one. A text with a letter that plain LaTeX lacks is drawn by the outlines of the bundled font. Marks whose numbers are not finite
-/// are left out.
+/// document's own fonts; each keeps its left end, middle or right end, because those fonts are not the measured one. A text with a letter that plain LaTeX lacks is drawn by the outlines of the bundled font. Marks whose numbers are not finite,
+/// or beyond what TeX counts to, are left out.
 pub fn tikz(drawing: &Drawing) -> String {
-    let marks: Vec<(&Mark, bool)> = drawing.marks.iter().zip(drawing.halos()).collect();
-    let marks: Vec<(&Mark, bool)> = marks
-        .into_iter()
-        .filter(|(mark, _)| mark.shape.is_finite())
-        .collect();
+    let marks = drawing.marks.iter().zip(drawing.halos());
+    let marks: Vec<(&Mark, bool)> = marks.filter(|(mark, _)| fits(&mark.shape)).collect();
     let mut file = head(drawing);
     let mut used: BTreeMap<String, (Look, Used)> = BTreeMap::new();
     for (mark, _) in &marks {
@@ -56,6 +53,13 @@ pub fn tikz(drawing: &Drawing) -> String {
     }
     file.push_str("\\end{tikzpicture}%\n\\kinegonend\n");
     file
+}
+
+/// Whether TeX can count as far as a shape reaches: to 5.7 m.
+fn fits(shape: &Shape) -> bool {
+    let bounds = shape.bounds();
+    let sides = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
+    shape.is_finite() && sides.iter().all(|side| side.abs() < 5000.0)
 }
 
 /// What stands before the styles: comments, the document around a picture that is compiled by itself, and what all figures share.

@@ -1,7 +1,7 @@
 //! Shapes as paths of TikZ.
 
 use super::super::number::push_number;
-use crate::drawing::{Outline, OutlinePart, Point, Shape};
+use crate::drawing::{Outline, OutlinePart, Point, Shape, Vec2};
 
 /// A shape of one line as a path; nothing for a text and for an arrow.
 pub(super) fn write_path(file: &mut String, shape: &Shape) {
@@ -24,8 +24,9 @@ pub(super) fn write_path(file: &mut String, shape: &Shape) {
             start,
             sweep,
         } => {
+            let sweep = sweep.clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
             let (sin, cos) = (libm::sin(start), libm::cos(start));
-            write_point(file, center + crate::drawing::Vec2::new(cos, sin) * radius);
+            write_point(file, center + Vec2::new(cos, sin) * radius);
             for (name, value) in [
                 ("arc[start angle=", start.to_degrees()),
                 (",end angle=", (start + sweep).to_degrees()),
