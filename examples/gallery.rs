@@ -1,4 +1,4 @@
-//! Draws every starting scene of `kinegon new` and writes docs/gallery.md with the pictures in docs/gallery.
+//! Draws every starting scene of `kinegon new`, one of them in every style, and writes docs/gallery.md with the pictures in docs/gallery.
 //! Run with `cargo run --release --example gallery`.
 
 use std::error::Error;
@@ -6,13 +6,15 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use kinegon::drawing::figure;
+use kinegon::drawing::{Drawing, figure};
 use kinegon::format::{structure, svg};
 use kinegon::mechanism::mechanism;
 use kinegon::motion::{Order, motion};
-use kinegon::plan::construction;
+use kinegon::plan::construction_in;
 use kinegon::position::pose;
 use kinegon::scene::Scene;
+use kinegon::words::Wording;
+use serde_json::{Map, Value};
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
 const KINDS: [(&str, &str, &str); 19] = [
@@ -113,6 +115,26 @@ const KINDS: [(&str, &str, &str); 19] = [
     ),
 ];
 
+/// Other looks of the last scene: picture, keys of its `figure`, and what they are for.
+const LOOKS: [(&str, &str, &str); 4] = [
+    (
+        "style-print",
+        r#"{ "style": "print" }"#,
+        "For a black and white printer and the photocopier: widths, dashes and heads carry the meaning.",
+    ),
+    (
+        "style-lecture",
+        r#"{ "style": "lecture" }"#,
+        "Each link has one colour: in the scheme, in its images, in its ω.",
+    ),
+    ("style-board", r#"{ "style": "board" }"#, "For a dark room."),
+    (
+        "spanish-german",
+        r#"{ "language": "es", "notation": "german", "decimal": "comma" }"#,
+        "In Spanish, with poles as German textbooks write them and decimal commas.",
+    ),
+];
+
 /// A file of the gallery: where it goes, from the root of the repository, and what it says.
 pub type File = (String, String);
 
@@ -130,15 +152,8 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
     let mut pictures = Vec::new();
     for (kind, path, teaches) in KINDS {
         let text = fs::read_to_string(root().join(path))?;
-        let scene = Scene::read(&text)?;
-        let mechanism = mechanism(&scene)?;
-        let pose = pose(&mechanism, &scene.near)?;
-        let motion = motion(&mechanism, &pose, Order::Acceleration)?;
-        let construction = construction(&mechanism, &pose, &motion);
-        let drawing = figure(&scene, &mechanism, &pose, &construction);
-
-        let title = scene.title.as_deref().unwrap_or(kind);
-        let structure = structure(&mechanism);
+        let (drawing, structure) = drawn(&text)?;
+        let title = &drawing.title;
         let formula = structure.lines().next().unwrap_or_default();
         let _ = write!(
             page,
@@ -147,8 +162,37 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
         );
         pictures.push((format!("docs/gallery/{kind}.svg"), svg(&drawing)));
     }
+    page.push_str("\n## Styles, notations, languages\n\nThe same figure with other keys in its scene's `figure`.\n");
+    let (_, path, _) = KINDS[KINDS.len() - 1];
+    for (name, keys, serves) in LOOKS {
+        let text = fs::read_to_string(root().join(path))?;
+        let mut scene: Value = serde_json::from_str(&text)?;
+        let keys_of: Map<String, Value> = serde_json::from_str(keys)?;
+        for (key, value) in keys_of {
+            scene["figure"][key] = value;
+        }
+        let (drawing, _) = drawn(&scene.to_string())?;
+        let _ = write!(
+            page,
+            "\n`{keys}`: {serves}\n\n![{}. {}](gallery/{name}.svg)\n",
+            drawing.title, drawing.description
+        );
+        pictures.push((format!("docs/gallery/{name}.svg"), svg(&drawing)));
+    }
     pictures.insert(0, ("docs/gallery.md".to_owned(), page));
     Ok(pictures)
+}
+
+/// The figure of a scene, and its groups in words.
+fn drawn(text: &str) -> Result<(Drawing, String), Box<dyn Error>> {
+    let scene = Scene::read(text)?;
+    let mechanism = mechanism(&scene)?;
+    let pose = pose(&mechanism, &scene.near)?;
+    let motion = motion(&mechanism, &pose, Order::Acceleration)?;
+    let words = Wording::of(&scene.figure);
+    let construction = construction_in(&mechanism, &pose, &motion, &words);
+    let drawing = figure(&scene, &mechanism, &pose, &construction);
+    Ok((drawing, structure(&mechanism)))
 }
 
 fn root() -> PathBuf {

@@ -101,12 +101,12 @@ impl<'a> Canvas<'a> {
     }
 
     /// A mark that is there in one step alone; nothing keeps off it.
-    pub(super) fn passing(&mut self, step: u16, pen: Pen, shape: Shape) {
+    pub(super) fn passing(&mut self, step: u16, pen: Pen, shape: Shape) -> &mut Mark {
         self.drawing.add(Mark {
             since: step,
             passing: true,
             ..Mark::new(pen, shape)
-        });
+        })
     }
 
     /// The same, findable by a name such as `velocity-ray-b-s3`.

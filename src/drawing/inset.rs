@@ -4,6 +4,7 @@ use super::canvas::{CAPTION, Canvas};
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::text::{PlacedText, RichText};
+use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 use std::f64::consts::PI;
 
@@ -70,7 +71,7 @@ impl Inset {
     }
 
     /// Draws the circles and, larger, all that the canvas shows of the crowd.
-    pub(super) fn draw(&self, canvas: &mut Canvas<'_>) {
+    pub(super) fn draw(&self, canvas: &mut Canvas<'_>, words: &Wording) {
         let lasting = canvas.marks().iter().filter(|mark| !mark.passing);
         let marks: Vec<Mark> = lasting.cloned().collect();
         for mark in &marks {
@@ -99,7 +100,7 @@ impl Inset {
         let way = (self.centre - self.crowd).normalize();
         let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
         canvas.draw(Pen::Frame, line);
-        let text = RichText::plain(&format!("{} : 1", self.factor));
+        let text = RichText::plain(&format!("{} : 1", words.number(self.factor.to_string())));
         let size = 0.9 * CAPTION;
         let below = Vec2::new(-0.5 * text.width(size), self.radius - 1.4);
         let text = PlacedText::new(text, size, self.centre + below);

@@ -253,7 +253,7 @@ fn points(
         .then(|| Inset::new(canvas, &crowded))
         .flatten();
     if let Some(inset) = &inset {
-        inset.draw(canvas);
+        inset.draw(canvas, &scheme.words);
     }
     for (place, here, role) in places {
         canvas.since(since(&here).unwrap_or_default());

@@ -17,18 +17,37 @@ pub(super) fn written(name: &str) -> String {
 /// A caption or an equation as plain text: names as they are, subscripts after `_`.
 #[must_use]
 pub fn plain_text(markup: &str) -> String {
-    markup.replace("^2", "²").replace(['{', '}', '`'], "")
+    let mut text = String::with_capacity(markup.len());
+    push_plain(&mut text, markup);
+    text
 }
 
 /// A caption or an equation as plain text, names of plan points as the notation has them.
 #[must_use]
 pub fn shown_text(markup: &str, plan: Option<&Plan>, words: &Wording) -> String {
-    let pieces = markup.split('`').enumerate();
-    let shown = pieces.map(|(index, piece)| match (index % 2, plan) {
-        (1, Some(plan)) => plan.shown(piece, piece.to_owned(), words.notation),
-        _ => piece.to_owned(),
-    });
-    plain_text(&shown.collect::<String>())
+    let mut text = String::with_capacity(markup.len());
+    for (index, piece) in markup.split('`').enumerate() {
+        match (index % 2, plan) {
+            (1, Some(plan)) => {
+                let shown = plan.shown(piece, piece.to_owned(), words.notation);
+                push_plain(&mut text, &shown);
+            }
+            _ => push_plain(&mut text, piece),
+        }
+    }
+    text
+}
+
+/// Adds markup without its marks.
+fn push_plain(text: &mut String, markup: &str) {
+    let mut letters = markup.chars().peekable();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '{' | '}' | '`' => {}
+            '^' if letters.next_if_eq(&'2').is_some() => text.push('²'),
+            other => text.push(other),
+        }
+    }
 }
 
 /// A subscript made of several names, as in `S3B`.

@@ -58,7 +58,7 @@ impl Scheme<'_> {
                 start: -0.5 * PI - 0.5 * sense * SWEEP,
                 sweep: sense * SWEEP,
             };
-            canvas.passing(step, Pen::Turning, shape);
+            canvas.passing(step, Pen::Turning, shape).number = self.number(link);
         }
     }
 

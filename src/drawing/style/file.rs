@@ -7,9 +7,10 @@ use super::{Style, Table};
 use crate::scene::StyleName;
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::Deserialize;
-use serde::de::IntoDeserializer;
+use serde::de::{Error, IntoDeserializer, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_json::Value as Json;
+use std::fmt;
 use std::sync::Arc;
 
 /// How a figure looks: colours, widths and dashes of its pens. What is left out is as in the style that this one is based on.
@@ -51,15 +52,22 @@ pub(super) struct StyleFile {
 }
 
 /// A pen as a key. It is read as a text first, so that a message about its value can name it.
-#[derive(Debug, PartialEq, Eq, Hash, Deserialize)]
-#[serde(try_from = "String")]
+#[derive(Debug, PartialEq, Eq, Hash)]
 pub(super) struct PenName(Pen);
 
-impl TryFrom<String> for PenName {
-    type Error = serde::de::value::Error;
-
-    fn try_from(name: String) -> Result<PenName, Self::Error> {
-        Pen::deserialize(name.into_deserializer()).map(PenName)
+impl<'de> Deserialize<'de> for PenName {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Name;
+        impl Visitor<'_> for Name {
+            type Value = PenName;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the name of a pen")
+            }
+            fn visit_str<E: Error>(self, name: &str) -> Result<PenName, E> {
+                Pen::deserialize(name.into_deserializer()).map(PenName)
+            }
+        }
+        deserializer.deserialize_str(Name)
     }
 }
 
