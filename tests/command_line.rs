@@ -372,13 +372,13 @@ fn draw_and_curves_write_all_formats() {
         }
         let unknown = with_scene(&[task, "-", "-o", "figure.bmp"], FIGURE_2.as_bytes());
         assert!(
-            stderr(&unknown).contains(&format!("known endings: {endings}; ")),
+            stderr(&unknown).contains(&format!("known endings: {endings}, html; ")),
             "{}",
             stderr(&unknown)
         );
         let unknown = with_scene(&[task, "-", "--format", "bmp"], FIGURE_2.as_bytes());
         assert!(
-            stderr(&unknown).contains(&format!("[possible values: {formats}]")),
+            stderr(&unknown).contains(&format!("[possible values: {formats}, html]")),
             "{}",
             stderr(&unknown)
         );

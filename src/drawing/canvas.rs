@@ -12,6 +12,9 @@ pub(super) const LABEL: f64 = 4.2;
 /// Size of captions.
 pub(super) const CAPTION: f64 = 3.4;
 
+/// How far outside a panel's frame counts as on it, in mm.
+const ON_FRAME: f64 = 0.05;
+
 /// A panel being drawn: what is drawn is remembered as an obstacle, labels are placed when all is drawn.
 pub(super) struct Canvas<'a> {
     pub drawing: &'a mut Drawing,
@@ -56,7 +59,8 @@ impl<'a> Canvas<'a> {
                 bounds: frame.inset(-1.2),
             },
             requests: Vec::new(),
-            frame,
+            // What lies on the frame itself is within.
+            frame: frame.inflate(ON_FRAME, ON_FRAME),
             since: 0,
             renamed,
         }
