@@ -1,7 +1,7 @@
 //! A link's `angle` in place of the drive's. Every starting scene is solved as it stands, then again from the angle of each of its
 //! links in turn: the drive must come back to where it stood.
 
-use std::path::Path;
+mod files;
 
 use kinegon::Error;
 use kinegon::format::{modes, structure};
@@ -30,17 +30,9 @@ const SEARCHED: [(&str, &str); 7] = [
 
 /// The scene's templates that have one drive, by name.
 fn templates() -> Vec<(String, Value)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("templates");
-    let mut files: Vec<_> = std::fs::read_dir(folder)
-        .expect("the folder is there")
-        .map(|entry| entry.expect("it can be listed").path())
-        .collect();
-    files.sort();
-    let scenes = files.iter().filter_map(|path| {
-        let name = path.file_stem()?.to_str()?.to_owned();
-        let text = std::fs::read_to_string(path).expect("it can be read");
+    let scenes = files::templates().into_iter().map(|(name, text)| {
         let scene: Value = serde_json::from_str(&text).expect("JSON");
-        (!name.ends_with(".schema")).then_some((name, scene))
+        (name, scene)
     });
     scenes.collect()
 }

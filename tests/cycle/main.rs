@@ -6,6 +6,8 @@ mod drives;
 mod ends;
 #[path = "../exact/mod.rs"]
 mod exact;
+#[path = "../files/mod.rs"]
+mod files;
 mod four_bars;
 mod many;
 mod paper;
@@ -59,21 +61,12 @@ fn followed<'a>(mechanism: &'a Mechanism, pose: &Pose) -> Path<'a> {
 
 /// Every starting scene that is given by lengths, and the paper's, with their names.
 fn scenes() -> Vec<(String, String)> {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-    let files = std::fs::read_dir(root.join("templates")).expect("the folder is there");
-    let files = files.map(|entry| entry.expect("the folder can be listed").path());
-    let mut files: Vec<_> = files.chain([root.join("examples/figure-2.json")]).collect();
-    files.sort();
-    let named = files.into_iter().map(|file| {
-        let name = file
-            .file_name()
-            .expect("a file")
-            .to_string_lossy()
-            .into_owned();
-        (name, std::fs::read_to_string(file).expect("it can be read"))
-    });
-    let movable =
-        named.filter(|(name, text)| text.contains("\"near\"") && !name.contains("schema"));
+    let mut named = files::templates();
+    let paper = files::read("examples/figure-2.json");
+    named.push(("figure-2".to_owned(), paper));
+    let movable = named
+        .into_iter()
+        .filter(|(_, text)| text.contains("\"near\""));
     let more = MORE.map(|(name, text)| (name.to_owned(), text.to_owned()));
     let scenes: Vec<_> = movable.chain(more).collect();
     assert_eq!(scenes.len(), 13 + MORE.len());
