@@ -244,7 +244,7 @@ fn every_other_key() {
           { "link": "3", "at": "F", "on": "ground", "through": "H", "along": 90, "turned": -15,
             "drive": { "position": 40, "speed": 3e20, "acceleration": -2 } } ],
         "near": { "E": [1, 2], "angle(2)": 12.5 },
-        "figure": { "panels": ["velocity", "scheme"], "mu_l": 1, "mu_v": 2.5, "mu_a": 0.1, "page": "letter-portrait",
+        "figure": { "panels": ["velocity", "scheme"], "mu_l": 1, "mu_v": 2.5, "mu_a": 0.1, "page": "letter-portrait", "worksheet": true,
                     "special_points": false, "construction": false },
         "want": ["omega(2)", "v(E)"] }"#;
     let push = Push::speed(3e20).position(40.0).acceleration(-2.0);
@@ -283,6 +283,7 @@ fn every_other_key() {
                 size: PageSize::Letter,
                 landscape: false,
             },
+            worksheet: true,
             special_points: false,
             construction: false,
             ..Figure::default()
