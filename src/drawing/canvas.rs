@@ -120,6 +120,7 @@ impl<'a> Canvas<'a> {
     fn remember(&mut self, pen: Pen, shape: &Shape) {
         match shape {
             Shape::Circle { .. } | Shape::Text(_) => self.obstacles.boxes.push(shape.bounds()),
+            Shape::Line(..) if pen == Pen::Hatch => self.obstacles.boxes.push(shape.bounds()),
             Shape::Polygon(corners) if pen == Pen::Slider => {
                 let boxes = pieces(corners).map(|piece| piece.inflate(0.4, 0.4));
                 self.obstacles.boxes.extend(boxes);
