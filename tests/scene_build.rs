@@ -245,7 +245,7 @@ fn every_other_key() {
           { "link": "3", "at": "F", "on": "ground", "through": "H", "along": 90, "turned": -15,
             "drive": { "position": 40, "speed": 3e20, "acceleration": -2 } } ],
         "near": { "E": [1, 2], "angle(2)": 12.5 },
-        "figure": { "panels": ["velocity", "scheme"], "mu_l": 1, "mu_v": 2.5, "mu_a": 0.1, "page": "letter-portrait",
+        "figure": { "panels": ["velocity", "scheme"], "mu_l": 1, "mu_v": 2.5, "mu_a": 0.1, "page": "letter-portrait", "worksheet": true,
                     "style": "board", "notation": "german", "language": "es", "decimal": "comma",
                     "special_points": false, "construction": false },
         "want": ["omega(2)", "v(E)"] }"#;
@@ -289,6 +289,7 @@ fn every_other_key() {
             notation: NotationName::German,
             language: LanguageName::Spanish,
             decimal: DecimalMark::Comma,
+            worksheet: true,
             special_points: false,
             construction: false,
             ..Figure::default()

@@ -1,5 +1,6 @@
 use super::figures::{Figures, stem};
 use super::message::Failure;
+use super::paper::Paper;
 use super::sweep::Range;
 use super::wording::Words;
 use crate::cycle::Curves;
@@ -18,12 +19,15 @@ pub(super) struct CurvesCommand {
     figures: Figures,
     #[command(flatten)]
     words: Words,
+    #[command(flatten)]
+    paper: Paper,
 }
 
 impl CurvesCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let mut moved = self.range.moved()?;
         self.words.put_into(&mut moved.scene.figure);
+        self.paper.put_into(&mut moved.scene.figure);
         let (mut branch, mut range) = moved.follow(&self.range)?;
         // A turn reads best from 0° to 360°.
         if !self.range.is_given() && branch.drive.is_angle() && branch.end(true).is_none() {

@@ -1,13 +1,14 @@
 use super::figures::{Figures, stem};
 use super::files::{self, Source};
 use super::message::Failure;
+use super::paper::{GivenScales, Paper};
 use super::wording::Words;
 use super::work::{Mode, Work, work};
 use crate::cycle::{Drive, Film};
 use crate::drawing::{Drawing, figure, frames, stepwise};
 use crate::format::{Page, html};
 use crate::motion::Order;
-use crate::scene::{Panel, Scene};
+use crate::scene::{Figure, Panel, Scene};
 use crate::words::Wording;
 use clap::Args;
 use std::path::PathBuf;
@@ -32,6 +33,9 @@ pub(super) struct Draw {
     /// Write one SVG whose groups `step-01`, `step-02` … a slide program can reveal one after another.
     #[arg(long)]
     layered: bool,
+    /// Draw a work sheet: the figure with a table of all measured lengths and a ruler that shows whether it was printed at 100 %.
+    #[arg(long)]
+    worksheet: bool,
     /// Positions over the whole range of the drive that a page (`--format html`) can show.
     #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u16).range(1..=1440))]
     positions: u16,
@@ -42,6 +46,10 @@ pub(super) struct Draw {
     figures: Figures,
     #[command(flatten)]
     words: Words,
+    #[command(flatten)]
+    paper: Paper,
+    #[command(flatten)]
+    scales: GivenScales,
     #[command(flatten)]
     mode: Mode,
 }
@@ -62,7 +70,7 @@ impl Draw {
         };
         let (mut drawings, mut works) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
-            let work = work(&source, self.mode.number, &self.words, needed)?;
+            let work = work(&source, self.mode.number, |f| self.put_into(f), needed)?;
             work.warn();
             self.sheets(name, &work, &mut drawings)?;
             works.push((source, work));
@@ -79,6 +87,14 @@ impl Draw {
             )),
         };
         self.figures.write(self.scene.as_deref(), drawings, page)
+    }
+
+    /// Writes what was asked for into a scene's figure.
+    fn put_into(&self, figure: &mut Figure) {
+        self.words.put_into(figure);
+        self.paper.put_into(figure);
+        self.scales.put_into(figure);
+        figure.worksheet |= self.worksheet;
     }
 
     /// The page of a scene: its figure with all steps, in all positions of the drive.

@@ -8,6 +8,7 @@ mod figures;
 mod files;
 mod message;
 mod new;
+mod paper;
 mod pencil;
 mod solve;
 mod steps;

@@ -1,7 +1,6 @@
 use super::files;
 use super::message::{Failure, warn};
 use super::pencil::Hand;
-use super::wording::Words;
 use super::work::{Mode, Work, work};
 use crate::accuracy::bounds;
 use crate::drafting::readable_names;
@@ -33,7 +32,7 @@ pub(super) struct Solve {
 impl Solve {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let work = work(&source, self.mode.number, &Words::default(), needed)?;
+        let work = work(&source, self.mode.number, |_| (), needed)?;
         if self.digits {
             return print_digits(&work);
         }

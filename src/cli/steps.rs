@@ -1,11 +1,13 @@
 use super::files;
 use super::message::Failure;
+use super::paper::{GivenScales, Paper};
 use super::pencil::Hand;
 use super::wording::Words;
 use super::work::{Mode, work};
 use crate::format;
 use crate::motion::Order;
 use crate::plan::{Asked, step_names};
+use crate::scene::Figure;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -19,15 +21,22 @@ pub(super) struct Steps {
     #[command(flatten)]
     words: Words,
     #[command(flatten)]
+    paper: Paper,
+    #[command(flatten)]
+    scales: GivenScales,
+    #[command(flatten)]
     hand: Hand,
 }
 
 impl Steps {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let work = work(&source, self.mode.number, &self.words, |_| {
-            Order::Acceleration
-        })?;
+        let asked = |figure: &mut Figure| {
+            self.words.put_into(figure);
+            self.paper.put_into(figure);
+            self.scales.put_into(figure);
+        };
+        let work = work(&source, self.mode.number, asked, |_| Order::Acceleration)?;
         let names = step_names(&work.construction);
         let asked = names.iter().map(|name| Asked::new(name, &work.mechanism));
         let asked = asked.collect::<Result<Vec<Asked>, _>>();

@@ -1,11 +1,10 @@
 use super::files::{self, Source};
 use super::message::{Failure, warn};
-use super::wording::Words;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::{Motion, Order, motion};
 use crate::plan::{Construction, construction_in};
 use crate::position::{AssemblyError, Pose, pose, poses};
-use crate::scene::{Near, Scene};
+use crate::scene::{Figure, Near, Scene};
 use crate::words::Wording;
 use clap::Args;
 use std::path::Path;
@@ -35,16 +34,16 @@ pub(super) struct Work {
     pub construction: Construction,
 }
 
-/// Takes a scene through its stages, as far as `order` says; in the assembly mode of that number, else the one that `near` picks.
+/// Takes a scene through its stages, as far as `order` says, with what was `asked` of its figure on the command line; in the assembly mode of that number, else the one that `near` picks.
 pub(super) fn work(
     source: &Source,
     mode: Option<usize>,
-    words: &Words,
+    asked: impl Fn(&mut Figure),
     order: impl Fn(&Scene) -> Order,
 ) -> Result<Work, Failure> {
     let stages = || -> Result<Work, crate::Error> {
         let (mut scene, mechanism, pose) = posed(source, mode)?;
-        words.put_into(&mut scene.figure);
+        asked(&mut scene.figure);
         let motion = motion(&mechanism, &pose, order(&scene))?;
         let wording = Wording::of(&scene.figure);
         let construction = construction_in(&mechanism, &pose, &motion, &wording);

@@ -1,4 +1,4 @@
-use super::clip::{clipped, is_within};
+use super::clip::{clipped, holds, is_within};
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
 use super::shape::{Shape, around};
@@ -7,10 +7,11 @@ use super::text::RichText;
 use indexmap::IndexMap;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
 
-/// Size of labels: mm of one em.
-pub(super) const LABEL: f64 = 4.2;
-/// Size of captions.
-pub(super) const CAPTION: f64 = 3.4;
+/// Size of labels: mm of one em. Small letters of the bundled font are 0.429 em high: 2 mm. What stands high or low beside a letter is
+/// smaller.
+pub(super) const LABEL: f64 = 4.7;
+/// Size of captions; no words of a figure are smaller.
+pub(super) const CAPTION: f64 = 4.7;
 
 /// How far outside a panel's frame counts as on it, in mm.
 const ON_FRAME: f64 = 0.05;
@@ -123,6 +124,7 @@ impl<'a> Canvas<'a> {
     fn remember(&mut self, pen: Pen, shape: &Shape) {
         match shape {
             Shape::Circle { .. } | Shape::Text(_) => self.obstacles.boxes.push(shape.bounds()),
+            Shape::Line(..) if pen == Pen::Hatch => self.obstacles.boxes.push(shape.bounds()),
             Shape::Polygon(corners) if pen == Pen::Slider => {
                 let boxes = pieces(corners).map(|piece| piece.inflate(0.4, 0.4));
                 self.obstacles.boxes.extend(boxes);
@@ -209,7 +211,7 @@ impl<'a> Canvas<'a> {
     pub(super) fn words(&mut self, name: &str, words: &str, anchor: Point) {
         let request = LabelRequest {
             text: RichText::plain(words),
-            size: 0.9 * LABEL,
+            size: LABEL,
             anchor,
             clearance: 1.0,
             prefer: None,
@@ -233,7 +235,7 @@ impl<'a> Canvas<'a> {
     /// Places and draws the labels, and cuts off what leaves the panel; what lies outside has no name.
     pub(super) fn finish(mut self) {
         let mut requests = std::mem::take(&mut self.requests);
-        requests.retain(|(wanted, _)| self.frame.contains(wanted.request.anchor));
+        requests.retain(|(wanted, _)| holds(self.frame, wanted.request.anchor));
         let asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
         for (label, (wanted, since)) in place(&asked, &self.obstacles).into_iter().zip(requests) {
             if label.crowded && wanted.optional {

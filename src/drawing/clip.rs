@@ -9,6 +9,11 @@ pub(super) fn is_within(area: Rect, shape: &Shape) -> bool {
     area.union(shape.drawn_box()) == area
 }
 
+/// Whether a point is in `area` or, but for rounding, on its border.
+pub(super) fn holds(area: Rect, point: Point) -> bool {
+    area.inflate(1e-9, 1e-9).contains(point)
+}
+
 /// What of a shape is in `area`: the shape itself where it does not leave it; lines cut off at the edge, an arrow whose tip is outside
 /// as a line; of round things and texts nothing where their middle is outside.
 pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
@@ -43,11 +48,11 @@ pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
         | Shape::Arc { center, .. }
         | Shape::ArcArrow { center, .. } => {
             let middle = *center;
-            area.contains(middle).then_some(shape).into_iter().collect()
+            holds(area, middle).then_some(shape).into_iter().collect()
         }
         Shape::Text(text) => {
             let middle = text.ink_box().center();
-            area.contains(middle).then_some(shape).into_iter().collect()
+            holds(area, middle).then_some(shape).into_iter().collect()
         }
     }
 }

@@ -1,5 +1,5 @@
 use super::canvas::{CAPTION, Canvas};
-use super::layout::{Layout, Placed, Wanted, layout};
+use super::layout::{Aside, Layout, Placed, Wanted, layout};
 use super::legend;
 use super::plan_panel;
 use super::scheme::Scheme;
@@ -10,10 +10,11 @@ use super::style::Style;
 use super::text::{PlacedText, RichText};
 use super::view::{Extent, View};
 use super::words;
+use super::worksheet::Worksheet;
 use crate::mechanism::{Class, Mechanism};
 use crate::plan::{Construction, Scales, shown_text};
 use crate::position::Pose;
-use crate::scene::{Figure, Panel, Scene};
+use crate::scene::{Panel, Scene};
 use crate::words::Language;
 use kurbo::Point;
 
@@ -27,8 +28,8 @@ pub fn figure(
 ) -> Drawing {
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     let extents = extents(&scheme);
-    let layout = divide(&scene.figure, &extents, 0.0);
-    compose(scene, &scheme, &layout, &extents, false)
+    let sheet = Sheet::new(scene, &scheme, &extents, false);
+    compose(scene, &scheme, &sheet, &extents, false)
 }
 
 /// The same figure with every step of the construction in it: [`Drawing::after_step`] gives the sheet as it stands after one of them,
@@ -44,8 +45,8 @@ pub fn stepwise(
 ) -> Drawing {
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     let extents = extents(&scheme);
-    let layout = divide(&scene.figure, &extents, words::HEIGHT);
-    compose(scene, &scheme, &layout, &extents, true)
+    let sheet = Sheet::new(scene, &scheme, &extents, true);
+    compose(scene, &scheme, &sheet, &extents, true)
 }
 
 /// The stepwise figures of one mechanism in several positions, all with the same panels and scales, so that they can be shown one
@@ -53,7 +54,7 @@ pub fn stepwise(
 ///
 /// Panels are large enough for all that the position `own` has, and for the joints and their images in the others, but for plans
 /// several times as large as most: near a limit position rates grow without bound, and special points run to infinity. What does not
-/// fit is cut off at the panel's edge.
+/// fit is cut off at the panel's edge. Moving figures are for the screen: none is a work sheet.
 #[must_use]
 pub fn frames(
     scene: &Scene,
@@ -85,18 +86,21 @@ pub fn frames(
             (panel, extent.with_most(others))
         })
         .collect();
-    let layout = divide(&scene.figure, &extents, words::HEIGHT);
-    let draw = |scheme: &Scheme<'_>| compose(scene, scheme, &layout, &extents, true);
+    let most = schemes.iter().map(|scheme| agreement(scene, scheme).len());
+    let lines = most.max().unwrap_or_default();
+    let sheet = Sheet::divided(scene, first, &extents, words_below(lines, true), None);
+    let draw = |scheme: &Scheme<'_>| compose(scene, scheme, &sheet, &extents, true);
     schemes.iter().map(draw).collect()
 }
 
 fn compose(
     scene: &Scene,
     scheme: &Scheme<'_>,
-    layout: &Layout,
+    sheet: &Sheet,
     extents: &[(Panel, Extent)],
     by_steps: bool,
 ) -> Drawing {
+    let layout = &sheet.layout;
     let (mechanism, construction) = (scheme.mechanism, scheme.construction);
     let [width, height] = scene.figure.page.size_mm();
     let mut drawing = Drawing::new(width, height);
@@ -120,13 +124,10 @@ fn compose(
         }
     }
     let words = &scheme.words;
-    legend::draw(
-        &mut drawing,
-        layout.legend,
-        words,
-        scene.units,
-        &layout.panels,
-    );
+    if let (Some(worksheet), Some(area)) = (&sheet.worksheet, layout.table) {
+        worksheet.draw(&mut drawing, area, &layout.panels, words);
+    }
+    legend::draw(&mut drawing, layout, words, scene.units);
     let steps = numbered(construction);
     let steps = steps.map(|(_, plan, step)| shown_text(&step.caption, plan, words));
     drawing.steps = steps.collect();
@@ -134,12 +135,12 @@ fn compose(
         words::draw(&mut drawing, layout, scene.units, scheme);
         // After the last step.
         let from = drawing.marks.len();
-        legend::agreement(&mut drawing, layout.legend, words, construction);
+        legend::draw_lines(&mut drawing, layout, agreement(scene, scheme));
         for mark in &mut drawing.marks[from..] {
             (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
         }
     } else {
-        legend::agreement(&mut drawing, layout.legend, words, construction);
+        legend::draw_lines(&mut drawing, layout, agreement(scene, scheme));
     }
     drawing
 }
@@ -153,15 +154,16 @@ pub fn scales(
     construction: &Construction,
 ) -> Scales {
     let scheme = Scheme::new(scene, mechanism, pose, construction);
-    let layout = divide(&scene.figure, &extents(&scheme), 0.0);
-    let of = |panel: Panel, given: Option<f64>| {
-        let placed = layout.panels.iter().find(|p| p.panel == panel);
-        given.or(placed.map(|p| p.mu))
+    let sheet = Sheet::new(scene, &scheme, &extents(&scheme), false);
+    let of = |panel: Panel| {
+        let mut panels = sheet.layout.panels.iter();
+        let placed = panels.find(|p| p.panel == panel);
+        scene.figure.mu(panel).or(placed.map(|p| p.mu))
     };
     Scales {
-        length: of(Panel::Scheme, scene.figure.mu_l),
-        velocity: of(Panel::Velocity, scene.figure.mu_v),
-        acceleration: of(Panel::Acceleration, scene.figure.mu_a),
+        length: of(Panel::Scheme),
+        velocity: of(Panel::Velocity),
+        acceleration: of(Panel::Acceleration),
     }
 }
 
@@ -179,18 +181,74 @@ fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
     extents.collect()
 }
 
-/// The sheet divided among the panels; so much room is left for words.
-fn divide(figure: &Figure, extents: &[(Panel, Extent)], words: f64) -> Layout {
-    let wanted = extents.iter().map(|&(panel, extent)| {
-        let mu = match panel {
-            Panel::Scheme => figure.mu_l,
-            Panel::Velocity => figure.mu_v,
-            Panel::Acceleration => figure.mu_a,
+/// The sheet of a figure, divided up, and the table of a work sheet.
+struct Sheet {
+    layout: Layout,
+    worksheet: Option<Worksheet>,
+}
+
+impl Sheet {
+    /// The sheet for these panels, with room for the words of steps or without.
+    fn new(
+        scene: &Scene,
+        scheme: &Scheme<'_>,
+        extents: &[(Panel, Extent)],
+        by_steps: bool,
+    ) -> Self {
+        let page = scene.figure.page.size_mm();
+        let table = || Worksheet::new(scheme, scene.units, extents, page);
+        let worksheet = scene.figure.worksheet.then(table);
+        let below = words_below(agreement(scene, scheme).len(), by_steps);
+        Self::divided(scene, scheme, extents, below, worksheet)
+    }
+
+    /// The sheet with so much room below the scales. They stand in as few rows as hold them.
+    fn divided(
+        scene: &Scene,
+        scheme: &Scheme<'_>,
+        extents: &[(Panel, Extent)],
+        below: f64,
+        worksheet: Option<Worksheet>,
+    ) -> Self {
+        let wanted = extents.iter().map(|&(panel, extent)| Wanted {
+            panel,
+            extent,
+            heading: heading(scheme, 0, panel).width(HEADING_SIZE) + 2.0 * BEFORE_HEADING,
+            mu: scene.figure.mu(panel),
+        });
+        let wanted: Vec<Wanted> = wanted.collect();
+        let page = scene.figure.page.size_mm();
+        let in_columns = |columns: usize| {
+            let heights = [legend::height(wanted.len(), columns), below];
+            layout(page, &wanted, heights, columns, |room| match &worksheet {
+                Some(table) => table.asides(room),
+                None => vec![Aside::Nothing],
+            })
         };
-        Wanted { panel, extent, mu }
-    });
-    let wanted: Vec<Wanted> = wanted.collect();
-    layout(figure.page.size_mm(), &wanted, words)
+        let mut layout = in_columns(MOST_COLUMNS);
+        for columns in (1..MOST_COLUMNS).rev() {
+            if legend::fits(&layout, &scheme.words, scene.units) {
+                break;
+            }
+            layout = in_columns(columns);
+        }
+        Self { layout, worksheet }
+    }
+}
+
+/// Columns of scales in the legend at most.
+const MOST_COLUMNS: usize = 3;
+
+/// How the construction and the loop equations agree, in lines for the scene's page.
+fn agreement(scene: &Scene, scheme: &Scheme<'_>) -> Vec<RichText> {
+    let [width, _] = scene.figure.page.size_mm();
+    legend::agreement(&scheme.words, scheme.construction, width)
+}
+
+/// Room that is needed below the scales, for so many lines and for the words of steps.
+fn words_below(lines: usize, by_steps: bool) -> f64 {
+    let least = if by_steps { words::HEIGHT } else { 0.0 };
+    legend::height_of_lines(lines).max(least)
 }
 
 fn panel(
@@ -203,20 +261,16 @@ fn panel(
 ) {
     let frame = Shape::Polygon(legend::corners(placed.frame));
     drawing.draw(Pen::Frame, frame);
-    let language = scheme.words.language;
-    let (prefix, heading) = match placed.panel {
-        Panel::Scheme => ("scheme", language.scheme),
-        Panel::Velocity => ("velocity", language.velocity_plan),
-        Panel::Acceleration => ("acceleration", language.acceleration_plan),
-    };
-    drawing.panels.push((heading.to_owned(), placed.frame));
-    let letter = char::from(b'a' + index as u8);
-    let heading = PlacedText::new(
-        RichText::plain(&format!("({letter}) {heading}")),
-        1.1 * CAPTION,
-        Point::new(placed.frame.x0 + 2.5, placed.frame.y0 + 5.2),
+    let name = name(scheme.words.language, placed.panel);
+    drawing.panels.push((name.to_owned(), placed.frame));
+    let start = Point::new(placed.frame.x0 + BEFORE_HEADING, placed.frame.y0 + 6.0);
+    let heading = PlacedText::new(heading(scheme, index, placed.panel), HEADING_SIZE, start);
+    let mut canvas = Canvas::new(
+        drawing,
+        placed.panel.as_str(),
+        placed.frame,
+        &scheme.figure.labels,
     );
-    let mut canvas = Canvas::new(drawing, prefix, placed.frame, &scheme.figure.labels);
     canvas.draw(Pen::Heading, Shape::Text(heading));
     let plan = match placed.panel {
         Panel::Scheme => {
@@ -236,6 +290,25 @@ fn panel(
         plan_panel::draw(&mut canvas, view, scheme, plan);
     }
     canvas.finish();
+}
+
+/// Size of panels' headings, and the white before them.
+const HEADING_SIZE: f64 = 1.05 * CAPTION;
+const BEFORE_HEADING: f64 = 2.5;
+
+fn name(language: &Language, panel: Panel) -> &'static str {
+    match panel {
+        Panel::Scheme => language.scheme,
+        Panel::Velocity => language.velocity_plan,
+        Panel::Acceleration => language.acceleration_plan,
+    }
+}
+
+/// What stands above the panel of this number.
+fn heading(scheme: &Scheme<'_>, index: usize, panel: Panel) -> RichText {
+    let letter = char::from(b'a' + index as u8);
+    let name = name(scheme.words.language, panel);
+    RichText::plain(&format!("({letter}) {name}"))
 }
 
 /// The figure in a sentence, for those who cannot see it.

@@ -6,16 +6,14 @@ use kurbo::Rect;
 pub(super) const MARGIN: f64 = 8.0;
 /// Room for the title above the panels.
 pub(super) const TITLE: f64 = 9.0;
-/// Room for the legend below the panels.
-pub(super) const LEGEND: f64 = 16.0;
-/// The part of it that the scales take.
-pub(super) const SCALES: f64 = 8.0;
 /// Between panels.
 const GAP: f64 = 4.0;
 /// Inside a panel, kept free for labels and its heading.
 const PADDING: f64 = 7.0;
 /// Height of a panel's heading.
-pub(super) const HEADING: f64 = 6.0;
+pub(super) const HEADING: f64 = 7.2;
+/// Rounding of sizes on paper, in mm.
+const ROUNDING: f64 = 1e-6;
 /// No panel's content gets less than this, in mm, either way.
 const LEAST: f64 = 20.0;
 
@@ -24,6 +22,8 @@ const LEAST: f64 = 20.0;
 pub(super) struct Wanted {
     pub panel: Panel,
     pub extent: Extent,
+    /// Width that its heading needs.
+    pub heading: f64,
     /// The scale that the scene asks for.
     pub mu: Option<f64>,
 }
@@ -38,51 +38,109 @@ pub(super) struct Placed {
     pub mu: f64,
 }
 
+/// Paper that is kept free of panels, for a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Aside {
+    Nothing,
+    /// This high, between panels and legend.
+    Below(f64),
+    /// This wide, to the right of the panels.
+    Right(f64),
+}
+
 /// The sheet divided up.
 pub(super) struct Layout {
     pub title: Rect,
     pub legend: Rect,
+    /// Height of the legend's upper part, which the scales take, and in how many columns they stand.
+    pub scales: f64,
+    pub columns: usize,
+    pub table: Option<Rect>,
     pub panels: Vec<Placed>,
 }
 
+/// The room above a legend of some height, for panels and a table.
+pub(super) fn room([width, height]: [f64; 2], legend: f64) -> Rect {
+    let bottom = height - MARGIN - legend - GAP;
+    Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, bottom)
+}
+
+/// A way to divide a sheet: the table's area and the panels.
+type Way = (Option<Rect>, Vec<Placed>);
+
 /// Divides a sheet so that the panels' contents come out largest at round scales.
 ///
-/// All of a few arrangements are tried: side by side, one beside two, one above two; the one in which the
-/// contents come out largest, their sizes multiplied, wins.
-///
-/// Between panels and legend stays so much room for words.
-pub(super) fn layout([width, height]: [f64; 2], wanted: &[Wanted], words: f64) -> Layout {
-    let sheet = Rect::new(MARGIN, MARGIN, width - MARGIN, height - MARGIN);
-    let room = Rect::new(
-        sheet.x0,
-        sheet.y0 + TITLE,
-        sheet.x1,
-        sheet.y1 - LEGEND - words - GAP,
-    );
-    let mut best: Option<(f64, Vec<Placed>)> = None;
-    for frames in arrangements(room, wanted) {
-        let placed: Vec<Placed> = wanted
-            .iter()
-            .zip(frames)
-            .map(|(w, f)| place(w, f))
-            .collect();
-        // How large a content comes out: the diagonal of its box on paper.
-        let drawn = |(w, p): (&Wanted, &Placed)| (w.extent.size() / p.mu).norm();
-        let roomy = |p: &Placed| p.area.width().min(p.area.height()) >= LEAST;
-        if !placed.iter().all(roomy) && best.is_some() {
-            continue;
-        }
-        // Their product: no content is made large at a greater loss of another.
-        let fill: f64 = wanted.iter().zip(&placed).map(drawn).product();
-        if best.as_ref().is_none_or(|(most, _)| fill > *most) {
-            best = Some((fill, placed));
+/// All of a few arrangements are tried: side by side, one beside two, one above two, each with every way to keep room `aside`. Those
+/// come first in which contents of given scales fit into their panels; then the one wins in which the contents come out largest, their
+/// sizes multiplied. The legend has a part for the scales and one `below` it.
+pub(super) fn layout(
+    page: [f64; 2],
+    wanted: &[Wanted],
+    [scales, below]: [f64; 2],
+    columns: usize,
+    asides: impl Fn(Rect) -> Vec<Aside>,
+) -> Layout {
+    let whole = room(page, scales + below);
+    let mut best: Option<([f64; 3], Way)> = None;
+    for aside in asides(whole) {
+        let (room, table) = cut_off(whole, aside);
+        for frames in arrangements(room, wanted) {
+            let placed = wanted.iter().zip(frames).map(|(w, f)| place(w, f));
+            let placed: Vec<Placed> = placed.collect();
+            let worth = worth(wanted, &placed);
+            if best.as_ref().is_none_or(|(most, _)| worth > *most) {
+                best = Some((worth, (table, placed)));
+            }
         }
     }
+    let (table, panels) = best.map(|(_, way)| way).unwrap_or_default();
+    let [_, height] = page;
     Layout {
-        title: Rect::new(sheet.x0, sheet.y0, sheet.x1, sheet.y0 + TITLE),
-        legend: Rect::new(sheet.x0, sheet.y1 - LEGEND - words, sheet.x1, sheet.y1),
-        panels: best.map(|(_, placed)| placed).unwrap_or_default(),
+        title: Rect::new(whole.x0, MARGIN, whole.x1, whole.y0),
+        legend: Rect::new(whole.x0, whole.y1 + GAP, whole.x1, height - MARGIN),
+        scales,
+        columns,
+        table,
+        panels,
     }
+}
+
+/// What is left of a room, and what is kept aside.
+fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
+    let (mut left, mut table) = (room, room);
+    match aside {
+        Aside::Nothing => return (room, None),
+        Aside::Below(height) => {
+            table.y0 = room.y1 - height;
+            left.y1 = table.y0 - GAP;
+        }
+        Aside::Right(width) => {
+            table.x0 = room.x1 - width;
+            left.x1 = table.x0 - GAP;
+        }
+    }
+    (left, Some(table))
+}
+
+/// How good an arrangement is, by what counts first: no panel is a mere strip, contents fit, and they come out large.
+fn worth(wanted: &[Wanted], placed: &[Placed]) -> [f64; 3] {
+    let all = || wanted.iter().zip(placed);
+    // How large a content comes out on paper.
+    let drawn = |(w, p): (&Wanted, &Placed)| w.extent.size() / p.mu;
+    let roomy = |(w, p): (&Wanted, &Placed)| {
+        p.area.width().min(p.area.height()) >= LEAST && p.frame.width() >= w.heading
+    };
+    let fits = |pair: (&Wanted, &Placed)| {
+        let (size, area) = (drawn(pair), pair.1.area.inflate(ROUNDING, ROUNDING));
+        size.x <= area.width() && size.y <= area.height()
+    };
+    let yes = |is: bool| f64::from(u8::from(is));
+    [
+        yes(all().all(roomy)),
+        all().filter(|pair| fits(*pair)).count() as f64,
+        // The product of the diagonals: no content is made large at a greater loss of another.
+        all().map(|pair| drawn(pair).norm()).product(),
+    ]
 }
 
 fn place(wanted: &Wanted, frame: Rect) -> Placed {
@@ -135,7 +193,8 @@ fn splits(room: Rect, down: bool, first: &[Wanted], second: &[Wanted]) -> Vec<(R
         } else {
             (size.x, 0.0)
         };
-        let at = move |mu: f64| size / mu + 2.0 * PADDING + extra + 1e-6;
+        let least = if down { 0.0 } else { w.heading };
+        let at = move |mu: f64| (size / mu + 2.0 * PADDING + extra).max(least) + ROUNDING;
         // The scale that fits the whole room, and the next coarser ones.
         let mut mu = w.mu.unwrap_or_else(|| place(w, room).mu);
         std::array::from_fn::<f64, 2, _>(|_| {

@@ -1,83 +1,123 @@
 use super::canvas::CAPTION;
-use super::layout::Placed;
+use super::layout::{Layout, MARGIN, Placed};
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::text::{PlacedText, RichText};
-use crate::plan::Construction;
+use crate::plan::{Construction, Kind};
 use crate::scene::{Panel, Units};
 use crate::words::{Language, Wording};
 use kurbo::{Point, Rect};
 
-/// The box with the scales, each with a bar of a round value.
-pub(super) fn draw(
-    drawing: &mut Drawing,
-    area: Rect,
-    words: &Wording,
-    units: Units,
-    panels: &[Placed],
-) {
-    drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
-    let column = area.width() / 3.0;
-    let (length, time) = (units.length.as_str(), units.time.as_str());
-    for (index, placed) in panels.iter().enumerate() {
-        let (name, unit) = match placed.panel {
-            Panel::Scheme => ("μ_l", length.to_owned()),
-            Panel::Velocity => ("μ_v", format!("{length}/{time}")),
-            Panel::Acceleration => ("μ_a", format!("{length}/{time}²")),
+/// White inside the legend's frame, left and right.
+const PAD: f64 = 4.0;
+/// Height of a row of scales.
+const ROW: f64 = 7.2;
+/// Height of a line of words.
+const LINE: f64 = 6.0;
+/// Above and below the rows of scales, and below the words.
+const EDGE: f64 = 2.2;
+/// Length of the bar beside a scale.
+const BAR: f64 = 10.0;
+
+/// Room for the scales of some panels in so many columns, in mm.
+pub(super) fn height(panels: usize, columns: usize) -> f64 {
+    ROW * panels.max(1).div_ceil(columns) as f64 + EDGE
+}
+
+/// A panel's scale, and a bar of a round value.
+struct Entry {
+    symbol: RichText,
+    value: RichText,
+    bar: RichText,
+}
+
+impl Entry {
+    fn new(placed: &Placed, words: &Wording, units: Units) -> Self {
+        let (name, kind) = match placed.panel {
+            Panel::Scheme => ("μ_l", Kind::Length),
+            Panel::Velocity => ("μ_v", Kind::Velocity),
+            Panel::Acceleration => ("μ_a", Kind::Acceleration),
         };
-        let x = area.x0 + 4.0 + column * index as f64;
+        let unit = kind.unit(units);
         let per_mm = if unit.contains('/') {
             format!("({unit})/mm")
         } else {
             format!("{unit}/mm")
         };
-        let baseline = area.y0 + 5.6;
-        let symbol = PlacedText::new(
-            RichText::math(name),
-            CAPTION * 1.15,
-            Point::new(x, baseline),
-        );
-        let after = x + symbol.text.width(symbol.size) + 1.2;
-        drawing.draw(Pen::Caption, Shape::Text(symbol));
-        let value = format!("= {} {per_mm}", short(words, placed.mu));
-        let value = PlacedText::new(
-            RichText::plain(&value),
-            CAPTION,
-            Point::new(after, baseline),
-        );
-        let bar_from = after + value.text.width(CAPTION) + 4.0;
-        drawing.draw(Pen::Caption, Shape::Text(value));
-        // A bar of ten millimetres of paper.
-        let y = baseline - 1.0;
-        let (a, b) = (Point::new(bar_from, y), Point::new(bar_from + 10.0, y));
-        drawing.draw(Pen::Ground, Shape::Line(a, b));
-        for end in [a, b] {
+        let value = short(words, placed.mu);
+        let bar = short(words, BAR * placed.mu);
+        Self {
+            symbol: RichText::math(name),
+            value: RichText::plain(&format!("= {value} {per_mm}")),
+            bar: RichText::plain(&format!("{bar} {unit}")),
+        }
+    }
+
+    /// Where bar and its value begin, from the entry's own begin, and where it ends.
+    fn places(&self) -> [f64; 3] {
+        let bar = self.symbol.width(CAPTION) + 1.2 + self.value.width(CAPTION) + 3.0;
+        let value = bar + BAR + 1.4;
+        [bar, value, value + self.bar.width(CAPTION)]
+    }
+
+    fn draw(&self, drawing: &mut Drawing, from: Point) {
+        let mut put = |text: &RichText, x: f64| {
+            let text = PlacedText::new(text.clone(), CAPTION, Point::new(from.x + x, from.y));
+            drawing.draw(Pen::Caption, Shape::Text(text));
+        };
+        let [bar, value, _] = self.places();
+        put(&self.symbol, 0.0);
+        put(&self.value, self.symbol.width(CAPTION) + 1.2);
+        put(&self.bar, value);
+        let y = from.y - 1.3;
+        let ends = [bar, bar + BAR].map(|x| Point::new(from.x + x, y));
+        drawing.draw(Pen::Ground, Shape::Line(ends[0], ends[1]));
+        for end in ends {
             let tick = Shape::Line(Point::new(end.x, y - 0.9), Point::new(end.x, y + 0.9));
             drawing.draw(Pen::Ground, tick);
         }
-        let bar = format!("{} {unit}", short(words, 10.0 * placed.mu));
-        let bar = PlacedText::new(
-            RichText::plain(&bar),
-            0.9 * CAPTION,
-            Point::new(b.x + 1.4, baseline),
-        );
-        drawing.draw(Pen::Caption, Shape::Text(bar));
     }
 }
 
-/// Below the scales: how the construction and the loop equations agree.
-pub(super) fn agreement(
-    drawing: &mut Drawing,
-    area: Rect,
-    words: &Wording,
-    construction: &Construction,
-) {
-    let text = PlacedText::new(
-        RichText::plain(&comparison(words.language, construction)),
-        0.95 * CAPTION,
-        Point::new(area.x0 + 4.0, area.y0 + 12.6),
-    );
-    drawing.draw(Pen::Caption, Shape::Text(text));
+/// Whether the scales find room in the layout's columns.
+pub(super) fn fits(layout: &Layout, words: &Wording, units: Units) -> bool {
+    let column = layout.legend.width() / layout.columns as f64;
+    let entries = layout.panels.iter().map(|p| Entry::new(p, words, units));
+    let mut widths = entries.map(|entry| entry.places()[2]);
+    widths.all(|width| width <= column - PAD)
+}
+
+/// The box with the scales.
+pub(super) fn draw(drawing: &mut Drawing, layout: &Layout, words: &Wording, units: Units) {
+    let area = layout.legend;
+    drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
+    let column = area.width() / layout.columns as f64;
+    for (index, placed) in layout.panels.iter().enumerate() {
+        let (row, place) = (index / layout.columns, index % layout.columns);
+        let x = area.x0 + PAD + column * place as f64;
+        let y = area.y0 + 0.5 * EDGE + 5.0 + ROW * row as f64;
+        Entry::new(placed, words, units).draw(drawing, Point::new(x, y));
+    }
+}
+
+/// How the construction and the loop equations agree, in lines for a sheet of that width.
+pub(super) fn agreement(words: &Wording, construction: &Construction, page: f64) -> Vec<RichText> {
+    let sentence = comparison(words.language, construction);
+    RichText::lines(&sentence, CAPTION, page - 2.0 * (MARGIN + PAD))
+}
+
+/// Room for so many lines below the scales, in mm.
+pub(super) fn height_of_lines(lines: usize) -> f64 {
+    LINE * lines as f64 + EDGE
+}
+
+/// Writes lines below the scales.
+pub(super) fn draw_lines(drawing: &mut Drawing, layout: &Layout, lines: Vec<RichText>) {
+    for (index, line) in lines.into_iter().enumerate() {
+        let y = layout.legend.y0 + layout.scales + 4.6 + LINE * index as f64;
+        let text = PlacedText::new(line, CAPTION, Point::new(layout.legend.x0 + PAD, y));
+        drawing.draw(Pen::Caption, Shape::Text(text));
+    }
 }
 
 /// How the construction and the loop equations agree, in words.

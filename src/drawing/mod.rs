@@ -28,6 +28,7 @@ mod style;
 mod text;
 mod view;
 mod words;
+mod worksheet;
 
 pub use arrow::arrow_head;
 pub use curves::{CurvesError, curves};

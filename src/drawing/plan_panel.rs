@@ -8,6 +8,7 @@ use super::view::{Extent, View, on_sheet, towards};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::plan::{Action, Part, Plan, PlanKind, PointRole, Relation, coincident_name, image_name};
+use crate::scene::Figure;
 use kurbo::{Point, Vec2};
 
 /// Plan points closer than this on paper (mm) share one label.
@@ -27,6 +28,19 @@ pub(super) fn extent_of_images(plan: &Plan) -> Extent {
     Extent::of(images.map(|p| p.vector.into()))
 }
 
+/// Whether a plan point is only on the way to others, and a figure shows no such points.
+pub(super) fn is_hidden(figure: &Figure, plan: &Plan, name: &str) -> bool {
+    let role = plan.points.get(name).map(|p| p.role);
+    let on_the_way = match plan.kind {
+        PlanKind::Velocity => matches!(role, Some(PointRole::Special)),
+        PlanKind::Acceleration => matches!(
+            role,
+            Some(PointRole::Special | PointRole::Normal | PointRole::Slid)
+        ),
+    };
+    on_the_way && !figure.special_points
+}
+
 /// Draws a plan from its steps.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, plan: &Plan) {
     let Scheme {
@@ -36,17 +50,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
         let point = plan.points.get(name);
         point.map(|p| view.at(p.vector.into()))
     };
-    let hidden = |name: &str| {
-        let role = plan.points.get(name).map(|p| p.role);
-        let on_the_way = match plan.kind {
-            PlanKind::Velocity => matches!(role, Some(PointRole::Special)),
-            PlanKind::Acceleration => matches!(
-                role,
-                Some(PointRole::Special | PointRole::Normal | PointRole::Slid)
-            ),
-        };
-        on_the_way && !figure.special_points
-    };
+    let hidden = |name: &str| is_hidden(figure, plan, name);
     let stages = scheme.stages.plan(plan.kind);
     let images = images(mechanism, plan);
     // The corners of an image, and the step that completes it.

@@ -65,6 +65,27 @@ impl RichText {
         Self::set(source, Style::Plain, false)
     }
 
+    /// Lines of [`plain`](Self::plain) text, broken at spaces, each at most `width` mm wide at a size as far as its words allow.
+    pub fn lines(source: &str, size: f64, width: f64) -> Vec<Self> {
+        let mut lines = Vec::new();
+        let mut line = String::new();
+        for word in source.split(' ') {
+            let longer = if line.is_empty() {
+                word.to_owned()
+            } else {
+                format!("{line} {word}")
+            };
+            if !line.is_empty() && Self::plain(&longer).width(size) > width {
+                lines.push(Self::plain(&line));
+                line = word.to_owned();
+            } else {
+                line = longer;
+            }
+        }
+        lines.push(Self::plain(&line));
+        lines
+    }
+
     fn set(source: &str, style: Style, markup: bool) -> Self {
         let setter = Setter::set(source, style, markup);
         Self {

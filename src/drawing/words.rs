@@ -1,7 +1,7 @@
 //! What is said of each step below the panels: what to do, the equation, what comes out.
 
 use super::canvas::CAPTION;
-use super::layout::{Layout, SCALES};
+use super::layout::Layout;
 use super::legend::short;
 use super::scheme::Scheme;
 use super::shape::Shape;
@@ -16,29 +16,34 @@ use crate::scene::{Panel, Units};
 use kurbo::{Point, Rect};
 
 /// Room that the words need below the scales, in mm.
-pub(super) const HEIGHT: f64 = 18.0;
+pub(super) const HEIGHT: f64 = 30.0;
 
 /// Size of the words.
-const SIZE: f64 = 1.1 * CAPTION;
+const SIZE: f64 = 1.05 * CAPTION;
 /// Size of equations.
-const EQUATION: f64 = 1.25 * CAPTION;
+const EQUATION: f64 = 1.05 * CAPTION;
 /// Size of the words under an equation.
-const SMALL: f64 = 0.8 * CAPTION;
+const SMALL: f64 = CAPTION;
 
 // Baselines below the upper edge of the words.
-const FIRST: f64 = 4.4;
-const SECOND: f64 = 11.6;
-const LAST: f64 = 23.4;
+const FIRST: f64 = 6.0;
+const SECOND: f64 = 14.4;
+const LAST: f64 = 27.0;
 // Below the baseline of an equation: lines under vectors, and what they are called.
 const UNDER: f64 = 1.9;
-const BELOW: f64 = 5.6;
+const BELOW: f64 = 7.4;
 
 /// Writes the words of every step, each to be seen in its own step.
 pub(super) fn draw(drawing: &mut Drawing, layout: &Layout, units: Units, scheme: &Scheme<'_>) {
     let area = layout.legend;
     let line = |y: f64| Shape::Line(Point::new(area.x0, y), Point::new(area.x1, y));
-    drawing.draw(Pen::Frame, line(area.y0 + SCALES));
-    let area = Rect::new(area.x0 + 4.0, area.y0 + SCALES, area.x1 - 4.0, area.y1);
+    drawing.draw(Pen::Frame, line(area.y0 + layout.scales));
+    let area = Rect::new(
+        area.x0 + 4.0,
+        area.y0 + layout.scales,
+        area.x1 - 4.0,
+        area.y1,
+    );
     let steps: Vec<_> = numbered(scheme.construction).collect();
     let count = steps.len();
     for (number, plan, step) in steps {
@@ -114,21 +119,9 @@ impl Page<'_> {
         let pieces = text.split('`').enumerate();
         let pieces = pieces.map(|(index, piece)| match index % 2 {
             0 => kind(piece.to_owned()),
-            _ => Piece::Math(self.name(piece, plan)),
+            _ => Piece::Math(self.scheme.shown(piece, plan)),
         });
         pieces.collect()
-    }
-
-    /// A name as it is written, within a plan or on the mechanism.
-    fn name(&self, name: &str, plan: Option<&Plan>) -> String {
-        if let Some(renamed) = self.scheme.figure.labels.get(name) {
-            return renamed.clone();
-        }
-        let written = self.scheme.names.markup(name);
-        match plan {
-            Some(plan) => plan.shown(name, written, self.scheme.words.notation),
-            None => written,
-        }
     }
 
     /// Which step it is, and what to do.
@@ -181,7 +174,7 @@ impl Page<'_> {
         let mut pieces = Vec::new();
         if !from.is_empty() {
             for name in [from, to] {
-                pieces.push(Piece::Math(self.name(name, plan)));
+                pieces.push(Piece::Math(self.scheme.shown(name, plan)));
                 pieces.push(Piece::Words(" ".to_owned()));
             }
         }
@@ -275,7 +268,8 @@ impl Page<'_> {
             }
             let name = RichText::plain(&name);
             let (own, below) = (text.width(EQUATION), name.width(SMALL));
-            let width = own.max(below);
+            // White between the names of parts beside each other.
+            let width = own.max(below + if below > 0.0 { 1.6 } else { 0.0 });
             let middle = x + 0.5 * width;
             let start = middle - 0.5 * own;
             let placed = PlacedText::new(text, EQUATION, Point::new(start, from.y));
@@ -335,7 +329,7 @@ impl Page<'_> {
 }
 
 /// A number with five significant digits and a proper minus.
-fn significant(x: f64) -> String {
+pub(super) fn significant(x: f64) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }

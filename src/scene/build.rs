@@ -203,6 +203,7 @@ fn written_figure(figure: &Figure) -> Object {
         mu_v,
         mu_a,
         page,
+        worksheet,
         style,
         notation,
         language,
@@ -216,6 +217,7 @@ fn written_figure(figure: &Figure) -> Object {
     object.add_some("mu_v", *mu_v);
     object.add_some("mu_a", *mu_a);
     object.add_some("page", (*page != Page::default()).then(|| page.name()));
+    object.add_some("worksheet", worksheet.then_some(true));
     let other = |is_standard: bool, name: &'static str| (!is_standard).then_some(name);
     for (key, name) in [
         (

@@ -4,7 +4,7 @@ use super::error::SceneError;
 use super::figure::{Figure, Page};
 use super::file::FigureFile;
 use super::place::Source;
-use super::words::{number, shortened, suggestion};
+use super::words::{shortened, suggestion};
 
 /// The figure that the file asks for.
 pub(super) fn figure(source: Source<'_>, file: Option<FigureFile>) -> Result<Figure, SceneError> {
@@ -17,13 +17,9 @@ pub(super) fn figure(source: Source<'_>, file: Option<FigureFile>) -> Result<Fig
         ("mu_v", file.mu_v),
         ("mu_a", file.mu_a),
     ] {
-        if let Some(scale) = scale.filter(|scale| *scale <= 0.0) {
-            let message = format!(
-                "`{key}` is {}; a scale, in units per millimetre of paper, is positive",
-                number(scale)
-            );
+        if let Some(Err(why)) = scale.map(Figure::checked_scale) {
             return Err(source
-                .error(&["figure", key], message)
+                .error(&["figure", key], format!("`{key}` is {why}"))
                 .hint("leave it out for the next scale that fits"));
         }
     }
@@ -54,6 +50,7 @@ pub(super) fn figure(source: Source<'_>, file: Option<FigureFile>) -> Result<Fig
         mu_v: file.mu_v,
         mu_a: file.mu_a,
         page,
+        worksheet: file.worksheet.unwrap_or(false),
         style: file.style.unwrap_or_default(),
         notation: file.notation.unwrap_or_default(),
         language: file.language.unwrap_or_default(),

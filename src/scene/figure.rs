@@ -1,5 +1,6 @@
 //! What a scene asks of its figure.
 
+use super::words::number;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -17,6 +18,8 @@ pub struct Figure {
     pub mu_a: Option<f64>,
     /// The sheet.
     pub page: Page,
+    /// Whether it is a work sheet: with a table of all measured lengths and a ruler that shows whether it was printed at 100 %.
+    pub worksheet: bool,
     /// How lines and letters look.
     pub style: StyleName,
     /// How poles, images and parts of accelerations are written.
@@ -42,6 +45,7 @@ impl Default for Figure {
             mu_v: None,
             mu_a: None,
             page: Page::default(),
+            worksheet: false,
             style: StyleName::default(),
             notation: NotationName::default(),
             language: LanguageName::default(),
@@ -50,6 +54,32 @@ impl Default for Figure {
             special_points: true,
             construction: true,
         }
+    }
+}
+
+impl Figure {
+    /// The scale that is given for a panel, in units per millimetre of paper.
+    #[must_use]
+    pub fn mu(&self, panel: Panel) -> Option<f64> {
+        match panel {
+            Panel::Scheme => self.mu_l,
+            Panel::Velocity => self.mu_v,
+            Panel::Acceleration => self.mu_a,
+        }
+    }
+
+    /// The scale itself, if it is one: a positive number of units per millimetre of paper.
+    ///
+    /// # Errors
+    /// Says in words what is wrong with it.
+    pub fn checked_scale(scale: f64) -> Result<f64, String> {
+        if scale > 0.0 {
+            return Ok(scale);
+        }
+        Err(format!(
+            "{}; a scale, in units per millimetre of paper, is positive",
+            number(scale)
+        ))
     }
 }
 
@@ -224,6 +254,21 @@ pub enum PageSize {
     Letter,
 }
 
+impl PageSize {
+    /// All of them.
+    pub const ALL: [PageSize; 3] = [PageSize::A4, PageSize::A3, PageSize::Letter];
+
+    /// The size as a scene file writes it: `"a4"`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            PageSize::A4 => "a4",
+            PageSize::A3 => "a3",
+            PageSize::Letter => "letter",
+        }
+    }
+}
+
 impl Default for Page {
     /// A4 landscape.
     fn default() -> Self {
@@ -256,12 +301,8 @@ impl Page {
             Some((size, "portrait")) => (size, false),
             Some(_) => return None,
         };
-        let size = match size {
-            "a4" => PageSize::A4,
-            "a3" => PageSize::A3,
-            "letter" => PageSize::Letter,
-            _ => return None,
-        };
+        let mut sizes = PageSize::ALL.into_iter();
+        let size = sizes.find(|known| known.as_str() == size)?;
         Some(Page { size, landscape })
     }
 

@@ -218,6 +218,8 @@ pub(super) struct FigureFile {
     /// The sheet: "a4", "a3" or "letter", with "-portrait" where it does not lie; left out: "a4".
     #[schemars(extend("enum" = super::figure::Page::NAMES))]
     pub page: Option<String>,
+    /// Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false.
+    pub worksheet: Option<bool>,
     /// How lines and letters look; left out: "paper".
     pub style: Option<StyleName>,
     /// How poles, images and parts of accelerations are written; left out: "paper". Names of quantities stay the same.

@@ -119,6 +119,12 @@ pub struct Language {
     pub one_route: &'static str,
     /// Size, degrees.
     pub with_direction: With2,
+    /// Above the names of measured segments.
+    pub segment: &'static str,
+    /// Above what they are worth.
+    pub value: &'static str,
+    /// Above the ruler of 50 mm that shows whether a sheet was printed at 100 %.
+    pub ruler: &'static str,
     /// For those who cannot see it: panels, Assur groups.
     pub description: With2,
     /// A panel in that sentence.

@@ -24,9 +24,9 @@ use kurbo::{Point, Rect, Vec2};
 use panel::Panel;
 
 /// Height of the row above the panels in which vertical lines are named.
-const BAND: f64 = 5.5;
+const BAND: f64 = 6.6;
 /// Room below the panels: numbers of the drive's axis, what it shows, what the marks are.
-const FOOT: f64 = 11.5;
+const FOOT: f64 = 14.5;
 /// White between numbers and their axis.
 pub(super) const BESIDE: f64 = 1.6;
 /// Between a panel and the heading of the next.
@@ -214,7 +214,7 @@ impl Sheet<'_> {
 
     /// Names the vertical lines above the first panel, as far as there is room.
     fn name_verticals(&self, drawing: &mut Drawing, y: f64, drive: &Axis) {
-        const SIZE: f64 = 0.9 * CAPTION;
+        const SIZE: f64 = CAPTION;
         let unit = if self.curves.path.drive.is_angle() {
             "°"
         } else {
@@ -259,21 +259,19 @@ impl Sheet<'_> {
         for tick in &drive.ticks {
             let text = RichText::plain(&drive.tick(*tick));
             let x = drive.at(*tick) - 0.5 * text.width(CAPTION);
-            let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 2.2))
+            let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 3.2))
                 .anchored(Anchor::Middle);
             drawing.draw(Pen::Caption, Shape::Text(text));
         }
         let baseline = y + FOOT - 1.8;
-        let centre = 0.5 * (drive.places[0] + drive.places[1]);
-        words::drive(self).centred(drawing, Point::new(centre, baseline), CAPTION);
         // From right to left.
         let mut x = drive.places[1];
         let mut explain = |pen: Pen, radius: f64, what: &str| {
             let text = RichText::plain(what);
-            x -= text.width(0.9 * CAPTION);
-            let text = PlacedText::new(text, 0.9 * CAPTION, Point::new(x, baseline));
+            x -= text.width(CAPTION);
+            let text = PlacedText::new(text, CAPTION, Point::new(x, baseline));
             drawing.draw(Pen::Caption, Shape::Text(text));
-            let center = Point::new(x - 1.8, baseline - 1.0);
+            let center = Point::new(x - 1.8, baseline - 1.3);
             drawing.draw(pen, Shape::Circle { center, radius });
             x -= 7.0;
         };
@@ -284,6 +282,12 @@ impl Sheet<'_> {
         if curves.iter().any(|c| !c.extremes.is_empty()) {
             explain(Pen::Pole, panel::DOT, self.words.language.extremes);
         }
+        // In the middle, or as far to the left as the marks' words ask.
+        let line = words::drive(self);
+        let half = 0.5 * line.width(CAPTION);
+        let centre = 0.5 * (drive.places[0] + drive.places[1]);
+        let centre = centre.min(x - half).max(MARGIN + half);
+        line.centred(drawing, Point::new(centre, baseline), CAPTION);
     }
 
     /// What the figure is called, and how the drives run.

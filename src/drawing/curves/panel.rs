@@ -19,10 +19,10 @@ pub(super) const DEAD: f64 = 0.8;
 /// So many of a curve's names are shown.
 const MOST_NAMES: usize = 4;
 /// Size of the values beside dots.
-const VALUE: f64 = 0.94 * CAPTION;
+const VALUE: f64 = CAPTION;
 /// Room above the highest and below the lowest value, for the values beside the dots: in mm, and at most this part of the panel.
-const BORDER: f64 = 5.0;
-const MOST_BORDER: f64 = 0.13;
+const BORDER: f64 = 6.2;
+const MOST_BORDER: f64 = 0.17;
 /// Least distance of round values: in mm, and at least this part of the panel.
 const APART: f64 = 7.5;
 const LEAST_APART: f64 = 0.1;
@@ -130,8 +130,8 @@ impl Panel {
         let language = sheet.words.language;
         let shows = (language.in_unit)(words::kind(language, self.kind), &unit);
         let heading = format!("({}) {shows}", self.letter);
-        let baseline = Point::new(frame.x0, self.rows[0] + 4.4);
-        let heading = PlacedText::new(RichText::plain(&heading), 1.1 * CAPTION, baseline);
+        let baseline = Point::new(frame.x0, self.rows[0] + 5.2);
+        let heading = PlacedText::new(RichText::plain(&heading), 1.05 * CAPTION, baseline);
         drawing.draw(Pen::Heading, Shape::Text(heading));
     }
 

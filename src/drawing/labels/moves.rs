@@ -16,6 +16,8 @@ const ROUNDS: usize = 8;
 const PUSHES: usize = 3;
 /// How many such tries one label may make: a bound on time for panels that are simply too full.
 const TRIES: usize = 1_000;
+/// Distance in mm at which a place is as good as a near one whose leader crosses another label or its leader.
+const CROSSED: f64 = 30.0;
 /// Step in mm of the last search, over the whole panel.
 const LAST_STEP: f64 = 1.5;
 
@@ -163,7 +165,8 @@ impl Search<'_> {
         true
     }
 
-    /// The last resort: the free place nearest to the anchor anywhere on the panel.
+    /// The last resort: the free place nearest to the anchor anywhere on the panel. Amid a crowd its leader may have to cross others;
+    /// such places count as far ones.
     pub(super) fn look_everywhere(&mut self) {
         for index in 0..self.labels.len() {
             let label = &self.labels[index];
@@ -188,18 +191,18 @@ impl Search<'_> {
                         continue;
                     }
                     let place = label.place_at(ink, distance, 0.0);
-                    let blocked = self
-                        .obstacles
-                        .boxes
-                        .iter()
-                        .any(|&other| touch(other, ink, OBSTACLE_GAP))
-                        || self.labels.iter().any(|other| {
-                            other
-                                .chosen
-                                .is_some_and(|chosen| place.conflicts(&other.places[chosen]))
-                        });
-                    if !blocked {
-                        best = Some((distance, place));
+                    let taken = self.labels.iter();
+                    let taken = taken.filter_map(|other| Some(&other.places[other.chosen?]));
+                    let mut boxes = self.obstacles.boxes.iter();
+                    if boxes.any(|&other| touch(other, ink, OBSTACLE_GAP))
+                        || taken.clone().any(|other| place.overlaps(other))
+                    {
+                        continue;
+                    }
+                    let crossings: usize = taken.map(|other| place.crossings(other)).sum();
+                    let worth = distance + CROSSED * crossings as f64;
+                    if best.is_none_or(|(least, _)| worth < least) {
+                        best = Some((worth, place));
                     }
                 }
             }

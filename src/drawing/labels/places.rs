@@ -211,14 +211,27 @@ impl Label {
 impl Place {
     /// Whether two labels cannot have these places at once.
     pub(super) fn conflicts(&self, other: &Self) -> bool {
+        self.overlaps(other) || self.crossings(other) > 0
+    }
+
+    /// Whether the labels themselves would touch.
+    pub(super) fn overlaps(&self, other: &Self) -> bool {
+        touch(self.ink, other.ink, LABEL_GAP)
+    }
+
+    /// How often a leader of one crosses the other or its leader.
+    pub(super) fn crossings(&self, other: &Self) -> usize {
         let strikes = |leader: Option<(Point, Point)>, ink: Rect| {
             leader.is_some_and(|leader| {
                 Clipped::new(leader).share_inside(ink.inflate(LINE_GAP, LINE_GAP)) > 0.0
             })
         };
-        touch(self.ink, other.ink, LABEL_GAP)
-            || strikes(self.leader, other.ink)
-            || strikes(other.leader, self.ink)
-            || matches!((self.leader, other.leader), (Some(one), Some(two)) if cross(one, two))
+        let leaders =
+            matches!((self.leader, other.leader), (Some(one), Some(two)) if cross(one, two));
+        let struck = [
+            strikes(self.leader, other.ink),
+            strikes(other.leader, self.ink),
+        ];
+        usize::from(leaders) + struck.into_iter().filter(|is| *is).count()
     }
 }

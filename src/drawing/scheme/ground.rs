@@ -62,7 +62,7 @@ impl Scheme<'_> {
 /// Hatches a ground line on the side of `away`.
 pub(super) fn hatch(canvas: &mut Canvas<'_>, a: Point, b: Point, away: Vec2) {
     for (from, to) in strokes(a, b, away) {
-        canvas.drawing.draw(Pen::Hatch, Shape::Line(from, to));
+        canvas.draw(Pen::Hatch, Shape::Line(from, to));
     }
 }
 

@@ -1,0 +1,64 @@
+use super::wording::one_of;
+use crate::scene::{Figure, PageSize};
+use clap::{Args, ValueEnum};
+
+/// The sheet of paper, in place of the one that the scene's figure asks for.
+#[derive(Debug, Default, Args)]
+pub(super) struct Paper {
+    /// Size of the sheet.
+    #[arg(long, value_name = "SIZE", value_parser = one_of(PageSize::ALL, PageSize::as_str))]
+    page: Option<PageSize>,
+    /// Which way the sheet lies.
+    #[arg(long, value_enum)]
+    orientation: Option<Orientation>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Orientation {
+    Landscape,
+    Portrait,
+}
+
+impl Paper {
+    /// Writes what was asked for into a scene's figure.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        let page = &mut figure.page;
+        page.size = self.page.unwrap_or(page.size);
+        let landscape = self.orientation.map(|way| way == Orientation::Landscape);
+        page.landscape = landscape.unwrap_or(page.landscape);
+    }
+}
+
+/// The figure's scales, in place of those that the scene gives or that fit.
+#[derive(Debug, Default, Args)]
+pub(super) struct GivenScales {
+    /// Scale of the scheme: units of length per mm of paper.
+    #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
+    mu_l: Option<f64>,
+    /// Scale of the velocity plan: units of velocity per mm of paper.
+    #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
+    mu_v: Option<f64>,
+    /// Scale of the acceleration plan: units of acceleration per mm of paper.
+    #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
+    mu_a: Option<f64>,
+}
+
+/// A scale, with the limits that numbers of scenes have.
+fn scale(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(scale) if scale.abs() > crate::scene::LARGEST => {
+            Err(format!("numbers are at most {:e}", crate::scene::LARGEST))
+        }
+        Ok(scale) => Figure::checked_scale(scale),
+        Err(_) => Err("not a number".to_owned()),
+    }
+}
+
+impl GivenScales {
+    /// Writes what was asked for into a scene's figure.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        figure.mu_l = self.mu_l.or(figure.mu_l);
+        figure.mu_v = self.mu_v.or(figure.mu_v);
+        figure.mu_a = self.mu_a.or(figure.mu_a);
+    }
+}
