@@ -101,7 +101,7 @@ impl Inset {
         let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
         canvas.draw(Pen::Frame, line);
         let text = RichText::plain(&format!("{} : 1", words.number(self.factor.to_string())));
-        let size = 0.9 * CAPTION;
+        let size = CAPTION;
         let below = Vec2::new(-0.5 * text.width(size), self.radius - 1.4);
         let text = PlacedText::new(text, size, self.centre + below);
         canvas.draw(Pen::Label, Shape::Text(text));

@@ -180,7 +180,7 @@ fn scene(name: &str) -> String {
 /// Another drive runs in proportion to its speed, and rates are those of both; alone it stands.
 #[test]
 fn two_cranks_together_and_one_alone() {
-    let (mechanism, pose) = posed(&scene("five-bar.json"));
+    let (mechanism, pose) = posed(&scene("five-bar"));
     let [first, second] = ["1", "4"].map(|name| mechanism.link(name).expect("a link"));
     let standing = alone(&mechanism, "1");
     for (mechanism, ratio, rates) in [
@@ -219,7 +219,7 @@ fn two_cranks_together_and_one_alone() {
 /// A drive that stands in the scene still has a path; only its rates are zero.
 #[test]
 fn a_standing_drive_has_a_path() {
-    let scene = scene("figure-2.json");
+    let scene = scene("figure-2");
     let (mechanism, pose) = posed(&scene);
     let standing = alone(&mechanism, "nobody");
     let (moving, still) = (followed(&mechanism, &pose), followed(&standing, &pose));
