@@ -247,7 +247,7 @@ fn every_other_key() {
         "near": { "E": [1, 2], "angle(2)": 12.5 },
         "figure": { "panels": ["velocity", "scheme"], "mu_l": 1, "mu_v": 2.5, "mu_a": 0.1, "page": "letter-portrait", "worksheet": true,
                     "style": "board", "notation": "german", "language": "es", "decimal": "comma",
-                    "special_points": false, "construction": false },
+                    "special_points": false, "construction": false, "step": 7 },
         "want": ["omega(2)", "v(E)"] }"#;
     let push = Push::speed(3e20).position(40.0).acceleration(-2.0);
     let builder = Builder::new(LengthUnit::Ft, TimeUnit::Min)
@@ -292,6 +292,7 @@ fn every_other_key() {
             worksheet: true,
             special_points: false,
             construction: false,
+            step: Some(7),
             ..Figure::default()
         })
         .want(["omega(2)", "v(E)"]);

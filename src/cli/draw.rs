@@ -95,6 +95,10 @@ impl Draw {
         self.paper.put_into(figure);
         self.scales.put_into(figure);
         figure.worksheet |= self.worksheet;
+        figure.step = self
+            .upto
+            .or(figure.step)
+            .filter(|_| !self.steps && !self.layered);
     }
 
     /// The page of a scene: its figure with all steps, in all positions of the drive.
@@ -130,7 +134,7 @@ impl Draw {
         drawings: &mut Vec<(String, Drawing)>,
     ) -> Result<(), Failure> {
         let (scene, mechanism, pose) = (&work.scene, &work.mechanism, &work.pose);
-        let wanted = match (self.steps, self.upto) {
+        let wanted = match (self.steps, scene.figure.step) {
             (false, None) => {
                 let name = if self.layered {
                     format!("{name}-layered")
@@ -141,7 +145,7 @@ impl Draw {
                 drawings.push((name, drawing));
                 return Ok(());
             }
-            (_, upto) => upto,
+            (_, step) => step,
         };
         let all = stepwise(scene, mechanism, pose, &work.construction);
         let count = all.steps.len();

@@ -211,6 +211,7 @@ fn written_figure(figure: &Figure) -> Object {
         labels,
         special_points,
         construction,
+        step,
     } = figure;
     let mut object = Object::of("panels", texts(panels.iter().map(|panel| panel.as_str())));
     object.add_some("mu_l", *mu_l);
@@ -246,5 +247,6 @@ fn written_figure(figure: &Figure) -> Object {
     object.add_entries("labels", &shown);
     object.add_some("special_points", (!special_points).then_some(false));
     object.add_some("construction", (!construction).then_some(false));
+    object.add_some("step", step.map(|step| step as f64));
     object
 }

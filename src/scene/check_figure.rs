@@ -44,6 +44,11 @@ pub(super) fn figure(source: Source<'_>, file: Option<FigureFile>) -> Result<Fig
                 .maybe_hint(suggestion(name, Page::NAMES, "write one of"))
         })?,
     };
+    if file.step == Some(0) {
+        let message = "steps of the construction are numbered from 1";
+        let hint = "`kinegon steps` lists them; leave `step` out for the finished figure";
+        return Err(source.error(&["figure", "step"], message).hint(hint));
+    }
     Ok(Figure {
         panels,
         mu_l: file.mu_l,
@@ -58,5 +63,6 @@ pub(super) fn figure(source: Source<'_>, file: Option<FigureFile>) -> Result<Fig
         labels: file.labels.unwrap_or_default(),
         special_points: file.special_points.unwrap_or(true),
         construction: file.construction.unwrap_or(true),
+        step: file.step.map(usize::from),
     })
 }

@@ -34,6 +34,8 @@ pub struct Figure {
     pub special_points: bool,
     /// Whether construction lines are shown.
     pub construction: bool,
+    /// The step of the construction up to which the figure is drawn, from 1; `None`: finished.
+    pub step: Option<usize>,
 }
 
 impl Default for Figure {
@@ -53,6 +55,7 @@ impl Default for Figure {
             labels: IndexMap::new(),
             special_points: true,
             construction: true,
+            step: None,
         }
     }
 }

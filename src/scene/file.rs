@@ -234,4 +234,7 @@ pub(super) struct FigureFile {
     pub special_points: Option<bool>,
     /// Whether construction lines are shown; left out: true.
     pub construction: Option<bool>,
+    /// The step of the construction up to which the figure is drawn, from 1; left out: finished.
+    #[schemars(range(min = 1))]
+    pub step: Option<u16>,
 }

@@ -102,12 +102,12 @@ pub(super) struct Plain {
 /// Puts the message of a type error, made about `found` at the end of `path`, in plain words.
 pub(super) fn plain(message: &str, path: &[&str], found: Option<&Json>) -> Plain {
     if let Some((word, names)) = unknown(message, "unknown field `") {
-        return unknown_key(path, word, &names);
+        return unknown_key(word, &names);
     }
     if let Some((word, names)) = unknown(message, "unknown variant `") {
         // The word may be a key of an object whose keys are chosen from a list.
         if found.is_some_and(Json::is_object) {
-            return unknown_key(path, word, &names);
+            return unknown_key(word, &names);
         }
         return Plain {
             message: format!("unknown word \"{}\"", shortened(word)),
@@ -128,6 +128,7 @@ pub(super) fn plain(message: &str, path: &[&str], found: Option<&Json>) -> Plain
         (Some((_, expected)), Some(found)) if typed => {
             let expected = match expected {
                 "f64" => "a number",
+                "u16" => "a whole number from 1 to 65535",
                 "a string" | "string or map" => "a text in double quotes",
                 "a sequence" => "a list [ … ]",
                 "a map" => "an object { … }",
@@ -158,25 +159,8 @@ fn unknown<'a>(message: &'a str, start: &str) -> Option<(&'a str, Vec<&'a str>)>
     Some((word, rest.split('`').skip(1).step_by(2).collect()))
 }
 
-/// Keys that later versions will understand.
-const LATER: [(&str, &str); 1] = [("figure", "step")];
-
-fn unknown_key(path: &[&str], word: &str, names: &[&str]) -> Plain {
-    let around = path
-        .iter()
-        .rev()
-        .find(|part| **part != word)
-        .copied()
-        .unwrap_or("");
+fn unknown_key(word: &str, names: &[&str]) -> Plain {
     let key = Some(word.to_owned());
-    if LATER.contains(&(around, word)) {
-        let message = format!("`{word}` is not available in this version");
-        return Plain {
-            message,
-            hint: Some("remove it".into()),
-            key,
-        };
-    }
     let names = names
         .iter()
         .copied()
