@@ -121,6 +121,7 @@ pub(super) const ENGLISH: Language = Language {
     described_group: |class, links| format!("class {class}, links {links}"),
 
     curves: "Curves",
+    hodograph: |vector| format!("Hodograph of {vector}"),
     angle: "Angle",
     angular_velocity: "Angular velocity",
     angular_acceleration: "Angular acceleration",

@@ -119,6 +119,7 @@ pub(super) const SPANISH: Language = Language {
     described_group: |class, links| format!("clase {class}, eslabones {links}"),
 
     curves: "Curvas",
+    hodograph: |vector| format!("Hodógrafa de {vector}"),
     angle: "Ángulo",
     angular_velocity: "Velocidad angular",
     angular_acceleration: "Aceleración angular",
