@@ -103,7 +103,7 @@ pub(super) const SPANISH: Language = Language {
     at_infinity: |point| format!("{point} en el infinito"),
     agreement: |difference, allowed| {
         format!(
-            "La construcción y las ecuaciones de lazo concuerdan: difieren en {difference} del mayor valor (los cortes admiten {allowed}). Impreso al 100 %, mm × μ es el valor."
+            "Construcción y ecuaciones de lazo concuerdan: difieren en {difference} del mayor valor (los cortes admiten {allowed}). Al 100 %, mm × μ es el valor."
         )
     },
     one_route_far: "Un punto especial está en el infinito: los valores son solo de las ecuaciones de lazo. Impreso al 100 %, mm × μ es el valor.",

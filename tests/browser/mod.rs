@@ -56,8 +56,8 @@ impl Browser {
         };
         let target = wait(|| {
             let targets = browser.call("Target.getTargets", json!({}));
-            let targets = targets["targetInfos"].as_array()?.iter();
-            let page = targets.cloned().find(|t| t["type"] == "page")?;
+            let mut targets = targets["targetInfos"].as_array()?.iter();
+            let page = targets.find(|t| t["type"] == "page")?;
             Some(page["targetId"].clone())
         });
         let attach = json!({ "targetId": target, "flatten": true });

@@ -121,17 +121,24 @@ fn frames(sheet: &Sheet, whole: Rect, all: &[Hodograph]) -> Vec<Rect> {
         };
         (0..all.len()).map(frame).collect()
     };
-    let drawn = |(frame, one): (&Rect, &Hodograph)| {
-        let extent = extent(one);
-        let mu = fitting_scale(&extent, area(*frame));
-        // A panel too narrow for its scale counts as nothing.
-        let scale = scale(sheet, one, mu).width() + 2.0 * BESIDE_SCALE;
-        let fits = f64::from(u8::from(scale <= frame.width()));
-        fits * extent.size().norm() / mu
+    // First that every panel is wide enough for its scale, then how large the ways come out; of equals more columns.
+    let worth = |frames: &Vec<Rect>| {
+        let drawn = frames.iter().zip(all).map(|(frame, one)| {
+            let extent = extent(one);
+            let mu = fitting_scale(&extent, area(*frame));
+            let scale = scale(sheet, one, mu).width() + 2.0 * BESIDE_SCALE;
+            (scale <= frame.width(), extent.size().norm() / mu)
+        });
+        let drawn: Vec<(bool, f64)> = drawn.collect();
+        let fits = drawn.iter().all(|(fits, _)| *fits);
+        let size: f64 = drawn.iter().map(|(_, size)| size).product();
+        (fits, size)
     };
-    let worth = |frames: &Vec<Rect>| -> f64 { frames.iter().zip(all).map(drawn).product() };
-    let ways = (1..=all.len().max(1)).rev().map(in_columns);
-    let best = ways.max_by(|a, b| worth(a).total_cmp(&worth(b)));
+    let ways = (1..=all.len().max(1)).map(in_columns);
+    let best = ways.max_by(|a, b| {
+        let (a, b) = (worth(a), worth(b));
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+    });
     best.unwrap_or_default()
 }
 
