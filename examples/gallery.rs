@@ -1,4 +1,4 @@
-//! Draws every starting scene of `kinegon new`, one of them in every style, and writes docs/gallery.md with the pictures in docs/gallery.
+//! Draws every starting scene of `kinegon new` and every kind of picture, and writes docs/gallery.md with the pictures in docs/gallery.
 //! Run with `cargo run --release --example gallery`.
 
 use std::error::Error;
@@ -6,15 +6,15 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use kinegon::drawing::{Drawing, figure};
+use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch};
+use kinegon::drawing::{Drawing, curves, figure, hodographs, stepwise};
 use kinegon::format::{structure, svg};
-use kinegon::mechanism::mechanism;
+use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Order, motion};
-use kinegon::plan::construction_in;
-use kinegon::position::pose;
-use kinegon::scene::Scene;
+use kinegon::plan::{Construction, construction_in};
+use kinegon::position::{Pose, pose};
+use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Scene, StyleName};
 use kinegon::words::Wording;
-use serde_json::{Map, Value};
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
 const KINDS: [(&str, &str, &str); 19] = [
@@ -115,25 +115,149 @@ const KINDS: [(&str, &str, &str); 19] = [
     ),
 ];
 
-/// Other looks of the last scene: picture, keys of its `figure`, and what they are for.
-const LOOKS: [(&str, &str, &str); 4] = [
+/// A kind of picture.
+enum Kind {
+    /// The figure, asked for in this way.
+    Figure(fn(&mut Figure)),
+    /// The sheet after this step.
+    Step(usize),
+    /// Quantities over the cycle.
+    Curves(&'static [&'static str]),
+    /// Ways of vectors' tips.
+    Hodographs(&'static [&'static str]),
+}
+
+/// The other kinds of pictures: name, scene, the command that draws it, what it is for.
+const PICTURES: [(&str, &str, &str, &str, Kind); 9] = [
+    (
+        "style-paper",
+        "templates/whitworth.json",
+        "draw scene.json --style paper",
+        "The standard style: black lines with a few dark accents.",
+        Kind::Figure(|figure| figure.style = StyleName::Paper),
+    ),
     (
         "style-print",
-        r#"{ "style": "print" }"#,
-        "For a black and white printer and the photocopier: widths, dashes and heads carry the meaning.",
+        "templates/whitworth.json",
+        "draw scene.json --style print",
+        "For the photocopier: widths, dashes and heads tell what is what.",
+        Kind::Figure(|figure| figure.style = StyleName::Print),
     ),
     (
         "style-lecture",
-        r#"{ "style": "lecture" }"#,
-        "Each link has one colour: in the scheme, in its images, in its ω.",
+        "templates/whitworth.json",
+        "draw scene.json --style lecture",
+        "A colour for each link, the same in its images.",
+        Kind::Figure(|figure| figure.style = StyleName::Lecture),
     ),
-    ("style-board", r#"{ "style": "board" }"#, "For a dark room."),
     (
-        "spanish-german",
-        r#"{ "language": "es", "notation": "german", "decimal": "comma" }"#,
-        "In Spanish, with poles as German textbooks write them and decimal commas.",
+        "style-board",
+        "templates/whitworth.json",
+        "draw scene.json --style board",
+        "Chalk on a dark ground.",
+        Kind::Figure(|figure| figure.style = StyleName::Board),
+    ),
+    (
+        "worded",
+        "examples/figure-2.json",
+        "draw scene.json --language es --decimal comma --notation german",
+        "In Spanish, with decimal commas, poles P_v and P_a.",
+        Kind::Figure(|figure| {
+            figure.language = LanguageName::Spanish;
+            figure.decimal = DecimalMark::Comma;
+            figure.notation = NotationName::German;
+        }),
+    ),
+    (
+        "step",
+        "examples/figure-2.json",
+        "draw scene.json --upto 14",
+        "A step of the construction: what is new stands out, what is known is underlined.",
+        Kind::Step(14),
+    ),
+    (
+        "worksheet",
+        "examples/figure-2.json",
+        "draw scene.json --worksheet",
+        "A sheet to measure on: every measured length in millimetres and as a value, and a ruler to test the printer.",
+        Kind::Figure(|figure| figure.worksheet = true),
+    ),
+    (
+        "curves",
+        "templates/whitworth.json",
+        "curves scene.json --want \"omega(3), v_r(5/ground), a_r(5/ground)\"",
+        "Quantities over the cycle, with extremes and dead positions.",
+        Kind::Curves(&["omega(3)", "v_r(5/ground)", "a_r(5/ground)"]),
+    ),
+    (
+        "hodograph",
+        "templates/four-bar.json",
+        "curves scene.json --hodograph \"v(C), a(C)\"",
+        "The ways of vectors' tips over the cycle, marked every 30° of the crank.",
+        Kind::Hodographs(&["v(C)", "a(C)"]),
     ),
 ];
+
+/// A scene of the repository after all stages before drawing.
+struct Work {
+    scene: Scene,
+    mechanism: Mechanism,
+    pose: Pose,
+    construction: Construction,
+}
+
+impl Work {
+    /// The scene of a file, with what is asked of its figure.
+    fn of(path: &str, asked: impl Fn(&mut Figure)) -> Result<Work, Box<dyn Error>> {
+        let mut scene = Scene::read(&fs::read_to_string(root().join(path))?)?;
+        asked(&mut scene.figure);
+        let mechanism = mechanism(&scene)?;
+        let pose = pose(&mechanism, &scene.near)?;
+        let motion = motion(&mechanism, &pose, Order::Acceleration)?;
+        let words = Wording::of(&scene.figure);
+        let construction = construction_in(&mechanism, &pose, &motion, &words);
+        Ok(Work {
+            scene,
+            mechanism,
+            pose,
+            construction,
+        })
+    }
+
+    fn figure(&self) -> Drawing {
+        figure(&self.scene, &self.mechanism, &self.pose, &self.construction)
+    }
+
+    fn step(&self, number: usize) -> Drawing {
+        let (scene, mechanism) = (&self.scene, &self.mechanism);
+        stepwise(scene, mechanism, &self.pose, &self.construction).after_step(number)
+    }
+
+    /// The branch of the scene's own position over a whole turn from 0°, as `kinegon curves` follows it.
+    fn turned(&self) -> Result<Branch<'_>, Box<dyn Error>> {
+        let drive = Drive::new(&self.mechanism, None)?;
+        let mut branch = Branch::new(&self.mechanism, &self.pose, drive)?;
+        branch.cover(None, None)?;
+        branch.follow_to(0.0);
+        Ok(branch)
+    }
+
+    fn curves(&self, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
+        let (branch, names) = (self.turned()?, owned(names));
+        let sampled = Curves::new(&branch, [0.0, 360.0], Some(&names))?;
+        Ok(curves(&self.scene, &sampled)?)
+    }
+
+    fn hodographs(&self, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
+        let (branch, names) = (self.turned()?, owned(names));
+        let sampled = Hodographs::new(&branch, [0.0, 360.0], &names)?;
+        Ok(hodographs(&self.scene, &sampled)?)
+    }
+}
+
+fn owned(names: &[&str]) -> Vec<String> {
+    names.iter().map(|name| (*name).to_owned()).collect()
+}
 
 /// A file of the gallery: where it goes, from the root of the repository, and what it says.
 pub type File = (String, String);
@@ -146,14 +270,15 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
     let mut page = String::from(
         "# Gallery\n\n\
          Every kind of `kinegon new KIND`, with its Assur groups in solving order (`kinegon structure`) and its figure \
-         (`kinegon draw`).\n\
+         (`kinegon draw`); then [every kind of picture](#kinds-of-pictures) with the command that draws it.\n\
          This page and its pictures are made by `cargo run --release --example gallery`.\n",
     );
     let mut pictures = Vec::new();
     for (kind, path, teaches) in KINDS {
-        let text = fs::read_to_string(root().join(path))?;
-        let (drawing, structure) = drawn(&text)?;
-        let title = &drawing.title;
+        let work = Work::of(path, |_| ())?;
+        let drawing = work.figure();
+        let title = work.scene.title.as_deref().unwrap_or(kind);
+        let structure = structure(&work.mechanism);
         let formula = structure.lines().next().unwrap_or_default();
         let _ = write!(
             page,
@@ -162,37 +287,23 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
         );
         pictures.push((format!("docs/gallery/{kind}.svg"), svg(&drawing)));
     }
-    page.push_str("\n## Styles, notations, languages\n\nThe same figure with other keys in its scene's `figure`.\n");
-    let (_, path, _) = KINDS[KINDS.len() - 1];
-    for (name, keys, serves) in LOOKS {
-        let text = fs::read_to_string(root().join(path))?;
-        let mut scene: Value = serde_json::from_str(&text)?;
-        let keys_of: Map<String, Value> = serde_json::from_str(keys)?;
-        for (key, value) in keys_of {
-            scene["figure"][key] = value;
-        }
-        let (drawing, _) = drawn(&scene.to_string())?;
+    page.push_str("\n## Kinds of pictures\n");
+    for (name, path, command, purpose, kind) in PICTURES {
+        let drawing = match kind {
+            Kind::Figure(asked) => Work::of(path, asked)?.figure(),
+            Kind::Step(number) => Work::of(path, |_| ())?.step(number),
+            Kind::Curves(names) => Work::of(path, |_| ())?.curves(names)?,
+            Kind::Hodographs(names) => Work::of(path, |_| ())?.hodographs(names)?,
+        };
         let _ = write!(
             page,
-            "\n`{keys}`: {serves}\n\n![{}. {}](gallery/{name}.svg)\n",
-            drawing.title, drawing.description
+            "\n{purpose}\n\n`kinegon {command}`\n\n![{}](gallery/{name}.svg)\n",
+            drawing.description
         );
         pictures.push((format!("docs/gallery/{name}.svg"), svg(&drawing)));
     }
     pictures.insert(0, ("docs/gallery.md".to_owned(), page));
     Ok(pictures)
-}
-
-/// The figure of a scene, and its groups in words.
-fn drawn(text: &str) -> Result<(Drawing, String), Box<dyn Error>> {
-    let scene = Scene::read(text)?;
-    let mechanism = mechanism(&scene)?;
-    let pose = pose(&mechanism, &scene.near)?;
-    let motion = motion(&mechanism, &pose, Order::Acceleration)?;
-    let words = Wording::of(&scene.figure);
-    let construction = construction_in(&mechanism, &pose, &motion, &words);
-    let drawing = figure(&scene, &mechanism, &pose, &construction);
-    Ok((drawing, structure(&mechanism)))
 }
 
 fn root() -> PathBuf {

@@ -1,4 +1,4 @@
-//! Sheets of paper asked for on the command line: size, way and scales in place of the scene's, work sheets.
+//! Sheets asked for on the command line: size, way and scales in place of the scene's, work sheets, hodographs.
 #![cfg(feature = "cli")]
 
 mod files;
@@ -133,5 +133,28 @@ fn wrong_paper_is_refused() {
         assert_eq!(output.status.code(), Some(2), "{option} {value}");
         assert!(stderr(&output).contains(words), "{}", stderr(&output));
         assert!(output.stdout.is_empty());
+    }
+}
+
+#[test]
+fn hodographs_are_drawn_and_refused() {
+    let svg = svg(&["curves", "--hodograph", "v(D), a(E)", "--page", "a3"]);
+    for id in ["hodograph-a-own", "hodograph-b-way-0", "hodograph-a-tip-60"] {
+        assert!(svg.contains(&format!("id=\"{id}\"")), "no {id}");
+    }
+    let scene = files::path(FIGURE_2);
+    let scene = scene.to_str().expect("a plain path");
+    for (arguments, words) in [
+        (vec!["--hodograph", "omega(4)"], "`omega(4)` is no vector"),
+        (
+            vec!["--hodograph", "v(D)", "--want", "omega(4)"],
+            "cannot be used with",
+        ),
+    ] {
+        let mut all = vec!["curves", scene, "-o", "-"];
+        all.extend(arguments);
+        let output = kinegon().args(&all).output().expect("the program runs");
+        assert_eq!(output.status.code(), Some(2));
+        assert!(stderr(&output).contains(words), "{}", stderr(&output));
     }
 }

@@ -1,10 +1,10 @@
 use super::figures::{Figures, stem};
 use super::message::Failure;
 use super::paper::Paper;
-use super::sweep::Range;
+use super::sweep::{Range, split_names};
 use super::wording::Words;
-use crate::cycle::Curves;
-use crate::drawing::curves;
+use crate::cycle::{Curves, Hodographs};
+use crate::drawing::{curves, hodographs};
 use clap::Args;
 
 /// Draw quantities over the motion while a drive moves, along the branch of the scene's own position.
@@ -15,6 +15,9 @@ use clap::Args;
 pub(super) struct CurvesCommand {
     #[command(flatten)]
     range: Range,
+    /// Draw the way of vectors' tips from a pole in place of curves: as "v(D), a(D)".
+    #[arg(long, value_name = "VECTORS", conflicts_with = "want")]
+    hodograph: Vec<String>,
     #[command(flatten)]
     figures: Figures,
     #[command(flatten)]
@@ -37,11 +40,20 @@ impl CurvesCommand {
                 range = [whole, whole + 360.0];
             }
         }
-        let sampled = Curves::new(&branch, range, moved.names.as_deref());
-        let sampled = sampled.map_err(|error| moved.fail(error))?;
-        let drawing = curves(&moved.scene, &sampled).map_err(|error| moved.fail(error))?;
         let scene = &self.range.scene;
-        let name = format!("{}-curves", stem(scene));
+        let vectors = self.hodograph.iter().flat_map(|text| split_names(text));
+        let vectors: Vec<String> = vectors.collect();
+        let (kind, drawing) = if self.hodograph.is_empty() {
+            let sampled = Curves::new(&branch, range, moved.names.as_deref());
+            let sampled = sampled.map_err(|error| moved.fail(error))?;
+            ("curves", curves(&moved.scene, &sampled))
+        } else {
+            let sampled = Hodographs::new(&branch, range, &vectors);
+            let sampled = sampled.map_err(|error| moved.fail(error))?;
+            ("hodograph", hodographs(&moved.scene, &sampled))
+        };
+        let drawing = drawing.map_err(|error| moved.fail(error))?;
+        let name = format!("{}-{kind}", stem(scene));
         let page = |_| {
             Err(Failure::Misuse(
                 "curves have no page".into(),

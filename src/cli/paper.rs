@@ -43,15 +43,9 @@ pub(super) struct GivenScales {
     mu_a: Option<f64>,
 }
 
-/// A scale, with the limits that numbers of scenes have.
 fn scale(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(scale) if scale.abs() > crate::scene::LARGEST => {
-            Err(format!("numbers are at most {:e}", crate::scene::LARGEST))
-        }
-        Ok(scale) => Figure::checked_scale(scale),
-        Err(_) => Err("not a number".to_owned()),
-    }
+    let scale = text.parse().map_err(|_| "not a number".to_owned())?;
+    Figure::checked_scale(scale)
 }
 
 impl GivenScales {

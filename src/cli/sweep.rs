@@ -167,7 +167,7 @@ impl Moved {
 }
 
 /// The names in a list; commas within parentheses belong to names.
-fn split_names(text: &str) -> Vec<String> {
+pub(super) fn split_names(text: &str) -> Vec<String> {
     let mut depth = 0;
     let names = text.split(move |c: char| {
         depth += i32::from(c == '(') - i32::from(c == ')');

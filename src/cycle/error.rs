@@ -60,6 +60,11 @@ pub enum CycleError {
     /// A range, step or count without meaning.
     #[error("{0}")]
     Range(String),
+    /// A hodograph of what has no direction.
+    #[error(
+        "`{0}` is no vector\n  try: v(D), v(D/G), a(D), a_n(D/G), a_t(D/G), a_c(3/2) with names of this scene"
+    )]
+    NoVector(String),
     /// A quantity that was asked for has no curve.
     #[error(transparent)]
     Quantity(#[from] QuantityError),

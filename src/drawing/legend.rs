@@ -24,33 +24,41 @@ pub(super) fn height(panels: usize, columns: usize) -> f64 {
     ROW * panels.max(1).div_ceil(columns) as f64 + EDGE
 }
 
-/// A panel's scale, and a bar of a round value.
-struct Entry {
+/// A scale, and a bar of a round value.
+pub(super) struct Entry {
     symbol: RichText,
     value: RichText,
     bar: RichText,
 }
 
 impl Entry {
-    fn new(placed: &Placed, words: &Wording, units: Units) -> Self {
-        let (name, kind) = match placed.panel {
-            Panel::Scheme => ("μ_l", Kind::Length),
-            Panel::Velocity => ("μ_v", Kind::Velocity),
-            Panel::Acceleration => ("μ_a", Kind::Acceleration),
-        };
-        let unit = kind.unit(units);
+    /// The scale of that symbol: `mu` units a millimetre.
+    pub(super) fn new(symbol: &str, unit: &str, mu: f64, words: &Wording) -> Self {
         let per_mm = if unit.contains('/') {
             format!("({unit})/mm")
         } else {
             format!("{unit}/mm")
         };
-        let value = short(words, placed.mu);
-        let bar = short(words, BAR * placed.mu);
+        let value = short(words, mu);
+        let bar = short(words, BAR * mu);
         Self {
-            symbol: RichText::math(name),
+            symbol: RichText::math(symbol),
             value: RichText::plain(&format!("= {value} {per_mm}")),
             bar: RichText::plain(&format!("{bar} {unit}")),
         }
+    }
+
+    fn of(placed: &Placed, words: &Wording, units: Units) -> Self {
+        let (symbol, kind) = match placed.panel {
+            Panel::Scheme => ("μ_l", Kind::Length),
+            Panel::Velocity => ("μ_v", Kind::Velocity),
+            Panel::Acceleration => ("μ_a", Kind::Acceleration),
+        };
+        Self::new(symbol, &kind.unit(units), placed.mu, words)
+    }
+
+    pub(super) fn width(&self) -> f64 {
+        self.places()[2]
     }
 
     /// Where bar and its value begin, from the entry's own begin, and where it ends.
@@ -60,7 +68,8 @@ impl Entry {
         [bar, value, value + self.bar.width(CAPTION)]
     }
 
-    fn draw(&self, drawing: &mut Drawing, from: Point) {
+    /// Draws it from the left end of its baseline.
+    pub(super) fn draw(&self, drawing: &mut Drawing, from: Point) {
         let mut put = |text: &RichText, x: f64| {
             let text = PlacedText::new(text.clone(), CAPTION, Point::new(from.x + x, from.y));
             drawing.draw(Pen::Caption, Shape::Text(text));
@@ -82,8 +91,8 @@ impl Entry {
 /// Whether the scales find room in the layout's columns.
 pub(super) fn fits(layout: &Layout, words: &Wording, units: Units) -> bool {
     let column = layout.legend.width() / layout.columns as f64;
-    let entries = layout.panels.iter().map(|p| Entry::new(p, words, units));
-    let mut widths = entries.map(|entry| entry.places()[2]);
+    let entries = layout.panels.iter().map(|p| Entry::of(p, words, units));
+    let mut widths = entries.map(|entry| entry.width());
     widths.all(|width| width <= column - PAD)
 }
 
@@ -96,7 +105,7 @@ pub(super) fn draw(drawing: &mut Drawing, layout: &Layout, words: &Wording, unit
         let (row, place) = (index / layout.columns, index % layout.columns);
         let x = area.x0 + PAD + column * place as f64;
         let y = area.y0 + 0.5 * EDGE + 5.0 + ROW * row as f64;
-        Entry::new(placed, words, units).draw(drawing, Point::new(x, y));
+        Entry::of(placed, words, units).draw(drawing, Point::new(x, y));
     }
 }
 

@@ -1,5 +1,6 @@
 //! What a scene asks of its figure.
 
+use super::text::LARGEST;
 use super::words::number;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
@@ -71,11 +72,17 @@ impl Figure {
         }
     }
 
-    /// The scale itself, if it is one: a positive number of units per millimetre of paper.
+    /// The scale itself, if it is one: a positive number of units per millimetre of paper, at most 1e100 as all numbers of scenes.
     ///
     /// # Errors
     /// Says in words what is wrong with it.
     pub fn checked_scale(scale: f64) -> Result<f64, String> {
+        if scale > LARGEST {
+            return Err(format!(
+                "{}; numbers are at most {LARGEST:e}",
+                number(scale)
+            ));
+        }
         if scale > 0.0 {
             return Ok(scale);
         }

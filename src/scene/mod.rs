@@ -49,7 +49,6 @@ pub use units::{LengthUnit, TimeUnit, Units};
 pub(crate) use kind::FileKind;
 pub(crate) use read::read_as;
 pub(crate) use schema::schema_of;
-pub(crate) use text::LARGEST;
 
 use indexmap::IndexMap;
 

@@ -16,7 +16,7 @@ use super::words::shortened;
 const MAX_DEPTH: usize = 64;
 
 /// The largest number that is read: products of three are still numbers. No unit makes a larger one necessary.
-pub(crate) const LARGEST: f64 = 1e100;
+pub(super) const LARGEST: f64 = 1e100;
 
 /// Bytes, what is wrong with them, and what to try.
 type Wrong = (Range<usize>, String, Option<&'static str>);

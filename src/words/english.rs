@@ -122,6 +122,7 @@ pub(super) const ENGLISH: Language = Language {
     higher: "higher",
 
     curves: "Curves",
+    hodograph: |vector| format!("Hodograph of {vector}"),
     angle: "Angle",
     angular_velocity: "Angular velocity",
     angular_acceleration: "Angular acceleration",

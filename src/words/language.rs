@@ -141,6 +141,8 @@ pub struct Language {
     // Curves.
     /// Their title where the scene has none.
     pub curves: &'static str,
+    /// Vector: the way of its tip over the cycle.
+    pub hodograph: With1,
     /// Kinds of quantities.
     pub angle: &'static str,
     /// Kinds of quantities.

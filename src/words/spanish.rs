@@ -103,7 +103,7 @@ pub(super) const SPANISH: Language = Language {
     at_infinity: |point| format!("{point} en el infinito"),
     agreement: |difference, allowed| {
         format!(
-            "La construcción y las ecuaciones de lazo concuerdan: difieren en {difference} del mayor valor (los cortes admiten {allowed}). Impreso al 100 %, mm × μ es el valor."
+            "Construcción y ecuaciones de lazo concuerdan: difieren en {difference} del mayor valor (los cortes admiten {allowed}). Al 100 %, mm × μ es el valor."
         )
     },
     one_route_far: "Un punto especial está en el infinito: los valores son solo de las ecuaciones de lazo. Impreso al 100 %, mm × μ es el valor.",
@@ -120,6 +120,7 @@ pub(super) const SPANISH: Language = Language {
     higher: "superior",
 
     curves: "Curvas",
+    hodograph: |vector| format!("Hodógrafa de {vector}"),
     angle: "Ángulo",
     angular_velocity: "Velocidad angular",
     angular_acceleration: "Aceleración angular",

@@ -3,6 +3,7 @@
 //! Nothing of the motion is computed here.
 
 mod axis;
+mod hodograph;
 mod lines;
 mod names;
 mod panel;
@@ -20,6 +21,7 @@ use crate::plan::Kind;
 use crate::scene::Scene;
 use crate::words::Wording;
 use axis::{Axis, digits};
+pub use hodograph::hodographs;
 use kurbo::{Point, Rect, Vec2};
 use panel::Panel;
 

@@ -6,7 +6,7 @@ use crate::drawing::text::{PlacedText, RichText};
 use crate::mechanism::{Role, SliderId};
 use crate::plan::Kind;
 use crate::words::Language;
-use kurbo::Point;
+use kurbo::{Point, Rect};
 
 /// A line of text in which symbols are slanted and words are upright.
 pub(super) struct Line(Vec<RichText>);
@@ -14,6 +14,10 @@ pub(super) struct Line(Vec<RichText>);
 impl Line {
     /// White between its parts, in em.
     const SPACE: f64 = 0.28;
+
+    pub(super) fn new(parts: Vec<RichText>) -> Line {
+        Line(parts)
+    }
 
     pub(super) fn width(&self, size: f64) -> f64 {
         let spaces = self.0.len().saturating_sub(1) as f64 * Self::SPACE * size;
@@ -32,14 +36,18 @@ impl Line {
         self.starting(drawing, from, size);
     }
 
-    fn starting(self, drawing: &mut Drawing, from: Point, size: f64) {
+    /// Draws it from a point of its baseline; the box of its ink.
+    pub(super) fn starting(self, drawing: &mut Drawing, from: Point, size: f64) -> Rect {
         let mut at = from;
+        let mut ink = Rect::from_points(from, from);
         for part in self.0 {
             let step = part.width(size) + Self::SPACE * size;
             let text = PlacedText::new(part, size, at);
+            ink = ink.union(text.ink_box());
             drawing.draw(Pen::Caption, Shape::Text(text));
             at.x += step;
         }
+        ink
     }
 }
 

@@ -1,0 +1,157 @@
+use super::reading::Reading;
+use super::{Curve, Curves, CycleError, Event, Path};
+use crate::geometry::Vector;
+use crate::plan::Asked;
+
+/// Angles of the drive at which tips are marked, in degrees.
+const MARKS: f64 = 30.0;
+/// About how many tips are marked where the drive is a slider.
+const MARKS_OF_SLIDER: f64 = 12.0;
+/// What differs by less than this part of the range is the same value of the drive.
+const SAME: f64 = 1e-9;
+
+/// The ways that the tips of vectors take over a range of a path, all vectors laid off from one pole.
+#[derive(Clone, Debug)]
+pub struct Hodographs<'a> {
+    /// The path.
+    pub path: &'a Path<'a>,
+    /// Lowest and highest value of the drive that are shown: the part of the range that the path has reached.
+    pub range: [f64; 2],
+    /// In the order in which they were asked for.
+    pub hodographs: Vec<Hodograph>,
+    /// What happens in the range, in the order of the drive's value.
+    pub events: Vec<Event>,
+}
+
+/// The way of one vector's tip.
+#[derive(Clone, Debug)]
+pub struct Hodograph {
+    /// The vector.
+    pub asked: Asked,
+    /// Values of the drive and tips, from the pole, in pieces without a gap: straight lines between them look like the way. The
+    /// way of a whole turn closes itself.
+    pub pieces: Vec<Vec<(f64, Vector)>>,
+    /// Lowest and highest coordinates that are worth showing, the pole among them: all of the way, or where it runs off beyond all
+    /// bounds so much of it that the rest stays readable.
+    pub window: [Vector; 2],
+    /// Tips at round values of the drive; at every 30° of an angle, which is from 0° on where the way is that of a whole turn.
+    pub marks: Vec<(f64, Vector)>,
+    /// The tip at the scene's own position, if that is in the range.
+    pub own: Option<Vector>,
+}
+
+impl<'a> Hodographs<'a> {
+    /// The ways of vectors by their names, as `v(D)` or `a(D/G)`, over the part of a range that `path` has reached.
+    ///
+    /// # Errors
+    /// A name is no vector of this mechanism, or one without a value in the range; or nothing of the range has been reached.
+    pub fn new(path: &'a Path<'a>, range: [f64; 2], names: &[String]) -> Result<Self, CycleError> {
+        let mut all = Hodographs {
+            path,
+            range,
+            hodographs: Vec::new(),
+            events: Vec::new(),
+        };
+        for (index, name) in names.iter().enumerate() {
+            if names[..index].contains(name) {
+                continue;
+            }
+            let asked = Asked::new(name, path.mechanism)?;
+            if !asked.is_vector() {
+                return Err(CycleError::NoVector(name.clone()));
+            }
+            let parts = [".x", ".y"].map(|part| format!("{name}{part}"));
+            let curves = Curves::new(path, range, Some(&parts))?;
+            let curve = |part: &String| {
+                let has = |curve: &&Curve| curve.asked.iter().any(|asked| asked.name() == part);
+                let found = curves.curves.iter().find(has);
+                found.expect("both parts have a curve")
+            };
+            let [x, y] = parts.each_ref().map(curve);
+            let mut readings = Vec::new();
+            for part in &parts {
+                readings.push(Reading::new(path, Asked::new(part, path.mechanism)?));
+            }
+            (all.range, all.events) = (curves.range, curves.events.clone());
+            let hodograph = all.hodograph(asked, [x, y], readings);
+            all.hodographs.push(hodograph);
+        }
+        Ok(all)
+    }
+
+    fn hodograph(
+        &self,
+        asked: Asked,
+        [x, y]: [&Curve; 2],
+        mut readings: Vec<Reading>,
+    ) -> Hodograph {
+        let mut tip = |at: f64| {
+            let mut parts = readings.iter_mut().map(|reading| reading.at(at, None));
+            Some(Vector::new(parts.next()??, parts.next()??))
+        };
+        // Where both parts are sampled, at the samples of both.
+        let mut pieces = Vec::new();
+        for a in &x.pieces {
+            for b in &y.pieces {
+                let ends = |piece: &[[f64; 2]]| [piece[0][0], piece[piece.len() - 1][0]];
+                let [[a0, a1], [b0, b1]] = [ends(a), ends(b)];
+                let common = a0.max(b0)..=a1.min(b1);
+                let samples = a.iter().chain(b).map(|sample| sample[0]);
+                let mut values: Vec<f64> = samples.filter(|at| common.contains(at)).collect();
+                values.sort_by(f64::total_cmp);
+                values.dedup();
+                let tips = values.into_iter().filter_map(|at| Some((at, tip(at)?)));
+                let piece: Vec<(f64, Vector)> = tips.collect();
+                if piece.len() > 1 {
+                    pieces.push(piece);
+                }
+            }
+        }
+        let [low, high] = self.range;
+        let whole = self.path.drive.is_angle() && high - low >= 360.0 * (1.0 - SAME);
+        let called = |at: f64| if whole { at.rem_euclid(360.0) } else { at };
+        let marks = self.round_values().into_iter();
+        let marks = marks.filter_map(|at| Some((called(at), tip(at)?)));
+        let marks = marks.collect();
+        let start = self.path.start();
+        // A whole turn holds the scene's position, perhaps turns away.
+        let turns = if self.path.drive.is_angle() {
+            360.0 * ((low - start) / 360.0 - SAME).ceil()
+        } else {
+            0.0
+        };
+        let own = Some(start + turns).filter(|at| (low..=high).contains(at));
+        Hodograph {
+            asked,
+            pieces,
+            window: [
+                Vector::new(x.window[0].min(0.0), y.window[0].min(0.0)),
+                Vector::new(x.window[1].max(0.0), y.window[1].max(0.0)),
+            ],
+            marks,
+            own: own.and_then(tip),
+        }
+    }
+
+    /// Values of the drive at which tips are marked; of a whole turn each once.
+    fn round_values(&self) -> Vec<f64> {
+        let [low, high] = self.range;
+        let step = if self.path.drive.is_angle() {
+            MARKS
+        } else {
+            let rough = (high - low) / MARKS_OF_SLIDER;
+            let decade = libm::exp10(libm::floor(libm::log10(rough)));
+            let steps = [1.0, 2.0, 5.0, 10.0].map(|k| k * decade);
+            steps.into_iter().find(|s| *s >= rough).unwrap_or(rough)
+        };
+        let turn = if self.path.drive.is_angle() {
+            low + 360.0 - SAME * 360.0
+        } else {
+            f64::INFINITY
+        };
+        let first = (low / step - SAME).ceil();
+        let count = ((high - low) / step) as usize + 1;
+        let values = (0..count).map(|k| (first + k as f64) * step);
+        values.filter(|at| *at <= high && *at < turn).collect()
+    }
+}
