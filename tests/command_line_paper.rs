@@ -158,3 +158,23 @@ fn hodographs_are_drawn_and_refused() {
         assert!(stderr(&output).contains(words), "{}", stderr(&output));
     }
 }
+
+#[test]
+fn what_does_not_fit_is_told() {
+    let scene = files::path(FIGURE_2);
+    let scene = scene.to_str().expect("a plain path");
+    let told = |arguments: &[&str]| {
+        let mut all = vec!["draw", scene, "-o", "-"];
+        all.extend(arguments);
+        let output = kinegon().args(&all).output().expect("the program runs");
+        assert!(output.status.success());
+        stderr(&output)
+    };
+    // Figure 2 is about 715 mm high from S3 to S5: 358 mm of paper at 2 mm/mm.
+    let words = told(&["--mu-l", "2"]);
+    let sentence =
+        "the scheme does not fit into its panel at mu_l = 2 and is cut off there; 5 fits";
+    assert!(words.contains(sentence), "{words}");
+    assert_eq!(told(&["--mu-l", "5"]), "");
+    assert_eq!(told(&[]), "");
+}

@@ -1,11 +1,11 @@
 use super::figures::{Figures, stem};
 use super::files::{self, Source};
-use super::message::Failure;
+use super::message::{Failure, warn};
 use super::paper::{GivenScales, Paper};
 use super::wording::Words;
 use super::work::{Mode, Work, work};
 use crate::cycle::{Drive, Film};
-use crate::drawing::{Drawing, figure, frames, stepwise};
+use crate::drawing::{Drawing, figure, frames, misfits, stepwise};
 use crate::format::{Page, html};
 use crate::motion::Order;
 use crate::scene::{Figure, Panel, Scene};
@@ -72,6 +72,9 @@ impl Draw {
         for (name, source) in scenes {
             let work = work(&source, self.mode.number, |f| self.put_into(f), needed)?;
             work.warn();
+            let (scene, mechanism) = (&work.scene, &work.mechanism);
+            let misfits = misfits(scene, mechanism, &work.pose, &work.construction);
+            misfits.iter().for_each(|text| warn(text));
             self.sheets(name, &work, &mut drawings)?;
             works.push((source, work));
         }

@@ -8,14 +8,14 @@ use super::sheet::{Drawing, Pen};
 use super::stages::numbered;
 use super::style::Style;
 use super::text::{PlacedText, RichText};
-use super::view::{Extent, View};
+use super::view::{Extent, View, fitting_scale};
 use super::words;
 use super::worksheet::Worksheet;
 use crate::mechanism::{Class, Mechanism};
 use crate::plan::{Construction, Scales, shown_text};
 use crate::position::Pose;
 use crate::scene::{Panel, Scene};
-use crate::words::Language;
+use crate::words::{Language, Wording};
 use kurbo::Point;
 
 /// The figure that a scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
@@ -165,6 +165,40 @@ pub fn scales(
         velocity: of(Panel::Velocity),
         acceleration: of(Panel::Acceleration),
     }
+}
+
+/// What the figure leaves out because it does not fit at a scale that the scene gives: a sentence for each such panel, with a scale that
+/// fits. Special points far away count as fitting: they are shown by their cut lines.
+#[must_use]
+pub fn misfits(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    pose: &Pose,
+    construction: &Construction,
+) -> Vec<String> {
+    let scheme = Scheme::new(scene, mechanism, pose, construction);
+    let extents = extents(&scheme);
+    let sheet = Sheet::new(scene, &scheme, &extents, false);
+    let panels = sheet.layout.panels.iter().zip(&extents);
+    let misfit = |(placed, (_, extent)): (&Placed, &(Panel, Extent))| {
+        // Within the panel, even if not within the white around its content.
+        let (size, frame) = (extent.size() / placed.mu, placed.frame);
+        let fits = size.x <= frame.width() && size.y <= frame.height();
+        let key = match placed.panel {
+            Panel::Scheme => "mu_l",
+            Panel::Velocity => "mu_v",
+            Panel::Acceleration => "mu_a",
+        };
+        let panel = name(Wording::default().language, placed.panel).to_lowercase();
+        let fitting = legend::short(&Wording::default(), fitting_scale(extent, placed.area));
+        let given = legend::short(&Wording::default(), placed.mu);
+        (!fits).then(|| {
+            format!(
+                "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
+            )
+        })
+    };
+    panels.filter_map(misfit).collect()
 }
 
 /// The panels that have something to show, and how much.

@@ -32,7 +32,7 @@ mod worksheet;
 
 pub use arrow::arrow_head;
 pub use curves::{CurvesError, curves, hodographs};
-pub use figure::{figure, frames, scales, stepwise};
+pub use figure::{figure, frames, misfits, scales, stepwise};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look};

@@ -66,7 +66,7 @@ impl Style {
     /// assert_eq!(style.background().to_string(), "#000000");
     ///
     /// let error = Style::read(r#"{ "kinegon_style": 1, "pens": { "rays": { "width": 0.3 } } }"#).unwrap_err();
-    /// assert_eq!(error.to_string(), "1:34: pens.rays: unknown key `rays`; hint: did you mean `ray`?");
+    /// assert_eq!(error.to_string(), "1:33: pens.rays: unknown key `rays`; hint: did you mean `ray`?");
     /// # Ok::<(), kinegon::scene::SceneError>(())
     /// ```
     pub fn read(text: &str) -> Result<Style, SceneError> {
