@@ -86,7 +86,7 @@ pub fn frames(
             (panel, extent.with_most(others))
         })
         .collect();
-    let most = schemes.iter().map(|scheme| agreement(scene, scheme).len());
+    let most = schemes.iter().map(|scheme| scheme.agreement().len());
     let lines = most.max().unwrap_or_default();
     let sheet = Sheet::divided(scene, first, &extents, words_below(lines, true), None);
     let draw = |scheme: &Scheme<'_>| compose(scene, scheme, &sheet, &extents, true);
@@ -135,12 +135,12 @@ fn compose(
         words::draw(&mut drawing, layout, scene.units, scheme);
         // After the last step.
         let from = drawing.marks.len();
-        legend::draw_lines(&mut drawing, layout, agreement(scene, scheme));
+        legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
         for mark in &mut drawing.marks[from..] {
             (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
         }
     } else {
-        legend::draw_lines(&mut drawing, layout, agreement(scene, scheme));
+        legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
     }
     drawing
 }
@@ -176,6 +176,10 @@ pub fn misfits(
     pose: &Pose,
     construction: &Construction,
 ) -> Vec<String> {
+    let given = |&panel: &Panel| scene.figure.mu(panel).is_some();
+    if !scene.figure.panels.iter().any(given) {
+        return Vec::new();
+    }
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     let extents = extents(&scheme);
     let sheet = Sheet::new(scene, &scheme, &extents, false);
@@ -232,7 +236,7 @@ impl Sheet {
         let page = scene.figure.page.size_mm();
         let table = || Worksheet::new(scheme, scene.units, extents, page);
         let worksheet = scene.figure.worksheet.then(table);
-        let below = words_below(agreement(scene, scheme).len(), by_steps);
+        let below = words_below(scheme.agreement().len(), by_steps);
         Self::divided(scene, scheme, extents, below, worksheet)
     }
 
@@ -272,12 +276,6 @@ impl Sheet {
 
 /// Columns of scales in the legend at most.
 const MOST_COLUMNS: usize = 3;
-
-/// How the construction and the loop equations agree, in lines for the scene's page.
-fn agreement(scene: &Scene, scheme: &Scheme<'_>) -> Vec<RichText> {
-    let [width, _] = scene.figure.page.size_mm();
-    legend::agreement(&scheme.words, scheme.construction, width)
-}
 
 /// Room that is needed below the scales, for so many lines and for the words of steps.
 fn words_below(lines: usize, by_steps: bool) -> f64 {

@@ -67,23 +67,27 @@ impl RichText {
 
     /// Lines of [`plain`](Self::plain) text, broken at spaces, each at most `width` mm wide at a size as far as its words allow.
     pub fn lines(source: &str, size: f64, width: f64) -> Vec<Self> {
-        let mut lines = Vec::new();
-        let mut line = String::new();
+        let whole = Self::plain(source);
+        if whole.width(size) <= width {
+            return vec![whole];
+        }
+        let measured = |text: &str| Self::plain(text).width(size);
+        let space = measured("x x") - 2.0 * measured("x");
+        let mut lines = vec![String::new()];
+        let mut taken = 0.0;
         for word in source.split(' ') {
-            let longer = if line.is_empty() {
-                word.to_owned()
+            let own = measured(word);
+            let line = lines.last_mut().expect("there is one line at least");
+            if line.is_empty() || taken + space + own <= width {
+                taken += if line.is_empty() { own } else { space + own };
+                line.extend((!line.is_empty()).then_some(' '));
+                line.push_str(word);
             } else {
-                format!("{line} {word}")
-            };
-            if !line.is_empty() && Self::plain(&longer).width(size) > width {
-                lines.push(Self::plain(&line));
-                line = word.to_owned();
-            } else {
-                line = longer;
+                taken = own;
+                lines.push(word.to_owned());
             }
         }
-        lines.push(Self::plain(&line));
-        lines
+        lines.iter().map(|line| Self::plain(line)).collect()
     }
 
     fn set(source: &str, style: Style, markup: bool) -> Self {

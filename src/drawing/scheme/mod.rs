@@ -9,8 +9,10 @@ mod sliders;
 mod special;
 
 use super::canvas::Canvas;
+use super::legend;
 use super::names::Names;
 use super::stages::{Stages, numbered};
+use super::text::RichText;
 use super::view::{Extent, View};
 use crate::geometry::{self, quarter_turn};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
@@ -19,6 +21,7 @@ use crate::position::Pose;
 use crate::scene::{Figure, Scene};
 use crate::words::Wording;
 use kurbo::Point;
+use std::cell::OnceCell;
 
 /// Radius of a joint's circle in mm.
 const JOINT: f64 = 1.15;
@@ -34,6 +37,8 @@ pub(super) struct Scheme<'a> {
     /// Whether crowded places of plans are shown larger beside them; in motion such circles would come and go.
     pub insets: bool,
     pub words: Wording,
+    /// How the construction and the loop equations agree, in lines; once somebody has asked.
+    pub agreement: OnceCell<Vec<RichText>>,
 }
 
 impl<'a> Scheme<'a> {
@@ -53,7 +58,16 @@ impl<'a> Scheme<'a> {
             stages: Stages::new(construction),
             insets: true,
             words: Wording::of(&scene.figure),
+            agreement: OnceCell::new(),
         }
+    }
+
+    /// How the construction and the loop equations agree, in lines for the figure's page.
+    pub(super) fn agreement(&self) -> &[RichText] {
+        self.agreement.get_or_init(|| {
+            let [width, _] = self.figure.page.size_mm();
+            legend::agreement(&self.words, self.construction, width)
+        })
     }
 
     /// What must find room: all points, and the special points that are not too far away.
