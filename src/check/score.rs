@@ -1,0 +1,468 @@
+//! How well written values fit a construction with mistakes put in.
+//!
+//! Honest errors of the hand, of all acts, carry the values together: to first order they are normally distributed with the covariance
+//! C = Σ s_g² J_g J_gᵀ, J the difference quotients of the values by each error times its standard deviation, s_g ≤ 1 how good the hand is at each
+//! kind of act. The values are gone through in the order of the construction, each held against what the earlier ones let expect (Cholesky's
+//! factorisation row by row). One that no error explains stands outside and says nothing about those that follow. Costs
+//! are −2 ln of likelihoods, each value's counted from the density of its rounding.
+
+use super::entry::Entry;
+use super::mistakes::Candidate;
+use super::model::{Changes, GROUPS, Model, Put};
+use crate::drafting::{Change, Disturbance, Tolerance, Values};
+use crate::plan::Kind;
+
+/// How good a hand may be, in parts of the tolerance: from the pencil to a drawing program.
+const HANDS: [f64; 7] = [1.0, 0.5, 0.2, 0.05, 0.01, 2e-3, 4e-4];
+
+/// Cost of a value that nothing explains, beyond the range in which it could lie: one of some hundred.
+const UNEXPLAINED: f64 = 11.0;
+
+/// Cost of a hand ten times better than the tolerance says, at one kind of acts.
+const BETTER_HAND: f64 = 1.2;
+
+/// A value as it enters the comparison.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Datum {
+    /// The entry.
+    pub entry: usize,
+    value: f64,
+    rounding: f64,
+    /// Whether its sense is unknown.
+    is_magnitude: bool,
+    is_angle: bool,
+    /// ln of the square of the range in which a value of this kind could lie.
+    range: f64,
+}
+
+/// What is held against each other.
+pub(super) struct Scorer<'a> {
+    /// The right position first, then other assembly modes.
+    pub models: &'a [Model],
+    pub data: Vec<Datum>,
+    tolerance: Tolerance,
+    /// Standard deviations of the values of a right drawing, for a first look.
+    quick: Vec<f64>,
+}
+
+/// How well values fit.
+#[derive(Clone, Debug)]
+pub(super) struct Fit {
+    /// The cost of the values, without that of the mistakes.
+    pub cost: f64,
+    /// What the values should be with the mistakes made, by datum.
+    pub predicted: Vec<f64>,
+    /// Which values remain outside, by datum.
+    pub outside: Vec<bool>,
+    /// How good the hand is at each kind of acts.
+    pub hand: [f64; GROUPS],
+}
+
+/// Symmetric matrices, one for each kind of errors, and that of roundings gone on with.
+struct Covariances {
+    groups: [Vec<f64>; GROUPS],
+    roundings: Vec<f64>,
+}
+
+impl<'a> Scorer<'a> {
+    pub fn new(models: &'a [Model], entries: &[Entry], tolerance: Tolerance) -> Scorer<'a> {
+        let model = &models[0];
+        let span = |kind: Kind| {
+            let same = entries.iter().filter(|e| e.asked.kind() == kind);
+            let both = same.flat_map(|e| [e.value.abs(), e.expected.abs()]);
+            both.fold(0.0, f64::max)
+        };
+        let expected_span = |kind: Kind| {
+            let same = entries.iter().filter(|e| e.asked.kind() == kind);
+            same.map(|e| e.expected.abs()).fold(0.0, f64::max)
+        };
+        let data = entries.iter().enumerate().filter_map(|(index, entry)| {
+            let reading = model.readings[index].ok()?;
+            let kind = entry.asked.kind();
+            let span = match kind {
+                Kind::Angle => 180.0,
+                // A value a thousand times too large must not make all others imprecise.
+                _ => span(kind).min(4.0 * expected_span(kind).max(f64::MIN_POSITIVE)),
+            };
+            let rounding = entry.rounding.max(1e-7 * span);
+            Some(Datum {
+                entry: index,
+                value: entry.value,
+                rounding,
+                is_magnitude: entry.is_magnitude || reading.is_magnitude || reading.is_distance,
+                is_angle: reading.is_angle,
+                range: 2.0 * libm::log(span),
+            })
+        });
+        let mut scorer = Scorer {
+            models,
+            data: data.collect(),
+            tolerance,
+            quick: Vec::new(),
+        };
+        let nominal = scorer.covariances(&[]);
+        let count = scorer.data.len();
+        let diagonal = (0..count).map(|i| nominal.groups.iter().map(|g| g[i * count + i]).sum());
+        scorer.quick = diagonal.collect();
+        scorer
+    }
+
+    fn model(&self, set: &[&Candidate]) -> &'a Model {
+        let mode = set.iter().map(|c| c.mode).max().unwrap_or(0);
+        &self.models[mode]
+    }
+
+    /// What the candidates change; without what one of them goes on with, where its own values are asked for.
+    fn changes<'c>(&self, set: &[&'c Candidate], without: Option<usize>) -> Changes<'c> {
+        let mut changes = Changes::new();
+        for (index, candidate) in set.iter().enumerate() {
+            for (act, put) in &candidate.puts {
+                let change = match put {
+                    Put::Act(act) => Change::Instead(act),
+                    Put::Times(number, factor) => Change::Times(*number, *factor),
+                };
+                changes.push(Disturbance { act: *act, change });
+            }
+            if without == Some(index) {
+                continue;
+            }
+            for &(act, number, value) in &candidate.goes_on {
+                let change = Change::Written(number, value);
+                changes.push(Disturbance { act, change });
+            }
+        }
+        changes.sort_by_key(|c| c.act);
+        changes
+    }
+
+    /// Which candidate goes on with a written value of a datum.
+    fn owner(&self, set: &[&Candidate], datum: usize) -> Option<usize> {
+        let entry = self.data[datum].entry;
+        set.iter()
+            .position(|c| !c.goes_on.is_empty() && c.stands.iter().any(|s| s.entry == entry))
+    }
+
+    /// The replays that a set needs: the changes, and the data that are read there.
+    fn variants<'c>(&self, set: &[&'c Candidate]) -> Vec<(Changes<'c>, Vec<usize>)> {
+        let all = 0..self.data.len();
+        if set.iter().all(|c| c.goes_on.is_empty()) {
+            return vec![(self.changes(set, None), all.collect())];
+        }
+        let owners: Vec<Option<usize>> = all.clone().map(|d| self.owner(set, d)).collect();
+        let mut variants = Vec::new();
+        for owner in core::iter::once(None).chain((0..set.len()).map(Some)) {
+            let own: Vec<usize> = all.clone().filter(|&d| owners[d] == owner).collect();
+            if !own.is_empty() {
+                variants.push((self.changes(set, owner), own));
+            }
+        }
+        variants
+    }
+
+    /// What the values should be with the candidates' mistakes made.
+    pub fn predicted(&self, set: &[&Candidate]) -> Vec<f64> {
+        let model = self.model(set);
+        let mut predicted = vec![f64::NAN; self.data.len()];
+        for (changes, data) in self.variants(set) {
+            let values = model.replay(&changes);
+            self.read(model, &values, &data, &mut predicted);
+        }
+        predicted
+    }
+
+    fn read(&self, model: &Model, values: &Values, data: &[usize], into: &mut [f64]) {
+        for &datum in data {
+            if let Ok(reading) = model.readings[self.data[datum].entry] {
+                into[datum] = values.number(reading.number);
+            }
+        }
+    }
+
+    /// The values as the candidates read them, with their roundings; none where a written value says nothing.
+    fn meant(&self, set: &[&Candidate]) -> Vec<Option<Datum>> {
+        let mut meant: Vec<Option<Datum>> = self.data.iter().copied().map(Some).collect();
+        for stand in set.iter().flat_map(|c| &c.stands) {
+            let found = self.data.iter().position(|d| d.entry == stand.entry);
+            if let Some(datum) = found {
+                meant[datum] = stand.value.map(|value| Datum {
+                    value,
+                    rounding: stand.rounding.max(f64::MIN_POSITIVE),
+                    ..self.data[datum]
+                });
+            }
+        }
+        meant
+    }
+
+    /// The cost of a value that nothing explains.
+    fn outside(&self, datum: &Datum) -> f64 {
+        datum.range - libm::log(datum.variance()) + UNEXPLAINED
+    }
+
+    /// A first look: the values one by one, as if their errors had nothing to do with each other.
+    pub fn first_look(&self, set: &[&Candidate]) -> f64 {
+        let predicted = self.predicted(set);
+        if predicted.iter().any(|p| !p.is_finite()) {
+            return f64::INFINITY;
+        }
+        let meant = self.meant(set);
+        let mut best = f64::INFINITY;
+        for hand in [1.0, 0.2, 0.02] {
+            let mut cost = 0.0;
+            for (index, datum) in meant.iter().enumerate() {
+                let outside = self.outside(&self.data[index]);
+                cost += match datum {
+                    Some(datum) => {
+                        let rounding = datum.variance();
+                        let variance = hand * hand * self.quick[index] + rounding;
+                        let off = datum.off(predicted[index], 0.0);
+                        let own = off * off / variance + libm::log(variance / rounding);
+                        own.min(outside)
+                    }
+                    None => outside,
+                };
+            }
+            best = best.min(cost);
+        }
+        best
+    }
+
+    /// The whole comparison, with the covariances that the mistakes bring with them.
+    pub fn fit(&self, set: &[&Candidate]) -> Option<Fit> {
+        let predicted = self.predicted(set);
+        if predicted.iter().any(|p| !p.is_finite()) {
+            return None;
+        }
+        let covariances = self.covariances(set);
+        let meant = self.meant(set);
+        let count = self.data.len();
+        let mut matrix = vec![0.0; count * count];
+        let mut best: Option<(f64, Vec<bool>, [f64; GROUPS])> = None;
+        let mut consider =
+            |hand: [f64; GROUPS], best: &mut Option<(f64, Vec<bool>, [f64; GROUPS])>| {
+                covariances.sum(&hand, &mut matrix);
+                let (mut cost, outside) = self.walk(&meant, &predicted, &matrix);
+                cost -= hand
+                    .iter()
+                    .map(|s| BETTER_HAND * libm::log10(*s))
+                    .sum::<f64>();
+                if best.as_ref().is_none_or(|b| cost < b.0) {
+                    *best = Some((cost, outside, hand));
+                    true
+                } else {
+                    false
+                }
+            };
+        let mut level = 0;
+        for (index, &hand) in HANDS.iter().enumerate() {
+            if consider([hand; GROUPS], &mut best) {
+                level = index;
+            } else if index > level + 1 {
+                break;
+            }
+        }
+        // A drawing program errs in nothing but what it is told.
+        if level > 0 {
+            let mut levels = [level; GROUPS];
+            for _ in 0..2 {
+                for group in 0..GROUPS {
+                    for step in [-1_i32, 1, -2, 2] {
+                        let other = levels[group] as i32 + step;
+                        let Some(&size) = usize::try_from(other).ok().and_then(|o| HANDS.get(o))
+                        else {
+                            continue;
+                        };
+                        let mut hand = levels.map(|l| HANDS[l]);
+                        hand[group] = size;
+                        if consider(hand, &mut best) {
+                            levels[group] = other as usize;
+                        }
+                    }
+                }
+            }
+        }
+        best.map(|(cost, outside, hand)| Fit {
+            cost,
+            predicted,
+            outside,
+            hand,
+        })
+    }
+
+    /// The values in their order, each held against what the earlier ones let expect.
+    fn walk(&self, meant: &[Option<Datum>], predicted: &[f64], matrix: &[f64]) -> (f64, Vec<bool>) {
+        let count = self.data.len();
+        let mut rows: Vec<(usize, Vec<f64>)> = Vec::with_capacity(count);
+        let mut shifts: Vec<f64> = Vec::with_capacity(count);
+        let mut outside = vec![false; count];
+        let mut cost = 0.0;
+        for index in 0..count {
+            let without = self.outside(&self.data[index]);
+            let Some(datum) = &meant[index] else {
+                cost += without;
+                continue;
+            };
+            let rounding = datum.variance();
+            let mut row = Vec::with_capacity(rows.len() + 1);
+            let (mut mean, mut variance) = (0.0, matrix[index * count + index] + rounding);
+            for (other, earlier) in &rows {
+                let known: f64 = row
+                    .iter()
+                    .zip(earlier)
+                    .map(|(a, b): (&f64, &f64)| a * b)
+                    .sum();
+                let entry = (matrix[index * count + other] - known) / earlier[row.len()];
+                mean += entry * shifts[row.len()];
+                variance -= entry * entry;
+                row.push(entry);
+            }
+            // Roundings are independent: less than a part of them never remains.
+            let variance = variance.max(0.25 * rounding);
+            let off = datum.off(predicted[index], mean) - mean;
+            let own = off * off / variance + libm::log(variance / rounding);
+            if own <= without {
+                cost += own;
+                let deviation = variance.sqrt();
+                row.push(deviation);
+                rows.push((index, row));
+                shifts.push(off / deviation);
+            } else {
+                cost += without;
+                outside[index] = true;
+            }
+        }
+        (cost, outside)
+    }
+
+    fn covariances(&self, set: &[&Candidate]) -> Covariances {
+        let model = self.model(set);
+        let count = self.data.len();
+        let variants = self.variants(set);
+        let bases: Vec<Values> = variants.iter().map(|(c, _)| model.replay(c)).collect();
+        let mut exact = vec![0.0; count];
+        for ((_, data), base) in variants.iter().zip(&bases) {
+            self.read(model, base, data, &mut exact);
+        }
+        let mut covariances = Covariances {
+            groups: core::array::from_fn(|_| vec![0.0; count * count]),
+            roundings: vec![0.0; count * count],
+        };
+        let mut scratch = model.exact.clone();
+        let mut pair = [vec![0.0; count], vec![0.0; count]];
+        let deviation = 1.0 / 3.0_f64.sqrt();
+        for (act, which, limit, group) in model.errors(&self.tolerance) {
+            for (column, size) in pair.iter_mut().zip([limit, -limit]) {
+                for ((changes, data), base) in variants.iter().zip(&bases) {
+                    let change = Change::Error(which, size);
+                    model.replay_after(&mut scratch, base, act, change, changes);
+                    self.read(model, &scratch, data, column);
+                }
+            }
+            let column: Vec<f64> = pair[0]
+                .iter()
+                .zip(&pair[1])
+                .zip(&self.data)
+                .map(|((up, down), datum)| 0.5 * deviation * datum.turned(up - down))
+                .collect();
+            add_outer(&mut covariances.groups[group], &column);
+        }
+        for datum in &self.data {
+            let Ok(reading) = model.readings[datum.entry] else {
+                continue;
+            };
+            let number = reading.number;
+            let Some(act) = model.makers[number.0].filter(|_| model.used[number.0]) else {
+                continue;
+            };
+            let size = datum.rounding * deviation;
+            let column = &mut pair[0];
+            for ((changes, data), base) in variants.iter().zip(&bases) {
+                let change = Change::Written(number, base.number(number) + size);
+                model.replay_after(&mut scratch, base, act, change, changes);
+                self.read(model, &scratch, data, column);
+            }
+            let column: Vec<f64> = column.iter().zip(&exact).map(|(a, b)| a - b).collect();
+            add_outer(&mut covariances.roundings, &column);
+        }
+        covariances
+    }
+
+    /// About how far honest errors of a hand as good as the fit says let a value be off.
+    pub fn deviation(&self, datum: usize, fit: &Fit) -> f64 {
+        let hand = fit.hand.iter().copied().fold(0.0, f64::max);
+        (hand * hand * self.quick[datum] + self.data[datum].variance()).sqrt()
+    }
+
+    /// Whether two predictions are the same for all that the values can show.
+    pub fn are_alike(&self, a: &Fit, b: &Fit, sets: [&[&Candidate]; 2]) -> bool {
+        let [meant_a, meant_b] = sets.map(|set| self.meant(set));
+        let pairs = a.predicted.iter().zip(&b.predicted).enumerate();
+        let mut all = pairs.map(|(index, (p, q))| {
+            let (m, n) = (&meant_a[index], &meant_b[index]);
+            let same_meaning = match (m, n) {
+                (Some(m), Some(n)) => (m.value - n.value).abs() <= 0.01 * m.rounding,
+                (None, None) => true,
+                _ => false,
+            };
+            let datum = &self.data[index];
+            let fine = 0.05 * self.deviation(index, a);
+            let apart = if datum.is_magnitude {
+                (p.abs() - q.abs()).abs()
+            } else {
+                datum.turned(p - q).abs()
+            };
+            same_meaning && apart <= fine
+        });
+        all.all(|same| same)
+    }
+}
+
+impl Datum {
+    /// The variance of its rounding: every error up to half a unit of the last digit is equally likely.
+    fn variance(&self) -> f64 {
+        self.rounding * self.rounding / 3.0
+    }
+
+    /// How far it is from what is predicted; where no sense is known, in the sense in which it comes nearest to what is `expected` of that.
+    fn off(&self, predicted: f64, expected: f64) -> f64 {
+        let off = self.turned(self.value - predicted);
+        if !self.is_magnitude {
+            return off;
+        }
+        let reversed = -self.value - predicted;
+        if (reversed - expected).abs() < (off - expected).abs() {
+            reversed
+        } else {
+            off
+        }
+    }
+
+    /// A difference, of angles the shorter way round.
+    fn turned(&self, difference: f64) -> f64 {
+        if self.is_angle {
+            difference - 360.0 * libm::round(difference / 360.0)
+        } else {
+            difference
+        }
+    }
+}
+
+impl Covariances {
+    fn sum(&self, hand: &[f64; GROUPS], into: &mut [f64]) {
+        into.copy_from_slice(&self.roundings);
+        for (group, s) in self.groups.iter().zip(hand) {
+            for (sum, part) in into.iter_mut().zip(group) {
+                *sum += s * s * part;
+            }
+        }
+    }
+}
+
+fn add_outer(matrix: &mut [f64], column: &[f64]) {
+    let count = column.len();
+    for (i, a) in column.iter().enumerate().filter(|(_, a)| **a != 0.0) {
+        for (entry, b) in matrix[i * count..(i + 1) * count].iter_mut().zip(column) {
+            *entry += a * b;
+        }
+    }
+}
