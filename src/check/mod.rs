@@ -5,7 +5,7 @@
 //! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry` finds what each value stands
 //! for, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
 //! errors, `score` says how well values fit a prediction, `mistakes/` is the catalogue, `search` looks for what explains
-//! the values, `report` and `result` tell it. Nothing is read or printed here, and no plan is computed again.
+//! the values, `report` and `result` tell it; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
 
 mod entry;
 mod file;
@@ -17,6 +17,7 @@ mod result;
 mod score;
 mod search;
 mod sheet;
+mod student;
 mod table;
 mod template;
 mod unit;
@@ -29,5 +30,6 @@ pub use report::report;
 pub use result::{CheckResult, check_result, check_schema};
 pub use search::{Diagnosis, Explanation, Finding};
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};
+pub use student::Student;
 pub use template::{template_csv, template_json};
 pub use verdict::{Checked, Drawn, Judged, Verdict, check};

@@ -8,13 +8,23 @@ use crate::drafting::{
     Act, Band, Change, Deed, Disturbance, Drafting, LineId, NumberId, PlaceId, Reading, Reference,
     Sheet, SheetScales, Tolerance, Unread, Values, drafting_with,
 };
+use crate::geometry::unit;
+use crate::mechanism::{GROUND, Mechanism};
 use crate::motion::Motion;
 use crate::plan::{Asked, Construction};
 use crate::position::Pose;
+use nalgebra::DMatrix;
 use smallvec::SmallVec;
 
-/// Kinds of errors whose sizes a hand may have apart: joints plotted, the rest of the scheme, the velocity plan, the acceleration plan.
-pub(super) const GROUPS: usize = 4;
+/// Kinds of errors whose sizes a hand may have apart: joints plotted, the rest of the scheme, the velocity plan, the acceleration plan,
+/// and joints off together, so that every link keeps its shape, as a drawing program leaves them.
+pub(super) const GROUPS: usize = 5;
+
+/// Of these the errors of joints plotted, each for itself.
+pub(super) const PLOTTED: usize = 0;
+
+/// Of these the errors of joints off together.
+pub(super) const TOGETHER: usize = 4;
 
 /// Why a value is not read from the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,6 +60,8 @@ pub(super) struct Model {
     pub place_names: Vec<Option<(Sheet, String)>>,
     /// By place: the act that makes it.
     pub place_makers: Vec<usize>,
+    /// Ways in which the joints may be off together, links keeping their shapes: along x and y of each plotted place, in the order of the acts.
+    pub together: Vec<Vec<f64>>,
 }
 
 /// What goes otherwise than it should at an act, in a mistake.
@@ -59,6 +71,16 @@ pub(super) enum Put {
     Act(Act),
     /// The number comes out so many times as large.
     Times(NumberId, f64),
+}
+
+impl Put {
+    /// It as a change of a replay.
+    pub fn change(&self) -> Change<'_> {
+        match self {
+            Put::Act(act) => Change::Instead(act),
+            Put::Times(number, factor) => Change::Times(*number, *factor),
+        }
+    }
 }
 
 /// Changes of the replay, in the order of the acts.
@@ -114,9 +136,11 @@ impl Model {
             number_names: Vec::new(),
             place_names: Vec::new(),
             place_makers: Vec::new(),
+            together: Vec::new(),
             drafting,
         };
         model.look_around(construction);
+        model.together = model.ways_together(mechanism);
         Ok(model)
     }
 
@@ -196,6 +220,57 @@ impl Model {
                 self.steps[maker] = self.steps[index];
             }
         }
+    }
+
+    /// The null space of what keeps the links' shapes: distances between points of one link, places of the ground.
+    fn ways_together(&self, mechanism: &Mechanism) -> Vec<Vec<f64>> {
+        let plots = self.drafting.acts.iter().filter_map(|act| match act.deed {
+            Deed::Plot { place, .. } => Some((act.makes.as_str(), self.exact.place(place))),
+            _ => None,
+        });
+        let plots: Vec<_> = plots.collect();
+        let point = |name: &str| mechanism.point(name);
+        let count = 2 * plots.len();
+        // The sum of squares of what changes shapes: its kernel is what does not.
+        let mut squares = DMatrix::<f64>::zeros(count, count);
+        let mut hold = |row: &[(usize, f64)]| {
+            for &(i, a) in row {
+                for &(j, b) in row {
+                    squares[(i, j)] += a * b;
+                }
+            }
+        };
+        for (i, (name, at)) in plots.iter().enumerate() {
+            let Some(own) = point(name) else {
+                continue;
+            };
+            if mechanism.body(GROUND).points.contains(&own) {
+                hold(&[(2 * i, 1.0)]);
+                hold(&[(2 * i + 1, 1.0)]);
+            }
+            for (j, (other, there)) in plots.iter().enumerate().take(i) {
+                let Some(other) = point(other) else {
+                    continue;
+                };
+                let mut bodies = mechanism.bodies.iter();
+                let is_rigid = bodies.any(|b| b.points.contains(&own) && b.points.contains(&other));
+                if let Some(u) = unit(at - there).filter(|_| is_rigid) {
+                    hold(&[
+                        (2 * i, u.x),
+                        (2 * i + 1, u.y),
+                        (2 * j, -u.x),
+                        (2 * j + 1, -u.y),
+                    ]);
+                }
+            }
+        }
+        let eigen = squares.symmetric_eigen();
+        let largest = eigen.eigenvalues.amax();
+        let kernel = eigen.eigenvalues.iter().enumerate();
+        let kernel = kernel.filter(|(_, value)| value.abs() <= 1e-10 * largest);
+        kernel
+            .map(|(k, _)| eigen.eigenvectors.column(k).iter().copied().collect())
+            .collect()
     }
 
     /// All numbers that the entries read, after a replay with changes; NaN where an entry reads nothing.

@@ -117,7 +117,7 @@ impl Page<'_> {
                 return lines;
             }
             0 => lines.push(self.own.none.to_owned()),
-            1 if diagnosis.unexplained.is_empty() => lines.push(self.own.probably.to_owned()),
+            1 => lines.push(self.own.probably.to_owned()),
             _ => lines.push(self.own.no_single.to_owned()),
         }
         for (finding, number) in diagnosis.best.findings.iter().zip(1..) {

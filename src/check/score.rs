@@ -8,12 +8,15 @@
 
 use super::entry::Entry;
 use super::mistakes::Candidate;
-use super::model::{Changes, GROUPS, Model, Put};
+use super::model::{Changes, GROUPS, Model, PLOTTED, TOGETHER};
 use crate::drafting::{Change, Disturbance, Tolerance, Values};
 use crate::plan::Kind;
 
 /// How good a hand may be, in parts of the tolerance: from the pencil to a drawing program.
 const HANDS: [f64; 7] = [1.0, 0.5, 0.2, 0.05, 0.01, 2e-3, 4e-4];
+
+/// The errors of the velocity plan.
+const VELOCITY: usize = 2;
 
 /// Cost of a value that nothing explains, beyond the range in which it could lie: one of some hundred.
 const UNEXPLAINED: f64 = 11.0;
@@ -102,7 +105,8 @@ impl<'a> Scorer<'a> {
         };
         let nominal = scorer.covariances(&[]);
         let count = scorer.data.len();
-        let diagonal = (0..count).map(|i| nominal.groups.iter().map(|g| g[i * count + i]).sum());
+        let own = &nominal.groups[..TOGETHER];
+        let diagonal = (0..count).map(|i| own.iter().map(|g| g[i * count + i]).sum());
         scorer.quick = diagonal.collect();
         scorer
     }
@@ -117,10 +121,7 @@ impl<'a> Scorer<'a> {
         let mut changes = Changes::new();
         for (index, candidate) in set.iter().enumerate() {
             for (act, put) in &candidate.puts {
-                let change = match put {
-                    Put::Act(act) => Change::Instead(act),
-                    Put::Times(number, factor) => Change::Times(*number, *factor),
-                };
+                let change = put.change();
                 changes.push(Disturbance { act: *act, change });
             }
             if without == Some(index) {
@@ -242,10 +243,9 @@ impl<'a> Scorer<'a> {
             |hand: [f64; GROUPS], best: &mut Option<(f64, Vec<bool>, [f64; GROUPS])>| {
                 covariances.sum(&hand, &mut matrix);
                 let (mut cost, outside) = self.walk(&meant, &predicted, &matrix);
-                cost -= hand
-                    .iter()
-                    .map(|s| BETTER_HAND * libm::log10(*s))
-                    .sum::<f64>();
+                // A kind of errors that there is not is no better hand.
+                let better = hand.iter().filter(|s| **s > 0.0);
+                cost -= better.map(|s| BETTER_HAND * libm::log10(*s)).sum::<f64>();
                 if best.as_ref().is_none_or(|b| cost < b.0) {
                     *best = Some((cost, outside, hand));
                     true
@@ -253,30 +253,29 @@ impl<'a> Scorer<'a> {
                     false
                 }
             };
+        // All alike first; then, for drawings more exact than hands draw, each kind for itself.
         let mut level = 0;
-        for (index, &hand) in HANDS.iter().enumerate() {
-            if consider([hand; GROUPS], &mut best) {
+        for (index, &size) in HANDS.iter().enumerate() {
+            let mut hand = [size; GROUPS];
+            hand[TOGETHER] = 0.0;
+            if consider(hand, &mut best) {
                 level = index;
             } else if index > level + 1 {
                 break;
             }
         }
-        // A drawing program errs in nothing but what it is told.
-        if level > 0 {
-            let mut levels = [level; GROUPS];
+        if level > 1 {
+            let finest = HANDS[HANDS.len() - 1];
+            let mut program = [finest; GROUPS];
+            program[TOGETHER] = HANDS[level];
+            program[VELOCITY] = HANDS[level];
+            consider(program, &mut best);
             for _ in 0..2 {
                 for group in 0..GROUPS {
-                    for step in [-1_i32, 1, -2, 2] {
-                        let other = levels[group] as i32 + step;
-                        let Some(&size) = usize::try_from(other).ok().and_then(|o| HANDS.get(o))
-                        else {
-                            continue;
-                        };
-                        let mut hand = levels.map(|l| HANDS[l]);
+                    let mut hand = best.as_ref().map_or(program, |b| b.2);
+                    for &size in &HANDS {
                         hand[group] = size;
-                        if consider(hand, &mut best) {
-                            levels[group] = other as usize;
-                        }
+                        consider(hand, &mut best);
                     }
                 }
             }
@@ -350,6 +349,7 @@ impl<'a> Scorer<'a> {
         let mut scratch = model.exact.clone();
         let mut pair = [vec![0.0; count], vec![0.0; count]];
         let deviation = 1.0 / 3.0_f64.sqrt();
+        let mut plotted: Vec<Vec<f64>> = Vec::new();
         for (act, which, limit, group) in model.errors(&self.tolerance) {
             for (column, size) in pair.iter_mut().zip([limit, -limit]) {
                 for ((changes, data), base) in variants.iter().zip(&bases) {
@@ -365,6 +365,18 @@ impl<'a> Scorer<'a> {
                 .map(|((up, down), datum)| 0.5 * deviation * datum.turned(up - down))
                 .collect();
             add_outer(&mut covariances.groups[group], &column);
+            if group == PLOTTED {
+                plotted.push(column);
+            }
+        }
+        for way in &model.together {
+            let mut column = vec![0.0; count];
+            for (part, own) in way.iter().zip(&plotted) {
+                for (sum, own) in column.iter_mut().zip(own) {
+                    *sum += part * own;
+                }
+            }
+            add_outer(&mut covariances.groups[TOGETHER], &column);
         }
         for datum in &self.data {
             let Ok(reading) = model.readings[datum.entry] else {

@@ -52,6 +52,9 @@ const EXTENDED: usize = 12;
 /// By how much a further mistake must explain the values better, in −2 ln of likelihoods: ten times likelier.
 const MARGIN: f64 = 4.6;
 
+/// A drawing this much better than the tolerance is none by hand.
+const BY_HAND: f64 = 0.04;
+
 /// Explanations less sure than this are not told.
 const LEAST: f64 = 0.02;
 
@@ -95,7 +98,11 @@ pub(super) fn diagnose(
 }
 
 /// The same construction in the other positions in which the links fit together.
-fn other_modes(drawn: &Drawn<'_>, mu: [Option<f64>; 3], entries: &[Entry]) -> Vec<Model> {
+pub(super) fn other_modes(
+    drawn: &Drawn<'_>,
+    mu: [Option<f64>; 3],
+    entries: &[Entry],
+) -> Vec<Model> {
     // Groups without a construction take long to assemble and are not drawn.
     if drawn.construction.agreement.iter().any(Option::is_none) {
         return Vec::new();
@@ -333,7 +340,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Whether nothing remains to be explained.
+/// Whether nothing remains to be explained: in a drawing more exact than hands draw there may be slips that its tolerance hides.
 fn is_explained(tried: &Tried) -> bool {
-    !tried.fit.outside.iter().any(|&out| out)
+    let is_by_hand = tried.fit.hand.iter().all(|&s| s == 0.0 || s >= BY_HAND);
+    is_by_hand && !tried.fit.outside.iter().any(|&out| out)
 }

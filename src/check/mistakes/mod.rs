@@ -199,6 +199,11 @@ impl Site<'_> {
             .collect()
     }
 
+    /// The candidates of one mistake.
+    pub fn of(&self, mistake: Mistake) -> Vec<Candidate> {
+        (mistake.listed().find)(self)
+    }
+
     fn acts(&self) -> impl Iterator<Item = (usize, &Act)> {
         self.model.drafting.acts.iter().enumerate()
     }
