@@ -13,7 +13,7 @@ use crate::drafting::{Change, Disturbance, Tolerance, Values};
 use crate::plan::Kind;
 
 /// How good a hand may be, in parts of the tolerance: from the pencil to a drawing program.
-const HANDS: [f64; 7] = [1.0, 0.5, 0.2, 0.05, 0.01, 2e-3, 4e-4];
+const HANDS: [f64; 9] = [1.0, 0.5, 0.2, 0.05, 0.01, 2e-3, 4e-4, 8e-5, 1e-5];
 
 /// The errors of the velocity plan.
 const VELOCITY: usize = 2;
@@ -44,8 +44,10 @@ pub(super) struct Scorer<'a> {
     pub models: &'a [Model],
     pub data: Vec<Datum>,
     tolerance: Tolerance,
-    /// Standard deviations of the values of a right drawing, for a first look.
+    /// Variances of the values of a right drawing at the tolerance, for a first look.
     quick: Vec<f64>,
+    /// The values of a right drawing.
+    right: Vec<f64>,
 }
 
 /// How well values fit.
@@ -102,12 +104,14 @@ impl<'a> Scorer<'a> {
             data: data.collect(),
             tolerance,
             quick: Vec::new(),
+            right: Vec::new(),
         };
         let nominal = scorer.covariances(&[]);
         let count = scorer.data.len();
         let own = &nominal.groups[..TOGETHER];
         let diagonal = (0..count).map(|i| own.iter().map(|g| g[i * count + i]).sum());
         scorer.quick = diagonal.collect();
+        scorer.right = scorer.predicted(&[]);
         scorer
     }
 
@@ -215,7 +219,14 @@ impl<'a> Scorer<'a> {
                 cost += match datum {
                     Some(datum) => {
                         let rounding = datum.variance();
-                        let variance = hand * hand * self.quick[index] + rounding;
+                        // Errors grow about as the value does.
+                        let grown = (predicted[index] / self.right[index]).abs();
+                        let grown = if grown.is_finite() {
+                            grown.clamp(1.0, 10.0)
+                        } else {
+                            1.0
+                        };
+                        let variance = hand * hand * grown * grown * self.quick[index] + rounding;
                         let off = datum.off(predicted[index], 0.0);
                         let own = off * off / variance + libm::log(variance / rounding);
                         own.min(outside)
@@ -286,6 +297,36 @@ impl<'a> Scorer<'a> {
             outside,
             hand,
         })
+    }
+
+    /// The costs of slips of writing beside a set that has been compared already, for drawings so exact that a first look sees nothing: the covariances
+    /// stay, the hand may turn out better at one kind of acts.
+    pub fn slips(&self, set: &[&Candidate], fit: &Fit, slips: &[&Candidate]) -> Vec<f64> {
+        let covariances = self.covariances(set);
+        let count = self.data.len();
+        let mut hands = vec![fit.hand];
+        for group in 0..GROUPS {
+            for better in [5.0, 25.0, 125.0] {
+                let mut hand = fit.hand;
+                hand[group] /= better;
+                hands.push(hand);
+            }
+        }
+        let matrices = hands.iter().map(|hand| {
+            let mut matrix = vec![0.0; count * count];
+            covariances.sum(hand, &mut matrix);
+            matrix
+        });
+        let matrices: Vec<Vec<f64>> = matrices.collect();
+        let costs = slips.iter().map(|slip| {
+            let all: Vec<&Candidate> = set.iter().copied().chain([*slip]).collect();
+            let meant = self.meant(&all);
+            let costs = matrices
+                .iter()
+                .map(|m| self.walk(&meant, &fit.predicted, m).0);
+            costs.fold(f64::INFINITY, f64::min)
+        });
+        costs.collect()
     }
 
     /// The values in their order, each held against what the earlier ones let expect.

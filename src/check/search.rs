@@ -52,6 +52,9 @@ const EXTENDED: usize = 12;
 /// By how much a further mistake must explain the values better, in −2 ln of likelihoods: ten times likelier.
 const MARGIN: f64 = 4.6;
 
+/// How many slips of writing are compared as a whole where a first look does not see them.
+const SLIPS: usize = 12;
+
 /// A drawing this much better than the tolerance is none by hand.
 const BY_HAND: f64 = 0.04;
 
@@ -161,7 +164,7 @@ impl<'a> Search<'a> {
         let mut beam: Vec<Vec<usize>> = vec![Vec::new()];
         for _ in 0..depth {
             let best_before = tried.first().map_or(f64::INFINITY, |t| t.cost);
-            let mut level = self.level(&beam);
+            let mut level = self.level(&beam, tried.first());
             if level.is_empty() {
                 break;
             }
@@ -176,8 +179,34 @@ impl<'a> Search<'a> {
         tried
     }
 
+    /// Slips of writing that an exact drawing shows beside the best explanation, the likeliest few.
+    fn slips(&self, best: &Tried) -> Vec<Vec<usize>> {
+        if is_by_hand(best) {
+            return Vec::new();
+        }
+        let is_slip = |c: &Candidate| c.puts.is_empty() && c.goes_on.is_empty() && c.mode == 0;
+        let all = (0..self.candidates.len()).filter(|&i| is_slip(&self.candidates[i]));
+        let all: Vec<usize> = all.filter(|&i| self.go_together(&best.set, i)).collect();
+        let costs = self
+            .scorer
+            .slips(&self.set(&best.set), &best.fit, &self.set(&all));
+        let costs = costs
+            .into_iter()
+            .zip(&all)
+            .map(|(cost, &i)| (cost + self.costs[i], i));
+        let mut costs: Vec<(f64, usize)> = costs.collect();
+        costs.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let likeliest = costs.into_iter().take(SLIPS).map(|(_, index)| {
+            let mut set = best.set.clone();
+            set.push(index);
+            set.sort_unstable();
+            set
+        });
+        likeliest.collect()
+    }
+
     /// Explanations of one mistake more than those of the beam; the best first.
-    fn level(&self, beam: &[Vec<usize>]) -> Vec<Tried> {
+    fn level(&self, beam: &[Vec<usize>], best: Option<&Tried>) -> Vec<Tried> {
         let mut looked: Vec<(f64, Vec<usize>)> = Vec::new();
         for before in beam {
             for index in 0..self.candidates.len() {
@@ -196,10 +225,10 @@ impl<'a> Search<'a> {
         looked.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
         looked.dedup_by(|a, b| a.1 == b.1);
         looked.truncate(COMPARED);
-        let mut level: Vec<Tried> = looked
-            .into_iter()
-            .filter_map(|(_, set)| self.tried(set))
-            .collect();
+        let mut sets: Vec<Vec<usize>> = best.map(|best| self.slips(best)).unwrap_or_default();
+        sets.retain(|set| looked.iter().all(|l| l.1 != *set));
+        sets.extend(looked.into_iter().map(|(_, set)| set));
+        let mut level: Vec<Tried> = sets.into_iter().filter_map(|set| self.tried(set)).collect();
         level.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         level
     }
@@ -250,7 +279,11 @@ impl<'a> Search<'a> {
         };
         // Without mistakes where they hardly explain more.
         let plain = tried.iter().position(|t| t.set.is_empty());
-        let plain = plain.filter(|&p| tried[p].cost <= best.cost + MARGIN);
+        let plain = plain.filter(|&p| {
+            let mut data = tried[p].fit.outside.iter().zip(&self.scorer.data);
+            let leaves = data.any(|(out, d)| *out && values[d.entry].verdict == Verdict::Off);
+            !leaves && tried[p].cost <= best.cost + MARGIN
+        });
         let chosen = plain.unwrap_or(0);
         let best = &tried[chosen];
         let weight = |t: &Tried| libm::exp(-0.5 * (t.cost - best.cost).max(-60.0));
@@ -275,18 +308,14 @@ impl<'a> Search<'a> {
                 others.push(self.explanation(other, probability, is_alike));
             }
         }
-        let outside = best.fit.outside.iter().zip(&self.scorer.data);
-        let mut unexplained: Vec<usize> = outside
-            .filter(|(out, _)| **out)
-            .map(|(_, d)| d.entry)
-            .collect();
-        for (index, value) in values.iter().enumerate() {
-            let modelled = self.scorer.data.iter().any(|d| d.entry == index);
-            if !modelled && value.verdict == Verdict::Off {
-                unexplained.push(index);
-            }
-        }
-        unexplained.sort_unstable();
+        // What a hand may be off by needs no explanation.
+        let is_outside = |entry: usize| {
+            let mut data = best.fit.outside.iter().zip(&self.scorer.data);
+            data.find(|(_, datum)| datum.entry == entry)
+                .is_none_or(|(outside, _)| *outside)
+        };
+        let off = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off);
+        let unexplained: Vec<usize> = off.filter(|&entry| is_outside(entry)).collect();
         Diagnosis {
             best: self.explanation(best, weight(best) / total, false),
             others,
@@ -340,8 +369,12 @@ impl<'a> Search<'a> {
     }
 }
 
+/// Whether the hand is as good as hands are, and no better.
+fn is_by_hand(tried: &Tried) -> bool {
+    tried.fit.hand.iter().all(|&s| s == 0.0 || s >= BY_HAND)
+}
+
 /// Whether nothing remains to be explained: in a drawing more exact than hands draw there may be slips that its tolerance hides.
 fn is_explained(tried: &Tried) -> bool {
-    let is_by_hand = tried.fit.hand.iter().all(|&s| s == 0.0 || s >= BY_HAND);
-    is_by_hand && !tried.fit.outside.iter().any(|&out| out)
+    is_by_hand(tried) && !tried.fit.outside.iter().any(|&out| out)
 }

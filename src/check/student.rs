@@ -81,7 +81,8 @@ impl<'a> Student<'a> {
         all
     }
 
-    /// The drawing with these mistakes made, values written to a tenth of a millimetre, rates to four digits.
+    /// The drawing with these mistakes made, lengths written to a tenth of a millimetre of paper, rates to four digits. Whoever takes a wrong scale
+    /// writes values in place of millimetres.
     ///
     /// `noise` gives numbers between −1 and 1: each act is off by so many times the limits `mm` and `degrees`. `goes_on` are values, by their
     /// places in the form, that the student takes for others from then on.
@@ -118,13 +119,15 @@ impl<'a> Student<'a> {
         }
         all.sort_by_key(|d| d.act);
         let read = model.read(&model.replay(&all));
+        // Whoever mistakes a scale has turned millimetres into values.
+        let in_units = mistakes.iter().any(|c| c.mistake == Mistake::WrongScale);
         let values = self.entries.iter().zip(read).zip(&model.readings);
         let values = values.filter_map(|((entry, value), reading)| {
             let reading = reading.ok()?;
             let senseless = reading.is_magnitude || reading.is_distance;
             let value = if senseless { value.abs() } else { value };
             let (text, on_paper) = match (entry.per_mm, entry.asked.kind()) {
-                (Some(mu), _) if senseless => (format!("{:.1}", value / mu), true),
+                (Some(mu), _) if senseless && !in_units => (format!("{:.1}", value / mu), true),
                 (_, Kind::Angle) => (format!("{value:.1}"), false),
                 _ => (four_digits(value), false),
             };

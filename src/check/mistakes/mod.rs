@@ -150,9 +150,9 @@ pub(super) const CATALOGUE: [Listed; 29] = listed! {
     WrongScale "wrong-scale" 4.0 rates::wrong_scale => wrong_scale,
     OtherMode "other-mode" 4.0 rays::other_mode => other_mode,
     Swapped "swapped" 3.0 copying::swapped => swapped,
-    DigitsTransposed "digits-transposed" 4.0 copying::transposed => digits_transposed,
-    DecimalSlipped "decimal-slipped" 5.0 copying::decimal => decimal_slipped,
-    Truncated "truncated" 1.0 copying::truncated => truncated,
+    DigitsTransposed "digits-transposed" 6.0 copying::transposed => digits_transposed,
+    DecimalSlipped "decimal-slipped" 8.0 copying::decimal => decimal_slipped,
+    Truncated "truncated" 0.1 copying::truncated => truncated,
     WrongUnit "wrong-unit" 5.0 copying::unit => wrong_unit,
     Unknown "unknown" 3.0 copying::unknown => unknown,
 };

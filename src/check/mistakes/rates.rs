@@ -3,7 +3,7 @@
 use super::{Candidate, Mistake, Site, Stand};
 use crate::check::model::{Put, numbers_made};
 use crate::drafting::{Deed, NumberId, Sheet};
-use crate::plan::{Kind, What};
+use crate::plan::Kind;
 
 /// Rates that are solved for or given, with the act that gives them.
 fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, &'a str)> {
@@ -99,13 +99,10 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
                 _ => None,
             })
             .collect();
-        let in_units = |name: &str| {
-            let mut own = site.entries.iter().filter(|e| e.asked.name() == name);
-            own.all(|e| {
-                !e.on_paper
-                    && !matches!(e.asked.what(), What::Angle(_))
-                    && e.asked.kind() != Kind::Angle
-            })
+        let entry_of = |name: &str| site.entries.iter().position(|e| e.asked.name() == name);
+        let is_angle = |name: &str| {
+            let own = entry_of(name).map(|e| &site.entries[e]);
+            own.is_some_and(|e| e.asked.kind() == Kind::Angle)
         };
         for (name, scale) in scales.into_iter().chain([("", 1.0)]) {
             let ratio = scale / right;
@@ -113,20 +110,42 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
                 continue;
             }
             let mut all = None;
-            for &(act, number, segment) in measured.iter().filter(|m| in_units(m.2)) {
+            for &(act, number, segment) in measured.iter().filter(|m| !is_angle(m.2)) {
                 let put = Put::Times(number, ratio);
-                let one =
-                    site.candidate(Mistake::WrongScale, act, put.clone(), &[segment, name, own]);
+                let blanks = [segment, name, own];
+                let mut one = site.candidate(Mistake::WrongScale, act, put.clone(), &blanks);
+                // Millimetres stand as they were measured; the scale tells in what follows from them.
+                let written = entry_of(segment).filter(|&e| site.entries[e].on_paper);
+                if let Some(index) = written {
+                    let entry = &site.entries[index];
+                    one.puts.clear();
+                    one.stands.push(Stand {
+                        entry: index,
+                        value: Some(entry.value),
+                        rounding: entry.rounding,
+                    });
+                    let exact = site.model.exact.number(number);
+                    let value = libm::copysign(entry.value, exact) * ratio;
+                    if site.model.used[number.0] {
+                        one.goes_on.push((act, number, value));
+                    }
+                }
                 let together = all.get_or_insert_with(|| {
                     let mut first = one.clone();
                     first.puts.clear();
+                    first.stands.clear();
+                    first.goes_on.clear();
                     first.blanks[0] = String::new();
                     first
                 });
-                together.puts.push((act, put));
-                found.push(one);
+                together.puts.extend(one.puts.iter().cloned());
+                together.stands.extend(one.stands.iter().copied());
+                together.goes_on.extend(one.goes_on.iter().copied());
+                if !(one.puts.is_empty() && one.goes_on.is_empty()) {
+                    found.push(one);
+                }
             }
-            found.extend(all.filter(|all| all.puts.len() > 1));
+            found.extend(all.filter(|all| all.puts.len() + all.goes_on.len() > 1));
         }
     }
     found
