@@ -60,6 +60,8 @@ pub(super) struct Model {
     pub place_names: Vec<Option<(Sheet, String)>>,
     /// By place: the act that makes it.
     pub place_makers: Vec<usize>,
+    /// Numbers that are computed for vectors, with their sheets.
+    pub sizes: Vec<(NumberId, Sheet)>,
     /// Ways in which the joints may be off together, links keeping their shapes: along x and y of each plotted place, in the order of the acts.
     pub together: Vec<Vec<f64>>,
 }
@@ -136,6 +138,7 @@ impl Model {
             number_names: Vec::new(),
             place_names: Vec::new(),
             place_makers: Vec::new(),
+            sizes: Vec::new(),
             together: Vec::new(),
             drafting,
         };
@@ -218,6 +221,7 @@ impl Model {
                 && matches!(acts[maker].deed, Deed::Compute { .. })
             {
                 self.steps[maker] = self.steps[index];
+                self.sizes.push((size, acts[maker].sheet));
             }
         }
     }

@@ -9,7 +9,7 @@
 use super::entry::Entry;
 use super::mistakes::Candidate;
 use super::model::{Changes, GROUPS, Model, PLOTTED, TOGETHER};
-use crate::drafting::{Change, Disturbance, Tolerance, Values};
+use crate::drafting::{Change, Disturbance, Sheet, Tolerance, Values};
 use crate::plan::Kind;
 
 /// How good a hand may be, in parts of the tolerance: from the pencil to a drawing program.
@@ -34,6 +34,8 @@ pub(super) struct Datum {
     /// Whether its sense is unknown.
     is_magnitude: bool,
     is_angle: bool,
+    /// The plan in whose unit it is; none of rates of rotation and angles.
+    sheet: Option<Sheet>,
     /// ln of the square of the range in which a value of this kind could lie.
     range: f64,
 }
@@ -96,6 +98,11 @@ impl<'a> Scorer<'a> {
                 rounding,
                 is_magnitude: entry.is_magnitude || reading.is_magnitude || reading.is_distance,
                 is_angle: reading.is_angle,
+                sheet: match kind {
+                    Kind::Velocity => Some(Sheet::Velocity),
+                    Kind::Acceleration => Some(Sheet::Acceleration),
+                    _ => None,
+                },
                 range: 2.0 * libm::log(span),
             })
         });
@@ -419,15 +426,21 @@ impl<'a> Scorer<'a> {
             }
             add_outer(&mut covariances.groups[TOGETHER], &column);
         }
-        for datum in &self.data {
-            let Ok(reading) = model.readings[datum.entry] else {
-                continue;
-            };
-            let number = reading.number;
+        // People go on with numbers as they write them: those that are read here, and sizes of vectors that are laid off, to the same decimals.
+        let read = self.data.iter().filter_map(|datum| {
+            let reading = model.readings[datum.entry].ok()?;
+            Some((reading.number, datum.rounding))
+        });
+        let sizes = model.sizes.iter().map(|&(number, sheet)| {
+            let same = self.data.iter().filter(|d| d.sheet == Some(sheet));
+            let finest = same.map(|d| d.rounding).fold(f64::INFINITY, f64::min);
+            (number, if finest.is_finite() { finest } else { 0.0 })
+        });
+        for (number, rounding) in read.chain(sizes) {
             let Some(act) = model.makers[number.0].filter(|_| model.used[number.0]) else {
                 continue;
             };
-            let size = datum.rounding * deviation;
+            let size = rounding * deviation;
             let column = &mut pair[0];
             for ((changes, data), base) in variants.iter().zip(&bases) {
                 let change = Change::Written(number, base.number(number) + size);

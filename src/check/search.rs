@@ -132,7 +132,14 @@ pub(super) fn other_modes(
 
 /// The cost of each candidate: how rare the mistake is, and in how many places it could be made.
 fn costs(candidates: &[Candidate]) -> Vec<f64> {
-    let count = |mistake: Mistake| candidates.iter().filter(|c| c.mistake == mistake).count();
+    // Gone on with or not, a slip of writing is made at one place.
+    let count = |mistake: Mistake| {
+        let own = candidates.iter().filter(|c| c.mistake == mistake);
+        let mut blanks: Vec<&[String]> = own.map(|c| c.blanks.as_slice()).collect();
+        blanks.sort_unstable();
+        blanks.dedup();
+        blanks.len()
+    };
     let counts: Vec<(Mistake, usize)> = Mistake::all().map(|m| (m, count(m))).collect();
     let costs = candidates.iter().map(|candidate| {
         let listed = candidate.mistake.listed();
