@@ -6,6 +6,8 @@
 //! factorisation row by row). One that no error explains stands outside and says nothing about those that follow. Costs
 //! are −2 ln of likelihoods, each value's counted from the density of its rounding.
 
+use super::covariance::{Covariances, add_outer};
+use super::datum::Datum;
 use super::entry::Entry;
 use super::mistakes::Candidate;
 use super::model::{Changes, GROUPS, Model, PLOTTED, TOGETHER};
@@ -23,22 +25,6 @@ const UNEXPLAINED: f64 = 11.0;
 
 /// Cost of a hand ten times better than the tolerance says, at one kind of acts.
 const BETTER_HAND: f64 = 1.2;
-
-/// A value as it enters the comparison.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Datum {
-    /// The entry.
-    pub entry: usize,
-    value: f64,
-    rounding: f64,
-    /// Whether its sense is unknown.
-    is_magnitude: bool,
-    is_angle: bool,
-    /// The plan in whose unit it is; none of rates of rotation and angles.
-    sheet: Option<Sheet>,
-    /// ln of the square of the range in which a value of this kind could lie.
-    range: f64,
-}
 
 /// What is held against each other.
 pub(super) struct Scorer<'a> {
@@ -63,12 +49,6 @@ pub(super) struct Fit {
     pub outside: Vec<bool>,
     /// How good the hand is at each kind of acts.
     pub hand: [f64; GROUPS],
-}
-
-/// Symmetric matrices, one for each kind of errors, and that of roundings gone on with.
-struct Covariances {
-    groups: [Vec<f64>; GROUPS],
-    roundings: Vec<f64>,
 }
 
 impl<'a> Scorer<'a> {
@@ -480,55 +460,5 @@ impl<'a> Scorer<'a> {
             same_meaning && apart <= fine
         });
         all.all(|same| same)
-    }
-}
-
-impl Datum {
-    /// The variance of its rounding: every error up to half a unit of the last digit is equally likely.
-    fn variance(&self) -> f64 {
-        self.rounding * self.rounding / 3.0
-    }
-
-    /// How far it is from what is predicted; where no sense is known, in the sense in which it comes nearest to what is `expected` of that.
-    fn off(&self, predicted: f64, expected: f64) -> f64 {
-        let off = self.turned(self.value - predicted);
-        if !self.is_magnitude {
-            return off;
-        }
-        let reversed = -self.value - predicted;
-        if (reversed - expected).abs() < (off - expected).abs() {
-            reversed
-        } else {
-            off
-        }
-    }
-
-    /// A difference, of angles the shorter way round.
-    fn turned(&self, difference: f64) -> f64 {
-        if self.is_angle {
-            difference - 360.0 * libm::round(difference / 360.0)
-        } else {
-            difference
-        }
-    }
-}
-
-impl Covariances {
-    fn sum(&self, hand: &[f64; GROUPS], into: &mut [f64]) {
-        into.copy_from_slice(&self.roundings);
-        for (group, s) in self.groups.iter().zip(hand) {
-            for (sum, part) in into.iter_mut().zip(group) {
-                *sum += s * s * part;
-            }
-        }
-    }
-}
-
-fn add_outer(matrix: &mut [f64], column: &[f64]) {
-    let count = column.len();
-    for (i, a) in column.iter().enumerate().filter(|(_, a)| **a != 0.0) {
-        for (entry, b) in matrix[i * count..(i + 1) * count].iter_mut().zip(column) {
-            *entry += a * b;
-        }
     }
 }
