@@ -150,6 +150,7 @@ enum Kind {
     Scene,
     Result,
     Style,
+    Check,
 }
 
 impl Schema {
@@ -158,6 +159,7 @@ impl Schema {
             Kind::Scene => Scene::schema(),
             Kind::Result => format::result_schema(),
             Kind::Style => Style::schema(),
+            Kind::Check => crate::check::check_schema(),
         };
         files::print(format::json(&schema).as_bytes())
     }
