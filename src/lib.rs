@@ -24,6 +24,7 @@
 //! keep the scene's own units all the way.
 
 pub mod accuracy;
+pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod cycle;

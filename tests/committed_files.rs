@@ -78,16 +78,13 @@ fn schemas_are_current() {
 fn examples_name_the_schema_and_fit_it() {
     // The schema's own rules are those of the reader; here only that every example reads and points to it.
     let mut seen = 0;
-    for name in files::list("examples") {
-        if name.ends_with(".json") {
-            let text = files::read(&format!("examples/{name}"));
-            assert!(
-                text.contains("\"$schema\": \"../templates/scene.schema.json\""),
-                "{name}"
-            );
-            Scene::read(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
-            seen += 1;
-        }
+    for (name, text) in files::scenes("examples") {
+        assert!(
+            text.contains("\"$schema\": \"../templates/scene.schema.json\""),
+            "{name}"
+        );
+        Scene::read(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
+        seen += 1;
     }
     assert!(seen >= 3);
 }

@@ -16,6 +16,8 @@ pub(super) enum Failure {
     Outside(String),
     /// The work is done as far as it could be: what stands in the way of the rest.
     Partly(String),
+    /// A check that is not passed; everything is said.
+    NotPassed,
     /// The person has stopped it.
     Interrupted,
 }
@@ -37,7 +39,7 @@ impl Failure {
                 },
             },
             Failure::Misuse(..) => 2,
-            Failure::Outside(_) | Failure::Partly(_) => 1,
+            Failure::Outside(_) | Failure::Partly(_) | Failure::NotPassed => 1,
             // As shells report a program that Ctrl-C has ended.
             Failure::Interrupted => 130,
         }
@@ -47,6 +49,7 @@ impl Failure {
 /// Shows a failure on stderr; colours only on a terminal that wants them.
 pub(super) fn show(failure: &Failure) {
     let report = match failure {
+        Failure::NotPassed => return,
         Failure::Scene(source, error) => shown(&source.name, &source.text, error),
         Failure::Misuse(message, hint) => plain(message, hint.as_deref()),
         Failure::Outside(message) | Failure::Partly(message) => plain(message, None),

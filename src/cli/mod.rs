@@ -2,6 +2,7 @@
 //! Only here files are read and written. All of a command's work is done before the first byte is written.
 //! Exit codes: 0 done; 1 not assembled, singular, or not written; 2 a scene or a command that cannot be understood.
 
+mod check;
 mod curves;
 mod draw;
 mod figures;
@@ -41,6 +42,8 @@ enum Task {
     Solve(solve::Solve),
     /// Print the construction of the plans step by step, with lengths on paper.
     Steps(steps::Steps),
+    /// Check values read from a hand drawing: verdicts, and what probably went wrong.
+    Check(check::Check),
     /// Print the Assur groups of a scene in solving order, with class, joints and degrees of freedom.
     Structure(structure::Structure),
     /// Print every way to assemble a scene, numbered, with coordinates.
@@ -62,6 +65,7 @@ pub fn run() -> ExitCode {
         Task::Draw(draw) => draw.run(),
         Task::Solve(solve) => solve.run(),
         Task::Steps(steps) => steps.run(),
+        Task::Check(check) => check.run(),
         Task::Structure(structure) => structure.run(),
         Task::Modes(modes) => modes.run(),
         Task::Sweep(sweep) => sweep.run(),

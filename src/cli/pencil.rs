@@ -31,6 +31,15 @@ impl Hand {
         self.mm.is_some() || self.degrees.is_some()
     }
 
+    /// How good it is, where nothing is said as a sharp pencil.
+    pub(super) fn tolerance(&self) -> Tolerance {
+        let usual = Tolerance::default();
+        Tolerance {
+            mm: self.mm.unwrap_or(usual.mm),
+            degrees: self.degrees.unwrap_or(usual.degrees),
+        }
+    }
+
     /// The bands of what is asked for, drawn at the scales of the scene's figure.
     pub(super) fn pencil(&self, work: &Work, asked: Vec<Asked>) -> Pencil {
         let Work {
@@ -40,11 +49,6 @@ impl Hand {
             motion,
             construction,
         } = work;
-        let usual = Tolerance::default();
-        let tolerance = Tolerance {
-            mm: self.mm.unwrap_or(usual.mm),
-            degrees: self.degrees.unwrap_or(usual.degrees),
-        };
         let scales = scales(scene, mechanism, pose, construction);
         drafting::pencil(
             mechanism,
@@ -52,7 +56,7 @@ impl Hand {
             motion,
             construction,
             &scales,
-            tolerance,
+            self.tolerance(),
             asked,
         )
     }

@@ -149,6 +149,7 @@ enum Kind {
     Scene,
     Result,
     Style,
+    Check,
 }
 
 impl Schema {
@@ -157,6 +158,7 @@ impl Schema {
             Kind::Scene => Scene::schema(),
             Kind::Result => format::result_schema(),
             Kind::Style => Style::schema(),
+            Kind::Check => crate::check::check_schema(),
         };
         files::print(format::json(&schema).as_bytes())
     }

@@ -4,6 +4,7 @@ use super::act::{
 use super::writer::Drafting;
 use crate::geometry::{Vector, cross, degrees_of, quarter_turn, turn_of_degrees, unit};
 use nalgebra::{Matrix4, Vector4};
+use smallvec::SmallVec;
 
 /// The scales of the sheets, in units of the scene per millimetre of paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +29,10 @@ pub enum Change<'a> {
     Error(usize, f64),
     /// A mistake: this is done instead. It must make what the act makes and read nothing that is made later.
     Instead(&'a Act),
+    /// A number that the act makes comes out so many times as large.
+    Times(NumberId, f64),
+    /// The person goes on with this value for a number that the act makes.
+    Written(NumberId, f64),
 }
 
 /// Everything that stands on the sheets and beside them after a replay.
@@ -80,13 +85,22 @@ impl Drafting {
         let mut waiting = disturbances.iter().peekable();
         for (index, act) in self.acts.iter().enumerate().skip(first) {
             let (mut act, mut errors) = (act, [0.0; 2]);
+            let mut afterwards: SmallVec<[&Change<'_>; 2]> = SmallVec::new();
             while let Some(next) = waiting.next_if(|d| d.act == index) {
-                match next.change {
-                    Change::Error(which, size) => errors[which] += size,
+                match &next.change {
+                    Change::Error(which, size) => errors[*which] += size,
                     Change::Instead(other) => act = other,
+                    number => afterwards.push(number),
                 }
             }
             values.act(act, errors, scales);
+            for change in afterwards {
+                match change {
+                    Change::Times(number, factor) => values.numbers[number.0] *= factor,
+                    Change::Written(number, value) => values.numbers[number.0] = *value,
+                    Change::Error(..) | Change::Instead(_) => {}
+                }
+            }
         }
     }
 }

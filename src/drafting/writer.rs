@@ -37,6 +37,12 @@ impl Drafting {
     pub fn number(&self, name: &str) -> Option<NumberId> {
         self.numbers.get(name).copied()
     }
+
+    /// The named points of the sheets, in the order in which they got their names; a place may have several names.
+    pub fn named_places(&self) -> impl Iterator<Item = (Sheet, &str, PlaceId)> {
+        let places = self.places.iter();
+        places.map(|((sheet, name), &place)| (*sheet, name.as_str(), place))
+    }
 }
 
 /// The construction of `mechanism` as acts, for the groups that have one; of the others nothing is known by hand.

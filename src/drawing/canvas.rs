@@ -13,9 +13,6 @@ pub(super) const LABEL: f64 = 4.7;
 /// Size of captions; no words of a figure are smaller.
 pub(super) const CAPTION: f64 = 4.7;
 
-/// How far outside a panel's frame counts as on it, in mm.
-const ON_FRAME: f64 = 0.05;
-
 /// A panel being drawn: what is drawn is remembered as an obstacle, labels are placed when all is drawn.
 pub(super) struct Canvas<'a> {
     pub drawing: &'a mut Drawing,
@@ -60,8 +57,7 @@ impl<'a> Canvas<'a> {
                 bounds: frame.inset(-1.2),
             },
             requests: Vec::new(),
-            // What lies on the frame itself is within.
-            frame: frame.inflate(ON_FRAME, ON_FRAME),
+            frame,
             since: 0,
             renamed,
         }

@@ -189,6 +189,8 @@ pub(super) const ENGLISH: Language = Language {
         no_script: "This page needs JavaScript to go step by step and to move. It loads nothing from anywhere.",
         too_old: "This browser is too old to unpack the steps and the motion; the finished figure is shown.",
     },
+
+    check: &super::check::ENGLISH,
 };
 
 fn reversed(backwards: bool) -> &'static str {

@@ -1,3 +1,5 @@
+use super::check::CheckWords;
+
 /// The normal parts that are laid off together along a cut line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NormalParts {
@@ -212,6 +214,9 @@ pub struct Language {
 
     /// What stands on the buttons of a page.
     pub page: PageWords,
+
+    /// The report on a student's values.
+    pub check: &'static CheckWords,
 }
 
 /// What stands on the buttons of a page for the classroom, or is read out for them; names of keys are in brackets.

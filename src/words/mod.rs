@@ -5,11 +5,13 @@
 //! none is missing and that every blank is filled, and nothing is looked up or parsed at run time. (Fluent and rust-i18n find sentences by
 //! name at run time; with a few dozen sentences and no plural forms that buys nothing.)
 
+mod check;
 mod english;
 mod language;
 mod notation;
 mod spanish;
 
+pub use check::{CheckWords, MistakeWords};
 pub use language::{Language, NormalParts, PageWords};
 pub use notation::{Notation, with_prime};
 

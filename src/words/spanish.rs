@@ -187,6 +187,8 @@ pub(super) const SPANISH: Language = Language {
         no_script: "Esta página necesita JavaScript para avanzar paso a paso y moverse. No carga nada de ninguna parte.",
         too_old: "Este navegador es demasiado antiguo para desempaquetar los pasos y el movimiento; se muestra la figura terminada.",
     },
+
+    check: &super::check::ENGLISH,
 };
 
 fn reversed(backwards: bool) -> &'static str {

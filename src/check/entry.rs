@@ -1,0 +1,423 @@
+use super::order::numbered_steps;
+use super::sheet::{CheckError, Given, Measured, Positive};
+use super::unit;
+use super::verdict::Drawn;
+use crate::drafting::Sheet;
+use crate::plan::{Asked, Kind, Quantity, QuantityError, Snapshot, What};
+use indexmap::IndexMap;
+
+/// A written value and what it stands for.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// The quantity, by the name that steps and results give it.
+    pub asked: Asked,
+    /// Its digits as they were written; a computed one from places on paper has none.
+    pub text: String,
+    /// Its value in the scene's units and senses.
+    pub value: f64,
+    /// Half a unit of the last digit, in the same unit.
+    pub rounding: f64,
+    /// Whether it was written without a sign, so that only its magnitude counts.
+    pub is_magnitude: bool,
+    /// By what the written number was multiplied for `value`.
+    pub factor: f64,
+    /// By what it would have been multiplied had no unit been written beside it.
+    pub factor_without_unit: f64,
+    /// The unit that was written beside it.
+    pub unit: Option<String>,
+    /// Whether it is a length on paper.
+    pub on_paper: bool,
+    /// Units of the scene per millimetre of the sheet where its length can be seen; none for rates and angles.
+    pub per_mm: Option<f64>,
+    /// The sheet from which it comes.
+    pub sheet: Sheet,
+    /// The number of the step that gives it.
+    pub step: usize,
+    /// The exact value.
+    pub expected: f64,
+}
+
+/// What the values of a form stand for, in the order of the construction.
+///
+/// # Errors
+/// The first thing that is not understood: an unknown quantity, a wrong unit, a missing scale, contradictory entries, an empty form.
+pub fn entries(measured: &Measured, drawn: &Drawn<'_>) -> Result<Vec<Entry>, CheckError> {
+    for (mu, name) in measured.mu.iter().zip(["mu_l", "mu_v", "mu_a"]) {
+        if mu.is_some_and(|mu| !(mu.is_finite() && mu > 0.0)) {
+            return Err(CheckError::new(
+                format!("{name} is no scale"),
+                "a scale is a positive number: units of the scene per millimetre of paper",
+            ));
+        }
+    }
+    let reader = Reader {
+        measured,
+        drawn,
+        order: order(drawn),
+    };
+    let mut entries: Vec<Entry> = Vec::new();
+    for given in &measured.values {
+        let entry = reader.entry(given).map_err(|e| e.at(&given.place))?;
+        let same = |other: &&Entry| other.asked.name() == entry.asked.name();
+        if let Some(other) = entries.iter().find(same) {
+            let apart = (other.value - entry.value).abs();
+            if apart > (other.rounding + entry.rounding) * 1.001 {
+                let message = format!(
+                    "`{}` has two values here: {} and {}",
+                    given.name, other.text, entry.text
+                );
+                let error = CheckError::new(message, "keep the one that you mean");
+                return Err(error.at(&given.place));
+            }
+            continue;
+        }
+        entries.push(entry);
+    }
+    reader.add_points(&mut entries)?;
+    if entries.is_empty() {
+        return Err(CheckError::new(
+            "the form is empty: it has no values to check",
+            "write your values beside the names; `kinegon check SCENE --template` writes the form",
+        ));
+    }
+    same_decimals(&mut entries);
+    let place = |e: &Entry| reader.order.get_index_of(e.asked.name());
+    entries.sort_by_key(|e| (e.step, place(e).unwrap_or(usize::MAX)));
+    Ok(entries)
+}
+
+/// The names of all quantities of the steps, in order, with the numbers of their steps.
+fn order(drawn: &Drawn<'_>) -> IndexMap<String, usize> {
+    let mut order = IndexMap::new();
+    for step in numbered_steps(drawn.construction) {
+        for name in step.names() {
+            order.entry(name).or_insert(step.number);
+        }
+    }
+    order
+}
+
+/// People write values of a kind with equally many decimals: trailing zeros that a file drops are no sign of rounder reading.
+fn same_decimals(entries: &mut [Entry]) {
+    let decimals = |text: &str| text.split_once('.').map_or(0, |(_, d)| d.len() as i32);
+    let finest = |entries: &[Entry], kind: Kind, on_paper: bool| {
+        let same = entries.iter();
+        let same = same.filter(|e| e.asked.kind() == kind && e.on_paper == on_paper);
+        same.map(|e| decimals(&e.text)).max().unwrap_or(0)
+    };
+    for index in 0..entries.len() {
+        let entry = &entries[index];
+        if entry.text.contains(['e', 'E']) || entry.text.is_empty() {
+            continue;
+        }
+        let most = finest(entries, entry.asked.kind(), entry.on_paper);
+        entries[index].rounding = 0.5 * libm::exp10(-f64::from(most)) * entries[index].factor.abs();
+    }
+}
+
+struct Reader<'a> {
+    measured: &'a Measured,
+    drawn: &'a Drawn<'a>,
+    order: IndexMap<String, usize>,
+}
+
+impl Reader<'_> {
+    fn entry(&self, given: &Given) -> Result<Entry, CheckError> {
+        let number: f64 = given.text.parse().map_err(|_| {
+            CheckError::new(
+                format!("`{}` is no number", given.text),
+                "write digits with a decimal point, as 61.5; leave blank what you have not measured",
+            )
+        })?;
+        if !(number.is_finite() && number.abs() <= 1e100) {
+            let hint = "is a digit or an exponent wrong?";
+            return Err(CheckError::new(
+                format!("`{}` is too large", given.text),
+                hint,
+            ));
+        }
+        let compact: String = given.name.chars().filter(|c| !c.is_whitespace()).collect();
+        let (name, marked) = match compact.strip_suffix("/mu") {
+            Some(name) => (name, true),
+            None => (compact.as_str(), false),
+        };
+        let (asked, expected, sheet, step) = self.quantity(name)?;
+        let kind = asked.kind();
+        let has_length = matches!(
+            asked.what(),
+            What::Segment { .. }
+                | What::Length(..)
+                | What::Velocity(..)
+                | What::Acceleration(..)
+                | What::Part(..)
+                | What::Coriolis(..)
+                | What::SlidePosition(_)
+                | What::Coordinate(..)
+        ) && kind != Kind::Angle;
+        let on_paper = marked
+            || (self.measured.in_mm
+                && matches!(asked.what(), What::Segment { .. } | What::Length(..)));
+        let scales = self.scales();
+        let own = self.measured.mu[sheet as usize];
+        if marked && !has_length {
+            return Err(CheckError::new(
+                format!("`{name}` is no length on paper, so `/mu` cannot follow it"),
+                format!("write it in {}", kind.unit(self.drawn.units)),
+            ));
+        }
+        let factor_without_unit = if on_paper {
+            let mu = ["mu_l", "mu_v", "mu_a"][sheet as usize];
+            own.ok_or_else(|| {
+                CheckError::new(
+                    format!("`{name}` is in millimetres of paper, but your scale {mu} is missing"),
+                    format!(
+                        "add {mu}: how many {} are 1 mm of your {}",
+                        kind.unit(self.drawn.units),
+                        sheet.name()
+                    ),
+                )
+            })?
+        } else {
+            1.0
+        };
+        let factor = match &given.unit {
+            // Millimetres of paper say what they are.
+            Some(unit) if on_paper && unit.trim() == "mm" => factor_without_unit,
+            Some(unit) if on_paper => {
+                return Err(CheckError::new(
+                    format!("`{name}` is in millimetres of paper, but `{unit}` stands beside it"),
+                    "leave the unit out, or the `/mu`",
+                ));
+            }
+            Some(unit) => unit::factor(unit, kind, self.drawn.units)?,
+            None => 1.0 * factor_without_unit,
+        };
+        let turns = matches!(
+            asked.what(),
+            What::Omega(_) | What::Alpha(_) | What::Angle(_)
+        ) || kind == Kind::Angle;
+        let flips = turns && self.measured.positive == Some(Positive::Clockwise);
+        let factor = if flips { -factor } else { factor };
+        let signed = given.text.starts_with(['-', '+']);
+        let has_sense = matches!(
+            asked.what(),
+            What::Omega(_) | What::Alpha(_) | What::SlideVelocity(_) | What::SlideAcceleration(_)
+        );
+        Ok(Entry {
+            text: given.text.clone(),
+            value: number * factor,
+            rounding: 0.0,
+            is_magnitude: has_sense && !signed && !(turns && self.measured.positive.is_some()),
+            factor,
+            factor_without_unit: if flips {
+                -factor_without_unit
+            } else {
+                factor_without_unit
+            },
+            unit: given.unit.clone(),
+            on_paper,
+            per_mm: if has_length {
+                scales[sheet as usize]
+            } else {
+                None
+            },
+            sheet,
+            step,
+            expected,
+            asked,
+        })
+    }
+
+    /// The student's own scales, those of the scene's figure where none are given.
+    fn scales(&self) -> [Option<f64>; 3] {
+        let usual = &self.drawn.scales;
+        let usual = [usual.length, usual.velocity, usual.acceleration];
+        let both = self.measured.mu.iter().zip(usual);
+        let mut scales = [None; 3];
+        for (scale, (own, usual)) in scales.iter_mut().zip(both) {
+            *scale = own.or(usual);
+        }
+        scales
+    }
+
+    /// What a name stands for: the quantity, its exact value, its sheet, the number of its step.
+    fn quantity(&self, name: &str) -> Result<(Asked, f64, Sheet, usize), CheckError> {
+        let Drawn {
+            mechanism,
+            pose,
+            motion,
+            construction,
+            ..
+        } = self.drawn;
+        let wrong = |error: QuantityError| {
+            let message = error.to_string();
+            let (message, own) = match message.split_once("; did you mean") {
+                Some((message, rest)) => (message.to_owned(), Some(format!("did you mean{rest}"))),
+                None => (message, None),
+            };
+            let message = match error {
+                QuantityError::Form(_) => format!("`{name}` is no quantity of this scene"),
+                _ => message,
+            };
+            let near = || {
+                let names = self.order.keys();
+                let near = names
+                    .map(|n| (strsim::damerau_levenshtein(n, name), n))
+                    .min();
+                near.map_or_else(String::new, |(_, n)| format!("the nearest name is `{n}`; "))
+            };
+            let hint = own.unwrap_or_else(|| {
+                format!("{}`kinegon check SCENE --template` lists the names", near())
+            });
+            CheckError::new(message, hint)
+        };
+        let reversed = self.reversed(name);
+        let name = reversed.as_deref().unwrap_or(name);
+        let mut asked = Asked::new(name, mechanism).map_err(wrong)?;
+        if asked.is_vector() {
+            asked = Asked::new(&format!("{name}.size"), mechanism).map_err(wrong)?;
+        }
+        let snapshot = Snapshot { pose, motion };
+        let value = asked.value(&snapshot, Some(construction), None);
+        let expected = match value.map_err(wrong)? {
+            Quantity::Number(x) => x,
+            Quantity::Vector(v) => v.norm(),
+        };
+        let sheet = sheet_of(&asked);
+        let step = self.order.get(asked.name()).copied();
+        let step = step.unwrap_or_else(|| self.step_of(&asked, sheet));
+        Ok((asked, expected, sheet, step))
+    }
+
+    /// The usual name where a segment or a length is named from its other end.
+    fn reversed(&self, name: &str) -> Option<String> {
+        if self.order.contains_key(name) {
+            return None;
+        }
+        let (head, rest) = name.split_once('(')?;
+        let (from, to) = rest.strip_suffix(')')?.split_once(',')?;
+        let other = format!("{head}({to},{from})");
+        self.order.contains_key(&other).then_some(other)
+    }
+
+    /// The step after which a quantity that no step names can be read.
+    fn step_of(&self, asked: &Asked, sheet: Sheet) -> usize {
+        let head = match sheet {
+            Sheet::Acceleration => "aplan(",
+            _ => "vplan(",
+        };
+        let subject = asked.subject().split(['/', ',']).next().unwrap_or("");
+        let own = format!(",{})", crate::plan::image_name(subject));
+        let mut steps = self.order.iter();
+        let found = steps.find(|(name, _)| name.starts_with(head) && name.ends_with(&own));
+        let sheets = numbered_steps(self.drawn.construction);
+        let last = sheets
+            .iter()
+            .filter(|s| s.sheet <= sheet)
+            .map(|s| s.number)
+            .max();
+        match found {
+            Some((_, &step)) if sheet != Sheet::Scheme => step,
+            _ if sheet == Sheet::Scheme => 0,
+            _ => last.unwrap_or(0),
+        }
+    }
+
+    /// Distances between the plan points whose places are given: of each from the pole, and those that the steps measure or lay off.
+    fn add_points(&self, entries: &mut Vec<Entry>) -> Result<(), CheckError> {
+        for points in &self.measured.points {
+            let sheet = Sheet::of(points.kind);
+            let what = points.kind.segment_name("", "");
+            let at =
+                |name: &str| format!("points: {name} of {}", what.split('(').next().unwrap_or(""));
+            let Some(mu) = self.measured.mu[sheet as usize] else {
+                let mu = ["mu_l", "mu_v", "mu_a"][sheet as usize];
+                return Err(CheckError::new(
+                    format!(
+                        "places of points are in millimetres of paper, but your scale {mu} is missing"
+                    ),
+                    format!("add {mu}, the scale of your {}", sheet.name()),
+                ));
+            };
+            let pole = points.kind.pole();
+            let written_pole = ["π", "pi", "p'", "p"].into_iter();
+            let own_pole = written_pole
+                .into_iter()
+                .find(|p| points.places.contains_key(*p));
+            let Some(own_pole) = own_pole else {
+                return Err(CheckError::new(
+                    format!(
+                        "the places of the {} do not have its pole {pole}",
+                        sheet.name()
+                    ),
+                    format!("add \"{pole}\": [x, y]"),
+                ));
+            };
+            let named = |name: &str| {
+                if name == own_pole {
+                    pole.to_owned()
+                } else {
+                    name.to_owned()
+                }
+            };
+            let places: IndexMap<String, [f64; 2]> =
+                points.places.iter().map(|(n, &p)| (named(n), p)).collect();
+            let mut pairs: Vec<(String, String)> = Vec::new();
+            for name in places.keys().filter(|n| *n != pole) {
+                pairs.push((pole.to_owned(), name.clone()));
+            }
+            for a in places.keys().filter(|n| *n != pole) {
+                for b in places.keys().filter(|n| *n != pole) {
+                    if self.order.contains_key(&points.kind.segment_name(a, b)) {
+                        pairs.push((a.clone(), b.clone()));
+                    }
+                }
+            }
+            for (a, b) in pairs {
+                let name = points.kind.segment_name(&a, &b);
+                if entries.iter().any(|e| e.asked.name() == name) {
+                    continue;
+                }
+                let (asked, expected, sheet, step) =
+                    self.quantity(&name).map_err(|e| e.at(&at(&b)))?;
+                // Images of points at rest are the pole itself.
+                if expected == 0.0 {
+                    continue;
+                }
+                let [p, q] = [&a, &b].map(|n| places[n.as_str()]);
+                let mm = libm::hypot(q[0] - p[0], q[1] - p[1]);
+                entries.push(Entry {
+                    asked,
+                    text: String::new(),
+                    value: mm * mu,
+                    // Places are written to a tenth or a hundredth of a millimetre, as people do.
+                    rounding: 0.05 * mu,
+                    is_magnitude: false,
+                    factor: mu,
+                    factor_without_unit: mu,
+                    unit: None,
+                    on_paper: true,
+                    per_mm: Some(mu),
+                    sheet,
+                    step,
+                    expected,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The sheet from which a quantity comes.
+pub(super) fn sheet_of(asked: &Asked) -> Sheet {
+    match asked.kind() {
+        Kind::Length | Kind::Position => Sheet::Scheme,
+        Kind::Velocity | Kind::AngularVelocity => Sheet::Velocity,
+        Kind::Acceleration | Kind::AngularAcceleration => Sheet::Acceleration,
+        Kind::Angle => match asked.what() {
+            What::Velocity(..) => Sheet::Velocity,
+            What::Acceleration(..) | What::Part(..) | What::Coriolis(..) => Sheet::Acceleration,
+            _ => Sheet::Scheme,
+        },
+    }
+}

@@ -1,0 +1,152 @@
+//! The form of measured values as a JSON file.
+
+use super::sheet::{Given, Measured, PointsOf, Positive};
+use crate::plan::PlanKind;
+use crate::scene::{FileKind, SceneError, read_as};
+use indexmap::IndexMap;
+use serde::de::{Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
+
+const MEASURED: FileKind = FileKind {
+    what: "form of measured values",
+    key: "kinegon_measured",
+    version: 1,
+};
+
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"a form of measured values as { "kinegon_measured": 1, … }"#
+)]
+struct MeasuredFile {
+    #[serde(rename = "kinegon_measured")]
+    _version: u64,
+    #[serde(rename = "$schema")]
+    _schema: Option<String>,
+    name: Option<String>,
+    mu_l: Option<f64>,
+    mu_v: Option<f64>,
+    mu_a: Option<f64>,
+    positive: Option<Sense>,
+    #[serde(rename = "in")]
+    written_in: Option<Paper>,
+    #[serde(default)]
+    values: IndexMap<String, Value>,
+    points: Option<Points>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Sense {
+    CounterClockwise,
+    Clockwise,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Paper {
+    Mm,
+    Units,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Points {
+    #[serde(default)]
+    velocity: IndexMap<String, [f64; 2]>,
+    #[serde(default)]
+    acceleration: IndexMap<String, [f64; 2]>,
+}
+
+/// Digits, and perhaps a unit.
+#[derive(Debug)]
+struct Value {
+    text: String,
+    unit: Option<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WithUnit {
+    value: Value,
+    unit: String,
+}
+
+impl<'de> Deserialize<'de> for Value {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Value, D::Error> {
+        struct Forms;
+        impl<'de> Visitor<'de> for Forms {
+            type Value = Value;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(r#"a number, a number in quotes, or { "value": 61.5, "unit": "mm/s" }"#)
+            }
+
+            fn visit_i64<E: Error>(self, number: i64) -> Result<Value, E> {
+                self.visit_string(number.to_string())
+            }
+
+            fn visit_u64<E: Error>(self, number: u64) -> Result<Value, E> {
+                self.visit_string(number.to_string())
+            }
+
+            fn visit_f64<E: Error>(self, number: f64) -> Result<Value, E> {
+                self.visit_string(number.to_string())
+            }
+
+            fn visit_str<E: Error>(self, text: &str) -> Result<Value, E> {
+                self.visit_string(text.to_owned())
+            }
+
+            fn visit_string<E: Error>(self, text: String) -> Result<Value, E> {
+                Ok(Value { text, unit: None })
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Value, A::Error> {
+                let form = serde::de::value::MapAccessDeserializer::new(map);
+                let WithUnit { value, unit } = WithUnit::deserialize(form)?;
+                Ok(Value {
+                    text: value.text,
+                    unit: Some(unit),
+                })
+            }
+        }
+        deserializer.deserialize_any(Forms)
+    }
+}
+
+impl Measured {
+    /// The values of a form as JSON; blanks are left out.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with the text, with its place.
+    pub fn read_json(text: &str) -> Result<Measured, SceneError> {
+        let file: MeasuredFile = read_as(text, &MEASURED)?;
+        let values = file.values.into_iter();
+        let values = values.filter(|(_, value)| !value.text.trim().is_empty());
+        let given = values.map(|(name, value)| Given {
+            place: format!("values.{name}"),
+            text: value.text.trim().replace('−', "-"),
+            unit: value.unit,
+            name,
+        });
+        let kinds = [PlanKind::Velocity, PlanKind::Acceleration];
+        let points = file.points.map(|p| [p.velocity, p.acceleration]);
+        let points = kinds.into_iter().zip(points.into_iter().flatten());
+        Ok(Measured {
+            name: file.name,
+            mu: [file.mu_l, file.mu_v, file.mu_a],
+            positive: file.positive.map(|sense| match sense {
+                Sense::CounterClockwise => Positive::CounterClockwise,
+                Sense::Clockwise => Positive::Clockwise,
+            }),
+            in_mm: matches!(file.written_in, Some(Paper::Mm)),
+            values: given.collect(),
+            points: points
+                .filter(|(_, places)| !places.is_empty())
+                .map(|(kind, places)| PointsOf { kind, places })
+                .collect(),
+        })
+    }
+}

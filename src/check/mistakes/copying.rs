@@ -1,0 +1,216 @@
+//! Mistakes of writing down: they touch the written value, and what follows where the person goes on with it.
+
+use super::{Candidate, Mistake, Site, Stand};
+use crate::check::entry::Entry;
+
+/// Entries that stand for something else, gone on with as they were written where `goes_on` and somebody could.
+fn misread(
+    site: &Site<'_>,
+    mistake: Mistake,
+    stands: Vec<Stand>,
+    blanks: Vec<String>,
+) -> Vec<Candidate> {
+    let Some(first) = stands.first().map(|s| s.entry) else {
+        return Vec::new();
+    };
+    let mut goes_on = Vec::new();
+    for stand in &stands {
+        let entry = &site.entries[stand.entry];
+        let Ok(reading) = site.model.readings[stand.entry] else {
+            continue;
+        };
+        let number = reading.number;
+        if let Some(act) = site.model.makers[number.0].filter(|_| site.model.used[number.0]) {
+            let exact = site.model.exact.number(number);
+            let senseless = reading.is_magnitude || reading.is_distance || entry.is_magnitude;
+            let value = if senseless {
+                libm::copysign(entry.value, exact)
+            } else {
+                entry.value
+            };
+            goes_on.push((act, number, value));
+        }
+    }
+    let only_written = Candidate {
+        mistake,
+        step: site.entries[first].step,
+        blanks,
+        puts: Vec::new(),
+        stands,
+        goes_on: Vec::new(),
+        mode: 0,
+    };
+    let mut found = Vec::new();
+    if !goes_on.is_empty() {
+        found.push(Candidate {
+            goes_on,
+            ..only_written.clone()
+        });
+    }
+    found.push(only_written);
+    found
+}
+
+fn stand(entry: usize, value: f64, rounding: f64) -> Stand {
+    Stand {
+        entry,
+        value: Some(value),
+        rounding,
+    }
+}
+
+fn named(entry: &Entry) -> String {
+    entry.asked.name().to_owned()
+}
+
+pub(super) fn decimal(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for (index, entry) in written(site) {
+        for power in [-2, -1, 1, 2] {
+            let factor = libm::exp10(f64::from(power));
+            let meant = stand(index, entry.value * factor, entry.rounding * factor);
+            let blanks = vec![
+                named(entry),
+                entry.text.clone(),
+                shifted(&entry.text, power),
+            ];
+            found.extend(misread(site, Mistake::DecimalSlipped, vec![meant], blanks));
+        }
+    }
+    found
+}
+
+/// Written digits with the decimal point moved.
+fn shifted(text: &str, power: i32) -> String {
+    let number: f64 = text.parse().unwrap_or(0.0);
+    let decimals = text.split_once('.').map_or(0, |(_, d)| d.len() as i32);
+    let decimals = (decimals - power).max(0) as usize;
+    format!("{:.decimals$}", number * libm::exp10(f64::from(power)))
+}
+
+/// Values with digits of their own.
+fn written<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, &'a Entry)> {
+    let all = site.entries.iter().enumerate();
+    all.filter(|(index, entry)| !entry.text.is_empty() && site.model.readings[*index].is_ok())
+}
+
+pub(super) fn transposed(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for (index, entry) in written(site) {
+        for meant in transpositions(&entry.text) {
+            let Ok(number) = meant.parse::<f64>() else {
+                continue;
+            };
+            let meant_value = stand(index, number * entry.factor, entry.rounding);
+            let blanks = vec![named(entry), entry.text.clone(), meant];
+            found.extend(misread(
+                site,
+                Mistake::DigitsTransposed,
+                vec![meant_value],
+                blanks,
+            ));
+        }
+    }
+    found
+}
+
+/// The number with two neighbouring digits in each other's place; the decimal point stays where it is.
+fn transpositions(text: &str) -> Vec<String> {
+    let characters: Vec<char> = text.chars().collect();
+    let digits: Vec<usize> = (0..characters.len())
+        .filter(|&i| characters[i].is_ascii_digit())
+        .collect();
+    let pairs = digits
+        .windows(2)
+        .filter(|p| characters[p[0]] != characters[p[1]]);
+    let swapped = pairs.map(|pair| {
+        let mut other = characters.clone();
+        other.swap(pair[0], pair[1]);
+        other.into_iter().collect()
+    });
+    swapped.collect()
+}
+
+pub(super) fn swapped(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    let all: Vec<(usize, &Entry)> = written(site).collect();
+    for (at, &(i, a)) in all.iter().enumerate() {
+        for &(j, b) in &all[at + 1..] {
+            let same = a.asked.kind() == b.asked.kind() && a.on_paper == b.on_paper;
+            if !same || (a.value - b.value).abs() <= a.rounding + b.rounding {
+                continue;
+            }
+            let stands = vec![stand(i, b.value, b.rounding), stand(j, a.value, a.rounding)];
+            found.extend(misread(
+                site,
+                Mistake::Swapped,
+                stands,
+                vec![named(a), named(b)],
+            ));
+        }
+    }
+    found
+}
+
+/// Every value cut off: each stands for one that is half a unit of the last digit larger.
+pub(super) fn truncated(site: &Site<'_>) -> Vec<Candidate> {
+    let stands: Vec<Stand> = written(site)
+        .map(|(index, entry)| {
+            let half = libm::copysign(entry.rounding, entry.value);
+            stand(index, entry.value + half, entry.rounding)
+        })
+        .collect();
+    // One or two values say nothing of a habit.
+    if stands.len() < 3 {
+        return Vec::new();
+    }
+    vec![Candidate {
+        mistake: Mistake::Truncated,
+        step: 0,
+        blanks: Vec::new(),
+        puts: Vec::new(),
+        stands,
+        goes_on: Vec::new(),
+        mode: 0,
+    }]
+}
+
+/// The number is right in another unit than the one beside it.
+pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for (index, entry) in written(site) {
+        let ratio = entry.factor_without_unit / entry.factor;
+        let unit = entry.asked.kind().unit(site.drawn.units);
+        let mut factors = vec![(ratio, entry.unit.clone().unwrap_or_default(), unit.clone())];
+        // Metres and millimetres, where no unit says which.
+        if entry.unit.is_none() && !entry.on_paper && unit.starts_with(['m', 'c']) {
+            let other = |name: &str| format!("{name}{}", unit.trim_start_matches(['m', 'c']));
+            factors.push((1000.0, other("m"), unit.clone()));
+            factors.push((0.001, other("mm"), unit.clone()));
+        }
+        for (factor, wrong, right) in factors {
+            if (factor.abs() - 1.0).abs() < 1e-9 || !factor.is_finite() {
+                continue;
+            }
+            let meant = stand(index, entry.value * factor, entry.rounding * factor.abs());
+            let blanks = vec![named(entry), entry.text.clone(), wrong, right];
+            found.extend(misread(site, Mistake::WrongUnit, vec![meant], blanks));
+        }
+    }
+    found
+}
+
+/// A value that is simply wrong, and what follows from it.
+pub(super) fn unknown(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for (index, entry) in written(site) {
+        let stands = vec![Stand {
+            entry: index,
+            value: None,
+            rounding: entry.rounding,
+        }];
+        let all = misread(site, Mistake::Unknown, stands, vec![named(entry)]);
+        found.extend(all.into_iter().filter(|c| !c.goes_on.is_empty()));
+    }
+    found
+}

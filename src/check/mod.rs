@@ -1,0 +1,37 @@
+//! In: a scene with its plans, and a [`Measured`] sheet of the values that a student has read from an own drawing. Out: a [`Checked`] list of
+//! verdicts, each against the band of honest hand drawings of that very quantity, and the mistakes that explain the values best:
+//! the construction is replayed with one mistake put in, then with more, and every replay is held against all values, right and wrong ones.
+//!
+//! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry` finds what each value stands
+//! for, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
+//! errors, `score`, `datum` and `covariance` say how well values fit a prediction, `mistakes/` is the catalogue, `search` looks for what explains
+//! the values, `report` and `result` tell it; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
+
+mod covariance;
+mod datum;
+mod entry;
+mod file;
+mod mistakes;
+mod model;
+mod order;
+mod report;
+mod result;
+mod score;
+mod search;
+mod sheet;
+mod student;
+mod table;
+mod template;
+mod unit;
+mod verdict;
+
+pub use entry::{Entry, entries};
+pub use mistakes::{Candidate, Mistake};
+pub use order::{NumberedStep, numbered_steps};
+pub use report::report;
+pub use result::{CheckResult, check_result, check_schema};
+pub use search::{Diagnosis, Explanation, Finding};
+pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};
+pub use student::Student;
+pub use template::{template_csv, template_json};
+pub use verdict::{Checked, Drawn, Judged, Verdict, check};

@@ -1,0 +1,159 @@
+//! The report as JSON.
+
+use super::search::{Explanation, Finding};
+use super::verdict::{Checked, Drawn, Verdict};
+use crate::words::Wording;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Verdicts and diagnosis of one drawing.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct CheckResult {
+    /// Version of the format.
+    pub kinegon_check: u64,
+    /// Whose drawing it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Whether no value is off.
+    pub passed: bool,
+    /// The values in the order of the construction.
+    pub values: Vec<ValueResult>,
+    /// What explains them best.
+    pub diagnosis: ExplanationResult,
+    /// What explains them, too.
+    pub others: Vec<ExplanationResult>,
+    /// Values that nothing explains.
+    pub unexplained: Vec<String>,
+}
+
+/// A value with its verdict.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ValueResult {
+    /// The quantity's name.
+    pub quantity: String,
+    /// The number of the step that gives it.
+    pub step: usize,
+    /// The value in the scene's units and senses.
+    pub value: f64,
+    /// The exact value.
+    pub expected: f64,
+    /// Unit of both.
+    pub unit: String,
+    /// The value less the exact one.
+    pub difference: f64,
+    /// The same in millimetres of paper.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub difference_mm: Option<f64>,
+    /// The same in per cent of the exact value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub percent: Option<f64>,
+    /// Largest difference of a value drawn within the tolerance.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub allowed: Option<f64>,
+    /// "right", "within-tolerance", "off" or "unjudged".
+    pub verdict: &'static str,
+}
+
+/// Mistakes that explain the values together.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ExplanationResult {
+    /// The mistakes in the order of the construction.
+    pub mistakes: Vec<MistakeResult>,
+    /// How sure it is, from 0 to 1.
+    pub probability: f64,
+    /// Whether the given values alone cannot tell it from the diagnosis.
+    #[serde(skip_serializing_if = "is_false")]
+    pub indistinguishable: bool,
+}
+
+/// A mistake that was probably made.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct MistakeResult {
+    /// Its name in the catalogue.
+    pub mistake: &'static str,
+    /// The number of its step; 0 for the whole drawing.
+    pub step: usize,
+    /// What was probably done.
+    pub done: String,
+    /// What it should be.
+    pub should_be: String,
+    /// Values written otherwise than meant.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub written: Vec<String>,
+    /// Values that follow from it and are consistent with it.
+    pub follows: Vec<String>,
+}
+
+fn is_false(flag: &bool) -> bool {
+    !flag
+}
+
+/// The result as JSON shows it, sentences in the wording's language.
+#[must_use]
+pub fn check_result(
+    checked: &Checked,
+    drawn: &Drawn<'_>,
+    words: &Wording,
+    name: Option<String>,
+) -> CheckResult {
+    let names = |list: &[usize]| -> Vec<String> {
+        let names = list
+            .iter()
+            .map(|&i| checked.values[i].entry.asked.name().to_owned());
+        names.collect()
+    };
+    let values = checked.values.iter().map(|value| {
+        let entry = &value.entry;
+        ValueResult {
+            quantity: entry.asked.name().to_owned(),
+            step: entry.step,
+            value: entry.value,
+            expected: entry.expected,
+            unit: entry.asked.kind().unit(drawn.units),
+            difference: value.difference,
+            difference_mm: entry.per_mm.map(|mu| value.difference / mu),
+            percent: (entry.expected != 0.0)
+                .then(|| 100.0 * value.difference / entry.expected.abs()),
+            allowed: value.tolerance,
+            verdict: match value.verdict {
+                Verdict::Right => "right",
+                Verdict::WithinTolerance => "within-tolerance",
+                Verdict::Off => "off",
+                Verdict::Unjudged => "unjudged",
+            },
+        }
+    });
+    let mistake = |finding: &Finding| {
+        let candidate = &finding.candidate;
+        let sentences = candidate.mistake.words(words.language.check);
+        MistakeResult {
+            mistake: candidate.mistake.id(),
+            step: candidate.step,
+            done: (sentences.done)(&candidate.blanks),
+            should_be: (sentences.should)(&candidate.blanks),
+            written: names(&finding.written),
+            follows: names(&finding.follows),
+        }
+    };
+    let explanation = |explanation: &Explanation| ExplanationResult {
+        mistakes: explanation.findings.iter().map(mistake).collect(),
+        probability: explanation.probability,
+        indistinguishable: explanation.is_alike,
+    };
+    let diagnosis = &checked.diagnosis;
+    CheckResult {
+        kinegon_check: 1,
+        name,
+        passed: checked.is_passed(),
+        values: values.collect(),
+        diagnosis: explanation(&diagnosis.best),
+        others: diagnosis.others.iter().map(explanation).collect(),
+        unexplained: names(&diagnosis.unexplained),
+    }
+}
+
+/// The JSON Schema of the result.
+#[must_use]
+pub fn check_schema() -> serde_json::Value {
+    crate::scene::schema_of::<CheckResult>("Kinegon check, version 1")
+}

@@ -1,0 +1,79 @@
+use crate::plan::PlanKind;
+use indexmap::IndexMap;
+
+/// The values that somebody has read from an own drawing, as they were written down.
+#[derive(Clone, Debug, Default)]
+pub struct Measured {
+    /// Whose they are.
+    pub name: Option<String>,
+    /// The scales of the own sheets, in units of the scene per millimetre: of the scheme, the velocity plan and the acceleration plan.
+    pub mu: [Option<f64>; 3],
+    /// Which sense of rotation counts as positive; where it is not said, a number without a sign is a magnitude.
+    pub positive: Option<Positive>,
+    /// Whether all lengths and segments are in millimetres of paper.
+    pub in_mm: bool,
+    /// The values, in the order of the file.
+    pub values: Vec<Given>,
+    /// Places of plan points on paper.
+    pub points: Vec<PointsOf>,
+}
+
+/// A value as it was written down.
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// The quantity's name as it was written.
+    pub name: String,
+    /// Its digits as they were written, with a decimal point.
+    pub text: String,
+    /// Its unit where one is written.
+    pub unit: Option<String>,
+    /// Where it stands, for messages: `values.omega(2)`, `line 7`.
+    pub place: String,
+}
+
+/// Places of a plan's points on a sheet of paper in millimetres, x right, y up, from any origin; the sheet may be turned.
+#[derive(Clone, Debug)]
+pub struct PointsOf {
+    /// Which plan.
+    pub kind: PlanKind,
+    /// The places by the points' names, the pole's among them.
+    pub places: IndexMap<String, [f64; 2]>,
+}
+
+/// Which sense of rotation counts as positive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Positive {
+    /// As the program counts.
+    CounterClockwise,
+    /// The other sense.
+    Clockwise,
+}
+
+/// Why values cannot be checked: what, and what to try.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{place}{message}")]
+pub struct CheckError {
+    /// Where it stands, with a colon behind it; may be empty.
+    pub place: String,
+    /// What is wrong.
+    pub message: String,
+    /// What to try.
+    pub hint: Option<String>,
+}
+
+impl CheckError {
+    /// A finding about the whole.
+    pub(super) fn new(message: impl Into<String>, hint: impl Into<String>) -> CheckError {
+        CheckError {
+            place: String::new(),
+            message: message.into(),
+            hint: Some(hint.into()),
+        }
+    }
+
+    /// The same with the place where it stands.
+    pub(super) fn at(mut self, place: &str) -> CheckError {
+        self.place = format!("{place}: ");
+        self
+    }
+}

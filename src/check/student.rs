@@ -1,0 +1,192 @@
+//! Drawings with mistakes put in on purpose: to try the check, and for exercises in finding mistakes.
+
+use super::entry::entries;
+use super::mistakes::{Candidate, Mistake, Site};
+use super::model::Model;
+use super::order::numbered_steps;
+use super::sheet::{CheckError, Given, Measured};
+use super::verdict::Drawn;
+use crate::drafting::{Change, Disturbance};
+use crate::plan::Kind;
+
+/// Somebody who draws a scene and fills in the whole form.
+pub struct Student<'a> {
+    drawn: &'a Drawn<'a>,
+    models: Vec<Model>,
+    mu: [Option<f64>; 3],
+    names: Vec<String>,
+    entries: Vec<super::entry::Entry>,
+}
+
+impl<'a> Student<'a> {
+    /// One who draws at the scales of the scene's figure.
+    ///
+    /// # Errors
+    /// Where the figure lacks a sheet.
+    pub fn new(drawn: &'a Drawn<'a>) -> Result<Student<'a>, CheckError> {
+        let scales = &drawn.scales;
+        let mu = [scales.length, scales.velocity, scales.acceleration];
+        let mut names: Vec<String> = Vec::new();
+        for name in numbered_steps(drawn.construction)
+            .iter()
+            .flat_map(|s| s.names())
+        {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        // Written without digits, the form says what there is to read.
+        let blank = |name: &String| Given {
+            name: name.clone(),
+            text: "0".to_owned(),
+            unit: None,
+            place: name.clone(),
+        };
+        let form = Measured {
+            mu,
+            values: names.iter().map(blank).collect(),
+            ..Measured::default()
+        };
+        let entries = entries(&form, drawn)?;
+        let model = Model::new(
+            drawn,
+            drawn.pose,
+            drawn.motion,
+            drawn.construction,
+            mu,
+            &entries,
+        )?;
+        let mut models = vec![model];
+        models.extend(super::search::other_modes(drawn, mu, &entries));
+        Ok(Student {
+            drawn,
+            models,
+            mu,
+            names,
+            entries,
+        })
+    }
+
+    /// All ways to make a mistake of drawing, measuring or computing. Slips of writing need something written: [`Student::slip`].
+    #[must_use]
+    pub fn ways(&self, mistake: Mistake) -> Vec<Candidate> {
+        let site = Site {
+            model: &self.models[0],
+            drawn: self.drawn,
+            entries: &self.entries,
+            other_modes: self.models.len() - 1,
+        };
+        let mut all = site.of(mistake);
+        all.retain(|c| c.stands.is_empty());
+        all
+    }
+
+    /// The drawing with these mistakes made, lengths written to a tenth of a millimetre of paper, rates to four digits. Whoever takes a wrong scale
+    /// writes values in place of millimetres.
+    ///
+    /// `noise` gives numbers between −1 and 1: each act is off by so many times the limits `mm` and `degrees`. `goes_on` are values, by their
+    /// places in the form, that the student takes for others from then on.
+    pub fn draw(
+        &self,
+        mistakes: &[&Candidate],
+        hand: [f64; 2],
+        noise: &mut dyn FnMut() -> f64,
+        goes_on: &[(usize, f64)],
+    ) -> Measured {
+        let mode = mistakes.iter().map(|c| c.mode).max().unwrap_or(0);
+        let model = &self.models[mode];
+        let mut all: Vec<Disturbance<'_>> = Vec::new();
+        for (act, put) in mistakes.iter().flat_map(|c| &c.puts) {
+            let change = put.change();
+            all.push(Disturbance { act: *act, change });
+        }
+        let limits = crate::drafting::Tolerance {
+            mm: hand[0],
+            degrees: hand[1],
+        };
+        for (act, which, limit, _) in model.errors(&limits) {
+            let change = Change::Error(which, limit * noise());
+            all.push(Disturbance { act, change });
+        }
+        for &(entry, value) in goes_on {
+            if let Ok(reading) = model.readings[entry]
+                && let Some(act) = model.makers[reading.number.0]
+            {
+                let value = libm::copysign(value, model.exact.number(reading.number));
+                let change = Change::Written(reading.number, value);
+                all.push(Disturbance { act, change });
+            }
+        }
+        all.sort_by_key(|d| d.act);
+        let read = model.read(&model.replay(&all));
+        // Whoever mistakes a scale has turned millimetres into values.
+        let in_units = mistakes.iter().any(|c| c.mistake == Mistake::WrongScale);
+        let values = self.entries.iter().zip(read).zip(&model.readings);
+        let values = values.filter_map(|((entry, value), reading)| {
+            let reading = reading.ok()?;
+            let senseless = reading.is_magnitude || reading.is_distance;
+            let value = if senseless { value.abs() } else { value };
+            let (text, on_paper) = match (entry.per_mm, entry.asked.kind()) {
+                (Some(mu), _) if senseless && !in_units => (format!("{:.1}", value / mu), true),
+                (_, Kind::Angle) => (format!("{value:.1}"), false),
+                _ => (four_digits(value), false),
+            };
+            value.is_finite().then(|| Given {
+                name: format!(
+                    "{}{}",
+                    entry.asked.name(),
+                    if on_paper { "/mu" } else { "" }
+                ),
+                text: signed(text, senseless),
+                unit: None,
+                place: entry.asked.name().to_owned(),
+            })
+        });
+        Measured {
+            mu: self.mu,
+            values: values.collect(),
+            ..Measured::default()
+        }
+    }
+
+    /// The names of the form's quantities.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The place in the form of a quantity that was written, and whether something is computed or drawn with its value.
+    #[must_use]
+    pub fn place(&self, given: &Given) -> Option<(usize, bool)> {
+        let name = given.name.trim_end_matches("/mu");
+        let place = self.entries.iter().position(|e| e.asked.name() == name)?;
+        let reading = self.models[0].readings[place].ok()?;
+        Some((place, self.models[0].used[reading.number.0]))
+    }
+
+    /// The scale by which a written length counts; 1 for other values.
+    #[must_use]
+    pub fn scale(&self, given: &Given) -> f64 {
+        let place = self.place(given).map(|p| p.0);
+        let own = place.and_then(|p| self.entries[p].per_mm);
+        own.filter(|_| given.name.ends_with("/mu")).unwrap_or(1.0)
+    }
+}
+
+/// Rates keep their sign; a plus says that it is one.
+fn signed(text: String, senseless: bool) -> String {
+    if senseless || text.starts_with('-') {
+        text
+    } else {
+        format!("+{text}")
+    }
+}
+
+fn four_digits(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let exponent = libm::floor(libm::log10(value.abs())) as i32;
+    let after = (3 - exponent).max(0) as usize;
+    format!("{value:.after$}")
+}

@@ -1,0 +1,121 @@
+//! The form of measured values as a table: `quantity,value,unit` a line, with commas or semicolons.
+
+use super::sheet::{CheckError, Given, Measured, Positive};
+
+impl Measured {
+    /// The values of a table; blanks are left out. Beside quantities it may say `name`, `mu_l`, `mu_v`, `mu_a`, `positive` and `in`.
+    /// Places of plan points stand in JSON only.
+    ///
+    /// Where cells are parted by semicolons, numbers may have decimal commas.
+    ///
+    /// # Errors
+    /// Says in which line what is wrong.
+    pub fn read_csv(text: &str) -> Result<Measured, CheckError> {
+        let text = text.trim_start_matches('\u{feff}');
+        let by_semicolon = text.lines().next().is_some_and(|line| line.contains(';'));
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .trim(csv::Trim::All)
+            .delimiter(if by_semicolon { b';' } else { b',' })
+            .from_reader(text.as_bytes());
+        let mut measured = Measured::default();
+        for record in reader.records() {
+            let record = record.map_err(|error| {
+                CheckError::new(
+                    format!("this is no table: {error}"),
+                    "write a line `quantity,value` for each value; names with a comma stand in double quotes",
+                )
+            })?;
+            let line = record.position().map_or(0, |p| p.line());
+            let place = format!("line {line}");
+            let cells: Vec<&str> = record.iter().collect();
+            let cells = rejoined(&cells);
+            let mut cells = cells.iter().map(String::as_str);
+            let (name, value) = (cells.next().unwrap_or(""), cells.next().unwrap_or(""));
+            let third = cells.next().unwrap_or("");
+            if name.is_empty() || value.is_empty() || name.eq_ignore_ascii_case("quantity") {
+                continue;
+            }
+            let mut value = value.replace('−', "-");
+            if by_semicolon {
+                value = value.replacen(',', ".", 1);
+            }
+            measured
+                .line(name, value, third, &place)
+                .map_err(|e| e.at(&place))?;
+        }
+        Ok(measured)
+    }
+
+    fn line(
+        &mut self,
+        name: &str,
+        value: String,
+        third: &str,
+        place: &str,
+    ) -> Result<(), CheckError> {
+        match name {
+            "name" => self.name = Some(value),
+            "mu_l" => self.mu[0] = Some(number(name, &value)?),
+            "mu_v" => self.mu[1] = Some(number(name, &value)?),
+            "mu_a" => self.mu[2] = Some(number(name, &value)?),
+            "positive" => {
+                self.positive = Some(match value.as_str() {
+                    "clockwise" => Positive::Clockwise,
+                    "counter-clockwise" => Positive::CounterClockwise,
+                    other => {
+                        return Err(CheckError::new(
+                            format!("`{other}` is no sense of rotation"),
+                            "write `clockwise` or `counter-clockwise`",
+                        ));
+                    }
+                });
+            }
+            "in" => {
+                self.in_mm = match value.as_str() {
+                    "mm" => true,
+                    "units" => false,
+                    other => {
+                        return Err(CheckError::new(
+                            format!("values in `{other}` are not understood"),
+                            "write `mm` for millimetres of paper, or `units` for those of the scene",
+                        ));
+                    }
+                };
+            }
+            _ => self.values.push(Given {
+                name: name.to_owned(),
+                text: value,
+                unit: (!third.is_empty()).then(|| third.to_owned()),
+                place: place.to_owned(),
+            }),
+        }
+        Ok(())
+    }
+}
+
+/// A name with a comma that has no quotes comes in two cells: `L(B` and `S3)`.
+fn rejoined(cells: &[&str]) -> Vec<String> {
+    let mut joined: Vec<String> = Vec::new();
+    for cell in cells {
+        match joined.last_mut() {
+            Some(last) if last.contains('(') && !last.contains(')') => {
+                last.push(',');
+                last.push_str(cell);
+            }
+            _ => joined.push((*cell).to_owned()),
+        }
+    }
+    joined
+}
+
+fn number(name: &str, text: &str) -> Result<f64, CheckError> {
+    let number = text.parse().ok().filter(|x: &f64| x.is_finite());
+    number.ok_or_else(|| {
+        CheckError::new(
+            format!("{name} is `{text}`, which is no number"),
+            "write units of the scene per millimetre of paper, as 2 or 0.5",
+        )
+    })
+}

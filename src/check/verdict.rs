@@ -1,0 +1,137 @@
+use super::entry::{Entry, entries};
+use super::model::Model;
+use super::search::{Diagnosis, diagnose};
+use super::sheet::{CheckError, Measured};
+use crate::drafting::Tolerance;
+use crate::mechanism::Mechanism;
+use crate::motion::Motion;
+use crate::plan::{Construction, Scales};
+use crate::position::Pose;
+use crate::scene::{Near, Units};
+
+/// A scene as it should be drawn: everything that values are held against.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawn<'a> {
+    /// The scene's units.
+    pub units: Units,
+    /// Which assembly mode was asked for.
+    pub near: &'a Near,
+    /// The mechanism.
+    pub mechanism: &'a Mechanism,
+    /// Its position.
+    pub pose: &'a Pose,
+    /// Its motion, with accelerations.
+    pub motion: &'a Motion,
+    /// Its plans.
+    pub construction: &'a Construction,
+    /// The scales of the scene's figure.
+    pub scales: Scales,
+    /// How good a hand may be expected to be.
+    pub tolerance: Tolerance,
+    /// How many mistakes at once are looked for.
+    pub depth: usize,
+}
+
+/// How a value is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The exact value rounds to it.
+    Right,
+    /// As near as an honest hand drawing comes.
+    WithinTolerance,
+    /// Farther off.
+    Off,
+    /// There is no construction from which it could be read, so no tolerance.
+    Unjudged,
+}
+
+/// A value with its verdict.
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// The value.
+    pub entry: Entry,
+    /// How it is.
+    pub verdict: Verdict,
+    /// The value less the exact one, in the scene's units; of an angle the shorter way round.
+    pub difference: f64,
+    /// Up to which difference it counts as drawn within the tolerance; none where it is not drawn.
+    pub tolerance: Option<f64>,
+    /// Whether the tolerance is only a rough one.
+    pub is_rough: bool,
+}
+
+/// All values with their verdicts, and what explains those that are off.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// The values in the order of the construction.
+    pub values: Vec<Judged>,
+    /// The mistakes that explain them.
+    pub diagnosis: Diagnosis,
+}
+
+impl Checked {
+    /// Whether no value is off.
+    #[must_use]
+    pub fn is_passed(&self) -> bool {
+        self.values.iter().all(|v| v.verdict != Verdict::Off)
+    }
+}
+
+/// So many bands a value may be off. Of 100 honest drawings at least 95 keep a single value within its band; that a whole
+/// drawing with dozens of values passes as surely, each may be off by two bands, 4.2 standard deviations.
+pub const BANDS: f64 = 2.0;
+
+/// The verdicts on what somebody has read from an own drawing, and the mistakes that explain the values.
+///
+/// # Errors
+/// Where the values are not understood.
+pub fn check(measured: &Measured, drawn: &Drawn<'_>) -> Result<Checked, CheckError> {
+    let entries = entries(measured, drawn)?;
+    let model = Model::new(
+        drawn,
+        drawn.pose,
+        drawn.motion,
+        drawn.construction,
+        measured.mu,
+        &entries,
+    )?;
+    let bands = model.bands(&drawn.tolerance);
+    let judged = entries.iter().zip(&bands).zip(&model.readings);
+    let judged = judged.map(|((entry, band), reading)| {
+        let mut difference = if entry.is_magnitude {
+            entry.value.abs() - entry.expected.abs()
+        } else {
+            entry.value - entry.expected
+        };
+        if entry.asked.kind() == crate::plan::Kind::Angle {
+            difference -= 360.0 * libm::round(difference / 360.0);
+        }
+        // Segments and lengths have no sense of their own, whatever sign is written.
+        if reading.is_ok_and(|r| r.is_magnitude || r.is_distance) {
+            difference = entry.value.abs() - entry.expected.abs();
+        }
+        let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
+        let is_given = reading.is_err_and(|why| why.is_given());
+        let off = difference.abs();
+        // A last digit may be rounded either way where the next is a five.
+        let verdict = if off <= 1.001 * entry.rounding {
+            Verdict::Right
+        } else {
+            match tolerance {
+                Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
+                None if !is_given => Verdict::Unjudged,
+                _ => Verdict::Off,
+            }
+        };
+        Judged {
+            entry: entry.clone(),
+            verdict,
+            difference,
+            tolerance,
+            is_rough: band.is_some_and(|band| band.is_rough),
+        }
+    });
+    let values: Vec<Judged> = judged.collect();
+    let diagnosis = diagnose(drawn, measured.mu, &model, &values);
+    Ok(Checked { values, diagnosis })
+}

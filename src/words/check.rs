@@ -1,0 +1,465 @@
+/// The sentences of a mistake, with its blanks in order.
+#[derive(Clone, Copy, Debug)]
+pub struct MistakeWords {
+    /// What was probably done.
+    pub done: fn(&[String]) -> String,
+    /// What it should be.
+    pub should: fn(&[String]) -> String,
+}
+
+/// The report on a student's values.
+#[derive(Clone, Copy, Debug)]
+pub struct CheckWords {
+    /// Heading: right values, values within the tolerance, values that are off.
+    pub counts: fn(usize, usize, usize) -> String,
+    /// Verdict.
+    pub right: &'static str,
+    /// Verdict.
+    pub within: &'static str,
+    /// Verdict.
+    pub off: &'static str,
+    /// Verdict.
+    pub unjudged: &'static str,
+    /// Headings of the columns: quantity, written, expected, difference, on the sheet, in per cent, allowed, verdict.
+    pub columns: [&'static str; 8],
+    /// Limits of the hand, in mm and degrees.
+    pub tolerance: fn(&str, &str) -> String,
+    /// Heading.
+    pub probably: &'static str,
+    /// Heading where nothing is to be explained.
+    pub nothing: &'static str,
+    /// Where no single mistake explains the values.
+    pub no_single: &'static str,
+    /// Where nothing in the catalogue does.
+    pub none: &'static str,
+    /// Number of a step.
+    pub step: fn(usize) -> String,
+    /// Before the first step.
+    pub whole: &'static str,
+    /// Before what it should be.
+    pub instead: &'static str,
+    /// Values that follow.
+    pub follows: fn(&str) -> String,
+    /// Where no value follows.
+    pub follows_none: &'static str,
+    /// Probability in per cent.
+    pub sure: fn(&str) -> String,
+    /// Heading of other explanations.
+    pub others: &'static str,
+    /// Behind one that values cannot tell from the first.
+    pub alike: &'static str,
+    /// Values without an explanation.
+    pub unexplained: fn(&str) -> String,
+
+    // Mistakes; the blanks of each stand in its sentences.
+    /// Two plan points.
+    pub turned_ray: MistakeWords,
+    /// Joint, special point.
+    pub turned_cut_line: MistakeWords,
+    /// Point that the ray leads to, wrong and right point.
+    pub ray_from_wrong_point: MistakeWords,
+    /// Special point, wrong and right line.
+    pub wrong_lines: MistakeWords,
+    /// Two plan points.
+    pub reversed_vector: MistakeWords,
+    /// Two plan points, rate, length.
+    pub normal_outward: MistakeWords,
+    /// The same.
+    pub omega_not_squared: MistakeWords,
+    /// The same.
+    pub diameter: MistakeWords,
+    /// The same.
+    pub normal_from_absolute: MistakeWords,
+    /// The same.
+    pub normal_forgotten: MistakeWords,
+    /// Two plan points, two rates.
+    pub coriolis_forgotten: MistakeWords,
+    /// The same.
+    pub coriolis_without_two: MistakeWords,
+    /// The same.
+    pub coriolis_turned: MistakeWords,
+    /// Two plan points, rate, length.
+    pub coriolis_where_none: MistakeWords,
+    /// Start, point laid off wrong, point that gives the side.
+    pub mirrored_image: MistakeWords,
+    /// Segment, wrong ends.
+    pub wrong_segment: MistakeWords,
+    /// Quantity, axis, ends.
+    pub component: MistakeWords,
+    /// Length, wrong ends.
+    pub wrong_length: MistakeWords,
+    /// Rate.
+    pub wrong_sense: MistakeWords,
+    /// Rate.
+    pub revolutions_for_radians: MistakeWords,
+    /// Rate.
+    pub degrees_for_radians: MistakeWords,
+    /// Segment (empty for all of a sheet), wrong scale (empty for none), right scale.
+    pub wrong_scale: MistakeWords,
+    /// None.
+    pub other_mode: MistakeWords,
+    /// Two quantities.
+    pub swapped: MistakeWords,
+    /// Quantity, written and meant digits.
+    pub digits_transposed: MistakeWords,
+    /// Quantity, written and meant digits.
+    pub decimal_slipped: MistakeWords,
+    /// None.
+    pub truncated: MistakeWords,
+    /// Quantity, digits, wrong and right unit.
+    pub wrong_unit: MistakeWords,
+    /// Quantity.
+    pub unknown: MistakeWords,
+}
+
+/// English.
+pub(super) const ENGLISH: CheckWords = CheckWords {
+    counts: |right, within, off| {
+        format!("{right} right, {within} within the tolerance of a pencil, {off} off")
+    },
+    right: "right",
+    within: "within tolerance",
+    off: "OFF",
+    unjudged: "not judged: it has no construction",
+    columns: [
+        "quantity", "yours", "expected", "off by", "on paper", "off by", "allowed", "verdict",
+    ],
+    tolerance: |mm, degrees| {
+        format!(
+            "Allowed is what a careful hand (±{mm} mm, ±{degrees}° in each act) comes to at that quantity: twice the band that 95 of 100 such drawings keep."
+        )
+    },
+    probably: "What probably happened",
+    nothing: "Nothing needs to be explained: the values are as near as a careful drawing comes.",
+    no_single: "No single mistake explains this. Together these do:",
+    none: "No mistake of the catalogue explains this.",
+    step: |number| format!("Step {number}"),
+    whole: "Whole drawing",
+    instead: "It should be",
+    follows: |values| format!("These follow from it and are consistent with it: {values}."),
+    follows_none: "No other of your values follows from it.",
+    sure: |percent| format!("How sure: {percent} %"),
+    others: "It could also be",
+    alike: "your values alone cannot tell this from the above",
+    unexplained: |values| format!("Without an explanation: {values}."),
+
+    turned_ray: MistakeWords {
+        done: |b| {
+            format!(
+                "the ray from {} to {} was drawn turned by 90°: parallel in place of perpendicular, or the other way round",
+                b[0], b[1]
+            )
+        },
+        should: |_| {
+            "a ray of a relative motion between two points of one link is normal to the line between them; only the ray of a sliding motion is parallel to its guide".into()
+        },
+    },
+    turned_cut_line: MistakeWords {
+        done: |b| {
+            format!(
+                "the line through {} for {} was drawn along the guide",
+                b[0], b[1]
+            )
+        },
+        should: |b| format!("{} lies on the normal to the guide through {}", b[1], b[0]),
+    },
+    ray_from_wrong_point: MistakeWords {
+        done: |b| format!("the ray to {} was drawn through {}", b[0], b[1]),
+        should: |b| {
+            format!(
+                "it starts at {}, where the known part of the vector equation ends",
+                b[2]
+            )
+        },
+    },
+    wrong_lines: MistakeWords {
+        done: |b| format!("{} was marked on the line {}", b[0], b[1]),
+        should: |b| format!("{} lies on the line {}", b[0], b[2]),
+    },
+    reversed_vector: MistakeWords {
+        done: |b| format!("the vector from {} to {} was laid off reversed", b[0], b[1]),
+        should: |b| {
+            format!(
+                "it points from {} to {}, in the sense in which its link turns or slides",
+                b[0], b[1]
+            )
+        },
+    },
+    normal_outward: MistakeWords {
+        done: |b| {
+            format!(
+                "the normal acceleration {}² {} on the way from {} to {} was laid off outward",
+                symbol(&b[2]),
+                symbol(&b[3]),
+                b[0],
+                b[1]
+            )
+        },
+        should: |_| {
+            "a normal acceleration points towards the point about which the link turns".into()
+        },
+    },
+    omega_not_squared: MistakeWords {
+        done: |b| {
+            format!(
+                "for the normal part from {} to {}, {} was taken in place of its square",
+                b[0],
+                b[1],
+                symbol(&b[2])
+            )
+        },
+        should: |b| format!("the normal part is {}² {}", symbol(&b[2]), symbol(&b[3])),
+    },
+    diameter: MistakeWords {
+        done: |b| {
+            format!(
+                "the normal part {}² {} from {} to {} came out twice as large, as with the diameter",
+                symbol(&b[2]),
+                symbol(&b[3]),
+                b[0],
+                b[1]
+            )
+        },
+        should: |b| {
+            format!(
+                "the normal part is {}² times the radius {}",
+                symbol(&b[2]),
+                symbol(&b[3])
+            )
+        },
+    },
+    normal_from_absolute: MistakeWords {
+        done: |b| {
+            format!(
+                "the normal part along {} from {} to {} was computed from the absolute velocity",
+                symbol(&b[3]),
+                b[0],
+                b[1]
+            )
+        },
+        should: |b| {
+            format!(
+                "it takes the relative velocity: {}² {}",
+                symbol(&b[2]),
+                symbol(&b[3])
+            )
+        },
+    },
+    normal_forgotten: MistakeWords {
+        done: |b| {
+            format!(
+                "the normal part {}² {} was forgotten on the way from {} to {}",
+                symbol(&b[2]),
+                symbol(&b[3]),
+                b[0],
+                b[1]
+            )
+        },
+        should: |b| {
+            format!(
+                "lay off {}² {} before the ray is drawn",
+                symbol(&b[2]),
+                symbol(&b[3])
+            )
+        },
+    },
+    coriolis_forgotten: MistakeWords {
+        done: |b| {
+            format!(
+                "the Coriolis acceleration was forgotten on the way from {} to {}",
+                b[0], b[1]
+            )
+        },
+        should: |b| {
+            format!(
+                "lay off 2 {} {} normal to the guide",
+                symbol(&b[2]),
+                symbol(&b[3])
+            )
+        },
+    },
+    coriolis_without_two: MistakeWords {
+        done: |b| {
+            format!(
+                "the Coriolis acceleration from {} to {} was taken without its 2",
+                b[0], b[1]
+            )
+        },
+        should: |b| format!("it is 2 {} {}", symbol(&b[2]), symbol(&b[3])),
+    },
+    coriolis_turned: MistakeWords {
+        done: |b| {
+            format!(
+                "the Coriolis acceleration from {} to {} was laid off the wrong way",
+                b[0], b[1]
+            )
+        },
+        should: |b| {
+            format!(
+                "it has the direction of {} turned by 90° in the sense of {}",
+                symbol(&b[3]),
+                symbol(&b[2])
+            )
+        },
+    },
+    coriolis_where_none: MistakeWords {
+        done: |b| {
+            format!(
+                "a Coriolis acceleration was added to {}² {} on the way from {} to {}, where nothing slides",
+                symbol(&b[2]),
+                symbol(&b[3]),
+                b[0],
+                b[1]
+            )
+        },
+        should: |_| {
+            "there is a Coriolis acceleration only where something slides on a link that turns"
+                .into()
+        },
+    },
+    mirrored_image: MistakeWords {
+        done: |b| {
+            format!(
+                "{} was laid off on the wrong side of {} {}: the image of the link is mirrored",
+                b[1], b[0], b[2]
+            )
+        },
+        should: |_| "the image of a link is similar to the link, turned but never mirrored".into(),
+    },
+    wrong_segment: MistakeWords {
+        done: |b| {
+            format!(
+                "for {} the segment from {} to {} was measured",
+                b[0], b[1], b[2]
+            )
+        },
+        should: |b| format!("measure {}", b[0]),
+    },
+    component: MistakeWords {
+        done: |b| {
+            format!(
+                "for {} its {} component was measured",
+                b[0],
+                if b[1] == "x" {
+                    "horizontal"
+                } else {
+                    "vertical"
+                }
+            )
+        },
+        should: |b| format!("measure the true length from {} to {}", b[2], b[3]),
+    },
+    wrong_length: MistakeWords {
+        done: |b| {
+            format!(
+                "for {} the length from {} to {} was taken",
+                symbol(&b[0]),
+                b[1],
+                b[2]
+            )
+        },
+        should: |b| format!("take {}", symbol(&b[0])),
+    },
+    wrong_sense: MistakeWords {
+        done: |b| format!("{} was taken with the wrong sense", symbol(&b[0])),
+        should: |_| {
+            "the sense follows from the direction of the segment in the plan and the side on which its line lies".into()
+        },
+    },
+    revolutions_for_radians: MistakeWords {
+        done: |b| {
+            format!(
+                "{} was not converted between revolutions per minute and radians per second",
+                symbol(&b[0])
+            )
+        },
+        should: |_| "rad/s = rpm · π/30".into(),
+    },
+    degrees_for_radians: MistakeWords {
+        done: |b| {
+            format!(
+                "{} was not converted between degrees and radians",
+                symbol(&b[0])
+            )
+        },
+        should: |_| "a rate of rotation enters every product in radians".into(),
+    },
+    wrong_scale: MistakeWords {
+        done: |b| {
+            let what = if b[0].is_empty() {
+                "all segments of the sheet"
+            } else {
+                &b[0]
+            };
+            if b[1].is_empty() {
+                format!(
+                    "{what}: millimetres of paper were taken for the value, without {}",
+                    b[2]
+                )
+            } else {
+                format!("{what}: {} was used in place of {}", b[1], b[2])
+            }
+        },
+        should: |b| format!("millimetres on this sheet times {} are the value", b[2]),
+    },
+    other_mode: MistakeWords {
+        done: |_| {
+            "the mechanism was drawn in another position in which its links fit together".into()
+        },
+        should: |_| "the scene asks for the position shown in the figure".into(),
+    },
+    swapped: MistakeWords {
+        done: |b| format!("{} and {} stand in each other's place", b[0], b[1]),
+        should: |_| "swap the two numbers".into(),
+    },
+    digits_transposed: MistakeWords {
+        done: |b| {
+            format!(
+                "{}: two digits stand in each other's place, {} for {}",
+                b[0], b[1], b[2]
+            )
+        },
+        should: |b| b[2].clone(),
+    },
+    decimal_slipped: MistakeWords {
+        done: |b| format!("{}: the decimal point slipped, {} for {}", b[0], b[1], b[2]),
+        should: |b| b[2].clone(),
+    },
+    truncated: MistakeWords {
+        done: |_| "the numbers were cut off after their last digit".into(),
+        should: |_| "round the last digit up where the next is 5 or more".into(),
+    },
+    wrong_unit: MistakeWords {
+        done: |b| {
+            format!(
+                "{}: {} is the value in {}, not in {}",
+                b[0], b[1], b[3], b[2]
+            )
+        },
+        should: |b| format!("{} {}", b[1], b[3]),
+    },
+    unknown: MistakeWords {
+        done: |b| {
+            format!(
+                "{} is off for a reason that is not in the catalogue, and was used as it is",
+                b[0]
+            )
+        },
+        should: |b| format!("look at {} again", b[0]),
+    },
+};
+
+/// A quantity's name as people write it.
+fn symbol(name: &str) -> String {
+    let inner = |head: &str| name.strip_prefix(head).and_then(|n| n.strip_suffix(')'));
+    if let Some(link) = inner("omega(") {
+        return format!("ω_{link}");
+    }
+    if let Some(link) = inner("alpha(") {
+        return format!("α_{link}");
+    }
+    if let Some(ends) = inner("L(") {
+        return format!("L_{}", ends.replace(',', ""));
+    }
+    name.to_owned()
+}
