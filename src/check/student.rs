@@ -67,7 +67,7 @@ impl<'a> Student<'a> {
         })
     }
 
-    /// All ways to make a mistake of drawing, measuring or computing. Slips of writing need something written: [`Student::slip`].
+    /// All ways to make a mistake of drawing, measuring or computing. Slips of writing need something written first.
     #[must_use]
     pub fn ways(&self, mistake: Mistake) -> Vec<Candidate> {
         let site = Site {
