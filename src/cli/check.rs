@@ -54,7 +54,7 @@ impl Check {
         let Some(path) = &self.measured else {
             return self.print_template(&work);
         };
-        let text = files::read_text("form of measured values", path)?;
+        let text = files::read_text("form", path)?;
         let measured = read(path, &text)?;
         let drawn = self.drawn(&work);
         let checked = check::check(&measured, &drawn);
