@@ -130,6 +130,11 @@ fn what_is_not_understood_is_said_clearly() {
             vec!["line 2", "`long` is no number"],
         ),
         (
+            "nan.csv",
+            "quantity,value\nL(B,S3),NaN\n".to_owned(),
+            vec!["line 2", "`NaN` is no number"],
+        ),
+        (
             "twice.csv",
             "L(B,S3),370\nL(S3,B),248\n".to_owned(),
             vec!["line 2", "two values"],

@@ -123,7 +123,10 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn entry(&self, given: &Given) -> Result<Entry, CheckError> {
-        let number: f64 = given.text.parse().map_err(|_| {
+        // Rust reads the words NaN and infinity as numbers too.
+        let written = given.text.contains(|c: char| c.is_ascii_digit());
+        let number = given.text.parse::<f64>().ok().filter(|_| written);
+        let number = number.ok_or_else(|| {
             CheckError::new(
                 format!("`{}` is no number", given.text),
                 "write digits with a decimal point, as 61.5; leave blank what you have not measured",
