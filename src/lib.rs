@@ -40,6 +40,7 @@ pub mod position;
 pub mod scene;
 pub mod words;
 
+mod cores;
 mod error;
 
 pub use error::Error;

@@ -1,4 +1,9 @@
-use super::model::GROUPS;
+//! How far honest errors carry all values together.
+
+use super::mistakes::Candidate;
+use super::model::{GROUPS, PLOTTED, TOGETHER};
+use super::score::Scorer;
+use crate::drafting::{Change, Values};
 
 /// Symmetric matrices, one for each kind of errors, and that of roundings gone on with.
 pub(super) struct Covariances {
@@ -10,7 +15,7 @@ impl Covariances {
     /// Their sum for a hand as good as that.
     pub fn sum(&self, hand: &[f64; GROUPS], into: &mut [f64]) {
         into.copy_from_slice(&self.roundings);
-        for (group, s) in self.groups.iter().zip(hand) {
+        for (group, s) in self.groups.iter().zip(hand).filter(|(_, s)| **s != 0.0) {
             for (sum, part) in into.iter_mut().zip(group) {
                 *sum += s * s * part;
             }
@@ -19,11 +24,85 @@ impl Covariances {
 }
 
 /// Adds a column times itself.
-pub(super) fn add_outer(matrix: &mut [f64], column: &[f64]) {
+fn add_outer(matrix: &mut [f64], column: &[f64]) {
     let count = column.len();
     for (i, a) in column.iter().enumerate().filter(|(_, a)| **a != 0.0) {
         for (entry, b) in matrix[i * count..(i + 1) * count].iter_mut().zip(column) {
             *entry += a * b;
         }
+    }
+}
+
+/// Difference quotients are taken with this part of an error's limit: larger errors bend, the least ones drown in rounding.
+const STEP: f64 = 0.125;
+
+impl Scorer<'_> {
+    /// The covariances of the values of drawings with these mistakes.
+    pub fn covariances(&self, set: &[&Candidate]) -> Covariances {
+        let model = self.model(set);
+        let count = self.data.len();
+        let variants = self.variants(set);
+        let bases: Vec<Values> = variants.iter().map(|(c, _)| model.replay(c)).collect();
+        let mut exact = vec![0.0; count];
+        for ((_, data), base) in variants.iter().zip(&bases) {
+            self.read(model, base, data, &mut exact);
+        }
+        let mut covariances = Covariances {
+            groups: core::array::from_fn(|_| vec![0.0; count * count]),
+            roundings: vec![0.0; count * count],
+        };
+        let mut scratch = model.exact.clone();
+        let mut column = vec![0.0; count];
+        let deviation = 1.0 / 3.0_f64.sqrt();
+        let mut plotted: Vec<Vec<f64>> = Vec::new();
+        for (act, which, limit, group) in model.errors(&self.tolerance) {
+            for ((changes, data), base) in variants.iter().zip(&bases) {
+                let change = Change::Error(which, STEP * limit);
+                model.replay_after(&mut scratch, base, act, change, changes);
+                self.read(model, &scratch, data, &mut column);
+            }
+            for ((own, exact), datum) in column.iter_mut().zip(&exact).zip(&self.data) {
+                *own = datum.turned(*own - exact) * (deviation / STEP);
+            }
+            add_outer(&mut covariances.groups[group], &column);
+            if group == PLOTTED {
+                plotted.push(column.clone());
+            }
+        }
+        for way in &model.together {
+            column.fill(0.0);
+            for (part, own) in way.iter().zip(&plotted) {
+                for (sum, own) in column.iter_mut().zip(own) {
+                    *sum += part * own;
+                }
+            }
+            add_outer(&mut covariances.groups[TOGETHER], &column);
+        }
+        // People go on with numbers as they write them: those that are read here, and sizes of vectors that are laid off, to the same decimals.
+        let read = self.data.iter().filter_map(|datum| {
+            let reading = model.readings[datum.entry].ok()?;
+            Some((reading.number, datum.rounding))
+        });
+        let sizes = model.sizes.iter().map(|&(number, sheet)| {
+            let same = self.data.iter().filter(|d| d.sheet == Some(sheet));
+            let finest = same.map(|d| d.rounding).fold(f64::INFINITY, f64::min);
+            (number, if finest.is_finite() { finest } else { 0.0 })
+        });
+        for (number, rounding) in read.chain(sizes) {
+            let Some(act) = model.makers[number.0].filter(|_| model.used[number.0]) else {
+                continue;
+            };
+            let size = rounding * deviation;
+            for ((changes, data), base) in variants.iter().zip(&bases) {
+                let change = Change::Written(number, base.number(number) + size);
+                model.replay_after(&mut scratch, base, act, change, changes);
+                self.read(model, &scratch, data, &mut column);
+            }
+            for (own, exact) in column.iter_mut().zip(&exact) {
+                *own -= exact;
+            }
+            add_outer(&mut covariances.roundings, &column);
+        }
+        covariances
     }
 }

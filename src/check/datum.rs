@@ -45,3 +45,64 @@ impl Datum {
         }
     }
 }
+
+/// A sum of costs, −2 ln of likelihoods, each the square of a normal deviate and the logarithm of its variance.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cost {
+    sum: f64,
+    /// The variances multiplied, their logarithm not yet in the sum: logarithms take longest of all.
+    product: f64,
+}
+
+impl Cost {
+    pub const ZERO: Cost = Cost {
+        sum: 0.0,
+        product: 1.0,
+    };
+
+    pub fn add(&mut self, cost: f64) {
+        self.sum += cost;
+    }
+
+    /// Adds that of a deviate, if nothing is cheaper: `variance` counts in that of its rounding. Whether it is added.
+    pub fn add_deviate(&mut self, square: f64, variance: f64, without: &Without) -> bool {
+        let is_near = square <= UNEXPLAINED && variance <= without.widest;
+        if !is_near && square + libm::log(variance) > without.cost {
+            self.sum += without.cost;
+            return false;
+        }
+        self.sum += square;
+        self.product *= variance;
+        if !(1e-200..1e200).contains(&self.product) {
+            self.sum += libm::log(self.product);
+            self.product = 1.0;
+        }
+        true
+    }
+
+    pub fn total(self) -> f64 {
+        self.sum + libm::log(self.product)
+    }
+}
+
+/// What a value costs that nothing explains.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Without {
+    pub cost: f64,
+    /// The square of the range in which the value could lie, in variances of its rounding.
+    widest: f64,
+}
+
+/// Cost of a value that nothing explains, beyond the range in which it could lie: one of some hundred.
+const UNEXPLAINED: f64 = 11.0;
+
+impl Datum {
+    /// What it costs if nothing explains it.
+    pub fn without(&self) -> Without {
+        let cost = self.range - libm::log(self.variance());
+        Without {
+            cost: cost + UNEXPLAINED,
+            widest: libm::exp(cost),
+        }
+    }
+}

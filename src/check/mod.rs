@@ -4,13 +4,14 @@
 //!
 //! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry` finds what each value stands
 //! for, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
-//! errors, `score`, `datum` and `covariance` say how well values fit a prediction, `mistakes/` is the catalogue, `search` looks for what explains
+//! errors, `score`, `datum`, `covariance` and `fit` say how well values fit a prediction, `mistakes/` is the catalogue, `search` looks for what explains
 //! the values, `report` and `result` tell it; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
 
 mod covariance;
 mod datum;
 mod entry;
 mod file;
+mod fit;
 mod mistakes;
 mod model;
 mod order;

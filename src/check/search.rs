@@ -1,10 +1,12 @@
 //! Looks for the mistakes that explain all values, right and wrong ones: one mistake first, then more together.
 
 use super::entry::Entry;
+use super::fit::Fit;
 use super::mistakes::{Candidate, Mistake, Site};
 use super::model::Model;
-use super::score::{Fit, Scorer};
+use super::score::Scorer;
 use super::verdict::{Drawn, Judged, Verdict};
+use crate::cores::on_all_cores;
 use crate::motion::{Order, motion};
 use crate::plan::construction;
 use crate::position::poses;
@@ -93,6 +95,7 @@ pub(super) fn diagnose(
     let scorer = Scorer::new(&models, &entries, drawn.tolerance);
     let search = Search {
         costs: costs(&candidates),
+        all: (0..candidates.len()).collect(),
         candidates: &candidates,
         scorer: &scorer,
     };
@@ -152,6 +155,8 @@ fn costs(candidates: &[Candidate]) -> Vec<f64> {
 struct Search<'a> {
     candidates: &'a [Candidate],
     costs: Vec<f64>,
+    /// Places of all candidates.
+    all: Vec<usize>,
     scorer: &'a Scorer<'a>,
 }
 
@@ -192,8 +197,9 @@ impl<'a> Search<'a> {
             return Vec::new();
         }
         let is_slip = |c: &Candidate| c.puts.is_empty() && c.goes_on.is_empty() && c.mode == 0;
-        let all = (0..self.candidates.len()).filter(|&i| is_slip(&self.candidates[i]));
-        let all: Vec<usize> = all.filter(|&i| self.go_together(&best.set, i)).collect();
+        let all = self.all.iter().copied();
+        let all = all.filter(|&i| is_slip(&self.candidates[i]) && self.go_together(&best.set, i));
+        let all: Vec<usize> = all.collect();
         let costs = self
             .scorer
             .slips(&self.set(&best.set), &best.fit, &self.set(&all));
@@ -214,28 +220,27 @@ impl<'a> Search<'a> {
 
     /// Explanations of one mistake more than those of the beam; the best first.
     fn level(&self, beam: &[Vec<usize>], best: Option<&Tried>) -> Vec<Tried> {
-        let mut looked: Vec<(f64, Vec<usize>)> = Vec::new();
-        for before in beam {
-            for index in 0..self.candidates.len() {
-                let mut set = before.clone();
-                if set.contains(&index) || !self.go_together(&set, index) {
-                    continue;
+        let looks = beam.iter().map(|before| {
+            on_all_cores(&self.all, |&index| {
+                if before.contains(&index) || !self.go_together(before, index) {
+                    return None;
                 }
+                let mut set = before.clone();
                 set.push(index);
                 set.sort_unstable();
                 let cost = self.scorer.first_look(&self.set(&set)) + self.cost(&set);
-                if cost.is_finite() {
-                    looked.push((cost, set));
-                }
-            }
-        }
+                cost.is_finite().then_some((cost, set))
+            })
+        });
+        let mut looked: Vec<(f64, Vec<usize>)> = looks.flatten().flatten().collect();
         looked.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
         looked.dedup_by(|a, b| a.1 == b.1);
         looked.truncate(COMPARED);
         let mut sets: Vec<Vec<usize>> = best.map(|best| self.slips(best)).unwrap_or_default();
         sets.retain(|set| looked.iter().all(|l| l.1 != *set));
         sets.extend(looked.into_iter().map(|(_, set)| set));
-        let mut level: Vec<Tried> = sets.into_iter().filter_map(|set| self.tried(set)).collect();
+        let tried = on_all_cores(&sets, |set| self.tried(set.clone()));
+        let mut level: Vec<Tried> = tried.into_iter().flatten().collect();
         level.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         level
     }

@@ -1,5 +1,6 @@
 use super::files::{self, Growing};
 use super::message::Failure;
+use crate::cores::on_all_cores;
 use crate::cycle::{Numbers, Sweep};
 use crate::format;
 use clap::ValueEnum;
@@ -151,7 +152,7 @@ fn each_piece<P: Send>(
     for start in (0..count).step_by(ROWS * window()) {
         let firsts = (start..count).step_by(ROWS).take(window());
         let firsts: Vec<usize> = firsts.collect();
-        for done in in_order(&firsts, rows) {
+        for done in on_all_cores(&firsts, rows) {
             if STOPPED.load(Ordering::Relaxed) {
                 return Err(Failure::Interrupted);
             }
@@ -171,18 +172,6 @@ fn window() -> usize {
     return 4 * rayon::current_num_threads();
     #[cfg(not(feature = "parallel"))]
     1
-}
-
-/// The pieces of a window, computed on all cores.
-#[cfg(feature = "parallel")]
-fn in_order<P: Send>(window: &[usize], piece: impl Fn(&usize) -> P + Send + Sync) -> Vec<P> {
-    use rayon::prelude::*;
-    window.par_iter().map(piece).collect()
-}
-
-#[cfg(not(feature = "parallel"))]
-fn in_order<P>(window: &[usize], piece: impl Fn(&usize) -> P) -> Vec<P> {
-    window.iter().map(piece).collect()
 }
 
 /// A bar on a terminal's stderr for a long table.

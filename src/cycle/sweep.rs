@@ -116,13 +116,10 @@ impl<'a> Sweep<'a> {
     #[cfg(feature = "parallel")]
     #[must_use]
     pub fn rows_on_all_cores(&self, rows: Range<usize>) -> Numbers {
-        use rayon::prelude::*;
         const PIECE: usize = 1024;
         let firsts: Vec<usize> = rows.clone().step_by(PIECE).collect();
-        let pieces = firsts
-            .par_iter()
-            .map(|first| self.rows(*first..(first + PIECE).min(rows.end)));
-        pieces.collect::<Vec<Numbers>>().concat()
+        let piece = |first: &usize| self.rows(*first..(first + PIECE).min(rows.end));
+        crate::cores::on_all_cores(&firsts, piece).concat()
     }
 
     /// Appends a row.

@@ -7,6 +7,7 @@ mod rates;
 mod rays;
 mod vectors;
 
+use super::datum::Datum;
 use super::entry::Entry;
 use super::model::{Model, Put};
 use super::verdict::Drawn;
@@ -103,6 +104,17 @@ pub(super) struct Stand {
     pub value: Option<f64>,
     /// Half a unit of its last digit.
     pub rounding: f64,
+}
+
+impl Stand {
+    /// The value as it is meant; none where the written one says nothing.
+    pub fn read(&self, written: &Datum) -> Option<Datum> {
+        self.value.map(|value| Datum {
+            value,
+            rounding: self.rounding.max(f64::MIN_POSITIVE),
+            ..*written
+        })
+    }
 }
 
 /// A line of the catalogue.

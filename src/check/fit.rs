@@ -1,0 +1,259 @@
+//! The whole comparison of values with a construction: all honest errors carry the values together.
+
+use super::covariance::Covariances;
+use super::datum::{Cost, Datum};
+use super::mistakes::Candidate;
+use super::model::{GROUPS, TOGETHER};
+use super::score::Scorer;
+
+/// How good a hand may be, in parts of the tolerance: from the pencil to a drawing program.
+const HANDS: [f64; 9] = [1.0, 0.5, 0.2, 0.05, 0.01, 2e-3, 4e-4, 8e-5, 1e-5];
+
+/// The errors of the velocity plan.
+const VELOCITY: usize = 2;
+
+/// Cost of a hand ten times better than the tolerance says, at one kind of acts.
+const BETTER_HAND: f64 = 1.2;
+
+/// How well values fit.
+#[derive(Clone, Debug)]
+pub(super) struct Fit {
+    /// The cost of the values, without that of the mistakes.
+    pub cost: f64,
+    /// What the values should be with the mistakes made, by datum.
+    pub predicted: Vec<f64>,
+    /// Which values remain outside, by datum.
+    pub outside: Vec<bool>,
+    /// How good the hand is at each kind of acts.
+    pub hand: [f64; GROUPS],
+}
+
+/// The best hand found so far for a set of mistakes.
+struct Hands<'a, 's> {
+    scorer: &'a Scorer<'s>,
+    covariances: Covariances,
+    meant: Vec<Option<Datum>>,
+    predicted: Vec<f64>,
+    walk: Walk,
+    cost: f64,
+    outside: Vec<bool>,
+    hand: [f64; GROUPS],
+}
+
+impl Hands<'_, '_> {
+    /// Tries a hand; whether it is the best so far.
+    fn consider(&mut self, hand: [f64; GROUPS]) -> bool {
+        self.covariances.sum(&hand, &mut self.walk.matrix);
+        let cost = self
+            .walk
+            .run(self.scorer, &self.meant, &self.predicted, None);
+        // A kind of errors that there is not is no better hand.
+        let better = hand.iter().filter(|s| **s > 0.0);
+        let cost = cost.total() - better.map(|s| BETTER_HAND * libm::log10(*s)).sum::<f64>();
+        let is_better = cost < self.cost;
+        if is_better {
+            self.cost = cost;
+            self.outside.clone_from(&self.walk.outside);
+            self.hand = hand;
+        }
+        is_better
+    }
+
+    /// Looks for the best: all kinds alike first; then, for drawings more exact than hands draw, each kind for itself.
+    fn search(&mut self) {
+        let mut level = 0;
+        for (index, &size) in HANDS.iter().enumerate() {
+            let mut hand = [size; GROUPS];
+            hand[TOGETHER] = 0.0;
+            if self.consider(hand) {
+                level = index;
+            } else if index > level + 1 {
+                break;
+            }
+        }
+        if level <= 1 {
+            return;
+        }
+        let mut program = [HANDS[HANDS.len() - 1]; GROUPS];
+        program[TOGETHER] = HANDS[level];
+        program[VELOCITY] = HANDS[level];
+        self.consider(program);
+        for _ in 0..2 {
+            for group in 0..GROUPS {
+                let mut hand = self.hand;
+                let tried = hand[group];
+                for size in HANDS.into_iter().filter(|s| *s != tried) {
+                    hand[group] = size;
+                    self.consider(hand);
+                }
+            }
+        }
+    }
+}
+
+impl Scorer<'_> {
+    /// The whole comparison, with the covariances that the mistakes bring with them.
+    pub fn fit(&self, set: &[&Candidate]) -> Option<Fit> {
+        let predicted = self.predicted(set);
+        if predicted.iter().any(|p| !p.is_finite()) {
+            return None;
+        }
+        let mut hands = Hands {
+            scorer: self,
+            covariances: self.covariances(set),
+            meant: self.meant(set),
+            predicted,
+            walk: Walk::new(self.data.len()),
+            cost: f64::INFINITY,
+            outside: Vec::new(),
+            hand: [1.0; GROUPS],
+        };
+        hands.search();
+        Some(Fit {
+            cost: hands.cost,
+            predicted: hands.predicted,
+            outside: hands.outside,
+            hand: hands.hand,
+        })
+    }
+
+    /// The costs of slips of writing beside a set that has been compared already, for drawings so exact that a first look sees nothing: the covariances
+    /// stay, the hand may turn out better at one kind of acts.
+    pub fn slips(&self, set: &[&Candidate], fit: &Fit, slips: &[&Candidate]) -> Vec<f64> {
+        let covariances = self.covariances(set);
+        let meant = self.meant(set);
+        let mut costs = vec![f64::INFINITY; slips.len()];
+        let mut hands = vec![fit.hand];
+        for group in 0..GROUPS {
+            for better in [5.0, 25.0, 125.0] {
+                let mut hand = fit.hand;
+                hand[group] /= better;
+                hands.push(hand);
+            }
+        }
+        let mut walk = Walk::new(self.data.len());
+        for (index, datum) in self.data.iter().enumerate() {
+            let touches = |slip: &Candidate| matches!(slip.stands.as_slice(), [one] if one.entry == datum.entry);
+            let own: Vec<usize> = (0..slips.len()).filter(|&s| touches(slips[s])).collect();
+            for hand in hands.iter().filter(|_| !own.is_empty()) {
+                covariances.sum(hand, &mut walk.matrix);
+                let others = walk.run(self, &meant, &fit.predicted, Some(index));
+                for &slip in &own {
+                    let meant = slips[slip].stands[0].read(datum);
+                    let mut cost = others;
+                    walk.add(self, &mut cost, index, meant.as_ref(), &fit.predicted);
+                    costs[slip] = costs[slip].min(cost.total());
+                }
+            }
+        }
+        // Two numbers in each other's place: where both could be, as far as a hand is off.
+        for (slip, cost) in slips.iter().zip(&mut costs) {
+            if slip.stands.len() < 2 {
+                continue;
+            }
+            let all: Vec<&Candidate> = set.iter().copied().chain([*slip]).collect();
+            let meant = self.meant(&all);
+            let mut both = meant.iter().zip(&fit.predicted).enumerate();
+            let could_be = both.all(|(index, (datum, predicted))| {
+                let touched = slip
+                    .stands
+                    .iter()
+                    .any(|s| s.entry == self.data[index].entry);
+                let near =
+                    |d: &Datum| d.off(*predicted, 0.0).abs() <= 4.0 * self.quick[index].sqrt();
+                !touched || datum.as_ref().is_none_or(near)
+            });
+            for hand in hands.iter().filter(|_| could_be) {
+                covariances.sum(hand, &mut walk.matrix);
+                *cost = cost.min(walk.run(self, &meant, &fit.predicted, None).total());
+            }
+        }
+        costs
+    }
+}
+
+/// A walk through the values in their order, each held against what the earlier ones let expect.
+struct Walk {
+    /// The covariance of the values, of which a walk leaves what those passed do not explain.
+    matrix: Vec<f64>,
+    /// How far the values passed let expect each to be off.
+    means: Vec<f64>,
+    /// Which values nothing explains.
+    outside: Vec<bool>,
+}
+
+impl Walk {
+    fn new(count: usize) -> Walk {
+        Walk {
+            matrix: vec![0.0; count * count],
+            means: vec![0.0; count],
+            outside: vec![false; count],
+        }
+    }
+
+    /// The cost of all values, but for the one kept for last: for that it leaves what all others let expect.
+    fn run(
+        &mut self,
+        scorer: &Scorer<'_>,
+        meant: &[Option<Datum>],
+        predicted: &[f64],
+        last: Option<usize>,
+    ) -> Cost {
+        let count = meant.len();
+        self.means.fill(0.0);
+        self.outside.fill(false);
+        let mut cost = Cost::ZERO;
+        for index in (0..count).filter(|&i| last != Some(i)) {
+            let datum = meant[index].as_ref();
+            let Some((variance, off)) = self.add(scorer, &mut cost, index, datum, predicted) else {
+                continue;
+            };
+            // What it says of the later ones, by Gauss's elimination of its row.
+            let (passed, later) = self.matrix.split_at_mut((index + 1) * count);
+            let (passed, row) = passed.split_at_mut(index * count);
+            for (other, below) in (index + 1..count).zip(later.chunks_exact_mut(count)) {
+                let part = row[other] / variance;
+                self.means[other] += part * off;
+                eliminate(&mut below[other..], part, &row[other..]);
+            }
+            if let Some(last) = last.filter(|&l| l < index) {
+                let kept = &mut passed[last * count..(last + 1) * count];
+                let part = kept[index] / variance;
+                self.means[last] += part * off;
+                kept[last] -= part * kept[index];
+                eliminate(&mut kept[index + 1..], part, &row[index + 1..]);
+            }
+        }
+        cost
+    }
+
+    /// Adds the cost of a value; its variance and how far it is off what is expected, where it is not outside.
+    fn add(
+        &mut self,
+        scorer: &Scorer<'_>,
+        cost: &mut Cost,
+        index: usize,
+        datum: Option<&Datum>,
+        predicted: &[f64],
+    ) -> Option<(f64, f64)> {
+        let without = &scorer.without[index];
+        let Some(datum) = datum else {
+            cost.add(without.cost);
+            return None;
+        };
+        let rounding = datum.variance();
+        // Roundings are independent: less than a part of them never remains.
+        let own = self.matrix[index * self.means.len() + index];
+        let variance = (own + rounding).max(0.25 * rounding);
+        let off = datum.off(predicted[index], self.means[index]) - self.means[index];
+        let is_inside = cost.add_deviate(off * off / variance, variance / rounding, without);
+        self.outside[index] = !is_inside;
+        is_inside.then_some((variance, off))
+    }
+}
+
+fn eliminate(entries: &mut [f64], part: f64, row: &[f64]) {
+    for (entry, own) in entries.iter_mut().zip(row) {
+        *entry -= part * own;
+    }
+}
