@@ -315,6 +315,44 @@ pub fn row(mistake: Mistake, count: usize, hand: [f64; 2], seed: u64) -> Row {
             row.named += 1;
         } else {
             let best = &checked.diagnosis.best.findings;
+            if std::env::var("TELL").is_ok() {
+                eprintln!(
+                    "--- planted {} {:?} hand {:?}; best p {:.3} unexplained {}",
+                    mistake.id(),
+                    planted.blanks,
+                    hand,
+                    checked.diagnosis.best.probability,
+                    checked.diagnosis.unexplained.len()
+                );
+                for e in core::iter::once(&checked.diagnosis.best).chain(&checked.diagnosis.others)
+                {
+                    for f in &e.findings {
+                        eprintln!(
+                            "     p {:.3} alike {} {} {:?} gone on {}",
+                            e.probability,
+                            e.is_alike,
+                            f.candidate.mistake.id(),
+                            f.candidate.blanks,
+                            f.follows.len()
+                        );
+                    }
+                }
+                let off: Vec<String> = checked
+                    .values
+                    .iter()
+                    .filter(|v| v.verdict == kinegon::check::Verdict::Off)
+                    .map(|v| {
+                        format!(
+                            "{} {} ({:.4}) ±{:.2}",
+                            v.entry.asked.name(),
+                            v.entry.value,
+                            v.entry.expected,
+                            v.tolerance.unwrap_or(0.0)
+                        )
+                    })
+                    .collect();
+                eprintln!("     off: {}", off.join(", "));
+            }
             let first = best.first().map_or("nothing", |f| f.candidate.mistake.id());
             *row.instead.entry(first).or_default() += 1;
         }

@@ -201,26 +201,21 @@ impl<'a> Scorer<'a> {
         (hand * hand * self.quick[datum] + self.data[datum].variance()).sqrt()
     }
 
-    /// Whether two predictions are the same for all that the values can show.
+    /// Whether two explanations are the same for all that the values can show: each value is as far from what they predict, counted in its rounding.
     pub fn are_alike(&self, a: &Fit, b: &Fit, sets: [&[&Candidate]; 2]) -> bool {
         let [meant_a, meant_b] = sets.map(|set| self.meant(set));
-        let pairs = a.predicted.iter().zip(&b.predicted).enumerate();
-        let mut all = pairs.map(|(index, (p, q))| {
-            let (m, n) = (&meant_a[index], &meant_b[index]);
-            let same_meaning = match (m, n) {
-                (Some(m), Some(n)) => (m.value - n.value).abs() <= 0.01 * m.rounding,
-                (None, None) => true,
-                _ => false,
-            };
-            let datum = &self.data[index];
-            let fine = 0.05 * self.deviation(index, a);
-            let apart = if datum.is_magnitude {
-                (p.abs() - q.abs()).abs()
-            } else {
-                datum.turned(p - q).abs()
-            };
-            same_meaning && apart <= fine
-        });
-        all.all(|same| same)
+        let hand = a.hand.iter().copied().fold(0.0, f64::max);
+        (0..self.data.len()).all(|index| match (&meant_a[index], &meant_b[index]) {
+            (Some(m), Some(n)) => {
+                let [p, q] = [a.predicted[index], b.predicted[index]];
+                let [r, s] = [m.off(p, 0.0) / m.rounding, n.off(q, 0.0) / n.rounding];
+                let deviation = hand * self.quick[index].sqrt() / m.rounding.max(n.rounding);
+                // Both may be off in any sense where none is written.
+                let same_sense = m.is_magnitude || (p * q > 0.0) == (m.value * n.value > 0.0);
+                same_sense && (r - s).abs() <= 0.05 * (1.0 + deviation)
+            }
+            (None, None) => true,
+            _ => false,
+        })
     }
 }

@@ -175,6 +175,9 @@ pub(super) fn truncated(site: &Site<'_>) -> Vec<Candidate> {
     }]
 }
 
+/// Metric units of length, in millimetres.
+const METRIC: [(&str, f64); 3] = [("m", 1000.0), ("cm", 10.0), ("mm", 1.0)];
+
 /// The number is right in another unit than the one beside it.
 pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
@@ -182,11 +185,16 @@ pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
         let ratio = entry.factor_without_unit / entry.factor;
         let unit = entry.asked.kind().unit(site.drawn.units);
         let mut factors = vec![(ratio, entry.unit.clone().unwrap_or_default(), unit.clone())];
-        // Metres and millimetres, where no unit says which.
-        if entry.unit.is_none() && !entry.on_paper && unit.starts_with(['m', 'c']) {
-            let other = |name: &str| format!("{name}{}", unit.trim_start_matches(['m', 'c']));
-            factors.push((1000.0, other("m"), unit.clone()));
-            factors.push((0.001, other("mm"), unit.clone()));
+        // Metres, centimetres and millimetres, where no unit says which.
+        let head = unit.split('/').next().unwrap_or("");
+        if entry.unit.is_none()
+            && !entry.on_paper
+            && let Some(own) = METRIC.iter().find(|m| m.0 == head)
+        {
+            for other in METRIC.iter().filter(|m| m.0 != head) {
+                let wrong = unit.replacen(head, other.0, 1);
+                factors.push((other.1 / own.1, wrong, unit.clone()));
+            }
         }
         for (factor, wrong, right) in factors {
             if (factor.abs() - 1.0).abs() < 1e-9 || !factor.is_finite() {
