@@ -1,4 +1,5 @@
 use super::order::numbered_steps;
+use super::precision::Precision;
 use super::sheet::{CheckError, Given, Measured, Positive};
 use super::unit;
 use super::verdict::Drawn;
@@ -17,6 +18,8 @@ pub struct Entry {
     pub value: f64,
     /// Half a unit of the last digit, in the same unit.
     pub rounding: f64,
+    /// How finely values of its kind are written.
+    pub precision: Precision,
     /// Whether it was written without a sign, so that only its magnitude counts.
     pub is_magnitude: bool,
     /// By what the written number was multiplied for `value`.
@@ -80,7 +83,7 @@ pub fn entries(measured: &Measured, drawn: &Drawn<'_>) -> Result<Vec<Entry>, Che
             "write your values beside the names; `kinegon check SCENE --template` writes the form",
         ));
     }
-    same_decimals(&mut entries);
+    find_precisions(&mut entries);
     let place = |e: &Entry| reader.order.get_index_of(e.asked.name());
     entries.sort_by_key(|e| (e.step, place(e).unwrap_or(usize::MAX)));
     Ok(entries)
@@ -97,21 +100,20 @@ fn order(drawn: &Drawn<'_>) -> IndexMap<String, usize> {
     order
 }
 
-/// People write values of a kind with equally many decimals: trailing zeros that a file drops are no sign of rounder reading.
-fn same_decimals(entries: &mut [Entry]) {
-    let decimals = |text: &str| text.split_once('.').map_or(0, |(_, d)| d.len() as i32);
-    let finest = |entries: &[Entry], kind: Kind, on_paper: bool| {
-        let same = entries.iter();
-        let same = same.filter(|e| e.asked.kind() == kind && e.on_paper == on_paper);
-        same.map(|e| decimals(&e.text)).max().unwrap_or(0)
-    };
+/// Finds how finely the values of each kind are written, and so how well each is known.
+fn find_precisions(entries: &mut [Entry]) {
     for index in 0..entries.len() {
         let entry = &entries[index];
-        if entry.text.contains(['e', 'E']) || entry.text.is_empty() {
+        if entry.text.is_empty() {
             continue;
         }
-        let most = finest(entries, entry.asked.kind(), entry.on_paper);
-        entries[index].rounding = 0.5 * libm::exp10(-f64::from(most)) * entries[index].factor.abs();
+        let same = entries.iter().filter(|other| {
+            other.asked.kind() == entry.asked.kind() && other.on_paper == entry.on_paper
+        });
+        let precision = Precision::of(same.map(|e| e.text.as_str()));
+        let entry = &mut entries[index];
+        entry.precision = precision;
+        entry.rounding = precision.rounding(&entry.text) * entry.factor.abs();
     }
 }
 
@@ -206,10 +208,12 @@ impl Reader<'_> {
             asked.what(),
             What::Omega(_) | What::Alpha(_) | What::SlideVelocity(_) | What::SlideAcceleration(_)
         );
+        let precision = Precision::of(core::iter::once(given.text.as_str()));
         Ok(Entry {
             text: given.text.clone(),
             value: number * factor,
-            rounding: 0.0,
+            rounding: precision.rounding(&given.text) * factor.abs(),
+            precision,
             is_magnitude: has_sense && !signed && !(turns && self.measured.positive.is_some()),
             factor,
             factor_without_unit: if flips {
@@ -395,6 +399,10 @@ impl Reader<'_> {
                     value: mm * mu,
                     // Places are written to a tenth or a hundredth of a millimetre, as people do.
                     rounding: 0.05 * mu,
+                    precision: Precision {
+                        decimals: 1,
+                        digits: 4,
+                    },
                     is_magnitude: false,
                     factor: mu,
                     factor_without_unit: mu,

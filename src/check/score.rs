@@ -14,6 +14,9 @@ use super::model::{Changes, Model, TOGETHER};
 use crate::drafting::{Change, Disturbance, Sheet, Tolerance, Values};
 use crate::plan::Kind;
 
+/// Two explanations fit as well whose likelihoods differ by less than a factor of two.
+const SAME_FIT: f64 = 1.4;
+
 /// What is held against each other.
 pub(super) struct Scorer<'a> {
     /// The right position first, then other assembly modes.
@@ -201,21 +204,22 @@ impl<'a> Scorer<'a> {
         (hand * hand * self.quick[datum] + self.data[datum].variance()).sqrt()
     }
 
-    /// Whether two explanations are the same for all that the values can show: each value is as far from what they predict, counted in its rounding.
+    /// Whether the values cannot tell two explanations apart: both fit them as well, and each value is about as far from what both predict.
     pub fn are_alike(&self, a: &Fit, b: &Fit, sets: [&[&Candidate]; 2]) -> bool {
         let [meant_a, meant_b] = sets.map(|set| self.meant(set));
         let hand = a.hand.iter().copied().fold(0.0, f64::max);
-        (0..self.data.len()).all(|index| match (&meant_a[index], &meant_b[index]) {
+        let same = |index: usize| match (&meant_a[index], &meant_b[index]) {
             (Some(m), Some(n)) => {
                 let [p, q] = [a.predicted[index], b.predicted[index]];
                 let [r, s] = [m.off(p, 0.0) / m.rounding, n.off(q, 0.0) / n.rounding];
                 let deviation = hand * self.quick[index].sqrt() / m.rounding.max(n.rounding);
                 // Both may be off in any sense where none is written.
                 let same_sense = m.is_magnitude || (p * q > 0.0) == (m.value * n.value > 0.0);
-                same_sense && (r - s).abs() <= 0.05 * (1.0 + deviation)
+                same_sense && (r - s).abs() <= 0.5 * (1.0 + deviation)
             }
             (None, None) => true,
             _ => false,
-        })
+        };
+        (a.cost - b.cost).abs() <= SAME_FIT && (0..self.data.len()).all(same)
     }
 }

@@ -155,20 +155,26 @@ impl<'a> Student<'a> {
         &self.names
     }
 
-    /// The place in the form of a quantity that was written, and whether something is computed or drawn with its value.
+    /// The place in the form of a quantity that was written, and whether something is computed or drawn with its value. Of
+    /// several names for one number the first counts.
     #[must_use]
     pub fn place(&self, given: &Given) -> Option<(usize, bool)> {
         let name = given.name.trim_end_matches("/mu");
         let place = self.entries.iter().position(|e| e.asked.name() == name)?;
-        let reading = self.models[0].readings[place].ok()?;
-        Some((place, self.models[0].used[reading.number.0]))
+        let readings = &self.models[0].readings;
+        let number = readings[place].ok()?.number;
+        let first = readings
+            .iter()
+            .position(|r| r.is_ok_and(|r| r.number == number))?;
+        Some((first, self.models[0].used[number.0]))
     }
 
     /// The scale by which a written length counts; 1 for other values.
     #[must_use]
     pub fn scale(&self, given: &Given) -> f64 {
-        let place = self.place(given).map(|p| p.0);
-        let own = place.and_then(|p| self.entries[p].per_mm);
+        let name = given.name.trim_end_matches("/mu");
+        let entry = self.entries.iter().find(|e| e.asked.name() == name);
+        let own = entry.and_then(|e| e.per_mm);
         own.filter(|_| given.name.ends_with("/mu")).unwrap_or(1.0)
     }
 }

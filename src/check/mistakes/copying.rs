@@ -41,7 +41,8 @@ fn misread(
         mode: 0,
     };
     let mut found = Vec::new();
-    if !goes_on.is_empty() {
+    // What is gone on with is one number, whatever names the form has for it.
+    if !goes_on.is_empty() && is_first_name(site, &only_written.stands) {
         found.push(Candidate {
             goes_on,
             ..only_written.clone()
@@ -49,6 +50,13 @@ fn misread(
     }
     found.push(only_written);
     found
+}
+
+/// Whether no earlier entry reads the number of the first of these.
+fn is_first_name(site: &Site<'_>, stands: &[Stand]) -> bool {
+    let reads = |entry: usize| site.model.readings[entry].ok().map(|r| r.number);
+    let own = stands.first().map(|s| s.entry).unwrap_or(0);
+    (0..own).all(|earlier| reads(earlier) != reads(own))
 }
 
 fn stand(entry: usize, value: f64, rounding: f64) -> Stand {
@@ -68,12 +76,10 @@ pub(super) fn decimal(site: &Site<'_>) -> Vec<Candidate> {
     for (index, entry) in written(site) {
         for power in [-2, -1, 1, 2] {
             let factor = libm::exp10(f64::from(power));
-            let meant = stand(index, entry.value * factor, entry.rounding * factor);
-            let blanks = vec![
-                named(entry),
-                entry.text.clone(),
-                shifted(&entry.text, power),
-            ];
+            let text = shifted(&entry.text, power);
+            let rounding = entry.precision.rounding(&text) * entry.factor.abs();
+            let meant = stand(index, entry.value * factor, rounding);
+            let blanks = vec![named(entry), entry.text.clone(), text];
             found.extend(misread(site, Mistake::DecimalSlipped, vec![meant], blanks));
         }
     }
@@ -114,7 +120,7 @@ pub(super) fn transposed(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// The number with two neighbouring digits in each other's place; the decimal point stays where it is.
+/// The number with two neighbouring digits in each other's place; the decimal point stays where it is. Nobody begins a number with a zero too many.
 fn transpositions(text: &str) -> Vec<String> {
     let characters: Vec<char> = text.chars().collect();
     let digits: Vec<usize> = (0..characters.len())
@@ -128,7 +134,11 @@ fn transpositions(text: &str) -> Vec<String> {
         other.swap(pair[0], pair[1]);
         other.into_iter().collect()
     });
-    swapped.collect()
+    let begins_with_zero = |number: &String| {
+        let number = number.trim_start_matches(['+', '-']).as_bytes();
+        number.len() > 1 && number[0] == b'0' && number[1].is_ascii_digit()
+    };
+    swapped.filter(|n| !begins_with_zero(n)).collect()
 }
 
 pub(super) fn swapped(site: &Site<'_>) -> Vec<Candidate> {

@@ -1,0 +1,86 @@
+/// To how many decimals and to how many significant digits somebody writes values of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Precision {
+    /// Digits behind the point.
+    pub decimals: i32,
+    /// Digits from the first that is not zero.
+    pub digits: i32,
+}
+
+impl Precision {
+    /// That of numbers of a kind as they are written. Files drop zeros at the end, so the longest numbers show it; but not one that alone is longer than
+    /// all others: its point may have slipped.
+    pub(super) fn of<'t>(texts: impl Iterator<Item = &'t str>) -> Precision {
+        let plain = texts.filter(|t| !t.is_empty() && !t.contains(['e', 'E']));
+        let (mut decimals, mut digits): (Vec<i32>, Vec<i32>) = plain.map(counts).unzip();
+        let common = |counts: &mut Vec<i32>| {
+            counts.sort_unstable_by(|a, b| b.cmp(a));
+            let place = usize::from(counts.len() > 2);
+            counts.get(place).copied().unwrap_or(0)
+        };
+        Precision {
+            decimals: common(&mut decimals),
+            digits: common(&mut digits),
+        }
+    }
+
+    /// Half a unit of the last digit to which a number is known that is written like this.
+    pub(super) fn rounding(self, text: &str) -> f64 {
+        let unit = |decimals: i32| 0.5 * libm::exp10(-f64::from(decimals));
+        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, ""));
+        if let Ok(exponent) = exponent.parse::<i32>() {
+            return unit(counts(mantissa).0 - exponent);
+        }
+        let value: f64 = text.parse().unwrap_or(0.0);
+        let mut usual = unit(self.decimals);
+        if value != 0.0 {
+            let first = libm::floor(libm::log10(value.abs())) as i32;
+            usual = usual.max(unit(self.digits - 1 - first));
+        }
+        usual.min(unit(counts(text).0))
+    }
+}
+
+/// Decimals and significant digits of a number as it is written.
+fn counts(text: &str) -> (i32, i32) {
+    let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());
+    let digits = text.chars().filter(char::is_ascii_digit);
+    let digits = digits.skip_while(|c| *c == '0').count();
+    (decimals as i32, digits as i32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Precision;
+
+    #[test]
+    fn zeros_that_a_file_has_dropped_count() {
+        let texts = ["61.53", "100", "7.5", "248.06"];
+        let precision = Precision::of(texts.into_iter());
+        assert_eq!(precision.rounding("100"), 0.005);
+        assert_eq!(precision.rounding("7.5"), 0.005);
+    }
+
+    #[test]
+    fn so_do_significant_digits_where_decimals_differ() {
+        let texts = ["33.2", "0.4746", "-1.105", "0.08613"];
+        let precision = Precision::of(texts.into_iter());
+        assert_eq!(precision.rounding("33.2"), 0.005);
+        assert_eq!(precision.rounding("0.4746"), 0.00005);
+    }
+
+    #[test]
+    fn one_slipped_point_makes_no_other_number_finer() {
+        let texts = ["61.5", "4.85", "138.2", "59.4"];
+        let precision = Precision::of(texts.into_iter());
+        assert_eq!(precision.rounding("61.5"), 0.05);
+        assert_eq!(precision.rounding("48.5"), 0.05);
+        assert_eq!(precision.rounding("4.85"), 0.005);
+    }
+
+    #[test]
+    fn powers_of_ten_say_their_last_digit() {
+        let precision = Precision::of(["1.5e3"].into_iter());
+        assert_eq!(precision.rounding("1.5e3"), 50.0);
+    }
+}
