@@ -5,18 +5,47 @@ use super::model::{GROUPS, PLOTTED, TOGETHER};
 use super::score::Scorer;
 use crate::drafting::{Change, Values};
 
+/// How good a hand is, and how it computes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Hand {
+    /// Its errors of each kind, in parts of the tolerance.
+    pub errors: [f64; GROUPS],
+    /// Whether it goes on with numbers as it writes them; else with all digits of a calculator.
+    pub goes_on_rounded: bool,
+}
+
+impl Hand {
+    /// The kind of its largest errors.
+    pub fn worst(&self) -> f64 {
+        self.errors.iter().copied().fold(0.0, f64::max)
+    }
+}
+
 /// Symmetric matrices, one for each kind of errors, and that of roundings gone on with.
 pub(super) struct Covariances {
     pub groups: [Vec<f64>; GROUPS],
     pub roundings: Vec<f64>,
+    /// By datum: whether something is computed or drawn with it.
+    pub used: Vec<bool>,
 }
 
+/// Part of a rounding's variance that is a value's own where what follows takes the value as it is written.
+const OWN_ROUNDING: f64 = 1e-4;
+
 impl Covariances {
-    /// Their sum for a hand as good as that.
-    pub fn sum(&self, hand: &[f64; GROUPS], into: &mut [f64]) {
-        into.copy_from_slice(&self.roundings);
-        for (group, s) in self.groups.iter().zip(hand).filter(|(_, s)| **s != 0.0) {
-            for (sum, part) in into.iter_mut().zip(group) {
+    /// Their sum for a hand as good as that, and which part of the variance of each value's rounding is its own.
+    pub fn sum(&self, hand: &Hand, into: &mut [f64], own: &mut [f64]) {
+        if hand.goes_on_rounded {
+            into.copy_from_slice(&self.roundings);
+        } else {
+            into.fill(0.0);
+        }
+        for (own, used) in own.iter_mut().zip(&self.used) {
+            let is_passed_on = hand.goes_on_rounded && *used;
+            *own = if is_passed_on { OWN_ROUNDING } else { 1.0 };
+        }
+        for (group, s) in self.groups.iter().zip(hand.errors) {
+            for (sum, part) in into.iter_mut().zip(group).filter(|_| s != 0.0) {
                 *sum += s * s * part;
             }
         }
@@ -50,6 +79,7 @@ impl Scorer<'_> {
         let mut covariances = Covariances {
             groups: core::array::from_fn(|_| vec![0.0; count * count]),
             roundings: vec![0.0; count * count],
+            used: vec![false; count],
         };
         let mut scratch = model.exact.clone();
         let mut column = vec![0.0; count];
@@ -79,19 +109,22 @@ impl Scorer<'_> {
             add_outer(&mut covariances.groups[TOGETHER], &column);
         }
         // People go on with numbers as they write them: those that are read here, and sizes of vectors that are laid off, to the same decimals.
-        let read = self.data.iter().filter_map(|datum| {
+        let read = self.data.iter().enumerate().filter_map(|(index, datum)| {
             let reading = model.readings[datum.entry].ok()?;
-            Some((reading.number, datum.rounding))
+            Some((reading.number, datum.rounding, Some(index)))
         });
         let sizes = model.sizes.iter().map(|&(number, sheet)| {
             let same = self.data.iter().filter(|d| d.sheet == Some(sheet));
             let finest = same.map(|d| d.rounding).fold(f64::INFINITY, f64::min);
-            (number, if finest.is_finite() { finest } else { 0.0 })
+            (number, if finest.is_finite() { finest } else { 0.0 }, None)
         });
-        for (number, rounding) in read.chain(sizes) {
+        for (number, rounding, datum) in read.chain(sizes) {
             let Some(act) = model.makers[number.0].filter(|_| model.used[number.0]) else {
                 continue;
             };
+            if let Some(datum) = datum {
+                covariances.used[datum] = true;
+            }
             let size = rounding * deviation;
             for ((changes, data), base) in variants.iter().zip(&bases) {
                 let change = Change::Written(number, base.number(number) + size);

@@ -1,6 +1,6 @@
 //! The whole comparison of values with a construction: all honest errors carry the values together.
 
-use super::covariance::Covariances;
+use super::covariance::{Covariances, Hand};
 use super::datum::{Cost, Datum};
 use super::mistakes::Candidate;
 use super::model::{GROUPS, TOGETHER};
@@ -24,8 +24,8 @@ pub(super) struct Fit {
     pub predicted: Vec<f64>,
     /// Which values remain outside, by datum.
     pub outside: Vec<bool>,
-    /// How good the hand is at each kind of acts.
-    pub hand: [f64; GROUPS],
+    /// How good the hand is.
+    pub hand: Hand,
 }
 
 /// The best hand found so far for a set of mistakes.
@@ -37,18 +37,18 @@ struct Hands<'a, 's> {
     walk: Walk,
     cost: f64,
     outside: Vec<bool>,
-    hand: [f64; GROUPS],
+    hand: Hand,
 }
 
 impl Hands<'_, '_> {
     /// Tries a hand; whether it is the best so far.
-    fn consider(&mut self, hand: [f64; GROUPS]) -> bool {
-        self.covariances.sum(&hand, &mut self.walk.matrix);
+    fn consider(&mut self, hand: Hand) -> bool {
+        self.walk.begin(&self.covariances, &hand);
         let cost = self
             .walk
             .run(self.scorer, &self.meant, &self.predicted, None);
         // A kind of errors that there is not is no better hand.
-        let better = hand.iter().filter(|s| **s > 0.0);
+        let better = hand.errors.iter().filter(|s| **s > 0.0);
         let cost = cost.total() - better.map(|s| BETTER_HAND * libm::log10(*s)).sum::<f64>();
         let is_better = cost < self.cost;
         if is_better {
@@ -63,8 +63,11 @@ impl Hands<'_, '_> {
     fn search(&mut self) {
         let mut level = 0;
         for (index, &size) in HANDS.iter().enumerate() {
-            let mut hand = [size; GROUPS];
-            hand[TOGETHER] = 0.0;
+            let mut hand = Hand {
+                errors: [size; GROUPS],
+                goes_on_rounded: true,
+            };
+            hand.errors[TOGETHER] = 0.0;
             if self.consider(hand) {
                 level = index;
             } else if index > level + 1 {
@@ -74,16 +77,22 @@ impl Hands<'_, '_> {
         if level <= 1 {
             return;
         }
-        let mut program = [HANDS[HANDS.len() - 1]; GROUPS];
-        program[TOGETHER] = HANDS[level];
-        program[VELOCITY] = HANDS[level];
+        let mut program = Hand {
+            errors: [HANDS[HANDS.len() - 1]; GROUPS],
+            goes_on_rounded: true,
+        };
+        program.errors[TOGETHER] = HANDS[level];
+        program.errors[VELOCITY] = HANDS[level];
         self.consider(program);
         for _ in 0..2 {
+            let mut other_way = self.hand;
+            other_way.goes_on_rounded = !other_way.goes_on_rounded;
+            self.consider(other_way);
             for group in 0..GROUPS {
                 let mut hand = self.hand;
-                let tried = hand[group];
+                let tried = hand.errors[group];
                 for size in HANDS.into_iter().filter(|s| *s != tried) {
-                    hand[group] = size;
+                    hand.errors[group] = size;
                     self.consider(hand);
                 }
             }
@@ -106,7 +115,10 @@ impl Scorer<'_> {
             walk: Walk::new(self.data.len()),
             cost: f64::INFINITY,
             outside: Vec::new(),
-            hand: [1.0; GROUPS],
+            hand: Hand {
+                errors: [1.0; GROUPS],
+                goes_on_rounded: true,
+            },
         };
         hands.search();
         Some(Fit {
@@ -127,7 +139,7 @@ impl Scorer<'_> {
         for group in 0..GROUPS {
             for better in [5.0, 25.0, 125.0] {
                 let mut hand = fit.hand;
-                hand[group] /= better;
+                hand.errors[group] /= better;
                 hands.push(hand);
             }
         }
@@ -136,7 +148,7 @@ impl Scorer<'_> {
             let touches = |slip: &Candidate| matches!(slip.stands.as_slice(), [one] if one.entry == datum.entry);
             let own: Vec<usize> = (0..slips.len()).filter(|&s| touches(slips[s])).collect();
             for hand in hands.iter().filter(|_| !own.is_empty()) {
-                covariances.sum(hand, &mut walk.matrix);
+                walk.begin(&covariances, hand);
                 let others = walk.run(self, &meant, &fit.predicted, Some(index));
                 for &slip in &own {
                     let meant = slips[slip].stands[0].read(datum);
@@ -164,7 +176,7 @@ impl Scorer<'_> {
                 !touched || datum.as_ref().is_none_or(near)
             });
             for hand in hands.iter().filter(|_| could_be) {
-                covariances.sum(hand, &mut walk.matrix);
+                walk.begin(&covariances, hand);
                 *cost = cost.min(walk.run(self, &meant, &fit.predicted, None).total());
             }
         }
@@ -176,6 +188,8 @@ impl Scorer<'_> {
 struct Walk {
     /// The covariance of the values, of which a walk leaves what those passed do not explain.
     matrix: Vec<f64>,
+    /// By value: which part of its rounding's variance is its own.
+    own: Vec<f64>,
     /// How far the values passed let expect each to be off.
     means: Vec<f64>,
     /// Which values nothing explains.
@@ -186,9 +200,15 @@ impl Walk {
     fn new(count: usize) -> Walk {
         Walk {
             matrix: vec![0.0; count * count],
+            own: vec![1.0; count],
             means: vec![0.0; count],
             outside: vec![false; count],
         }
+    }
+
+    /// Gets ready for a hand as good as that.
+    fn begin(&mut self, covariances: &Covariances, hand: &Hand) {
+        covariances.sum(hand, &mut self.matrix, &mut self.own);
     }
 
     /// The cost of all values, but for the one kept for last: for that it leaves what all others let expect.
@@ -243,8 +263,9 @@ impl Walk {
         };
         let rounding = datum.variance();
         // Roundings are independent: less than a part of them never remains.
-        let own = self.matrix[index * self.means.len() + index];
-        let variance = (own + rounding).max(0.25 * rounding);
+        let others = self.matrix[index * self.means.len() + index];
+        let own = self.own[index] * rounding;
+        let variance = (others + own).max(0.25 * own);
         let off = datum.off(predicted[index], self.means[index]) - self.means[index];
         let is_inside = cost.add_deviate(off * off / variance, variance / rounding, without);
         self.outside[index] = !is_inside;

@@ -200,14 +200,14 @@ impl<'a> Scorer<'a> {
 
     /// About how far honest errors of a hand as good as the fit says let a value be off.
     pub fn deviation(&self, datum: usize, fit: &Fit) -> f64 {
-        let hand = fit.hand.iter().copied().fold(0.0, f64::max);
+        let hand = fit.hand.worst();
         (hand * hand * self.quick[datum] + self.data[datum].variance()).sqrt()
     }
 
     /// Whether the values cannot tell two explanations apart: both fit them as well, and each value is about as far from what both predict.
     pub fn are_alike(&self, a: &Fit, b: &Fit, sets: [&[&Candidate]; 2]) -> bool {
         let [meant_a, meant_b] = sets.map(|set| self.meant(set));
-        let hand = a.hand.iter().copied().fold(0.0, f64::max);
+        let hand = a.hand.worst();
         let same = |index: usize| match (&meant_a[index], &meant_b[index]) {
             (Some(m), Some(n)) => {
                 let [p, q] = [a.predicted[index], b.predicted[index]];

@@ -209,13 +209,20 @@ impl<'a> Search<'a> {
             .map(|(cost, &i)| (cost + self.costs[i], i));
         let mut costs: Vec<(f64, usize)> = costs.collect();
         costs.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let likeliest = costs.into_iter().take(SLIPS).map(|(_, index)| {
+        // The same slips, too, with which the student went on.
+        let likeliest = costs.into_iter().take(SLIPS).flat_map(|(_, index)| {
+            let slip = &self.candidates[index];
+            let twins = self.all.iter().copied();
+            let twins = twins.filter(move |&twin| self.candidates[twin].is_told_like(slip));
+            twins.filter(|&twin| self.go_together(&best.set, twin))
+        });
+        let sets = likeliest.map(|index| {
             let mut set = best.set.clone();
             set.push(index);
             set.sort_unstable();
             set
         });
-        likeliest.collect()
+        sets.collect()
     }
 
     /// Explanations of one mistake more than those of the beam; the best first.
@@ -300,26 +307,37 @@ impl<'a> Search<'a> {
         let best = &tried[chosen];
         let weight = |t: &Tried| libm::exp(-0.5 * (t.cost - best.cost).max(-60.0));
         let total: f64 = tried.iter().map(weight).sum();
+        // Explanations that are told in the same words are one; those that leave out one of the best's mistakes say nothing else.
+        let is_told = |set: &[usize], other: &[usize]| {
+            let told = |i: &usize| {
+                set.iter()
+                    .any(|j| self.candidates[*i].is_told_like(&self.candidates[*j]))
+            };
+            other.iter().all(told)
+        };
+        let probability = |of: &Tried| {
+            let same = |t: &&Tried| t.set.len() == of.set.len() && is_told(&of.set, &t.set);
+            tried.iter().filter(same).map(weight).sum::<f64>() / total
+        };
         let own_set = self.set(&best.set);
-        let mut others = Vec::new();
+        let mut others: Vec<&Tried> = Vec::new();
         for (index, other) in tried.iter().enumerate() {
-            if index == chosen
-                || other.set.is_empty()
-                || others.len() == OTHERS
-                || best.set.is_empty()
-            {
-                continue;
+            let is_new = !is_told(&best.set, &other.set)
+                && !others.iter().any(|o| is_told(&o.set, &other.set));
+            if index != chosen && !best.set.is_empty() && is_new {
+                others.push(other);
             }
-            let set = self.set(&other.set);
+        }
+        let others = others.into_iter().filter_map(|other| {
             let is_alike = other.set.len() == best.set.len()
                 && self
                     .scorer
-                    .are_alike(&best.fit, &other.fit, [&own_set, &set]);
-            let probability = weight(other) / total;
-            if is_alike || probability >= LEAST {
-                others.push(self.explanation(other, probability, is_alike));
-            }
-        }
+                    .are_alike(&best.fit, &other.fit, [&own_set, &self.set(&other.set)]);
+            let probability = probability(other);
+            (is_alike || probability >= LEAST)
+                .then(|| self.explanation(other, probability, is_alike))
+        });
+        let others: Vec<Explanation> = others.take(OTHERS).collect();
         // What a hand may be off by needs no explanation.
         let is_outside = |entry: usize| {
             let mut data = best.fit.outside.iter().zip(&self.scorer.data);
@@ -329,7 +347,7 @@ impl<'a> Search<'a> {
         let off = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off);
         let unexplained: Vec<usize> = off.filter(|&entry| is_outside(entry)).collect();
         Diagnosis {
-            best: self.explanation(best, weight(best) / total, false),
+            best: self.explanation(best, probability(best), false),
             others,
             unexplained,
         }
@@ -383,7 +401,12 @@ impl<'a> Search<'a> {
 
 /// Whether the hand is as good as hands are, and no better.
 fn is_by_hand(tried: &Tried) -> bool {
-    tried.fit.hand.iter().all(|&s| s == 0.0 || s >= BY_HAND)
+    tried
+        .fit
+        .hand
+        .errors
+        .iter()
+        .all(|&s| s == 0.0 || s >= BY_HAND)
 }
 
 /// Whether nothing remains to be explained: in a drawing more exact than hands draw there may be slips that its tolerance hides.

@@ -108,6 +108,8 @@ pub struct CheckWords {
     pub truncated: MistakeWords,
     /// Quantity, digits, wrong and right unit.
     pub wrong_unit: MistakeWords,
+    /// Quantity, digits, the unit that they are in, the scene's unit.
+    pub other_unit: MistakeWords,
     /// Quantity.
     pub unknown: MistakeWords,
 }
@@ -437,6 +439,15 @@ pub(super) const ENGLISH: CheckWords = CheckWords {
             )
         },
         should: |b| format!("{} {}", b[1], b[3]),
+    },
+    other_unit: MistakeWords {
+        done: |b| {
+            format!(
+                "{}: {} is the value in {}, and no unit says so",
+                b[0], b[1], b[2]
+            )
+        },
+        should: |b| format!("write {} beside it, or the value in {}", b[2], b[3]),
     },
     unknown: MistakeWords {
         done: |b| {

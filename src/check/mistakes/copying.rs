@@ -192,30 +192,66 @@ const METRIC: [(&str, f64); 3] = [("m", 1000.0), ("cm", 10.0), ("mm", 1.0)];
 pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, entry) in written(site) {
-        let ratio = entry.factor_without_unit / entry.factor;
-        let unit = entry.asked.kind().unit(site.drawn.units);
-        let mut factors = vec![(ratio, entry.unit.clone().unwrap_or_default(), unit.clone())];
-        // Metres, centimetres and millimetres, where no unit says which.
-        let head = unit.split('/').next().unwrap_or("");
-        if entry.unit.is_none()
-            && !entry.on_paper
-            && let Some(own) = METRIC.iter().find(|m| m.0 == head)
-        {
-            for other in METRIC.iter().filter(|m| m.0 != head) {
-                let wrong = unit.replacen(head, other.0, 1);
-                factors.push((other.1 / own.1, wrong, unit.clone()));
-            }
+        let Some(unit) = &entry.unit else { continue };
+        let factor = entry.factor_without_unit / entry.factor;
+        let right = entry.asked.kind().unit(site.drawn.units);
+        found.extend(in_unit(
+            site,
+            Mistake::WrongUnit,
+            index,
+            factor,
+            [unit, &right],
+        ));
+    }
+    found
+}
+
+/// The number is right in another metric unit than the scene's, and no unit says which.
+pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for (index, entry) in written(site) {
+        let own = entry.asked.kind().unit(site.drawn.units);
+        let head = own.split('/').next().unwrap_or("");
+        let Some(metric) = METRIC.iter().find(|m| m.0 == head) else {
+            continue;
+        };
+        if entry.unit.is_some() || entry.on_paper {
+            continue;
         }
-        for (factor, wrong, right) in factors {
-            if (factor.abs() - 1.0).abs() < 1e-9 || !factor.is_finite() {
-                continue;
-            }
-            let meant = stand(index, entry.value * factor, entry.rounding * factor.abs());
-            let blanks = vec![named(entry), entry.text.clone(), wrong, right];
-            found.extend(misread(site, Mistake::WrongUnit, vec![meant], blanks));
+        for (name, size) in METRIC.iter().filter(|m| m.0 != head) {
+            let other = own.replacen(head, name, 1);
+            found.extend(in_unit(
+                site,
+                Mistake::OtherUnit,
+                index,
+                size / metric.1,
+                [&other, &own],
+            ));
         }
     }
     found
+}
+
+/// A value as it is in another unit, so many times as large.
+fn in_unit(
+    site: &Site<'_>,
+    mistake: Mistake,
+    index: usize,
+    factor: f64,
+    [written, right]: [&str; 2],
+) -> Vec<Candidate> {
+    if !factor.is_finite() || (factor.abs() - 1.0).abs() < 1e-9 {
+        return Vec::new();
+    }
+    let entry = &site.entries[index];
+    let meant = stand(index, entry.value * factor, entry.rounding * factor.abs());
+    let blanks = vec![
+        named(entry),
+        entry.text.clone(),
+        written.to_owned(),
+        right.to_owned(),
+    ];
+    misread(site, mistake, vec![meant], blanks)
 }
 
 /// A value that is simply wrong, and what follows from it.

@@ -73,6 +73,8 @@ pub enum Mistake {
     Truncated,
     /// The wrong unit written beside a value.
     WrongUnit,
+    /// A value in another unit of length than the scene's, and no unit beside it.
+    OtherUnit,
     /// A value off for a reason that the catalogue does not know, and gone on with.
     Unknown,
 }
@@ -94,6 +96,13 @@ pub struct Candidate {
     pub(super) goes_on: Vec<(usize, NumberId, f64)>,
     /// Which construction is replayed: 0 for the right position, then those of other assembly modes.
     pub(super) mode: usize,
+}
+
+impl Candidate {
+    /// Whether both are told in the same words.
+    pub(super) fn is_told_like(&self, other: &Candidate) -> bool {
+        self.mistake == other.mistake && self.blanks == other.blanks
+    }
 }
 
 /// What a written value stands for in a mistake.
@@ -137,7 +146,7 @@ macro_rules! listed {
 }
 
 /// The catalogue. How common a mistake is decides only where values alone leave it open.
-pub(super) const CATALOGUE: [Listed; 29] = listed! {
+pub(super) const CATALOGUE: [Listed; 30] = listed! {
     TurnedRay "turned-ray" 6.0 rays::turned => turned_ray,
     TurnedCutLine "turned-cut-line" 4.0 rays::turned_cut_line => turned_cut_line,
     RayFromWrongPoint "ray-from-wrong-point" 5.0 rays::from_wrong_point => ray_from_wrong_point,
@@ -166,6 +175,7 @@ pub(super) const CATALOGUE: [Listed; 29] = listed! {
     DecimalSlipped "decimal-slipped" 8.0 copying::decimal => decimal_slipped,
     Truncated "truncated" 0.1 copying::truncated => truncated,
     WrongUnit "wrong-unit" 5.0 copying::unit => wrong_unit,
+    OtherUnit "other-unit" 3.0 copying::other_unit => other_unit,
     Unknown "unknown" 3.0 copying::unknown => unknown,
 };
 
