@@ -1,11 +1,14 @@
 //! Mistakes put into drawings on purpose, and what the check says of them: the tables of docs/mistakes.md.
-//! Run with `cargo run --release --example mistakes -- 500 > docs/mistakes.md`; the number counts the drawings of each mistake.
+//! Run with `cargo run --release --example mistakes -- 500 > docs/mistakes.md`; the number counts the drawings of each mistake. A mistake's name, `clean` or
+//! `pairs` behind it asks for these drawings alone.
 //!
 //! Every drawing is of a random scene: a starting scene with other lengths, places and rates. The student reads every quantity of the form,
 //! lengths to 0.1 mm of paper, rates to four digits. A mistake that moves no value beyond its tolerance is none that anybody
 //! could find, and one that throws a point off a sheet of 594 mm is seen at once; both are drawn again elsewhere.
 
-use kinegon::check::{Candidate, Checked, Drawn, Measured, Mistake, Student, check};
+use kinegon::check::{
+    Candidate, Drawn, Explanation, Given, Measured, Mistake, Student, Verdict, check,
+};
 use kinegon::drafting::Tolerance;
 use kinegon::drawing::scales;
 use kinegon::mechanism::{Mechanism, mechanism};
@@ -179,17 +182,22 @@ fn plant(
         let right = draw(&[], &[]);
         let index = random.below(right.values.len());
         let other = random.below(right.values.len());
-        let changed = slip(&right, [index, other], random)?;
+        let changed = slip(student, &right, [index, other], random)?;
         let mut goes_on = Vec::new();
-        for (index, text) in &changed {
-            let given = &right.values[*index];
-            let (place, is_used) = student.place(given)?;
-            if is_used && random.below(2) == 0 {
-                goes_on.push((place, text.parse::<f64>().ok()? * student.scale(given)));
+        for (index, given) in &changed {
+            let (place, is_used) = student.place(&right.values[*index])?;
+            // What nothing follows from is no mistake of an unknown kind, but a value off.
+            let must = mistake == Mistake::Unknown;
+            if is_used && (must || random.below(2) == 0) {
+                let value: f64 = given.text.parse().ok()?;
+                goes_on.push((place, value * student.factor(given)?));
+            }
+            if must && !is_used {
+                return None;
             }
         }
         // Of two numbers both are gone on with or none.
-        if !goes_on.is_empty() && goes_on.len() < changed.len() {
+        if goes_on.len() < changed.len() {
             goes_on.clear();
         }
         let name = |index: usize| right.values[index].name.trim_end_matches("/mu").to_owned();
@@ -201,8 +209,8 @@ fn plant(
                 .collect(),
         };
         let mut measured = draw(&[], &goes_on);
-        for (index, text) in changed {
-            measured.values[index].text = text;
+        for (index, given) in changed {
+            measured.values[index] = given;
         }
         return Some(Planted { measured, blanks });
     }
@@ -230,23 +238,15 @@ fn stays_on_paper(measured: &Measured) -> bool {
 }
 
 /// What is written in place of some values.
-type Slip = fn(&Measured, [usize; 2], &mut Random) -> Option<Vec<(usize, String)>>;
+type Slip = fn(&Student<'_>, &Measured, [usize; 2], &mut Random) -> Option<Vec<(usize, Given)>>;
 
 fn slip(mistake: Mistake) -> Option<Slip> {
     match mistake {
-        Mistake::DecimalSlipped => Some(|right, [i, _], random| {
-            let text = &right.values[i].text;
-            let number: f64 = text.parse().ok()?;
+        Mistake::DecimalSlipped => Some(|_, right, [i, _], random| {
             let up = random.below(2) == 0;
-            let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());
-            let sign = if text.starts_with('+') { "+" } else { "" };
-            let (number, decimals) = match up {
-                true => (number * 10.0, decimals.saturating_sub(1)),
-                false => (number / 10.0, decimals + 1),
-            };
-            Some(vec![(i, format!("{sign}{number:.decimals$}"))])
+            times(&right.values[i], if up { 10.0 } else { 0.1 }).map(|given| vec![(i, given)])
         }),
-        Mistake::DigitsTransposed => Some(|right, [i, _], random| {
+        Mistake::DigitsTransposed => Some(|_, right, [i, _], random| {
             let text: Vec<char> = right.values[i].text.chars().collect();
             let digits = (0..text.len()).filter(|&k| text[k].is_ascii_digit());
             let digits: Vec<usize> = digits.collect();
@@ -255,55 +255,135 @@ fn slip(mistake: Mistake) -> Option<Slip> {
             let pair = pairs.get(random.below(pairs.len().max(1)))?;
             let mut changed = text.clone();
             changed.swap(pair[0], pair[1]);
-            Some(vec![(i, changed.into_iter().collect())])
+            Some(vec![(
+                i,
+                written(&right.values[i], changed.into_iter().collect()),
+            )])
         }),
-        Mistake::Swapped => Some(|right, [i, j], _| {
+        Mistake::Swapped => Some(|_, right, [i, j], _| {
             let kind = |k: usize| {
                 let name: &str = &right.values[k].name;
-                (
-                    name.split('(').next().map(str::to_owned),
-                    name.ends_with("/mu"),
-                )
+                (name.split('(').next(), name.ends_with("/mu"))
             };
-            let texts = [i, j].map(|k| right.values[k].text.clone());
-            (i < j && kind(i) == kind(j) && texts[0] != texts[1])
-                .then(|| vec![(i, texts[1].clone()), (j, texts[0].clone())])
+            let [a, b] = [i, j].map(|k| &right.values[k]);
+            let both = || {
+                vec![
+                    (i, written(a, b.text.clone())),
+                    (j, written(b, a.text.clone())),
+                ]
+            };
+            (i < j && kind(i) == kind(j) && a.text != b.text).then(both)
+        }),
+        Mistake::WrongUnit => Some(|student, right, [i, j], _| {
+            let given = &right.values[i];
+            let own = student.unit(given)?;
+            let of_kind = UNITS.iter().find(|units| units.contains(&own.as_str()))?;
+            let wrong = of_kind[j % of_kind.len()];
+            let unit = Some(wrong.to_owned());
+            (wrong != own).then(|| {
+                vec![(
+                    i,
+                    Given {
+                        unit,
+                        ..given.clone()
+                    },
+                )]
+            })
+        }),
+        Mistake::OtherUnit => Some(|student, right, [i, j], _| {
+            let given = &right.values[i];
+            let own = student.unit(given)?;
+            let is_metric =
+                |units: &&[&str]| units[0].starts_with('m') && units.contains(&own.as_str());
+            let of_kind = UNITS.into_iter().find(is_metric)?;
+            let wrong = of_kind[j % of_kind.len()];
+            let factor = student.factor(&Given {
+                unit: Some(wrong.to_owned()),
+                ..given.clone()
+            })?;
+            (wrong != own).then(|| times(given, 1.0 / factor).map(|given| vec![(i, given)]))?
+        }),
+        Mistake::Unknown => Some(|_, right, [i, _], random| {
+            let factor = [0.7, 1.4][random.below(2)] * (1.0 + 0.1 * random.within());
+            times(&right.values[i], factor).map(|given| vec![(i, given)])
         }),
         _ => None,
     }
 }
 
-/// Whether the check names the planted mistake first: itself, or as one that values cannot tell from the first.
-fn is_named(checked: &Checked, mistake: Mistake, blanks: &[String]) -> bool {
-    let diagnosis = &checked.diagnosis;
-    let alike = diagnosis.others.iter().filter(|o| o.is_alike);
-    let mut first = core::iter::once(&diagnosis.best).chain(alike);
-    first.any(|explanation| match explanation.findings.as_slice() {
+/// Units of one kind each.
+const UNITS: [&[&str]; 5] = [
+    &["mm/s", "m/s", "cm/s"],
+    &["mm/s²", "m/s²", "cm/s²"],
+    &["mm", "m", "cm"],
+    &["rad/s", "rpm", "deg/s"],
+    &["rad/s²", "deg/s²"],
+];
+
+fn written(given: &Given, text: String) -> Given {
+    Given {
+        text,
+        ..given.clone()
+    }
+}
+
+/// A value so many times as large, with as many significant digits.
+fn times(given: &Given, factor: f64) -> Option<Given> {
+    let number: f64 = given.text.parse().ok()?;
+    let decimals = given
+        .text
+        .split_once('.')
+        .map_or(0, |(_, d)| d.len() as i32);
+    let decimals = decimals - power_of_ten(factor);
+    let sign = if given.text.starts_with('+') { "+" } else { "" };
+    let decimals = decimals.max(0) as usize;
+    Some(written(
+        given,
+        format!("{sign}{:.decimals$}", number * factor),
+    ))
+}
+
+/// The power of ten next to a factor.
+fn power_of_ten(factor: f64) -> i32 {
+    libm::round(libm::log10(factor)) as i32
+}
+
+/// Whether an explanation is the planted mistake alone, at its place.
+fn is_planted(explanation: &Explanation, mistake: Mistake, blanks: &[String]) -> bool {
+    match explanation.findings.as_slice() {
         [finding] => {
             let own = &finding.candidate;
             own.mistake == mistake && own.blanks.iter().zip(blanks).all(|(a, b)| a == b)
         }
         _ => false,
-    })
+    }
 }
 
-/// How often each mistake was named first, and what was named in its place.
+/// How often a mistake was named, and what was named in its place.
 #[derive(Default)]
 pub struct Row {
     pub planted: usize,
     pub named: usize,
+    /// Of those named: how often values could not tell it from the one that stands first.
+    pub alike: usize,
     pub instead: BTreeMap<&'static str, usize>,
 }
 
-/// Mistakes that can be planted one by one. A wrong unit has no unit to be wrong here; cutting off moves nothing beyond a tolerance; an unknown slip has no
-/// kind of its own.
-pub fn planted_kinds() -> impl Iterator<Item = Mistake> {
-    Mistake::all().filter(|m| {
-        !matches!(
-            m,
-            Mistake::WrongUnit | Mistake::Truncated | Mistake::Unknown
+impl Row {
+    /// Share named, share not told apart, what was named in its place.
+    fn columns(&self) -> String {
+        let share =
+            |count: usize| format!("{:.1} %", 100.0 * count as f64 / self.planted.max(1) as f64);
+        let mut instead: Vec<_> = self.instead.iter().map(|(k, n)| (n, k)).collect();
+        instead.sort_by(|a, b| b.cmp(a));
+        let instead: Vec<String> = instead.iter().map(|(n, k)| format!("{k} {n}")).collect();
+        format!(
+            "{} | {} | {} |",
+            share(self.named),
+            share(self.alike),
+            instead.join(", ")
         )
-    })
+    }
 }
 
 /// Plants a mistake so many times and checks; `hand` is the pencil's noise in mm and degrees.
@@ -324,12 +404,23 @@ pub fn row(mistake: Mistake, count: usize, hand: [f64; 2], seed: u64) -> Row {
         let Ok(checked) = check(&planted.measured, &drawn) else {
             continue;
         };
-        if checked.is_passed() {
+        // Cutting off in place of rounding moves no value beyond its tolerance.
+        if checked.is_passed() && mistake != Mistake::Truncated {
+            continue;
+        }
+        // A value off from which nothing follows is not explained, only told.
+        let off = checked.values.iter().filter(|v| v.verdict == Verdict::Off);
+        if mistake == Mistake::Unknown && off.count() < 2 {
             continue;
         }
         row.planted += 1;
-        if is_named(&checked, mistake, &planted.blanks) {
+        let is_own = |e: &Explanation| is_planted(e, mistake, &planted.blanks);
+        let mut others = checked.diagnosis.others.iter();
+        if is_own(&checked.diagnosis.best) {
             row.named += 1;
+        } else if others.any(|o| o.is_alike && is_own(o)) {
+            row.named += 1;
+            row.alike += 1;
         } else {
             let best = &checked.diagnosis.best.findings;
             let first = best.first().map_or("nothing", |f| f.candidate.mistake.id());
@@ -361,9 +452,9 @@ pub fn clean(count: usize, hand: [f64; 2], seed: u64) -> [usize; 2] {
 /// Two mistakes at once: how often both are named, and at least the first of them.
 pub fn pairs(count: usize, hand: [f64; 2], seed: u64) -> [usize; 3] {
     let mut random = Random(seed);
-    let kinds: Vec<Mistake> = planted_kinds()
-        .filter(|m| slip(*m).is_none() && *m != Mistake::OtherMode)
-        .collect();
+    let whole = [Mistake::OtherMode, Mistake::Truncated];
+    let kinds = Mistake::all().filter(|m| slip(*m).is_none() && !whole.contains(m));
+    let kinds: Vec<Mistake> = kinds.collect();
     let mut found = [0; 3];
     let mut tries = 0;
     while found[0] < count && tries < 60 * count {
@@ -418,46 +509,49 @@ student fills in the whole form: lengths to 0.1 mm of paper, rates to four digit
 errors up to 0.3 mm or 0.3° equally likely.
 
 A mistake counts as named where the check puts it first, at the right place; or where the given values alone cannot tell it from the first one, which the report then says: these are \
-the same by nature, as a normal part that is the only one of its vector, laid off outward, and that vector reversed. Not planted: a wrong unit (where no unit is written there is none), cutting off in \
-place of rounding (it moves no value beyond a tolerance), and values off for no reason that the catalogue knows.
+the same by nature, as a normal part that is the only one of its vector, laid off outward, and that vector reversed, or one segment taken by a scale ten times too large and a \
+slipped decimal. The columns `not told apart` count these apart. Cutting off in place of rounding moves no value beyond its tolerance; a pencil hides it, an exact drawing shows it.
 ";
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     let count = arguments.get(1).and_then(|n| n.parse().ok()).unwrap_or(20);
     let only = arguments.get(2);
+    let is_asked = |part: &str| only.is_none_or(|only| only == part);
     if only.is_none() {
         println!("{INTRODUCTION}");
     }
     println!(
-        "| mistake | drawings | named first, no noise | named first, ±0.3 mm, ±0.3° | named in its place with noise |"
+        "| mistake | drawings | named, no noise | not told apart | named in its place | named, ±0.3 mm, ±0.3° | not told apart | named in its place |"
     );
-    println!("|---|---|---|---|---|");
-    for mistake in planted_kinds().filter(|m| only.is_none_or(|o| o == m.id())) {
+    println!("|---|---|---|---|---|---|---|---|");
+    for mistake in Mistake::all().filter(|m| is_asked(m.id())) {
         let exact = row(mistake, count, [0.0; 2], 1);
-        let noisy = row(mistake, count, [0.3; 2], 2);
-        let share = |row: &Row| 100.0 * row.named as f64 / row.planted.max(1) as f64;
-        let mut instead: Vec<_> = noisy.instead.iter().map(|(k, n)| (n, k)).collect();
-        instead.sort_by(|a, b| b.cmp(a));
-        let instead: Vec<String> = instead.iter().map(|(n, k)| format!("{k} {n}")).collect();
+        let noisy = if mistake == Mistake::Truncated {
+            "hidden | | |".to_owned()
+        } else {
+            row(mistake, count, [0.3; 2], 2).columns()
+        };
         println!(
-            "| {} | {} | {:.1} % | {:.1} % | {} |",
+            "| {} | {} | {} {noisy}",
             mistake.id(),
-            exact.planted.min(noisy.planted),
-            share(&exact),
-            share(&noisy),
-            instead.join(", ")
+            exact.planted,
+            exact.columns()
         );
     }
-    if only.is_none() {
+    if is_asked("clean") {
         let [off, named] = clean(count * 4, [0.3; 2], 3);
         println!(
             "\nOf {} clean drawings with ±0.3 mm, ±0.3°, {off} are not passed, {named} are told of a mistake.",
             count * 4
         );
-        let [all, both, first] = pairs(count * 2, [0.0; 2], 4);
-        println!(
-            "\nOf {all} drawings with two mistakes, both are named in {both}, at least the first in {first}."
-        );
+    }
+    for (hand, how) in [(0.0, "no noise"), (0.3, "±0.3 mm, ±0.3°")] {
+        if is_asked("pairs") {
+            let [all, both, first] = pairs(count, [hand; 2], 4);
+            println!(
+                "\nOf {all} drawings with two mistakes and {how}, both are named in {both}, at least the first in {first}."
+            );
+        }
     }
 }

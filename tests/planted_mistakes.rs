@@ -4,7 +4,8 @@
 #[path = "../examples/mistakes.rs"]
 mod mistakes;
 
-use mistakes::{clean, planted_kinds, row};
+use kinegon::check::Mistake;
+use mistakes::{clean, row};
 
 /// Drawings of each mistake; unoptimised code takes a second for each.
 const COUNT: usize = if cfg!(debug_assertions) { 1 } else { 40 };
@@ -15,7 +16,7 @@ const EACH: usize = if cfg!(debug_assertions) { 4 } else { 1 };
 #[test]
 fn exact_drawings_show_their_mistake() {
     let (mut planted, mut named) = (0, 0);
-    for mistake in planted_kinds().step_by(EACH) {
+    for mistake in Mistake::all().step_by(EACH) {
         let row = row(mistake, COUNT, [0.0; 2], 11);
         planted += row.planted;
         named += row.named;
@@ -28,7 +29,9 @@ fn exact_drawings_show_their_mistake() {
 #[test]
 fn pencil_drawings_mostly_show_their_mistake() {
     let (mut planted, mut named) = (0, 0);
-    for mistake in planted_kinds().skip(1).step_by(EACH) {
+    // A pencil hides whether numbers are cut off.
+    let seen = Mistake::all().filter(|m| *m != Mistake::Truncated);
+    for mistake in seen.skip(1).step_by(EACH) {
         let row = row(mistake, COUNT, [0.3; 2], 12);
         planted += row.planted;
         named += row.named;

@@ -10,8 +10,19 @@ use crate::drafting::{Change, Values};
 pub(super) struct Hand {
     /// Its errors of each kind, in parts of the tolerance.
     pub errors: [f64; GROUPS],
-    /// Whether it goes on with numbers as it writes them; else with all digits of a calculator.
-    pub goes_on_rounded: bool,
+    /// With what it goes on.
+    pub habit: Habit,
+}
+
+/// With what somebody goes on who has written a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Habit {
+    /// Now with this, now with that.
+    Mixed,
+    /// With the number as it is written.
+    AsWritten,
+    /// With all digits of a calculator.
+    AllDigits,
 }
 
 impl Hand {
@@ -35,13 +46,12 @@ const OWN_ROUNDING: f64 = 1e-4;
 impl Covariances {
     /// Their sum for a hand as good as that, and which part of the variance of each value's rounding is its own.
     pub fn sum(&self, hand: &Hand, into: &mut [f64], own: &mut [f64]) {
-        if hand.goes_on_rounded {
-            into.copy_from_slice(&self.roundings);
-        } else {
-            into.fill(0.0);
+        match hand.habit {
+            Habit::AllDigits => into.fill(0.0),
+            Habit::Mixed | Habit::AsWritten => into.copy_from_slice(&self.roundings),
         }
         for (own, used) in own.iter_mut().zip(&self.used) {
-            let is_passed_on = hand.goes_on_rounded && *used;
+            let is_passed_on = hand.habit == Habit::AsWritten && *used;
             *own = if is_passed_on { OWN_ROUNDING } else { 1.0 };
         }
         for (group, s) in self.groups.iter().zip(hand.errors) {

@@ -1,6 +1,6 @@
 //! The whole comparison of values with a construction: all honest errors carry the values together.
 
-use super::covariance::{Covariances, Hand};
+use super::covariance::{Covariances, Habit, Hand};
 use super::datum::{Cost, Datum};
 use super::mistakes::Candidate;
 use super::model::{GROUPS, TOGETHER};
@@ -29,15 +29,18 @@ pub(super) struct Fit {
 }
 
 /// The best hand found so far for a set of mistakes.
-struct Hands<'a, 's> {
+pub(super) struct Hands<'a, 's> {
     scorer: &'a Scorer<'s>,
     covariances: Covariances,
     meant: Vec<Option<Datum>>,
     predicted: Vec<f64>,
     walk: Walk,
-    cost: f64,
+    /// Its cost.
+    pub cost: f64,
     outside: Vec<bool>,
     hand: Hand,
+    /// How much better than the tolerance all its errors are: the place in [`HANDS`].
+    level: usize,
 }
 
 impl Hands<'_, '_> {
@@ -59,35 +62,47 @@ impl Hands<'_, '_> {
         is_better
     }
 
-    /// Looks for the best: all kinds alike first; then, for drawings more exact than hands draw, each kind for itself.
-    fn search(&mut self) {
-        let mut level = 0;
+    /// Tries what the best hand so far may go on with.
+    fn consider_habits(&mut self) {
+        let hand = self.hand;
+        for habit in [Habit::Mixed, Habit::AsWritten, Habit::AllDigits] {
+            if habit != hand.habit {
+                self.consider(Hand { habit, ..hand });
+            }
+        }
+    }
+
+    /// Looks for the best whose errors are all alike.
+    fn search_alike(&mut self) {
         for (index, &size) in HANDS.iter().enumerate() {
             let mut hand = Hand {
                 errors: [size; GROUPS],
-                goes_on_rounded: true,
+                habit: Habit::Mixed,
             };
             hand.errors[TOGETHER] = 0.0;
             if self.consider(hand) {
-                level = index;
-            } else if index > level + 1 {
+                self.level = index;
+            } else if index > self.level + 1 {
                 break;
             }
         }
-        if level <= 1 {
+        self.consider_habits();
+    }
+
+    /// Looks on, for drawings more exact than hands draw, with each kind of errors for itself.
+    pub fn search_each(&mut self) {
+        if self.level <= 1 {
             return;
         }
         let mut program = Hand {
             errors: [HANDS[HANDS.len() - 1]; GROUPS],
-            goes_on_rounded: true,
+            habit: Habit::Mixed,
         };
-        program.errors[TOGETHER] = HANDS[level];
-        program.errors[VELOCITY] = HANDS[level];
+        program.errors[TOGETHER] = HANDS[self.level];
+        program.errors[VELOCITY] = HANDS[self.level];
         self.consider(program);
         for _ in 0..2 {
-            let mut other_way = self.hand;
-            other_way.goes_on_rounded = !other_way.goes_on_rounded;
-            self.consider(other_way);
+            self.consider_habits();
             for group in 0..GROUPS {
                 let mut hand = self.hand;
                 let tried = hand.errors[group];
@@ -100,9 +115,20 @@ impl Hands<'_, '_> {
     }
 }
 
+impl From<Hands<'_, '_>> for Fit {
+    fn from(hands: Hands<'_, '_>) -> Fit {
+        Fit {
+            cost: hands.cost,
+            predicted: hands.predicted,
+            outside: hands.outside,
+            hand: hands.hand,
+        }
+    }
+}
+
 impl Scorer<'_> {
-    /// The whole comparison, with the covariances that the mistakes bring with them.
-    pub fn fit(&self, set: &[&Candidate]) -> Option<Fit> {
+    /// The whole comparison, with the covariances that the mistakes bring with them, of hands equally good at everything.
+    pub fn compare(&self, set: &[&Candidate]) -> Option<Hands<'_, '_>> {
         let predicted = self.predicted(set);
         if predicted.iter().any(|p| !p.is_finite()) {
             return None;
@@ -117,16 +143,12 @@ impl Scorer<'_> {
             outside: Vec::new(),
             hand: Hand {
                 errors: [1.0; GROUPS],
-                goes_on_rounded: true,
+                habit: Habit::Mixed,
             },
+            level: 0,
         };
-        hands.search();
-        Some(Fit {
-            cost: hands.cost,
-            predicted: hands.predicted,
-            outside: hands.outside,
-            hand: hands.hand,
-        })
+        hands.search_alike();
+        Some(hands)
     }
 
     /// The costs of slips of writing beside a set that has been compared already, for drawings so exact that a first look sees nothing: the covariances

@@ -1,12 +1,12 @@
 //! Looks for the mistakes that explain all values, right and wrong ones: one mistake first, then more together.
 
 use super::entry::Entry;
-use super::fit::Fit;
+use super::fit::{Fit, Hands};
 use super::mistakes::{Candidate, Mistake, Site};
 use super::model::Model;
 use super::score::Scorer;
 use super::verdict::{Drawn, Judged, Verdict};
-use crate::cores::on_all_cores;
+use crate::cores::{on_all_cores, on_each_core};
 use crate::motion::{Order, motion};
 use crate::plan::construction;
 use crate::position::poses;
@@ -53,6 +53,9 @@ const EXTENDED: usize = 12;
 
 /// By how much a further mistake must explain the values better, in −2 ln of likelihoods: ten times likelier.
 const MARGIN: f64 = 4.6;
+
+/// How many of them are compared with hands that are not equally good at everything.
+const REFINED: usize = 16;
 
 /// How many slips of writing are compared as a whole where a first look does not see them.
 const SLIPS: usize = 12;
@@ -172,7 +175,7 @@ impl<'a> Search<'a> {
     /// All explanations compared as a whole, the best first.
     fn run(&self, depth: usize) -> Vec<Tried> {
         let mut tried: Vec<Tried> = Vec::new();
-        tried.extend(self.tried(Vec::new()));
+        tried.extend(self.compared(vec![Vec::new()]));
         let mut beam: Vec<Vec<usize>> = vec![Vec::new()];
         for _ in 0..depth {
             let best_before = tried.first().map_or(f64::INFINITY, |t| t.cost);
@@ -246,16 +249,35 @@ impl<'a> Search<'a> {
         let mut sets: Vec<Vec<usize>> = best.map(|best| self.slips(best)).unwrap_or_default();
         sets.retain(|set| looked.iter().all(|l| l.1 != *set));
         sets.extend(looked.into_iter().map(|(_, set)| set));
-        let tried = on_all_cores(&sets, |set| self.tried(set.clone()));
-        let mut level: Vec<Tried> = tried.into_iter().flatten().collect();
+        let mut level = self.compared(sets);
         level.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         level
     }
 
-    fn tried(&self, set: Vec<usize>) -> Option<Tried> {
-        let fit = self.scorer.fit(&self.set(&set))?;
-        let cost = fit.cost + self.cost(&set);
-        Some(Tried { set, fit, cost })
+    /// Explanations compared as a whole; the likeliest of them with hands that are not equally good at everything.
+    fn compared(&self, sets: Vec<Vec<usize>>) -> Vec<Tried> {
+        let compared = on_all_cores(&sets, |set| self.scorer.compare(&self.set(set)));
+        let both = sets.into_iter().zip(compared);
+        let both =
+            both.filter_map(|(set, hands)| hands.map(|h| (h.cost + self.cost(&set), set, h)));
+        let mut all: Vec<(f64, Vec<usize>, Hands<'_, '_>)> = both.collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
+        let mut all: Vec<(bool, Vec<usize>, Hands<'_, '_>)> = all
+            .into_iter()
+            .enumerate()
+            .map(|(place, (_, set, hands))| (place < REFINED, set, hands))
+            .collect();
+        on_each_core(&mut all, |(is_likely, _, hands)| {
+            if *is_likely {
+                hands.search_each();
+            }
+        });
+        let tried = all.into_iter().map(|(_, set, hands)| {
+            let fit = Fit::from(hands);
+            let cost = fit.cost + self.cost(&set);
+            Tried { set, fit, cost }
+        });
+        tried.collect()
     }
 
     /// Two changes of one act, or two meanings of one value, do not go together; another position only with slips of writing.

@@ -77,7 +77,7 @@ impl<'a> Student<'a> {
             other_modes: self.models.len() - 1,
         };
         let mut all = site.of(mistake);
-        all.retain(|c| c.stands.is_empty());
+        all.retain(|c| c.stands.is_empty() || mistake == Mistake::Truncated);
         all
     }
 
@@ -119,6 +119,7 @@ impl<'a> Student<'a> {
         }
         all.sort_by_key(|d| d.act);
         let read = model.read(&model.replay(&all));
+        let cuts_off = mistakes.iter().any(|c| c.mistake == Mistake::Truncated);
         // Whoever mistakes a scale has turned millimetres into values.
         let in_units = mistakes.iter().any(|c| c.mistake == Mistake::WrongScale);
         let values = self.entries.iter().zip(read).zip(&model.readings);
@@ -127,9 +128,9 @@ impl<'a> Student<'a> {
             let senseless = reading.is_magnitude || reading.is_distance;
             let value = if senseless { value.abs() } else { value };
             let (text, on_paper) = match (entry.per_mm, entry.asked.kind()) {
-                (Some(mu), _) if senseless && !in_units => (format!("{:.1}", value / mu), true),
-                (_, Kind::Angle) => (format!("{value:.1}"), false),
-                _ => (four_digits(value), false),
+                (Some(mu), _) if senseless && !in_units => (digits(value / mu, 1, cuts_off), true),
+                (_, Kind::Angle) => (digits(value, 1, cuts_off), false),
+                _ => (four_digits(value, cuts_off), false),
             };
             value.is_finite().then(|| Given {
                 name: format!(
@@ -169,13 +170,22 @@ impl<'a> Student<'a> {
         Some((first, self.models[0].used[number.0]))
     }
 
-    /// The scale by which a written length counts; 1 for other values.
+    /// The unit that the scene has for a written value; none for millimetres of paper.
     #[must_use]
-    pub fn scale(&self, given: &Given) -> f64 {
-        let name = given.name.trim_end_matches("/mu");
-        let entry = self.entries.iter().find(|e| e.asked.name() == name);
-        let own = entry.and_then(|e| e.per_mm);
-        own.filter(|_| given.name.ends_with("/mu")).unwrap_or(1.0)
+    pub fn unit(&self, given: &Given) -> Option<String> {
+        let entry = self.entries.iter().find(|e| e.asked.name() == given.name)?;
+        Some(entry.asked.kind().unit(self.drawn.units))
+    }
+
+    /// By what a written number is multiplied for the value in the scene's units.
+    #[must_use]
+    pub fn factor(&self, given: &Given) -> Option<f64> {
+        let form = Measured {
+            mu: self.mu,
+            values: vec![given.clone()],
+            ..Measured::default()
+        };
+        Some(entries(&form, self.drawn).ok()?.first()?.factor)
     }
 }
 
@@ -188,11 +198,22 @@ fn signed(text: String, senseless: bool) -> String {
     }
 }
 
-fn four_digits(value: f64) -> String {
+/// A number with so many decimals, rounded or cut off.
+fn digits(value: f64, decimals: i32, cuts_off: bool) -> String {
+    let unit = libm::exp10(f64::from(-decimals));
+    let value = if cuts_off {
+        libm::trunc(value / unit) * unit
+    } else {
+        value
+    };
+    let decimals = decimals.max(0) as usize;
+    format!("{value:.decimals$}")
+}
+
+fn four_digits(value: f64, cuts_off: bool) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
     let exponent = libm::floor(libm::log10(value.abs())) as i32;
-    let after = (3 - exponent).max(0) as usize;
-    format!("{value:.after$}")
+    digits(value, (3 - exponent).max(0), cuts_off)
 }
