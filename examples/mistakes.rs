@@ -481,6 +481,9 @@ pub fn pairs(count: usize, hand: [f64; 2], seed: u64) -> [usize; 3] {
             continue;
         }
         let measured = student.draw(&[&both[0], &both[1]], hand, &mut || random.within(), &[]);
+        if !stays_on_paper(&measured) {
+            continue;
+        }
         let Ok(checked) = check(&measured, &drawn) else {
             continue;
         };

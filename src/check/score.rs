@@ -184,7 +184,7 @@ impl<'a> Scorer<'a> {
                 // Errors grow about as the value does.
                 let grown = (predicted[index] / self.right[index]).abs();
                 let grown = if grown.is_finite() {
-                    grown.clamp(1.0, 10.0)
+                    grown.clamp(1.0, 1000.0)
                 } else {
                     1.0
                 };
