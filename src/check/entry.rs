@@ -117,10 +117,11 @@ fn find_precisions(entries: &mut [Entry]) {
     }
 }
 
-struct Reader<'a> {
-    measured: &'a Measured,
-    drawn: &'a Drawn<'a>,
-    order: IndexMap<String, usize>,
+pub(super) struct Reader<'a> {
+    pub measured: &'a Measured,
+    pub drawn: &'a Drawn<'a>,
+    /// The names of all quantities of the steps, in order, with the numbers of their steps.
+    pub order: IndexMap<String, usize>,
 }
 
 impl Reader<'_> {
@@ -248,7 +249,7 @@ impl Reader<'_> {
     }
 
     /// What a name stands for: the quantity, its exact value, its sheet, the number of its step.
-    fn quantity(&self, name: &str) -> Result<(Asked, f64, Sheet, usize), CheckError> {
+    pub fn quantity(&self, name: &str) -> Result<(Asked, f64, Sheet, usize), CheckError> {
         let Drawn {
             mechanism,
             pose,
@@ -328,94 +329,6 @@ impl Reader<'_> {
             _ if sheet == Sheet::Scheme => 0,
             _ => last.unwrap_or(0),
         }
-    }
-
-    /// Distances between the plan points whose places are given: of each from the pole, and those that the steps measure or lay off.
-    fn add_points(&self, entries: &mut Vec<Entry>) -> Result<(), CheckError> {
-        for points in &self.measured.points {
-            let sheet = Sheet::of(points.kind);
-            let what = points.kind.segment_name("", "");
-            let at =
-                |name: &str| format!("points: {name} of {}", what.split('(').next().unwrap_or(""));
-            let Some(mu) = self.measured.mu[sheet as usize] else {
-                let mu = ["mu_l", "mu_v", "mu_a"][sheet as usize];
-                return Err(CheckError::new(
-                    format!(
-                        "places of points are in millimetres of paper, but your scale {mu} is missing"
-                    ),
-                    format!("add {mu}, the scale of your {}", sheet.name()),
-                ));
-            };
-            let pole = points.kind.pole();
-            let written_pole = ["π", "pi", "p'", "p"].into_iter();
-            let own_pole = written_pole
-                .into_iter()
-                .find(|p| points.places.contains_key(*p));
-            let Some(own_pole) = own_pole else {
-                return Err(CheckError::new(
-                    format!(
-                        "the places of the {} do not have its pole {pole}",
-                        sheet.name()
-                    ),
-                    format!("add \"{pole}\": [x, y]"),
-                ));
-            };
-            let named = |name: &str| {
-                if name == own_pole {
-                    pole.to_owned()
-                } else {
-                    name.to_owned()
-                }
-            };
-            let places: IndexMap<String, [f64; 2]> =
-                points.places.iter().map(|(n, &p)| (named(n), p)).collect();
-            let mut pairs: Vec<(String, String)> = Vec::new();
-            for name in places.keys().filter(|n| *n != pole) {
-                pairs.push((pole.to_owned(), name.clone()));
-            }
-            for a in places.keys().filter(|n| *n != pole) {
-                for b in places.keys().filter(|n| *n != pole) {
-                    if self.order.contains_key(&points.kind.segment_name(a, b)) {
-                        pairs.push((a.clone(), b.clone()));
-                    }
-                }
-            }
-            for (a, b) in pairs {
-                let name = points.kind.segment_name(&a, &b);
-                if entries.iter().any(|e| e.asked.name() == name) {
-                    continue;
-                }
-                let (asked, expected, sheet, step) =
-                    self.quantity(&name).map_err(|e| e.at(&at(&b)))?;
-                // Images of points at rest are the pole itself.
-                if expected == 0.0 {
-                    continue;
-                }
-                let [p, q] = [&a, &b].map(|n| places[n.as_str()]);
-                let mm = libm::hypot(q[0] - p[0], q[1] - p[1]);
-                entries.push(Entry {
-                    asked,
-                    text: String::new(),
-                    value: mm * mu,
-                    // Places are written to a tenth or a hundredth of a millimetre, as people do.
-                    rounding: 0.05 * mu,
-                    precision: Precision {
-                        decimals: 1,
-                        digits: 4,
-                    },
-                    is_magnitude: false,
-                    factor: mu,
-                    factor_without_unit: mu,
-                    unit: None,
-                    on_paper: true,
-                    per_mm: Some(mu),
-                    sheet,
-                    step,
-                    expected,
-                });
-            }
-        }
-        Ok(())
     }
 }
 

@@ -3,7 +3,7 @@
 //! the construction is replayed with one mistake put in, then with more, and every replay is held against all values, right and wrong ones.
 //!
 //! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry` finds what each value stands
-//! for, `precision` how finely it is written, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
+//! for, `precision` how finely it is written, `points` what places on paper say, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
 //! errors, `score`, `datum`, `covariance` and `fit` say how well values fit a prediction, `mistakes/` is the catalogue, `search` looks for what explains
 //! the values, `report` and `result` tell it; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
 
@@ -15,6 +15,7 @@ mod fit;
 mod mistakes;
 mod model;
 mod order;
+mod points;
 mod precision;
 mod report;
 mod result;

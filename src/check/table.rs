@@ -1,10 +1,12 @@
 //! The form of measured values as a table: `quantity,value,unit` a line, with commas or semicolons.
 
-use super::sheet::{CheckError, Given, Measured, Positive};
+use super::sheet::{CheckError, Given, Measured, PointsOf, Positive};
+use crate::plan::PlanKind;
+use indexmap::IndexMap;
 
 impl Measured {
     /// The values of a table; blanks are left out. Beside quantities it may say `name`, `mu_l`, `mu_v`, `mu_a`, `positive` and `in`.
-    /// Places of plan points stand in JSON only.
+    /// A line `velocity:b,114,-2.7` gives the place of a plan point on paper.
     ///
     /// Where cells are parted by semicolons, numbers may have decimal commas.
     ///
@@ -34,18 +36,38 @@ impl Measured {
             let mut cells = cells.iter().map(String::as_str);
             let (name, value) = (cells.next().unwrap_or(""), cells.next().unwrap_or(""));
             let third = cells.next().unwrap_or("");
+            if let Some((kind, point)) = plan_point(name) {
+                let at = [value, third].map(|c| decimal(c, by_semicolon));
+                if at.iter().any(|c| !c.is_empty()) {
+                    let [x, y] = at;
+                    let at = [coordinate(&x), coordinate(&y)];
+                    let [x, y] = at.map(|c| c.map_err(|e| e.at(&place)));
+                    measured.add_place(kind, point, [x?, y?]);
+                }
+                continue;
+            }
             if name.is_empty() || value.is_empty() || name.eq_ignore_ascii_case("quantity") {
                 continue;
             }
-            let mut value = value.replace('−', "-");
-            if by_semicolon {
-                value = value.replacen(',', ".", 1);
-            }
+            let value = decimal(value, by_semicolon);
             measured
                 .line(name, value, third, &place)
                 .map_err(|e| e.at(&place))?;
         }
         Ok(measured)
+    }
+
+    /// Adds the place of a plan point on paper, in millimetres.
+    fn add_place(&mut self, kind: PlanKind, point: &str, at: [f64; 2]) {
+        let own = self.points.iter().position(|p| p.kind == kind);
+        let own = own.unwrap_or_else(|| {
+            self.points.push(PointsOf {
+                kind,
+                places: IndexMap::new(),
+            });
+            self.points.len() - 1
+        });
+        self.points[own].places.insert(point.to_owned(), at);
     }
 
     fn line(
@@ -93,6 +115,37 @@ impl Measured {
         }
         Ok(())
     }
+}
+
+/// The plan and the point of a line that gives a place: `velocity:b`.
+fn plan_point(name: &str) -> Option<(PlanKind, &str)> {
+    let (plan, point) = name.split_once(':')?;
+    let kind = match plan.trim() {
+        "velocity" => PlanKind::Velocity,
+        "acceleration" => PlanKind::Acceleration,
+        _ => return None,
+    };
+    Some((kind, point.trim()))
+}
+
+/// A number with a decimal point and a plain minus.
+fn decimal(text: &str, has_comma: bool) -> String {
+    let text = text.replace('−', "-");
+    if has_comma {
+        text.replacen(',', ".", 1)
+    } else {
+        text
+    }
+}
+
+fn coordinate(text: &str) -> Result<f64, CheckError> {
+    let number = text.parse().ok().filter(|x: &f64| x.is_finite());
+    number.ok_or_else(|| {
+        CheckError::new(
+            format!("`{text}` is no coordinate"),
+            "write x and y in millimetres of paper, as velocity:b,114,-2.7",
+        )
+    })
 }
 
 /// A name with a comma that has no quotes comes in two cells: `L(B` and `S3)`.

@@ -1,11 +1,12 @@
 use super::entry::{Entry, entries};
 use super::model::Model;
+use super::points::is_mirrored;
 use super::search::{Diagnosis, diagnose};
 use super::sheet::{CheckError, Measured};
 use crate::drafting::Tolerance;
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
-use crate::plan::{Construction, Scales};
+use crate::plan::{Construction, PlanKind, Scales};
 use crate::position::Pose;
 use crate::scene::{Near, Units};
 
@@ -67,13 +68,15 @@ pub struct Checked {
     pub values: Vec<Judged>,
     /// The mistakes that explain them.
     pub diagnosis: Diagnosis,
+    /// Plans whose places on paper are the mirror image of the right ones; lengths alone do not show it.
+    pub mirrored: Vec<PlanKind>,
 }
 
 impl Checked {
-    /// Whether no value is off.
+    /// Whether no value is off, and no plan mirrored.
     #[must_use]
     pub fn is_passed(&self) -> bool {
-        self.values.iter().all(|v| v.verdict != Verdict::Off)
+        self.mirrored.is_empty() && self.values.iter().all(|v| v.verdict != Verdict::Off)
     }
 }
 
@@ -133,5 +136,14 @@ pub fn check(measured: &Measured, drawn: &Drawn<'_>) -> Result<Checked, CheckErr
     });
     let values: Vec<Judged> = judged.collect();
     let diagnosis = diagnose(drawn, measured.mu, &model, &values);
-    Ok(Checked { values, diagnosis })
+    let plans = drawn.construction.plans();
+    let mirrored = plans.filter(|plan| {
+        let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
+        places.any(|points| is_mirrored(points, plan))
+    });
+    Ok(Checked {
+        values,
+        diagnosis,
+        mirrored: mirrored.map(|plan| plan.kind).collect(),
+    })
 }

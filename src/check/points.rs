@@ -1,0 +1,119 @@
+//! Places of plan points on paper.
+
+use super::entry::{Entry, Reader};
+use super::precision::Precision;
+use super::sheet::{CheckError, PointsOf};
+use crate::drafting::Sheet;
+use crate::geometry::Vector;
+use crate::plan::Plan;
+use indexmap::IndexMap;
+
+impl Reader<'_> {
+    /// Distances between the plan points whose places are given: of each from the pole, and those that the steps measure or lay off.
+    pub fn add_points(&self, entries: &mut Vec<Entry>) -> Result<(), CheckError> {
+        for points in &self.measured.points {
+            let sheet = Sheet::of(points.kind);
+            let what = points.kind.segment_name("", "");
+            let at =
+                |name: &str| format!("points: {name} of {}", what.split('(').next().unwrap_or(""));
+            let Some(mu) = self.measured.mu[sheet as usize] else {
+                let mu = ["mu_l", "mu_v", "mu_a"][sheet as usize];
+                return Err(CheckError::new(
+                    format!(
+                        "places of points are in millimetres of paper, but your scale {mu} is missing"
+                    ),
+                    format!("add {mu}, the scale of your {}", sheet.name()),
+                ));
+            };
+            let pole = points.kind.pole();
+            let Some(own_pole) = points.pole() else {
+                return Err(CheckError::new(
+                    format!(
+                        "the places of the {} do not have its pole {pole}",
+                        sheet.name()
+                    ),
+                    format!("add \"{pole}\": [x, y]"),
+                ));
+            };
+            let named = |name: &str| {
+                if name == own_pole {
+                    pole.to_owned()
+                } else {
+                    name.to_owned()
+                }
+            };
+            let places: IndexMap<String, [f64; 2]> =
+                points.places.iter().map(|(n, &p)| (named(n), p)).collect();
+            let mut pairs: Vec<(String, String)> = Vec::new();
+            for name in places.keys().filter(|n| *n != pole) {
+                pairs.push((pole.to_owned(), name.clone()));
+            }
+            for a in places.keys().filter(|n| *n != pole) {
+                for b in places.keys().filter(|n| *n != pole) {
+                    if self.order.contains_key(&points.kind.segment_name(a, b)) {
+                        pairs.push((a.clone(), b.clone()));
+                    }
+                }
+            }
+            for (a, b) in pairs {
+                let name = points.kind.segment_name(&a, &b);
+                if entries.iter().any(|e| e.asked.name() == name) {
+                    continue;
+                }
+                let (asked, expected, sheet, step) =
+                    self.quantity(&name).map_err(|e| e.at(&at(&b)))?;
+                // Images of points at rest are the pole itself.
+                if expected == 0.0 {
+                    continue;
+                }
+                let [p, q] = [&a, &b].map(|n| places[n.as_str()]);
+                let mm = libm::hypot(q[0] - p[0], q[1] - p[1]);
+                entries.push(Entry {
+                    asked,
+                    text: String::new(),
+                    value: mm * mu,
+                    // Places are written to a tenth or a hundredth of a millimetre, as people do.
+                    rounding: 0.05 * mu,
+                    precision: Precision {
+                        decimals: 1,
+                        digits: 4,
+                    },
+                    is_magnitude: false,
+                    factor: mu,
+                    factor_without_unit: mu,
+                    unit: None,
+                    on_paper: true,
+                    per_mm: Some(mu),
+                    sheet,
+                    step,
+                    expected,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether places show a plan mirrored: no turn brings them to the right ones, but one of their mirror image does.
+pub(super) fn is_mirrored(points: &PointsOf, plan: &Plan) -> bool {
+    let Some(pole) = points.pole().and_then(|p| points.places.get(p)) else {
+        return false;
+    };
+    let pairs = points.places.iter().filter_map(|(name, at)| {
+        let right = plan.points.get(name)?.vector;
+        Some((right, Vector::new(at[0] - pole[0], at[1] - pole[1])))
+    });
+    let pairs: Vec<(Vector, Vector)> = pairs.collect();
+    // The turn that brings them nearest, as sums of complex products z̄ w, and z w of the mirror image (Umeyama 1991).
+    let (mut turned, mut mirrored) = (Vector::zeros(), Vector::zeros());
+    let (mut right, mut written) = (0.0, 0.0);
+    for (z, w) in &pairs {
+        turned += Vector::new(z.dot(w), z.x * w.y - z.y * w.x);
+        mirrored += Vector::new(z.x * w.x - z.y * w.y, z.x * w.y + z.y * w.x);
+        right += z.norm_squared();
+        written += w.norm_squared();
+    }
+    // What remains of the sum of squares, where sizes are brought to agree, too.
+    let rest = |sum: Vector| written - sum.norm_squared() / right;
+    right > 0.0 && rest(turned) > 0.01 * written && rest(mirrored) < 0.25 * rest(turned)
+}
