@@ -8,19 +8,16 @@ pub struct Precision {
 }
 
 impl Precision {
-    /// That of numbers of a kind as they are written. Files drop zeros at the end, so the longest numbers show it; but not one that alone is longer than
-    /// all others: its point may have slipped.
+    /// That of numbers of a kind as they are written. Files drop zeros at the end, so the longest numbers show it; but not one that alone has
+    /// more decimals than all others: its point may have slipped.
     pub(super) fn of<'t>(texts: impl Iterator<Item = &'t str>) -> Precision {
         let plain = texts.filter(|t| !t.is_empty() && !t.contains(['e', 'E']));
-        let (mut decimals, mut digits): (Vec<i32>, Vec<i32>) = plain.map(counts).unzip();
-        let common = |counts: &mut Vec<i32>| {
-            counts.sort_unstable_by(|a, b| b.cmp(a));
-            let place = usize::from(counts.len() > 2);
-            counts.get(place).copied().unwrap_or(0)
-        };
+        let (mut decimals, digits): (Vec<i32>, Vec<i32>) = plain.map(counts).unzip();
+        decimals.sort_unstable_by(|a, b| b.cmp(a));
+        let common = usize::from(decimals.len() > 2);
         Precision {
-            decimals: common(&mut decimals),
-            digits: common(&mut digits),
+            decimals: decimals.get(common).copied().unwrap_or(0),
+            digits: digits.into_iter().max().unwrap_or(0),
         }
     }
 
