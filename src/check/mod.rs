@@ -4,11 +4,12 @@
 //!
 //! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry` finds what each value stands
 //! for, `precision` how finely it is written, `points` what places on paper say, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
-//! errors, `score`, `datum`, `covariance` and `fit` say how well values fit a prediction, `mistakes/` is the catalogue, `search` looks for what explains
-//! the values, `report` and `result` tell it; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
+//! errors, `score`, `datum`, `covariance` and `fit` say how well values fit a prediction, `mistakes/` is the catalogue, `together` what a drawing program is off, `search` looks for what explains
+//! the values, `diagnosis` what that comes to, `report` and `result` tell it; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
 
 mod covariance;
 mod datum;
+mod diagnosis;
 mod entry;
 mod file;
 mod fit;
@@ -25,16 +26,18 @@ mod sheet;
 mod student;
 mod table;
 mod template;
+mod together;
 mod unit;
 mod verdict;
 
+pub use diagnosis::{Diagnosis, Explanation, Finding};
 pub use entry::{Entry, entries};
 pub use mistakes::{Candidate, Mistake};
 pub use order::{NumberedStep, numbered_steps};
 pub use precision::Precision;
 pub use report::report;
 pub use result::{CheckResult, check_result, check_schema};
-pub use search::{Diagnosis, Explanation, Finding};
+
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};
 pub use student::Student;
 pub use template::{template_csv, template_json};

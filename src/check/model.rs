@@ -3,17 +3,15 @@
 use super::entry::Entry;
 use super::order::{numbered_steps, step_of};
 use super::sheet::CheckError;
+use super::together::ways_together;
 use super::verdict::Drawn;
 use crate::drafting::{
     Act, Band, Change, Deed, Disturbance, Drafting, LineId, NumberId, PlaceId, Reading, Reference,
     Sheet, SheetScales, Tolerance, Unread, Values, drafting_with,
 };
-use crate::geometry::unit;
-use crate::mechanism::{GROUND, Mechanism};
 use crate::motion::Motion;
 use crate::plan::{Asked, Construction};
 use crate::position::Pose;
-use nalgebra::DMatrix;
 use smallvec::SmallVec;
 
 /// Kinds of errors whose sizes a hand may have apart: joints plotted, the rest of the scheme, the velocity plan, the acceleration plan,
@@ -143,7 +141,7 @@ impl Model {
             drafting,
         };
         model.look_around(construction);
-        model.together = model.ways_together(mechanism);
+        model.together = ways_together(&model, mechanism);
         Ok(model)
     }
 
@@ -224,57 +222,6 @@ impl Model {
                 self.sizes.push((size, acts[maker].sheet));
             }
         }
-    }
-
-    /// The null space of what keeps the links' shapes: distances between points of one link, places of the ground.
-    fn ways_together(&self, mechanism: &Mechanism) -> Vec<Vec<f64>> {
-        let plots = self.drafting.acts.iter().filter_map(|act| match act.deed {
-            Deed::Plot { place, .. } => Some((act.makes.as_str(), self.exact.place(place))),
-            _ => None,
-        });
-        let plots: Vec<_> = plots.collect();
-        let point = |name: &str| mechanism.point(name);
-        let count = 2 * plots.len();
-        // The sum of squares of what changes shapes: its kernel is what does not.
-        let mut squares = DMatrix::<f64>::zeros(count, count);
-        let mut hold = |row: &[(usize, f64)]| {
-            for &(i, a) in row {
-                for &(j, b) in row {
-                    squares[(i, j)] += a * b;
-                }
-            }
-        };
-        for (i, (name, at)) in plots.iter().enumerate() {
-            let Some(own) = point(name) else {
-                continue;
-            };
-            if mechanism.body(GROUND).points.contains(&own) {
-                hold(&[(2 * i, 1.0)]);
-                hold(&[(2 * i + 1, 1.0)]);
-            }
-            for (j, (other, there)) in plots.iter().enumerate().take(i) {
-                let Some(other) = point(other) else {
-                    continue;
-                };
-                let mut bodies = mechanism.bodies.iter();
-                let is_rigid = bodies.any(|b| b.points.contains(&own) && b.points.contains(&other));
-                if let Some(u) = unit(at - there).filter(|_| is_rigid) {
-                    hold(&[
-                        (2 * i, u.x),
-                        (2 * i + 1, u.y),
-                        (2 * j, -u.x),
-                        (2 * j + 1, -u.y),
-                    ]);
-                }
-            }
-        }
-        let eigen = squares.symmetric_eigen();
-        let largest = eigen.eigenvalues.amax();
-        let kernel = eigen.eigenvalues.iter().enumerate();
-        let kernel = kernel.filter(|(_, value)| value.abs() <= 1e-10 * largest);
-        kernel
-            .map(|(k, _)| eigen.eigenvectors.column(k).iter().copied().collect())
-            .collect()
     }
 
     /// All numbers that the entries read, after a replay with changes; NaN where an entry reads nothing.

@@ -1,7 +1,7 @@
 //! The report as text, in the figure's language.
 
+use super::diagnosis::{Explanation, Finding};
 use super::mistakes::Mistake;
-use super::search::{Explanation, Finding};
 use super::verdict::{Checked, Drawn, Judged, Verdict};
 use crate::plan::shown_text;
 use crate::words::{CheckWords, Wording};

@@ -1,6 +1,6 @@
 //! The report as JSON.
 
-use super::search::{Explanation, Finding};
+use super::diagnosis::{Explanation, Finding};
 use super::verdict::{Checked, Drawn, Verdict};
 use crate::words::Wording;
 use schemars::JsonSchema;

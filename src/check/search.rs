@@ -1,49 +1,16 @@
 //! Looks for the mistakes that explain all values, right and wrong ones: one mistake first, then more together.
 
+use super::diagnosis::Diagnosis;
 use super::entry::Entry;
 use super::fit::{Fit, Hands};
 use super::mistakes::{Candidate, Mistake, Site};
 use super::model::Model;
 use super::score::Scorer;
-use super::verdict::{Drawn, Judged, Verdict};
+use super::verdict::{Drawn, Judged};
 use crate::cores::{on_all_cores, on_each_core};
 use crate::motion::{Order, motion};
 use crate::plan::construction;
 use crate::position::poses;
-
-/// What explains the values.
-#[derive(Clone, Debug)]
-pub struct Diagnosis {
-    /// The mistakes that explain them best, in the order of the construction; none where nothing is to be explained or nothing in the
-    /// catalogue does.
-    pub best: Explanation,
-    /// What explains them, too, less surely.
-    pub others: Vec<Explanation>,
-    /// The values, by their places in the list, that remain without an explanation.
-    pub unexplained: Vec<usize>,
-}
-
-/// Mistakes that explain values together.
-#[derive(Clone, Debug)]
-pub struct Explanation {
-    /// The mistakes, in the order of the construction.
-    pub findings: Vec<Finding>,
-    /// How sure it is among all explanations that were tried, from 0 to 1.
-    pub probability: f64,
-    /// Whether it is here because the given values alone cannot tell it from the best one.
-    pub is_alike: bool,
-}
-
-/// A mistake that was probably made.
-#[derive(Clone, Debug)]
-pub struct Finding {
-    /// The mistake, and where it was made.
-    pub candidate: Candidate,
-    /// Values, by their places in the list, that differ from the right ones because of it and are consistent with it.
-    pub follows: Vec<usize>,
-    /// Values that it touches itself: written otherwise than meant, or read where it was made.
-    pub written: Vec<usize>,
-}
 
 /// How many candidates of a level are compared as a whole.
 const COMPARED: usize = 40;
@@ -52,7 +19,7 @@ const COMPARED: usize = 40;
 const EXTENDED: usize = 12;
 
 /// By how much a further mistake must explain the values better, in −2 ln of likelihoods: ten times likelier.
-const MARGIN: f64 = 4.6;
+pub(super) const MARGIN: f64 = 4.6;
 
 /// How many of them are compared with hands that are not equally good at everything.
 const REFINED: usize = 16;
@@ -63,19 +30,13 @@ const SLIPS: usize = 12;
 /// A drawing this much better than the tolerance is none by hand.
 const BY_HAND: f64 = 0.04;
 
-/// Explanations less sure than this are not told.
-const LEAST: f64 = 0.02;
-
-/// At most so many other explanations are told.
-const OTHERS: usize = 4;
-
 /// An explanation that was compared as a whole.
-struct Tried {
+pub(super) struct Tried {
     /// The candidates, by their places.
-    set: Vec<usize>,
-    fit: Fit,
+    pub set: Vec<usize>,
+    pub fit: Fit,
     /// The cost with that of the mistakes.
-    cost: f64,
+    pub cost: f64,
 }
 
 /// What explains the values of an own drawing.
@@ -155,16 +116,16 @@ fn costs(candidates: &[Candidate]) -> Vec<f64> {
     costs.collect()
 }
 
-struct Search<'a> {
-    candidates: &'a [Candidate],
+pub(super) struct Search<'a> {
+    pub candidates: &'a [Candidate],
     costs: Vec<f64>,
     /// Places of all candidates.
     all: Vec<usize>,
-    scorer: &'a Scorer<'a>,
+    pub scorer: &'a Scorer<'a>,
 }
 
 impl<'a> Search<'a> {
-    fn set(&self, indices: &[usize]) -> Vec<&'a Candidate> {
+    pub fn set(&self, indices: &[usize]) -> Vec<&'a Candidate> {
         indices.iter().map(|&i| &self.candidates[i]).collect()
     }
 
@@ -302,122 +263,6 @@ impl<'a> Search<'a> {
                     && new.goes_on.is_empty();
             acts && values && positions
         })
-    }
-
-    fn diagnosis(&self, tried: Vec<Tried>, values: &[Judged]) -> Diagnosis {
-        let Some(best) = tried.first() else {
-            return Diagnosis {
-                best: Explanation {
-                    findings: Vec::new(),
-                    probability: 0.0,
-                    is_alike: false,
-                },
-                others: Vec::new(),
-                unexplained: (0..values.len())
-                    .filter(|&i| values[i].verdict == Verdict::Off)
-                    .collect(),
-            };
-        };
-        // Without mistakes where they hardly explain more.
-        let plain = tried.iter().position(|t| t.set.is_empty());
-        let plain = plain.filter(|&p| {
-            let mut data = tried[p].fit.outside.iter().zip(&self.scorer.data);
-            let leaves = data.any(|(out, d)| *out && values[d.entry].verdict == Verdict::Off);
-            !leaves && tried[p].cost <= best.cost + MARGIN
-        });
-        let chosen = plain.unwrap_or(0);
-        let best = &tried[chosen];
-        let weight = |t: &Tried| libm::exp(-0.5 * (t.cost - best.cost).max(-60.0));
-        let total: f64 = tried.iter().map(weight).sum();
-        // Explanations that are told in the same words are one; those that leave out one of the best's mistakes say nothing else.
-        let is_told = |set: &[usize], other: &[usize]| {
-            let told = |i: &usize| {
-                set.iter()
-                    .any(|j| self.candidates[*i].is_told_like(&self.candidates[*j]))
-            };
-            other.iter().all(told)
-        };
-        let probability = |of: &Tried| {
-            let same = |t: &&Tried| t.set.len() == of.set.len() && is_told(&of.set, &t.set);
-            tried.iter().filter(same).map(weight).sum::<f64>() / total
-        };
-        let own_set = self.set(&best.set);
-        let mut others: Vec<&Tried> = Vec::new();
-        for (index, other) in tried.iter().enumerate() {
-            let is_new = !is_told(&best.set, &other.set)
-                && !others.iter().any(|o| is_told(&o.set, &other.set));
-            if index != chosen && !best.set.is_empty() && is_new {
-                others.push(other);
-            }
-        }
-        let others = others.into_iter().filter_map(|other| {
-            let is_alike = other.set.len() == best.set.len()
-                && self
-                    .scorer
-                    .are_alike(&best.fit, &other.fit, [&own_set, &self.set(&other.set)]);
-            let probability = probability(other);
-            (is_alike || probability >= LEAST)
-                .then(|| self.explanation(other, probability, is_alike))
-        });
-        let others: Vec<Explanation> = others.take(OTHERS).collect();
-        // What a hand may be off by needs no explanation.
-        let is_outside = |entry: usize| {
-            let mut data = best.fit.outside.iter().zip(&self.scorer.data);
-            data.find(|(_, datum)| datum.entry == entry)
-                .is_none_or(|(outside, _)| *outside)
-        };
-        let off = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off);
-        let unexplained: Vec<usize> = off.filter(|&entry| is_outside(entry)).collect();
-        Diagnosis {
-            best: self.explanation(best, probability(best), false),
-            others,
-            unexplained,
-        }
-    }
-
-    /// The values that a mistake touches itself: written otherwise than meant, or read where it was made.
-    fn written(&self, candidate: &Candidate) -> Vec<usize> {
-        let model = &self.scorer.models[0];
-        let own = |entry: usize| {
-            let reading = model.readings[entry].ok();
-            let maker = reading.and_then(|r| model.makers[r.number.0]);
-            let at_it = maker.is_some_and(|m| candidate.puts.iter().any(|(act, _)| *act == m));
-            at_it || candidate.stands.iter().any(|s| s.entry == entry)
-        };
-        let entries = self.scorer.data.iter().map(|d| d.entry);
-        entries.filter(|&entry| own(entry)).collect()
-    }
-
-    fn explanation(&self, tried: &Tried, probability: f64, is_alike: bool) -> Explanation {
-        let mut findings: Vec<Finding> = tried
-            .set
-            .iter()
-            .map(|&index| {
-                let without: Vec<usize> =
-                    tried.set.iter().copied().filter(|&i| i != index).collect();
-                let before = self.scorer.predicted(&self.set(&without));
-                let candidate = self.candidates[index].clone();
-                let written = self.written(&candidate);
-                let data = self.scorer.data.iter().enumerate();
-                let follows = data.filter_map(|(place, datum)| {
-                    let moved = tried.fit.predicted[place] - before[place];
-                    let seen = 2.0 * self.scorer.deviation(place, &tried.fit);
-                    let consistent = !tried.fit.outside[place] && !written.contains(&datum.entry);
-                    (moved.abs() > seen && consistent).then_some(datum.entry)
-                });
-                Finding {
-                    follows: follows.collect(),
-                    written,
-                    candidate,
-                }
-            })
-            .collect();
-        findings.sort_by_key(|f| f.candidate.step);
-        Explanation {
-            findings,
-            probability,
-            is_alike,
-        }
     }
 }
 

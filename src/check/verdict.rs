@@ -1,7 +1,8 @@
+use super::diagnosis::Diagnosis;
 use super::entry::{Entry, entries};
 use super::model::Model;
 use super::points::is_mirrored;
-use super::search::{Diagnosis, diagnose};
+use super::search::diagnose;
 use super::sheet::{CheckError, Measured};
 use crate::drafting::Tolerance;
 use crate::mechanism::Mechanism;
