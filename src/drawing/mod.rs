@@ -25,6 +25,7 @@ mod shape;
 mod sheet;
 mod stages;
 mod style;
+mod table;
 mod text;
 mod view;
 mod words;
