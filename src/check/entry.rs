@@ -343,11 +343,7 @@ impl Reader<'_> {
                 ));
             };
             let pole = points.kind.pole();
-            let written_pole = ["π", "pi", "p'", "p"].into_iter();
-            let own_pole = written_pole
-                .into_iter()
-                .find(|p| points.places.contains_key(*p));
-            let Some(own_pole) = own_pole else {
+            let Some(own_pole) = points.pole() else {
                 return Err(CheckError::new(
                     format!(
                         "the places of the {} do not have its pole {pole}",

@@ -5,7 +5,7 @@
 //! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry` finds what each value stands
 //! for, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
 //! errors, `score`, `datum` and `covariance` say how well values fit a prediction, `mistakes/` is the catalogue, `search` looks for what explains
-//! the values, `report` and `result` tell it; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
+//! the values, `report` and `result` tell it, `redrawn/` draws it again as it was probably drawn; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
 
 mod covariance;
 mod datum;
@@ -14,6 +14,7 @@ mod file;
 mod mistakes;
 mod model;
 mod order;
+mod redrawn;
 mod report;
 mod result;
 mod score;
@@ -28,6 +29,7 @@ mod verdict;
 pub use entry::{Entry, entries};
 pub use mistakes::{Candidate, Mistake};
 pub use order::{NumberedStep, numbered_steps};
+pub use redrawn::redrawn;
 pub use report::report;
 pub use result::{CheckResult, check_result, check_schema};
 pub use search::{Diagnosis, Explanation, Finding};

@@ -40,6 +40,15 @@ pub struct PointsOf {
     pub places: IndexMap<String, [f64; 2]>,
 }
 
+impl PointsOf {
+    /// The name under which the pole stands there.
+    #[must_use]
+    pub fn pole(&self) -> Option<&'static str> {
+        let mut written = ["π", "pi", "p'", "p"].into_iter();
+        written.find(|p| self.places.contains_key(*p))
+    }
+}
+
 /// Which sense of rotation counts as positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Positive {

@@ -132,6 +132,11 @@ impl<'a> Canvas<'a> {
         self.obstacles.boxes.extend(shape.head_box());
     }
 
+    /// Keeps circles and labels off something that is drawn later.
+    pub(super) fn expect(&mut self, shape: &Shape) {
+        self.remember(Pen::Student, shape);
+    }
+
     /// How many of the lines and things drawn so far a short segment would cross.
     pub(super) fn in_the_way(&self, from: Point, to: Point) -> usize {
         let side = |a: Point, b: Point, p: Point| (b - a).cross(p - a);

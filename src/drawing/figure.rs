@@ -1,12 +1,14 @@
 use super::canvas::{CAPTION, Canvas};
-use super::layout::{Aside, Layout, Placed, Wanted, layout};
+use super::layout::{Aside, Layout, MARGIN, Placed, TITLE, Wanted, layout};
 use super::legend;
+use super::overlay::Overlay;
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::stages::numbered;
 use super::style::Style;
+use super::table::{Cells, Table};
 use super::text::{PlacedText, RichText};
 use super::view::{Extent, View, fitting_scale};
 use super::words;
@@ -16,7 +18,7 @@ use crate::plan::{Construction, Scales, shown_text};
 use crate::position::Pose;
 use crate::scene::{Panel, Scene};
 use crate::words::{Language, Wording};
-use kurbo::Point;
+use kurbo::{Point, Rect};
 
 /// The figure that a scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
 #[must_use]
@@ -29,7 +31,7 @@ pub fn figure(
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     let extents = extents(&scheme);
     let sheet = Sheet::new(scene, &scheme, &extents, false);
-    compose(scene, &scheme, &sheet, &extents, false)
+    compose(scene, &scheme, &sheet, &extents, Shown::Figure)
 }
 
 /// The same figure with every step of the construction in it: [`Drawing::after_step`] gives the sheet as it stands after one of them,
@@ -46,7 +48,113 @@ pub fn stepwise(
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     let extents = extents(&scheme);
     let sheet = Sheet::new(scene, &scheme, &extents, true);
-    compose(scene, &scheme, &sheet, &extents, true)
+    compose(scene, &scheme, &sheet, &extents, Shown::Steps)
+}
+
+/// A student's drawing over the right figure, the words about it below the panels; last a table of the values, on the same sheet where that leaves
+/// every panel as large as it is, else on sheets of its own.
+#[must_use]
+pub fn overlay(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    pose: &Pose,
+    construction: &Construction,
+    overlay: &Overlay,
+) -> Vec<Drawing> {
+    let scheme = Scheme::new(scene, mechanism, pose, construction);
+    let own = extents(&scheme).into_iter();
+    let extents = own.map(|(panel, extent)| (panel, overlay.extended(panel, extent)));
+    let extents: Vec<(Panel, Extent)> = extents.collect();
+    let page = scene.figure.page.size_mm();
+    let divided = |below: usize, asides: &dyn Fn(Rect) -> Vec<Aside>| {
+        let below = legend::height_of_lines(below);
+        Sheet::divided(scene, &scheme, &extents, below, asides)
+    };
+    let words = overlay.lines(legend::words_width(page), false);
+    let under = divided(overlay.key_lines(false) + words.len(), &|_| vec![Aside::Nothing]);
+    // Beside the panels words are in the way of wide ones only.
+    let column = BESIDE * page[0];
+    let narrow = overlay.lines(column - 2.0 * legend::PAD, true);
+    let height = legend::height_of_lines(overlay.key_lines(true) + narrow.len());
+    let beside = divided(0, &|_| vec![Aside::Right(column)]);
+    let beside = beside.table.filter(|area| area.height() >= height).map(|area| (area, beside));
+    let (table, rows) = overlay.table();
+    let (layout, shared) = match beside {
+        Some((_, beside)) if beside.worth > under.worth => (beside, None),
+        _ => {
+            // With the table on the sheet, too, all must be as large.
+            let both = divided(overlay.key_lines(false) + words.len(), &|room| table.asides(room));
+            match both.table.filter(|area| table.fits(*area) && both.worth >= under.worth) {
+                Some(area) => (both, Some(area)),
+                None => (under, None),
+            }
+        }
+    };
+    let is_beside = shared.is_none() && layout.table.is_some();
+    let sheet = Sheet {
+        layout,
+        worksheet: None,
+    };
+    let mut drawing = compose(scene, &scheme, &sheet, &extents, Shown::Overlay(overlay));
+    drawing.steps = Vec::new();
+    let layout = &sheet.layout;
+    match layout.table.filter(|_| is_beside) {
+        Some(area) => {
+            drawing.draw(Pen::Frame, Shape::Polygon(legend::corners(area)));
+            overlay.draw_words(&mut drawing, area, narrow, &scheme.words);
+        }
+        None => {
+            let mut area = layout.legend;
+            area.y0 += layout.scales;
+            overlay.draw_words(&mut drawing, area, words, &scheme.words);
+        }
+    }
+    let mut sheets = Vec::new();
+    match shared {
+        Some(area) => drop(table.draw(&mut drawing, area, &rows)),
+        None => sheets = tables(&drawing, &table, &rows),
+    }
+    sheets.insert(0, drawing);
+    sheets
+}
+
+/// Sheets with nothing but the title and a table, as many as its rows need; upright, as lists are, where its rows are not too wide.
+fn tables<const N: usize>(figure: &Drawing, table: &Table<N>, rows: &[Cells<N>]) -> Vec<Drawing> {
+    let narrow = figure.width.min(figure.height);
+    let [width, height] = match table.column() <= narrow - 2.0 * MARGIN {
+        true => [narrow, figure.width.max(figure.height)],
+        false => [figure.width, figure.height],
+    };
+    let whole = Rect::new(MARGIN, MARGIN, width - MARGIN, height - MARGIN);
+    let area = Rect { y0: whole.y0 + TITLE, ..whole };
+    let sheets = rows.chunks(table.most(area).max(1)).map(|rows| {
+        let mut drawing = Drawing {
+            width,
+            height,
+            marks: Vec::new(),
+            panels: Vec::new(),
+            ..figure.clone()
+        };
+        draw_title(&mut drawing, whole);
+        let table = Table {
+            rows: rows.len(),
+            ..table.clone()
+        };
+        table.draw(&mut drawing, table.needed(area), rows);
+        drawing
+    });
+    sheets.collect()
+}
+
+/// What a figure shows.
+#[derive(Clone, Copy)]
+enum Shown<'a> {
+    /// The finished figure.
+    Figure,
+    /// The same with all its steps.
+    Steps,
+    /// The same under a student's drawing.
+    Overlay(&'a Overlay),
 }
 
 /// The stepwise figures of one mechanism in several positions, all with the same panels and scales, so that they can be shown one
@@ -88,8 +196,12 @@ pub fn frames(
         .collect();
     let most = schemes.iter().map(|scheme| scheme.agreement().len());
     let lines = most.max().unwrap_or_default();
-    let sheet = Sheet::divided(scene, first, &extents, words_below(lines, true), None);
-    let draw = |scheme: &Scheme<'_>| compose(scene, scheme, &sheet, &extents, true);
+    let below = words_below(lines, true);
+    let sheet = Sheet {
+        layout: Sheet::divided(scene, first, &extents, below, &|_| vec![Aside::Nothing]),
+        worksheet: None,
+    };
+    let draw = |scheme: &Scheme<'_>| compose(scene, scheme, &sheet, &extents, Shown::Steps);
     schemes.iter().map(draw).collect()
 }
 
@@ -98,7 +210,7 @@ fn compose(
     scheme: &Scheme<'_>,
     sheet: &Sheet,
     extents: &[(Panel, Extent)],
-    by_steps: bool,
+    shown: Shown<'_>,
 ) -> Drawing {
     let layout = &sheet.layout;
     let (mechanism, construction) = (scheme.mechanism, scheme.construction);
@@ -107,20 +219,20 @@ fn compose(
     drawing.style = Style::named(scene.figure.style);
     let language = scheme.words.language;
     let title = scene.title.as_deref().unwrap_or(language.title);
-    drawing.title = title.to_owned();
+    drawing.title = match shown {
+        Shown::Overlay(Overlay {
+            name: Some(name), ..
+        }) => format!("{title} – {name}"),
+        _ => title.to_owned(),
+    };
     drawing.language = language.code;
     drawing.description = description(language, mechanism, layout);
-    let heading = PlacedText::new(
-        RichText::verbatim(title),
-        5.2,
-        Point::new(layout.title.x0, layout.title.y0 + 5.6),
-    );
-    drawing.draw(Pen::Heading, Shape::Text(heading));
+    draw_title(&mut drawing, layout.title);
     for (index, placed) in layout.panels.iter().enumerate() {
-        let shown = extents.iter().find(|(panel, _)| *panel == placed.panel);
-        if let Some((_, extent)) = shown {
+        let own = extents.iter().find(|(panel, _)| *panel == placed.panel);
+        if let Some((_, extent)) = own {
             let view = View::new(placed.mu, extent, placed.area);
-            panel(&mut drawing, index, placed, &view, scheme, by_steps);
+            panel(&mut drawing, index, placed, &view, scheme, shown);
         }
     }
     let words = &scheme.words;
@@ -131,18 +243,30 @@ fn compose(
     let steps = numbered(construction);
     let steps = steps.map(|(_, plan, step)| shown_text(&step.caption, plan, words));
     drawing.steps = steps.collect();
-    if by_steps {
-        words::draw(&mut drawing, layout, scene.units, scheme);
-        // After the last step.
-        let from = drawing.marks.len();
-        legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
-        for mark in &mut drawing.marks[from..] {
-            (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
+    match shown {
+        Shown::Figure => {
+            legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
         }
-    } else {
-        legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
+        Shown::Steps => {
+            words::draw(&mut drawing, layout, scene.units, scheme);
+            // After the last step.
+            let from = drawing.marks.len();
+            legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
+            for mark in &mut drawing.marks[from..] {
+                (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
+            }
+        }
+        Shown::Overlay(_) => {}
     }
     drawing
+}
+
+/// The title above the panels, smaller where it would not fit.
+fn draw_title(drawing: &mut Drawing, room: Rect) {
+    let title = RichText::verbatim(&drawing.title);
+    let size = TITLE_SIZE * (room.width() / title.width(TITLE_SIZE)).min(1.0);
+    let heading = PlacedText::new(title, size, Point::new(room.x0, room.y0 + 5.6));
+    drawing.draw(Pen::Heading, Shape::Text(heading));
 }
 
 /// The scales of the figure that a scene asks for; a plan without a panel has the scale that the scene gives, or none.
@@ -237,7 +361,14 @@ impl Sheet {
         let table = || Worksheet::new(scheme, scene.units, extents, page);
         let worksheet = scene.figure.worksheet.then(table);
         let below = words_below(scheme.agreement().len(), by_steps);
-        Self::divided(scene, scheme, extents, below, worksheet)
+        let asides = |room| match &worksheet {
+            Some(table) => table.asides(room),
+            None => vec![Aside::Nothing],
+        };
+        Self {
+            layout: Self::divided(scene, scheme, extents, below, &asides),
+            worksheet,
+        }
     }
 
     /// The sheet with so much room below the scales. They stand in as few rows as hold them.
@@ -246,8 +377,8 @@ impl Sheet {
         scheme: &Scheme<'_>,
         extents: &[(Panel, Extent)],
         below: f64,
-        worksheet: Option<Worksheet>,
-    ) -> Self {
+        asides: &dyn Fn(Rect) -> Vec<Aside>,
+    ) -> Layout {
         let wanted = extents.iter().map(|&(panel, extent)| Wanted {
             panel,
             extent,
@@ -258,10 +389,7 @@ impl Sheet {
         let page = scene.figure.page.size_mm();
         let in_columns = |columns: usize| {
             let heights = [legend::height(wanted.len(), columns), below];
-            layout(page, &wanted, heights, columns, |room| match &worksheet {
-                Some(table) => table.asides(room),
-                None => vec![Aside::Nothing],
-            })
+            layout(page, &wanted, heights, columns, asides)
         };
         let mut layout = in_columns(MOST_COLUMNS);
         for columns in (1..MOST_COLUMNS).rev() {
@@ -270,7 +398,7 @@ impl Sheet {
             }
             layout = in_columns(columns);
         }
-        Self { layout, worksheet }
+        layout
     }
 }
 
@@ -289,7 +417,7 @@ fn panel(
     placed: &Placed,
     view: &View,
     scheme: &Scheme<'_>,
-    by_steps: bool,
+    shown: Shown<'_>,
 ) {
     let frame = Shape::Polygon(legend::corners(placed.frame));
     drawing.draw(Pen::Frame, frame);
@@ -297,6 +425,7 @@ fn panel(
     drawing.panels.push((name.to_owned(), placed.frame));
     let start = Point::new(placed.frame.x0 + BEFORE_HEADING, placed.frame.y0 + 6.0);
     let heading = PlacedText::new(heading(scheme, index, placed.panel), HEADING_SIZE, start);
+    let from = drawing.marks.len();
     let mut canvas = Canvas::new(
         drawing,
         placed.panel.as_str(),
@@ -304,9 +433,17 @@ fn panel(
         &scheme.figure.labels,
     );
     canvas.draw(Pen::Heading, Shape::Text(heading));
+    let student = match shown {
+        Shown::Overlay(overlay) => Some(overlay),
+        _ => None,
+    };
+    if let Some(overlay) = student {
+        overlay.announce(&mut canvas, view, scheme, placed.panel);
+    }
+    let with_hints = !matches!(shown, Shown::Figure);
     let plan = match placed.panel {
         Panel::Scheme => {
-            if by_steps {
+            if with_hints {
                 scheme.hints(&mut canvas, view);
             }
             scheme.draw(&mut canvas, view);
@@ -316,14 +453,24 @@ fn panel(
         Panel::Acceleration => scheme.construction.acceleration.as_ref(),
     };
     if let Some(plan) = plan {
-        if by_steps {
+        if with_hints {
             plan_panel::hints(&mut canvas, view, scheme, plan);
         }
         plan_panel::draw(&mut canvas, view, scheme, plan);
     }
+    if let Some(overlay) = student {
+        overlay.draw(&mut canvas, view, scheme, placed.panel);
+    }
     canvas.finish();
+    if let Some(overlay) = student {
+        overlay.emphasise(&mut drawing.marks, from, scheme);
+    }
 }
 
+/// The part of a page that words beside the panels take.
+const BESIDE: f64 = 0.25;
+/// Size of the title.
+const TITLE_SIZE: f64 = 5.2;
 /// Size of panels' headings, and the white before them.
 const HEADING_SIZE: f64 = 1.05 * CAPTION;
 const BEFORE_HEADING: f64 = 2.5;

@@ -22,6 +22,7 @@ const SMALLEST: f64 = 0.1;
 const MOST: f64 = 0.6;
 
 /// A table of rows of `N` cells, not yet placed.
+#[derive(Clone)]
 pub(super) struct Table<const N: usize> {
     /// What the columns show.
     pub head: [RichText; N],
@@ -65,7 +66,7 @@ impl<const N: usize> Table<N> {
     }
 
     /// Width of a row with white on both sides.
-    fn column(&self) -> f64 {
+    pub(super) fn column(&self) -> f64 {
         let cells: f64 = self.widths.iter().sum();
         let row = cells + GUTTER * (N - 1) as f64;
         row.max(self.foot.0[0]) + 2.0 * PAD
@@ -132,6 +133,19 @@ impl<const N: usize> Table<N> {
     /// Whether its rows are set at their full size in an area.
     pub(super) fn fits(&self, area: Rect) -> bool {
         self.column() <= area.width() && self.grid(area).small == 1.0
+    }
+
+    /// How many rows an area holds at their full size.
+    pub(super) fn most(&self, area: Rect) -> usize {
+        let rows = (area.height() - 2.0 * PAD - HEAD) / ROW + 1e-6;
+        let columns = ((area.width() + 1e-6) / self.column()) as usize;
+        rows.max(0.0) as usize * columns.max(1)
+    }
+
+    /// The upper part of an area that its rows need.
+    pub(super) fn needed(&self, area: Rect) -> Rect {
+        let height = self.height(self.columns(area.width()));
+        Rect::new(area.x0, area.y0, area.x1, (area.y0 + height).min(area.y1))
     }
 
     /// Draws the table in its area. Where the foot's lower left corner is.
