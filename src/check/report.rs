@@ -44,11 +44,7 @@ pub(super) struct Page<'a> {
 }
 
 impl<'a> Page<'a> {
-    pub(super) fn new(
-        checked: &'a Checked,
-        drawn: &'a Drawn<'a>,
-        words: &'a Wording,
-    ) -> Page<'a> {
+    pub(super) fn new(checked: &'a Checked, drawn: &'a Drawn<'a>, words: &'a Wording) -> Page<'a> {
         Page {
             checked,
             drawn,

@@ -174,7 +174,11 @@ impl Figures {
             };
             return files::print(bytes);
         }
-        let style = self.forms.style.as_deref().map(|style| ("style", Path::new(style)));
+        let style = self
+            .forms
+            .style
+            .as_deref()
+            .map(|style| ("style", Path::new(style)));
         for (path, _) in written {
             for (what, input) in inputs.iter().copied().chain(style) {
                 files::keep_input(what, input, path)?;

@@ -1,5 +1,5 @@
 use super::canvas::{CAPTION, Canvas};
-use super::layout::{Aside, Layout, MARGIN, Placed, TITLE, Wanted, layout};
+use super::layout::{Aside, Layout, Placed, Wanted, layout};
 use super::legend;
 use super::overlay::Overlay;
 use super::plan_panel;
@@ -8,7 +8,6 @@ use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::stages::numbered;
 use super::style::Style;
-use super::table::{Cells, Table};
 use super::text::{PlacedText, RichText};
 use super::view::{Extent, View, fitting_scale};
 use super::words;
@@ -51,104 +50,9 @@ pub fn stepwise(
     compose(scene, &scheme, &sheet, &extents, Shown::Steps)
 }
 
-/// A student's drawing over the right figure, the words about it below the panels; last a table of the values, on the same sheet where that leaves
-/// every panel as large as it is, else on sheets of its own.
-#[must_use]
-pub fn overlay(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
-    overlay: &Overlay,
-) -> Vec<Drawing> {
-    let scheme = Scheme::new(scene, mechanism, pose, construction);
-    let own = extents(&scheme).into_iter();
-    let extents = own.map(|(panel, extent)| (panel, overlay.extended(panel, extent)));
-    let extents: Vec<(Panel, Extent)> = extents.collect();
-    let page = scene.figure.page.size_mm();
-    let divided = |below: usize, asides: &dyn Fn(Rect) -> Vec<Aside>| {
-        let below = legend::height_of_lines(below);
-        Sheet::divided(scene, &scheme, &extents, below, asides)
-    };
-    let words = overlay.lines(legend::words_width(page), false);
-    let under = divided(overlay.key_lines(false) + words.len(), &|_| vec![Aside::Nothing]);
-    // Beside the panels words are in the way of wide ones only.
-    let column = BESIDE * page[0];
-    let narrow = overlay.lines(column - 2.0 * legend::PAD, true);
-    let height = legend::height_of_lines(overlay.key_lines(true) + narrow.len());
-    let beside = divided(0, &|_| vec![Aside::Right(column)]);
-    let beside = beside.table.filter(|area| area.height() >= height).map(|area| (area, beside));
-    let (table, rows) = overlay.table();
-    let (layout, shared) = match beside {
-        Some((_, beside)) if beside.worth > under.worth => (beside, None),
-        _ => {
-            // With the table on the sheet, too, all must be as large.
-            let both = divided(overlay.key_lines(false) + words.len(), &|room| table.asides(room));
-            match both.table.filter(|area| table.fits(*area) && both.worth >= under.worth) {
-                Some(area) => (both, Some(area)),
-                None => (under, None),
-            }
-        }
-    };
-    let is_beside = shared.is_none() && layout.table.is_some();
-    let sheet = Sheet {
-        layout,
-        worksheet: None,
-    };
-    let mut drawing = compose(scene, &scheme, &sheet, &extents, Shown::Overlay(overlay));
-    drawing.steps = Vec::new();
-    let layout = &sheet.layout;
-    match layout.table.filter(|_| is_beside) {
-        Some(area) => {
-            drawing.draw(Pen::Frame, Shape::Polygon(legend::corners(area)));
-            overlay.draw_words(&mut drawing, area, narrow, &scheme.words);
-        }
-        None => {
-            let mut area = layout.legend;
-            area.y0 += layout.scales;
-            overlay.draw_words(&mut drawing, area, words, &scheme.words);
-        }
-    }
-    let mut sheets = Vec::new();
-    match shared {
-        Some(area) => drop(table.draw(&mut drawing, area, &rows)),
-        None => sheets = tables(&drawing, &table, &rows),
-    }
-    sheets.insert(0, drawing);
-    sheets
-}
-
-/// Sheets with nothing but the title and a table, as many as its rows need; upright, as lists are, where its rows are not too wide.
-fn tables<const N: usize>(figure: &Drawing, table: &Table<N>, rows: &[Cells<N>]) -> Vec<Drawing> {
-    let narrow = figure.width.min(figure.height);
-    let [width, height] = match table.column() <= narrow - 2.0 * MARGIN {
-        true => [narrow, figure.width.max(figure.height)],
-        false => [figure.width, figure.height],
-    };
-    let whole = Rect::new(MARGIN, MARGIN, width - MARGIN, height - MARGIN);
-    let area = Rect { y0: whole.y0 + TITLE, ..whole };
-    let sheets = rows.chunks(table.most(area).max(1)).map(|rows| {
-        let mut drawing = Drawing {
-            width,
-            height,
-            marks: Vec::new(),
-            panels: Vec::new(),
-            ..figure.clone()
-        };
-        draw_title(&mut drawing, whole);
-        let table = Table {
-            rows: rows.len(),
-            ..table.clone()
-        };
-        table.draw(&mut drawing, table.needed(area), rows);
-        drawing
-    });
-    sheets.collect()
-}
-
 /// What a figure shows.
 #[derive(Clone, Copy)]
-enum Shown<'a> {
+pub(super) enum Shown<'a> {
     /// The finished figure.
     Figure,
     /// The same with all its steps.
@@ -205,7 +109,8 @@ pub fn frames(
     schemes.iter().map(draw).collect()
 }
 
-fn compose(
+/// The sheet with its panels, its scales, and what is said below them.
+pub(super) fn compose(
     scene: &Scene,
     scheme: &Scheme<'_>,
     sheet: &Sheet,
@@ -262,7 +167,7 @@ fn compose(
 }
 
 /// The title above the panels, smaller where it would not fit.
-fn draw_title(drawing: &mut Drawing, room: Rect) {
+pub(super) fn draw_title(drawing: &mut Drawing, room: Rect) {
     let title = RichText::verbatim(&drawing.title);
     let size = TITLE_SIZE * (room.width() / title.width(TITLE_SIZE)).min(1.0);
     let heading = PlacedText::new(title, size, Point::new(room.x0, room.y0 + 5.6));
@@ -330,7 +235,7 @@ pub fn misfits(
 }
 
 /// The panels that have something to show, and how much.
-fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
+pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
     let panels = scheme.figure.panels.iter();
     let extents = panels.filter_map(|&panel| {
         let extent = match panel {
@@ -344,9 +249,9 @@ fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
 }
 
 /// The sheet of a figure, divided up, and the table of a work sheet.
-struct Sheet {
-    layout: Layout,
-    worksheet: Option<Worksheet>,
+pub(super) struct Sheet {
+    pub layout: Layout,
+    pub worksheet: Option<Worksheet>,
 }
 
 impl Sheet {
@@ -372,7 +277,7 @@ impl Sheet {
     }
 
     /// The sheet with so much room below the scales. They stand in as few rows as hold them.
-    fn divided(
+    pub(super) fn divided(
         scene: &Scene,
         scheme: &Scheme<'_>,
         extents: &[(Panel, Extent)],
@@ -467,8 +372,6 @@ fn panel(
     }
 }
 
-/// The part of a page that words beside the panels take.
-const BESIDE: f64 = 0.25;
 /// Size of the title.
 const TITLE_SIZE: f64 = 5.2;
 /// Size of panels' headings, and the white before them.

@@ -9,6 +9,7 @@
 mod arrow;
 mod canvas;
 mod clip;
+mod correction;
 mod curves;
 mod figure;
 mod fonts;
@@ -33,12 +34,13 @@ mod words;
 mod worksheet;
 
 pub use arrow::arrow_head;
+pub use correction::overlay;
 pub use curves::{CurvesError, curves, hodographs};
-pub use figure::{figure, frames, misfits, overlay, scales, stepwise};
+pub use figure::{figure, frames, misfits, scales, stepwise};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
-pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
 pub use look::{Cap, Colour, Dash, Look};
+pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
 pub use shape::Shape;
 pub use sheet::{Drawing, Emphasis, Mark, Pen};
 pub use style::Style;

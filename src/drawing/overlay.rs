@@ -19,15 +19,16 @@ use kurbo::{Point, Rect, Vec2};
 
 /// Half the width of a cross that marks a point, in mm.
 const CROSS: f64 = 1.1;
-/// A panel grows for the student's points up to so many times the size of its own content.
-const REACH: f64 = 1.6;
+/// A panel grows for the student's points up to so many times the size of its own content: where its scale follows its size, and where the scale is
+/// given.
+const REACH: [f64; 2] = [1.6, 4.0];
 /// Between a sample in the key and its words, and behind these, in mm.
 const KEY: [f64; 2] = [1.6, 9.0];
 /// Length of a sample in the key.
 const SAMPLE: f64 = 11.0;
 
-/// Where names of steps go first.
-const UP: Vec2 = Vec2::new(0.0, -1.0);
+/// Points closer than this on paper, in mm, share a name.
+const SHARED: f64 = 0.35;
 
 /// What a student's drawing has elsewhere than the right one, and what is to be said of it.
 #[derive(Clone, Debug, Default)]
@@ -110,24 +111,20 @@ pub struct OwnValue {
 }
 
 impl Overlay {
-    /// A panel's extent with the student's points where that does not make everything else small.
-    pub(super) fn extended(&self, panel: Panel, own: Extent) -> Extent {
+    /// A panel's extent with the student's points where that does not make everything else small, at a scale that is given or not.
+    pub(super) fn extended(&self, panel: Panel, own: Extent, is_given: bool) -> Extent {
+        let reach = REACH[usize::from(is_given)];
         let points = self.points.iter().filter(|p| p.panel == panel);
         let ends = self.lines.iter().filter(|l| l.panel == panel);
         let ends = ends.flat_map(|l| l.ends);
         let mut extent = own;
         for place in points.map(|p| p.at).chain(ends) {
             let all = Extent::of([extent.low, extent.high, place]);
-            if all.size().norm() <= REACH * own.size().norm() {
+            if all.size().norm() <= reach * own.size().norm() {
                 extent = all;
             }
         }
         extent
-    }
-
-    /// Whether there is anything to tell apart by a key.
-    fn has_key(&self) -> bool {
-        !(self.points.is_empty() && self.lines.is_empty() && self.steps.is_empty())
     }
 
     /// The words in lines of at most this width, in a column with an empty line before each paragraph.
@@ -141,36 +138,33 @@ impl Overlay {
         lines.collect()
     }
 
-    /// How many lines the key takes above the words, in a column or in a row.
-    pub(super) fn key_lines(&self, is_column: bool) -> usize {
-        match (self.has_key(), is_column) {
-            (false, _) => 0,
-            (true, false) => 1,
-            (true, true) => 3,
-        }
+    /// The samples that the key needs, by their places in it.
+    fn key(&self) -> impl Iterator<Item = usize> {
+        let own = !(self.points.is_empty() && self.lines.is_empty());
+        let wrong = !self.steps.is_empty();
+        let there = [own || wrong, own, wrong];
+        (0..there.len()).filter(move |&sample| there[sample])
     }
 
-    /// Writes the words with the key above them.
-    pub(super) fn draw_words(
-        &self,
-        drawing: &mut Drawing,
-        area: Rect,
-        lines: Vec<RichText>,
-        words: &Wording,
-    ) {
+    /// How many lines the key takes above the words, in a column or in a row.
+    pub(super) fn key_lines(&self, is_column: bool) -> usize {
+        let samples = self.key().count();
+        if is_column { samples } else { samples.min(1) }
+    }
+
+    /// Draws the key at the upper edge of an area; how many lines it takes.
+    pub(super) fn draw_key(&self, drawing: &mut Drawing, area: Rect, words: &Wording) -> usize {
         let is_column = area.width() < 0.5 * drawing.width;
-        let before = self.key_lines(is_column);
-        if before > 0 {
-            let mut at = legend::baseline(area, 0);
-            for (sample, text) in words.language.check.key.into_iter().enumerate() {
-                let end = key(drawing, at, sample, text);
-                at = match is_column {
-                    true => legend::baseline(area, sample + 1),
-                    false => Point::new(end + KEY[1], at.y),
-                };
-            }
+        let mut at = legend::baseline(area, 0);
+        for (line, sample) in (1..).zip(self.key()) {
+            let words = words.language.check.key[sample];
+            let end = key(drawing, at, sample, words);
+            at = match is_column {
+                true => legend::baseline(area, line),
+                false => Point::new(end + KEY[1], at.y),
+            };
         }
-        legend::draw_lines_in(drawing, area, before, lines);
+        self.key_lines(is_column)
     }
 
     /// Keeps what is drawn before the student's marks off them.
@@ -181,6 +175,7 @@ impl Overlay {
         scheme: &Scheme<'_>,
         panel: Panel,
     ) {
+        canvas.overlay();
         for line in self.lines_in(scheme, panel) {
             canvas.expect(&Shape::Line(view.at(line.ends[0]), view.at(line.ends[1])));
         }
@@ -203,29 +198,43 @@ impl Overlay {
         for wrong in self.steps.iter().filter(|wrong| wrong.panel == panel) {
             self.name_step(canvas, scheme, wrong);
         }
+        let room = canvas.room();
         for (line, number) in self.lines_in(scheme, panel).zip(1..) {
             let [from, to] = line.ends.map(|place| view.at(place));
+            let Some((a, b)) = clipped_segment(room, from, to) else {
+                continue;
+            };
             let (pen, shape) = match line.kind {
-                OwnKind::Line => (Pen::Student, Shape::Line(from, to)),
-                OwnKind::Vector => (Pen::Student, Shape::Arrow { from, to }),
-                OwnKind::Helper => (Pen::Construction, Shape::Line(from, to)),
+                OwnKind::Vector if holds(room, to) => (Pen::Student, Shape::Arrow { from: a, to }),
+                OwnKind::Line | OwnKind::Vector => (Pen::Student, Shape::Line(a, b)),
+                OwnKind::Helper => (Pen::Construction, Shape::Line(a, b)),
             };
             let name = format!("student-line-{number}");
             canvas.draw_named(&name, pen, shape);
             if let Some(label) = &line.label {
-                let visible = clipped_segment(canvas.room(), from, to);
-                let middle = visible.map_or(from, |(a, b)| a.midpoint(b));
-                let wanted = canvas.label(&name, label, middle, 1.0, None, 2);
+                let wanted = canvas.label(&name, label, a.midpoint(b), 1.0, None, 2);
                 wanted.request.text = RichText::plain(label);
                 wanted.pen = Pen::StudentPoint;
             }
         }
+        let mut places: Vec<(Point, Vec<String>, &OwnPoint)> = Vec::new();
         for point in self.points_in(scheme, panel) {
-            let center = view.at(point.at);
+            let at = view.at(point.at);
             let label = format!("{}^*", scheme.shown(&point.name, plan));
-            let name = format!("student-{}", point.name);
-            if !holds(canvas.room(), center) {
-                self.beyond(canvas, scheme, point, center, &label);
+            let shared = places.iter_mut().find(|(p, ..)| (*p - at).hypot() < SHARED);
+            let labels = match shared {
+                Some((_, labels, _)) => labels,
+                None => {
+                    places.push((at, Vec::new(), point));
+                    &mut places.last_mut().expect("a place was added").1
+                }
+            };
+            labels.extend(point.is_named.then_some(label));
+        }
+        for (center, labels, point) in places {
+            let label = labels.join(", ");
+            if !holds(room, center) {
+                self.beyond(canvas, view, scheme, point, &label);
                 continue;
             }
             for arm in cross(center) {
@@ -233,7 +242,8 @@ impl Overlay {
             }
             let radius = CROSS;
             canvas.keep_off(Shape::Circle { center, radius }.bounds());
-            if point.is_named {
+            if !label.is_empty() {
+                let name = format!("student-{}", point.name);
                 let wanted = canvas.label(&name, &label, center, CROSS + 0.7, None, 2);
                 wanted.pen = Pen::StudentPoint;
             }
@@ -243,47 +253,65 @@ impl Overlay {
     /// Writes the number of a step beside what it draws or measures.
     fn name_step(&self, canvas: &mut Canvas<'_>, scheme: &Scheme<'_>, wrong: &WrongStep) {
         let own = canvas.marks().iter().filter(|m| is_of(m, scheme, wrong));
-        let size = |shape: &Shape| {
-            let area = shape.bounds();
-            area.width() + area.height()
+        let size = |mark: &Mark| {
+            let area = mark.shape.bounds();
+            // A special point says more than its lines.
+            let is_point = mark.pen == Pen::Special && matches!(mark.shape, Shape::Circle { .. });
+            (is_point, area.width() + area.height())
         };
-        let largest = own.max_by(|a, b| size(&a.shape).total_cmp(&size(&b.shape)));
-        let Some((anchor, clearance)) = largest.map(|mark| match &mark.shape {
-            Shape::Line(a, b) | Shape::Arrow { from: a, to: b } => (a.midpoint(*b), 1.6),
-            Shape::ArcArrow { center, radius, .. } => (*center, radius + 0.8),
-            other => (other.bounds().center(), 2.0),
-        }) else {
-            return;
+        let largest = own.max_by(|a, b| {
+            let ((a, p), (b, q)) = (size(a), size(b));
+            a.cmp(&b).then(p.total_cmp(&q))
+        });
+        let Some(mark) = largest else { return };
+        let (anchor, clearance, prefer) = match &mark.shape {
+            Shape::Line(a, b) | Shape::Arrow { from: a, to: b } => {
+                let (anchor, prefer) = beside(canvas, *a, *b);
+                (anchor, 1.6, prefer)
+            }
+            Shape::ArcArrow { center, radius, .. } => (*center, radius + 0.8, None),
+            other => (other.bounds().center(), 2.0, None),
         };
         canvas.since(wrong.step as u16);
         let name = format!("step-{}", wrong.step);
-        let request = canvas.label(&name, &wrong.label, anchor, clearance, Some(UP), 3);
+        let request = canvas.label(&name, &wrong.label, anchor, clearance, prefer, 3);
         request.request.text = RichText::plain(&wrong.label);
         canvas.since(0);
     }
 
-    /// A point outside its panel: an arrow at the edge, with how far it lies beyond.
+    /// A point outside its panel: how far it lies beyond the edge, where a line that leads to it leaves the panel, else at an arrow towards it.
     fn beyond(
         &self,
         canvas: &mut Canvas<'_>,
+        view: &View,
         scheme: &Scheme<'_>,
         point: &OwnPoint,
-        center: Point,
         label: &str,
     ) {
+        const ARROW: f64 = 9.0;
         let room = canvas.room().inset(-2.0);
-        let Some((start, edge)) = clipped_segment(room, room.center(), center) else {
+        let target = view.at(point.at);
+        let leads = self.lines_in(scheme, point.panel);
+        let leads = leads.filter(|l| l.leads_to == point.name && l.ends[1] == point.at);
+        let seen = leads.filter_map(|l| clipped_segment(room, view.at(l.ends[0]), target));
+        let left = |(_, edge): &(Point, Point)| (target - *edge).hypot();
+        let seen = seen.min_by(|a, b| left(a).total_cmp(&left(b)));
+        let from = seen.or_else(|| clipped_segment(room, room.center(), target));
+        let Some((start, edge)) = from else {
             return;
         };
         let way = towards(start, edge, Vec2::new(1.0, 0.0));
-        let tail = edge - way * 9.0;
-        let arrow = Shape::Arrow {
-            from: tail,
-            to: edge,
-        };
+        let tail = edge - way * ARROW;
         let name = format!("student-{}", point.name);
-        canvas.draw_named(&name, Pen::StudentPoint, arrow);
-        let mm = scheme.words.number(format!("{:.0}", (center - edge).hypot()));
+        if seen.is_none() {
+            let shape = Shape::Arrow {
+                from: tail,
+                to: edge,
+            };
+            canvas.draw_named(&name, Pen::StudentPoint, shape);
+        }
+        let mm = (target - edge).hypot();
+        let mm = scheme.words.number(format!("{mm:.0}"));
         let words = (scheme.words.language.check.beyond)(label, &mm);
         let wanted = canvas.label(&name, &words, tail, 1.0, None, 3);
         wanted.request.text = RichText::plain(&words);
@@ -407,6 +435,20 @@ fn shows(scheme: &Scheme<'_>, panel: Panel, name: &str) -> bool {
             scheme.mechanism.point(name).is_some() || special.any(|s| s.name == name)
         }
         Some(plan) => plan.points.contains_key(name) && !is_hidden(scheme.figure, plan, name),
+    }
+}
+
+/// A place of a line, and a side of it, where a name has room.
+fn beside(canvas: &Canvas<'_>, from: Point, to: Point) -> (Point, Option<Vec2>) {
+    const FREE: f64 = 2.6;
+    let way = towards(from, to, Vec2::new(1.0, 0.0));
+    let normal = Vec2::new(way.y, -way.x);
+    let places = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8].map(|share| from.lerp(to, share));
+    let mut sides = places.into_iter().flat_map(|p| [(p, normal), (p, -normal)]);
+    let free = sides.find(|(p, side)| canvas.is_free(*p + *side * (FREE + 1.4), FREE));
+    match free {
+        Some((place, side)) => (place, Some(side)),
+        None => (from.midpoint(to), None),
     }
 }
 

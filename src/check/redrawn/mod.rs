@@ -18,12 +18,15 @@ use sheets::Sheets;
 /// Points that are turned by more than this to lie over the right ones are said to be, in degrees.
 const TURNED: f64 = 1.0;
 
+/// Up to so many values that follow from a mistake are named below the figure; more are marked in the table.
+const NAMED: usize = 3;
+
 /// The columns of the report that the table on a sheet has.
 const COLUMNS: [usize; 6] = [0, 1, 2, 4, 5, 7];
 
 /// The student's drawing over the right one, and what is said of it.
 ///
-/// Points of a plan that are given are laid with pole on pole and turned as they fit best to what was probably drawn. Everything else is
+/// Points of a plan that are given are laid with pole on pole and turned as most of them fit best to what was probably drawn. Everything else is
 /// the replay with the mistakes that were found, as far as it differs visibly from the right drawing. Values that nothing explains are
 /// drawn at their own length. A mistake of writing alone changes no drawing.
 ///
@@ -69,7 +72,11 @@ pub fn redrawn(
     let mut said = vec![format!("{}. {}{sure}", page.counts(), page.heading())];
     for (finding, number) in findings.iter().zip(1..) {
         let told = page.told(finding);
-        let follows = told.follows.filter(|_| !finding.follows.is_empty());
+        let follows = match finding.follows.len() {
+            0 => None,
+            few if few <= NAMED => told.follows,
+            many => Some((own_words.follows_marked)(many, &format!("({number})"))),
+        };
         let sentences = [told.done, told.should].into_iter().chain(follows);
         let sentences: Vec<String> = sentences.collect();
         said.push(format!("{number}. {}", sentences.join(" ")));
@@ -86,20 +93,26 @@ pub fn redrawn(
         }
     }
     let cells = |row: [String; 8]| COLUMNS.map(|column| row[column].replace('-', "−"));
-    let values = checked.values.iter().map(|value| OwnValue {
+    let values = checked.values.iter().enumerate();
+    let values = values.map(|(index, value)| OwnValue {
         cells: {
             let mut cells = cells(page.row(value));
             cells[0] = value.entry.asked.name().to_owned();
+            let follow = (1..)
+                .zip(findings)
+                .filter(|(_, f)| f.follows.contains(&index));
+            cells[5].extend(follow.map(|(number, _)| format!(" ({number})")));
             cells
         },
         is_off: value.verdict == Verdict::Off,
     });
+    let said = said.into_iter().map(|text| text.replace(" -", " −"));
     Ok(Overlay {
         name: measured.name.clone(),
         points,
         lines,
         steps: wrong_steps(drawn, &found, own_words),
-        words: said,
+        words: said.collect(),
         head: cells(own_words.columns.map(str::to_owned)),
         values: values.collect(),
     })
@@ -117,7 +130,9 @@ fn wrong_steps(drawn: &Drawn<'_>, found: &[&Candidate], words: &CheckWords) -> V
         // Of the rates that a step solves for only that of one link is wrong; its sense is shown on the scheme.
         let solves = matches!(own.step.action, Action::Solve { .. });
         let rate = candidate.blanks.first().map_or("", String::as_str);
-        let link = ["omega(", "alpha("].iter().find_map(|h| rate.strip_prefix(h));
+        let link = ["omega(", "alpha("]
+            .iter()
+            .find_map(|h| rate.strip_prefix(h));
         let link = link.map_or("", |link| link.trim_end_matches(')'));
         wrong.push(WrongStep {
             step: own.number,

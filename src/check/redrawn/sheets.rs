@@ -93,16 +93,12 @@ impl<'a> Sheets<'a> {
             };
             let origin = Vector::from(points.places[pole]);
             let own = |place: &[f64; 2]| (Vector::from(*place) - origin) * mu;
-            // The angle that makes Σ |turned − drawn|² least: tangent Σ q × r / Σ q · r.
-            let mut sums = Vector::zeros();
-            for (name, place) in &points.places {
-                if let Some(id) = self.own.drafting.place(sheet, name) {
-                    let (q, r) = (own(place), self.values.place(id));
-                    let pair = Vector::new(q.dot(&r), cross(q, r));
-                    sums += if r.norm().is_finite() { pair } else { Vector::zeros() };
-                }
-            }
-            let degrees = degrees_of(sums);
+            let pairs = points.places.iter().filter_map(|(name, place)| {
+                let id = self.own.drafting.place(sheet, name)?;
+                Some((own(place), self.values.place(id)))
+            });
+            let pairs: Vec<(Vector, Vector)> = pairs.collect();
+            let degrees = best_turn(&pairs, SEEN * mu);
             for (name, place) in &points.places {
                 let is_pole = name == pole;
                 let name = if is_pole { points.kind.pole() } else { name };
@@ -158,7 +154,10 @@ impl<'a> Sheets<'a> {
             let next = places.iter().cycle().skip(1);
             let count = if places.len() > 2 { places.len() } else { 1 };
             for (&a, &b) in places.iter().zip(next).take(count) {
-                if [a, b].into_iter().any(|p| self.is_elsewhere(Sheet::Scheme, p)) {
+                if [a, b]
+                    .into_iter()
+                    .any(|p| self.is_elsewhere(Sheet::Scheme, p))
+                {
                     let ends = [a, b].map(|p| self.at(Sheet::Scheme, p));
                     self.line(Sheet::Scheme, b, ends, OwnKind::Line, None);
                 }
@@ -242,7 +241,11 @@ impl<'a> Sheets<'a> {
             };
             let (_, along) = self.values.line(*line);
             let half = along * (LONG * self.per_mm(sheet));
-            let ends = if meets { [start, at] } else { [start - half, start + half] };
+            let ends = if meets {
+                [start, at]
+            } else {
+                [start - half, start + half]
+            };
             self.line(sheet, place, ends, OwnKind::Line, None);
         }
     }
@@ -268,7 +271,9 @@ impl<'a> Sheets<'a> {
     fn deed(&self, index: usize) -> &'a Deed {
         let mut instead = self.instead.iter();
         let changed = instead.find(|(act, _)| *act == index);
-        &changed.map_or(&self.own.drafting.acts[index], |(_, act)| act).deed
+        &changed
+            .map_or(&self.own.drafting.acts[index], |(_, act)| act)
+            .deed
     }
 
     /// The pole of a plan; the scheme has none.
@@ -340,7 +345,9 @@ impl<'a> Sheets<'a> {
     fn leads_to(&self, place: PlaceId) -> PlaceId {
         let sheets = self.own.drafting.acts.iter();
         let mut next = sheets.filter_map(|act| match act.deed {
-            Deed::LayOff { place: end, from, .. } if from == place => Some(end),
+            Deed::LayOff {
+                place: end, from, ..
+            } if from == place => Some(end),
             _ => None,
         });
         match self.own.place_names[place.0] {
@@ -394,5 +401,45 @@ impl<'a> Sheets<'a> {
             Sheet::Scheme => self.own.drafting.origin + at,
             _ => Point::from(at),
         }
+    }
+}
+
+/// The angle in degrees by which the first of each pair is turned to lie on the second: what makes the sum of distances, not of their squares, least, so that one
+/// wrong point does not turn the right ones. Distances below `near` count alike.
+///
+/// Least squares, in which the tangent is Σ q × r / Σ q · r, with weights 1 / distance, again and again (Weiszfeld 1937).
+fn best_turn(pairs: &[(Vector, Vector)], near: f64) -> f64 {
+    const ROUNDS: usize = 30;
+    let mut degrees = 0.0;
+    for round in 0..ROUNDS {
+        let mut sums = Vector::zeros();
+        for (q, r) in pairs.iter().filter(|(_, r)| r.norm().is_finite()) {
+            let apart = (turn_of_degrees(degrees).transform_vector(q) - r).norm();
+            let weight = if round == 0 {
+                1.0
+            } else {
+                1.0 / apart.max(near)
+            };
+            sums += Vector::new(q.dot(r), cross(*q, *r)) * weight;
+        }
+        degrees = degrees_of(sums);
+    }
+    degrees
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_wrong_point_does_not_turn_the_others() {
+        let right = [[80.0, 0.0], [10.0, 60.0], [-30.0, 20.0], [50.0, 40.0]];
+        let mut pairs = right.map(|r| {
+            let r = Vector::from(r);
+            (turn_of_degrees(-25.0).transform_vector(&r), r)
+        });
+        assert!((best_turn(&pairs, 0.3) - 25.0).abs() < 1e-9);
+        pairs[1].0 += Vector::new(14.0, 9.0);
+        assert!((best_turn(&pairs, 0.3) - 25.0).abs() < 0.1);
     }
 }

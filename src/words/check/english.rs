@@ -33,9 +33,14 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
 
     key: [
         "as it should be",
-        "your drawing (names with *)",
+        "yours (names with *)",
         "where it went wrong",
     ],
+    follows_marked: |count, mark| {
+        format!(
+            "{count} values marked {mark} in the table follow from it and are consistent with it."
+        )
+    },
     beyond: |point, mm| format!("{point}: {mm} mm farther"),
     turned: |plan, degrees| {
         format!("The points of your {plan} are shown turned by {degrees}°, as they fit best.")

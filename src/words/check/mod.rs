@@ -60,6 +60,8 @@ pub struct CheckWords {
     // The drawing over the right figure.
     /// What its lines are: as it should be, the student's, where it went wrong.
     pub key: [&'static str; 3],
+    /// How many values follow, and how they are marked in the table.
+    pub follows_marked: fn(usize, &str) -> String,
     /// Point, millimetres on paper from the panel's edge.
     pub beyond: fn(&str, &str) -> String,
     /// Plan, degrees: how far a student's points were turned to lie over the right ones.
