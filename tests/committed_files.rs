@@ -1,8 +1,9 @@
-//! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper and curves over the second
-//! one's cycle, the gallery.
+//! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper, curves over the second
+//! one's cycle and the paper's numbers checked, the gallery.
 //!
 //! `kinegon schema scene > templates/scene.schema.json`, likewise `result` and `style`, `kinegon draw`,
-//! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"` and
+//! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"`,
+//! `kinegon check examples/figure-2.json examples/paper-as-student.json --draw out/ --mu-l 5 --mu-v 2 --mu-a 2.5` and
 //! `cargo run --release --example gallery` make them anew.
 
 mod files;
@@ -11,9 +12,11 @@ mod files;
 mod gallery;
 mod stages;
 
+use kinegon::check::{Measured, check, redrawn};
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Style};
 use kinegon::scene::Scene;
+use kinegon::words::Wording;
 use kinegon::{drawing, format, mechanism, position};
 use stages::Stages;
 use std::path::PathBuf;
@@ -49,12 +52,41 @@ fn curves() -> Drawing {
     drawing::curves(&scene, &curves).expect("it fits")
 }
 
+/// The numbers that the paper prints, over the figure that they belong to; and their table.
+fn checked() -> [Drawing; 2] {
+    let stages = Stages::of(&files::read("examples/figure-2.json"));
+    let mut stages = stages.expect("the example is sound");
+    let measured = Measured::read_json(&files::read("examples/paper-as-student.json"));
+    let measured = measured.expect("the example is sound");
+    let words = Wording::of(&stages.scene.figure);
+    let own = {
+        // As deep as the program looks.
+        let drawn = stages.drawn(5);
+        let checked = check(&measured, &drawn).expect("values that are understood");
+        redrawn(&measured, &drawn, &checked, &words).expect("scales are there")
+    };
+    let figure = &mut stages.scene.figure;
+    (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.0), Some(2.5));
+    let Stages {
+        scene,
+        mechanism,
+        pose,
+        construction,
+        ..
+    } = &stages;
+    let sheets = drawing::overlay(scene, mechanism, pose, construction, &own);
+    sheets.try_into().expect("a figure and a table")
+}
+
 /// The figures by their names in `out`.
-fn figures() -> [(&'static str, Drawing); 3] {
+fn figures() -> [(&'static str, Drawing); 5] {
+    let [checked, values] = checked();
     [
         ("figure-1", figure("figure-1")),
         ("figure-2", figure("figure-2")),
         ("figure-2-curves", curves()),
+        ("paper-as-student-check", checked),
+        ("paper-as-student-check-values", values),
     ]
 }
 

@@ -35,7 +35,8 @@ fn looks(name: StyleName) -> Vec<(Pen, Look)> {
     let marks = drawn.map(|mark| (mark.pen, mark.number));
     let curves = (0..12).flat_map(|i| [Pen::Curve, Pen::Dead].map(|pen| (pen, Some(i))));
     let others = [Pen::Grid, Pen::Zero, Pen::Limit, Pen::Change, Pen::Stand].map(|pen| (pen, None));
-    let all = marks.chain(curves).chain(others);
+    let student = [Pen::Student, Pen::StudentPoint].map(|pen| (pen, None));
+    let all = marks.chain(curves).chain(others).chain(student);
     all.map(|(pen, number)| (pen, style.look(pen, number)))
         .collect()
 }
@@ -188,10 +189,10 @@ fn letters_stand_out_from_what_they_stand_on() {
                 name.as_str()
             );
         }
-        // Names and values of curves stand on the background; so do lines, for which 3 is enough (WCAG 2.1, 1.4.11).
+        // Names and values of curves and of a student's points stand on the background; so do lines, for which 3 is enough (WCAG 2.1, 1.4.11).
         for (pen, look) in &looks {
             let least = match pen {
-                Pen::Curve | Pen::Dead => 4.5,
+                Pen::Curve | Pen::Dead | Pen::StudentPoint => 4.5,
                 // The eye need not find them.
                 Pen::Leader | Pen::Grid => 1.0,
                 _ => 3.0,
@@ -272,6 +273,45 @@ fn links_of_lecture_are_told_apart_with_any_colour_vision() {
             }
             let apart = difference(*own, *other, DICHROMATS[2]);
             assert!(apart >= 15.0, "{own} and {other}: {apart}");
+        }
+    }
+}
+
+#[test]
+fn a_student_s_lines_are_told_from_the_right_ones() {
+    for name in StyleName::ALL {
+        let mut drawing = Drawing::new(100.0, 100.0);
+        drawing.style = Style::named(name);
+        let look = |pen, emphasis| {
+            let mark = Mark {
+                emphasis,
+                ..Mark::new(pen, Shape::Polygon(Vec::new()))
+            };
+            drawing.look(&mark)
+        };
+        let own = look(Pen::Student, Emphasis::Plain);
+        assert!(!own.dash.is_empty());
+        let right = [Pen::Velocity, Pen::Acceleration, Pen::Link, Pen::Image];
+        for (pen, emphasis) in right
+            .map(|pen| [(pen, Emphasis::Earlier), (pen, Emphasis::New)])
+            .concat()
+        {
+            let other = look(pen, emphasis);
+            // On any photocopy.
+            assert!(own.dash != other.dash, "{}: {pen:?}", name.as_str());
+            if name == StyleName::Print {
+                continue;
+            }
+            let [a, b] = [&own, &other].map(|look| look.stroke.expect("a line"));
+            for seen in [SAME, DICHROMATS[0], DICHROMATS[1], DICHROMATS[2]] {
+                let apart = difference(a, b, seen);
+                assert!(apart >= 20.0, "{}: {a} and {b}: {apart}", name.as_str());
+            }
+        }
+        // Lines of construction are dashed, too, but thin.
+        for pen in [Pen::Ray, Pen::Construction] {
+            let thin = look(pen, Emphasis::New).width;
+            assert!(own.width > 1.3 * thin, "{}: {pen:?} {thin}", name.as_str());
         }
     }
 }

@@ -5,7 +5,8 @@
 //! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry` finds what each value stands
 //! for, `precision` how finely it is written, `points` what places on paper say, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
 //! errors, `score`, `datum`, `covariance` and `fit` say how well values fit a prediction, `mistakes/` is the catalogue, `together` what a drawing program is off, `search` looks for what explains
-//! the values, `diagnosis` what that comes to, `report` and `result` tell it; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
+//! the values, `diagnosis` what that comes to, `report` and `result` tell it, `redrawn/` draws it again as it was
+//! probably drawn; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
 
 mod covariance;
 mod datum;
@@ -18,6 +19,7 @@ mod model;
 mod order;
 mod points;
 mod precision;
+mod redrawn;
 mod report;
 mod result;
 mod score;
@@ -35,6 +37,7 @@ pub use entry::{Entry, entries};
 pub use mistakes::{Candidate, Mistake};
 pub use order::{NumberedStep, numbered_steps};
 pub use precision::Precision;
+pub use redrawn::redrawn;
 pub use report::report;
 pub use result::{CheckResult, check_result, check_schema};
 

@@ -11,25 +11,8 @@ use super::order::numbered_steps;
 /// What is said to the student: verdicts in the order of the construction, then what probably happened.
 #[must_use]
 pub fn report(checked: &Checked, drawn: &Drawn<'_>, words: &Wording) -> String {
-    let page = Page {
-        checked,
-        drawn,
-        words,
-        own: words.language.check,
-    };
-    let mut lines = Vec::new();
-    let count = |verdict| {
-        checked
-            .values
-            .iter()
-            .filter(|v| v.verdict == verdict)
-            .count()
-    };
-    lines.push((page.own.counts)(
-        count(Verdict::Right),
-        count(Verdict::WithinTolerance),
-        count(Verdict::Off),
-    ));
+    let page = Page::new(checked, drawn, words);
+    let mut lines = vec![page.counts()];
     let tolerance = &drawn.tolerance;
     let [mm, degrees] = [tolerance.mm, tolerance.degrees].map(|x| words.number(x.to_string()));
     lines.push((page.own.tolerance)(&mm, &degrees));
@@ -40,14 +23,51 @@ pub fn report(checked: &Checked, drawn: &Drawn<'_>, words: &Wording) -> String {
     lines.join("\n") + "\n"
 }
 
-struct Page<'a> {
-    checked: &'a Checked,
+/// What is said of a mistake.
+pub(super) struct Told {
+    /// At which step, and what was done.
+    pub done: String,
+    /// What the step says to do.
+    pub caption: Option<String>,
+    /// What it should be.
+    pub should: String,
+    /// Which values follow from it.
+    pub follows: Option<String>,
+}
+
+/// The sentences about checked values.
+pub(super) struct Page<'a> {
+    pub checked: &'a Checked,
     drawn: &'a Drawn<'a>,
     words: &'a Wording,
-    own: &'static CheckWords,
+    pub own: &'static CheckWords,
+}
+
+impl<'a> Page<'a> {
+    pub(super) fn new(checked: &'a Checked, drawn: &'a Drawn<'a>, words: &'a Wording) -> Page<'a> {
+        Page {
+            checked,
+            drawn,
+            words,
+            own: words.language.check,
+        }
+    }
 }
 
 impl Page<'_> {
+    /// How many values are right, within the tolerance, off.
+    pub(super) fn counts(&self) -> String {
+        let count = |verdict| {
+            let values = self.checked.values.iter();
+            values.filter(|v| v.verdict == verdict).count()
+        };
+        (self.own.counts)(
+            count(Verdict::Right),
+            count(Verdict::WithinTolerance),
+            count(Verdict::Off),
+        )
+    }
+
     fn table(&self) -> Vec<String> {
         let mut rows: Vec<[String; 8]> = vec![self.own.columns.map(str::to_owned)];
         rows.extend(self.checked.values.iter().map(|value| self.row(value)));
@@ -71,7 +91,8 @@ impl Page<'_> {
         self.words.number(significant(value, digits))
     }
 
-    fn row(&self, value: &Judged) -> [String; 8] {
+    /// A value in the columns of the table.
+    pub(super) fn row(&self, value: &Judged) -> [String; 8] {
         let entry = &value.entry;
         let unit = entry.asked.kind().unit(self.drawn.units);
         let expected = if entry.is_magnitude {
@@ -108,28 +129,40 @@ impl Page<'_> {
         ]
     }
 
+    /// Above the mistakes that were found, or what is said where there are none.
+    pub(super) fn heading(&self) -> &'static str {
+        let diagnosis = &self.checked.diagnosis;
+        match diagnosis.best.findings.len() {
+            0 if self.has_nothing_to_explain() => self.own.nothing,
+            0 => self.own.none,
+            1 => self.own.probably,
+            _ => self.own.no_single,
+        }
+    }
+
+    fn has_nothing_to_explain(&self) -> bool {
+        let diagnosis = &self.checked.diagnosis;
+        let none = diagnosis.best.findings.is_empty() && diagnosis.unexplained.is_empty();
+        none && self.checked.is_passed()
+    }
+
     fn diagnosis(&self) -> Vec<String> {
         let diagnosis = &self.checked.diagnosis;
-        let mut lines = Vec::new();
-        match diagnosis.best.findings.len() {
-            0 if self.checked.is_passed() && diagnosis.unexplained.is_empty() => {
-                lines.push(self.own.nothing.to_owned());
-                return lines;
-            }
-            0 => lines.push(self.own.none.to_owned()),
-            1 => lines.push(self.own.probably.to_owned()),
-            _ => lines.push(self.own.no_single.to_owned()),
+        let mut lines = vec![self.heading().to_owned()];
+        if self.has_nothing_to_explain() {
+            return lines;
         }
         for (finding, number) in diagnosis.best.findings.iter().zip(1..) {
-            lines.extend(self.finding(finding, number));
+            let told = self.told(finding);
+            lines.push(format!("{number}. {}", told.done));
+            let caption = told.caption.map(|caption| format!("({caption})"));
+            let more = caption.into_iter().chain([told.should]).chain(told.follows);
+            lines.extend(more.map(|line| format!("   {line}")));
         }
         if !diagnosis.best.findings.is_empty() {
             lines.push(self.sure(&diagnosis.best));
         }
-        if !diagnosis.unexplained.is_empty() {
-            let names = self.names(&diagnosis.unexplained);
-            lines.push((self.own.unexplained)(&names));
-        }
+        lines.extend(self.unexplained());
         if !diagnosis.others.is_empty() {
             lines.push(String::new());
             lines.push(self.own.others.to_owned());
@@ -159,7 +192,13 @@ impl Page<'_> {
         lines
     }
 
-    fn sure(&self, explanation: &Explanation) -> String {
+    /// The values without an explanation, where there are such.
+    pub(super) fn unexplained(&self) -> Option<String> {
+        let values = &self.checked.diagnosis.unexplained;
+        (!values.is_empty()).then(|| (self.own.unexplained)(&self.names(values)))
+    }
+
+    pub(super) fn sure(&self, explanation: &Explanation) -> String {
         let percent = (100.0 * explanation.probability).clamp(1.0, 99.0);
         (self.own.sure)(&format!("{percent:.0}"))
     }
@@ -171,35 +210,34 @@ impl Page<'_> {
         }
     }
 
-    fn finding(&self, finding: &Finding, number: usize) -> Vec<String> {
+    /// What is said of a mistake.
+    pub(super) fn told(&self, finding: &Finding) -> Told {
         let Finding {
             candidate, follows, ..
         } = finding;
         let sentences = candidate.mistake.words(self.own);
-        let mut lines = vec![format!(
-            "{number}. {}: {}.",
-            self.step(finding),
-            (sentences.done)(&candidate.blanks)
-        )];
         let steps = numbered_steps(self.drawn.construction);
-        if let Some(step) = steps.iter().find(|s| s.number == candidate.step) {
-            let caption = shown_text(&step.step.caption, step.plan, self.words);
-            lines.push(format!("   ({caption})"));
+        let step = steps.iter().find(|s| s.number == candidate.step);
+        let follows = match follows.as_slice() {
+            // All values are touched by it.
+            _ if candidate.mistake == Mistake::Truncated => None,
+            [] => Some(self.own.follows_none.to_owned()),
+            some => Some((self.own.follows)(&self.names(some))),
+        };
+        Told {
+            done: format!(
+                "{}: {}.",
+                self.step(finding),
+                (sentences.done)(&candidate.blanks)
+            ),
+            caption: step.map(|s| shown_text(&s.step.caption, s.plan, self.words)),
+            should: format!(
+                "{}: {}.",
+                self.own.instead,
+                (sentences.should)(&candidate.blanks)
+            ),
+            follows,
         }
-        let should = (sentences.should)(&candidate.blanks);
-        lines.push(format!("   {}: {should}.", self.own.instead));
-        if candidate.mistake == Mistake::Truncated {
-            return lines;
-        }
-        lines.push(format!(
-            "   {}",
-            if follows.is_empty() {
-                self.own.follows_none.to_owned()
-            } else {
-                (self.own.follows)(&self.names(follows))
-            }
-        ));
-        lines
     }
 
     fn names(&self, values: &[usize]) -> String {
@@ -211,7 +249,7 @@ impl Page<'_> {
 }
 
 /// A number with so many significant digits, without trailing zeros behind the point.
-fn significant(x: f64, count: i32) -> String {
+pub(super) fn significant(x: f64, count: i32) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }

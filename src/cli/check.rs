@@ -1,3 +1,4 @@
+use super::correction::Correction;
 use super::files::{self, Source};
 use super::message::Failure;
 use super::pencil::Hand;
@@ -34,6 +35,8 @@ pub(super) struct Check {
     words: Words,
     #[command(flatten)]
     hand: Hand,
+    #[command(flatten)]
+    correction: Correction,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -61,12 +64,15 @@ impl Check {
         let checked = checked.map_err(|error| misuse(&text, &error))?;
         let wording = Wording::of(&work.scene.figure);
         let printed = if self.json {
-            let result = check::check_result(&checked, &drawn, &wording, measured.name);
+            let result = check::check_result(&checked, &drawn, &wording, measured.name.clone());
             format::json(&result)
         } else {
             check::report(&checked, &drawn, &wording)
         };
         work.warn();
+        let files = [self.scene.as_path(), path];
+        let correction = &self.correction;
+        correction.write(&work, files, &measured, &drawn, &checked)?;
         files::print(printed.as_bytes())?;
         if checked.is_passed() {
             Ok(())

@@ -61,7 +61,7 @@ impl CurvesCommand {
             ))
         };
         self.figures
-            .write(Some(scene), vec![(name, drawing)], page)?;
+            .write(&[("scene", scene)], vec![(name, drawing)], page)?;
         self.range.tell(&branch, range, "figure")
     }
 }

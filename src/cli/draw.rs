@@ -11,7 +11,7 @@ use crate::motion::Order;
 use crate::scene::{Figure, Panel, Scene};
 use crate::words::Wording;
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The two figures of Quintero et al. (2011), drawn when no scene is named.
 const PAPER: [(&str, &str); 2] = [
@@ -78,8 +78,10 @@ impl Draw {
             self.sheets(name, &work, &mut drawings)?;
             works.push((source, work));
         }
+        let scene = self.scene.as_deref().map(|scene| ("scene", scene));
+        let inputs: Vec<(&str, &Path)> = scene.into_iter().collect();
         if self.layered {
-            return self.figures.write_layered(self.scene.as_deref(), drawings);
+            return self.figures.write_layered(&inputs, drawings);
         }
         let whole = drawings.len() == works.len();
         let page = |index: usize| match works.get(index) {
@@ -89,7 +91,7 @@ impl Draw {
                 Some("leave out --steps".into()),
             )),
         };
-        self.figures.write(self.scene.as_deref(), drawings, page)
+        self.figures.write(&inputs, drawings, page)
     }
 
     /// Writes what was asked for into a scene's figure.

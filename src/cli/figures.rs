@@ -12,6 +12,13 @@ pub(super) struct Figures {
     /// Folder to write to, or a file whose ending gives the format, or `-` for stdout.
     #[arg(short, long, default_value = "out/")]
     output: PathBuf,
+    #[command(flatten)]
+    forms: Forms,
+}
+
+/// In which forms figures are written.
+#[derive(Clone, Debug, Args)]
+pub(super) struct Forms {
     /// Formats to write into a folder; on stdout the one that is given, or SVG.
     #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::usual())]
     format: Vec<Form>,
@@ -71,10 +78,18 @@ fn dots_per_inch(text: &str) -> Result<f64, String> {
 }
 
 impl Figures {
-    /// Writes drawings by their names, in all forms, but not over the scene that they show; `page` makes the page of a drawing.
+    /// Figures in a folder, or in a file.
+    pub(super) fn at(output: &Path, forms: &Forms) -> Figures {
+        Figures {
+            output: output.to_owned(),
+            forms: forms.clone(),
+        }
+    }
+
+    /// Writes drawings by their names, in all forms, but not over the files that they come from; `page` makes the page of a drawing.
     pub(super) fn write(
         &self,
-        scene: Option<&Path>,
+        inputs: &[(&str, &Path)],
         mut drawings: Vec<(String, Drawing)>,
         page: impl Fn(usize) -> Result<String, Failure>,
     ) -> Result<(), Failure> {
@@ -90,20 +105,20 @@ impl Figures {
                         .map_err(|error| Failure::Misuse(error.to_string(), None))?,
                     Form::Tikz => format::tikz(drawing).into_bytes(),
                     #[cfg(feature = "png")]
-                    Form::Png => format::png(drawing, self.dpi)
+                    Form::Png => format::png(drawing, self.forms.dpi)
                         .map_err(|error| Failure::Misuse(error.to_string(), None))?,
                     Form::Html => page(index)?.into_bytes(),
                 };
                 written.push((path, bytes));
             }
         }
-        self.finish(scene, &written)
+        self.finish(inputs, &written)
     }
 
     /// Writes drawings as SVG with a group for each step.
     pub(super) fn write_layered(
         &self,
-        scene: Option<&Path>,
+        inputs: &[(&str, &Path)],
         mut drawings: Vec<(String, Drawing)>,
     ) -> Result<(), Failure> {
         self.dress(drawings.iter_mut().map(|(_, drawing)| drawing))?;
@@ -120,7 +135,7 @@ impl Figures {
             let bytes = format::layered_svg(drawing, self.text()).into_bytes();
             written.push((path, bytes));
         }
-        self.finish(scene, &written)
+        self.finish(inputs, &written)
     }
 
     /// Gives drawings the style that was asked for in place of the scene's.
@@ -128,7 +143,7 @@ impl Figures {
         &self,
         drawings: impl IntoIterator<Item = &'a mut Drawing>,
     ) -> Result<(), Failure> {
-        if let Some(style) = self.style.as_deref().map(style).transpose()? {
+        if let Some(style) = self.forms.style.as_deref().map(style).transpose()? {
             for drawing in drawings {
                 drawing.style = style.clone();
             }
@@ -137,15 +152,19 @@ impl Figures {
     }
 
     fn text(&self) -> Text {
-        if self.outlines {
+        if self.forms.outlines {
             Text::Outlines
         } else {
             Text::Letters
         }
     }
 
-    /// Writes files, but not over the scene that they show or their style.
-    fn finish(&self, scene: Option<&Path>, written: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
+    /// Writes files, but not over those that were read.
+    fn finish(
+        &self,
+        inputs: &[(&str, &Path)],
+        written: &[(PathBuf, Vec<u8>)],
+    ) -> Result<(), Failure> {
         if self.output == Path::new("-") {
             let [(_, bytes)] = written else {
                 return Err(Failure::Misuse(
@@ -155,12 +174,14 @@ impl Figures {
             };
             return files::print(bytes);
         }
+        let style = self
+            .forms
+            .style
+            .as_deref()
+            .map(|style| ("style", Path::new(style)));
         for (path, _) in written {
-            for (what, input) in [
-                ("scene", scene),
-                ("style", self.style.as_deref().map(Path::new)),
-            ] {
-                input.map_or(Ok(()), |input| files::keep_input(what, input, path))?;
+            for (what, input) in inputs.iter().copied().chain(style) {
+                files::keep_input(what, input, path)?;
             }
         }
         files::write(written)
@@ -169,7 +190,7 @@ impl Figures {
     /// The files to write for a drawing.
     fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, Form)>, Failure> {
         if self.output == Path::new("-") {
-            let form = match self.format.as_slice() {
+            let form = match self.forms.format.as_slice() {
                 [form] => *form,
                 _ => Form::Svg,
             };
@@ -181,7 +202,7 @@ impl Figures {
             || self.output.as_os_str().to_string_lossy().ends_with('/');
         if is_folder {
             let path = |form: &Form| self.output.join(format!("{name}.{}", form.ending()));
-            return Ok(self.format.iter().map(|f| (path(f), *f)).collect());
+            return Ok(self.forms.format.iter().map(|f| (path(f), *f)).collect());
         }
         let form = Form::value_variants()
             .iter()

@@ -3,6 +3,7 @@
 //! Exit codes: 0 done; 1 not assembled, singular, or not written; 2 a scene or a command that cannot be understood.
 
 mod check;
+mod correction;
 mod curves;
 mod draw;
 mod figures;

@@ -65,7 +65,7 @@ impl Writer<'_> {
         }
         let through: PlaceId = match leg.through {
             Some(point) => self.plot(point),
-            None => self.plot_at("", self.origin),
+            None => self.plot_at("", self.drafting.origin),
         };
         let makes = format!("cut line of {special}");
         let line = self.draw(Sheet::Scheme, &makes, through, leg.along);

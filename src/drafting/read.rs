@@ -278,7 +278,7 @@ impl Reader<'_> {
 
     fn coordinate(&mut self, name: &str, how: How, spot: &Spot) -> Result<NumberId, Unread> {
         let place = self.scheme_point(spot)?;
-        let origin = -self.writer.origin.coords;
+        let origin = -self.writer.drafting.origin.coords;
         let zero = self.writer.pole(Sheet::Scheme, "origin", origin);
         Ok(self.writer.measure(Sheet::Scheme, name, [zero, place], how))
     }

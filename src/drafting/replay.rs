@@ -50,6 +50,12 @@ impl Values {
         self.places[id.0]
     }
 
+    /// A line, in units of its sheet: a place of it and its direction, of length 1.
+    #[must_use]
+    pub fn line(&self, id: LineId) -> (Vector, Vector) {
+        self.lines[id.0]
+    }
+
     /// A number, in the scene's units; angles in degrees, rates in rad.
     #[must_use]
     pub fn number(&self, id: NumberId) -> f64 {

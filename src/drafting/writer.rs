@@ -12,6 +12,8 @@ use indexmap::IndexMap;
 pub struct Drafting {
     /// What is done.
     pub acts: Vec<Act>,
+    /// From where places of the scheme count, the mechanism's first point: far from it digits would be lost.
+    pub origin: Point,
     /// How many places, lines and numbers the acts make.
     pub(super) counts: [usize; 3],
     /// Points of the sheets by name: joints and special points of the scheme, points of the plans as in [`Construction`].
@@ -81,8 +83,6 @@ pub(super) struct Writer<'a> {
     pub motion: &'a Motion,
     pub construction: &'a Construction,
     pub drafting: Drafting,
-    /// From where places of the scheme count: far from it digits would be lost.
-    pub origin: Point,
     /// Where the motions of bodies' points stand in the plans.
     pub moved: Vec<(Sheet, BodyId, PointId, PlaceId)>,
     /// By body: how it hangs on one whose motion is there.
@@ -103,6 +103,7 @@ impl<'a> Writer<'a> {
     ) -> Self {
         let drafting = Drafting {
             acts: Vec::new(),
+            origin: pose.points.first().copied().unwrap_or_default(),
             counts: [0; 3],
             places: IndexMap::new(),
             numbers: IndexMap::new(),
@@ -115,7 +116,6 @@ impl<'a> Writer<'a> {
             motion,
             construction,
             drafting,
-            origin: pose.points.first().copied().unwrap_or_default(),
             moved: Vec::new(),
             anchors: vec![None; mechanism.bodies.len()],
             near: 64.0 * UNIT_ROUNDOFF * span(pose.points.iter().copied()),
@@ -198,7 +198,7 @@ impl<'a> Writer<'a> {
             return place;
         }
         let place = self.new_place();
-        let at = at - self.origin;
+        let at = at - self.drafting.origin;
         self.act(Sheet::Scheme, name, Deed::Plot { place, at });
         self.name_place(Sheet::Scheme, name, place);
         place

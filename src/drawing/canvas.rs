@@ -26,6 +26,10 @@ pub(super) struct Canvas<'a> {
     /// With which step that which is drawn now comes.
     since: u16,
     renamed: &'a IndexMap<String, String>,
+    /// Circles that only names of what is shown in them enter: centre and radius.
+    closed: Vec<(Point, f64)>,
+    /// Whether something is drawn over the panel's own content.
+    is_overlaid: bool,
 }
 
 /// A label that wants a place.
@@ -60,6 +64,8 @@ impl<'a> Canvas<'a> {
             frame,
             since: 0,
             renamed,
+            closed: Vec::new(),
+            is_overlaid: false,
         }
     }
 
@@ -130,6 +136,23 @@ impl<'a> Canvas<'a> {
             _ => self.obstacles.lines.extend(shape.lines()),
         }
         self.obstacles.boxes.extend(shape.head_box());
+    }
+
+    /// Keeps circles and labels off something that is drawn later.
+    pub(super) fn expect(&mut self, shape: &Shape) {
+        self.remember(Pen::Student, shape);
+    }
+
+    /// From now on something is drawn over the panel's content: names are more than usual, and none may go astray.
+    pub(super) fn overlay(&mut self) {
+        self.is_overlaid = true;
+    }
+
+    /// Lets names of what lies outside a circle keep off it, under an overlay.
+    pub(super) fn close(&mut self, centre: Point, radius: f64) {
+        if self.is_overlaid {
+            self.closed.push((centre, radius));
+        }
     }
 
     /// How many of the lines and things drawn so far a short segment would cross.
@@ -232,6 +255,23 @@ impl<'a> Canvas<'a> {
     pub(super) fn finish(mut self) {
         let mut requests = std::mem::take(&mut self.requests);
         requests.retain(|(wanted, _)| holds(self.frame, wanted.request.anchor));
+        let shown = |anchor: Point| {
+            let mut circles = self.closed.iter();
+            circles.any(|(centre, radius)| (anchor - *centre).hypot() < *radius)
+        };
+        let (within, outside): (Vec<_>, Vec<_>) = requests
+            .into_iter()
+            .partition(|(wanted, _)| shown(wanted.request.anchor));
+        self.place(within);
+        for (centre, radius) in std::mem::take(&mut self.closed) {
+            self.obstacles.boxes.extend(strips(centre, radius));
+        }
+        self.place(outside);
+        self.cut_off();
+    }
+
+    /// Places labels and draws them.
+    fn place(&mut self, requests: Vec<(Wanted, u16)>) {
         let asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
         for (label, (wanted, since)) in place(&asked, &self.obstacles).into_iter().zip(requests) {
             if label.crowded && wanted.optional {
@@ -245,7 +285,6 @@ impl<'a> Canvas<'a> {
             let mark = self.put(Some(id), wanted.pen, Shape::Text(label.text));
             mark.number = wanted.number;
         }
-        self.cut_off();
     }
 
     /// Cuts off what leaves the panel.
@@ -266,6 +305,19 @@ impl<'a> Canvas<'a> {
             }
         }
     }
+}
+
+/// Boxes that cover a circle together.
+fn strips(centre: Point, radius: f64) -> impl Iterator<Item = Rect> {
+    const COUNT: usize = 8;
+    let height = 2.0 * radius / COUNT as f64;
+    (0..COUNT).map(move |index| {
+        let low = height * index as f64 - radius;
+        // Widest where the strip is nearest to the middle.
+        let nearest = 0.0_f64.clamp(low, low + height);
+        let half = (radius * radius - nearest * nearest).max(0.0).sqrt();
+        Rect::new(-half, low, half, low + height) + centre.to_vec2()
+    })
 }
 
 /// Boxes that cover a polygon together; along a turned block several small ones leave more room than a large one.

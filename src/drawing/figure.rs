@@ -1,6 +1,7 @@
 use super::canvas::{CAPTION, Canvas};
 use super::layout::{Aside, Layout, Placed, Wanted, layout};
 use super::legend;
+use super::overlay::Overlay;
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::Shape;
@@ -16,7 +17,7 @@ use crate::plan::{Construction, Scales, shown_text};
 use crate::position::Pose;
 use crate::scene::{Panel, Scene};
 use crate::words::{Language, Wording};
-use kurbo::Point;
+use kurbo::{Point, Rect};
 
 /// The figure that a scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
 #[must_use]
@@ -29,7 +30,7 @@ pub fn figure(
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     let extents = extents(&scheme);
     let sheet = Sheet::new(scene, &scheme, &extents, false);
-    compose(scene, &scheme, &sheet, &extents, false)
+    compose(scene, &scheme, &sheet, &extents, Shown::Figure)
 }
 
 /// The same figure with every step of the construction in it: [`Drawing::after_step`] gives the sheet as it stands after one of them,
@@ -46,7 +47,18 @@ pub fn stepwise(
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     let extents = extents(&scheme);
     let sheet = Sheet::new(scene, &scheme, &extents, true);
-    compose(scene, &scheme, &sheet, &extents, true)
+    compose(scene, &scheme, &sheet, &extents, Shown::Steps)
+}
+
+/// What a figure shows.
+#[derive(Clone, Copy)]
+pub(super) enum Shown<'a> {
+    /// The finished figure.
+    Figure,
+    /// The same with all its steps.
+    Steps,
+    /// The same under a student's drawing.
+    Overlay(&'a Overlay),
 }
 
 /// The stepwise figures of one mechanism in several positions, all with the same panels and scales, so that they can be shown one
@@ -88,17 +100,22 @@ pub fn frames(
         .collect();
     let most = schemes.iter().map(|scheme| scheme.agreement().len());
     let lines = most.max().unwrap_or_default();
-    let sheet = Sheet::divided(scene, first, &extents, words_below(lines, true), None);
-    let draw = |scheme: &Scheme<'_>| compose(scene, scheme, &sheet, &extents, true);
+    let below = words_below(lines, true);
+    let sheet = Sheet {
+        layout: Sheet::divided(scene, first, &extents, below, &|_| vec![Aside::Nothing]),
+        worksheet: None,
+    };
+    let draw = |scheme: &Scheme<'_>| compose(scene, scheme, &sheet, &extents, Shown::Steps);
     schemes.iter().map(draw).collect()
 }
 
-fn compose(
+/// The sheet with its panels, its scales, and what is said below them.
+pub(super) fn compose(
     scene: &Scene,
     scheme: &Scheme<'_>,
     sheet: &Sheet,
     extents: &[(Panel, Extent)],
-    by_steps: bool,
+    shown: Shown<'_>,
 ) -> Drawing {
     let layout = &sheet.layout;
     let (mechanism, construction) = (scheme.mechanism, scheme.construction);
@@ -107,20 +124,20 @@ fn compose(
     drawing.style = Style::named(scene.figure.style);
     let language = scheme.words.language;
     let title = scene.title.as_deref().unwrap_or(language.title);
-    drawing.title = title.to_owned();
+    drawing.title = match shown {
+        Shown::Overlay(Overlay {
+            name: Some(name), ..
+        }) => format!("{title} – {name}"),
+        _ => title.to_owned(),
+    };
     drawing.language = language.code;
     drawing.description = description(language, mechanism, layout);
-    let heading = PlacedText::new(
-        RichText::verbatim(title),
-        5.2,
-        Point::new(layout.title.x0, layout.title.y0 + 5.6),
-    );
-    drawing.draw(Pen::Heading, Shape::Text(heading));
+    draw_title(&mut drawing, layout.title);
     for (index, placed) in layout.panels.iter().enumerate() {
-        let shown = extents.iter().find(|(panel, _)| *panel == placed.panel);
-        if let Some((_, extent)) = shown {
+        let own = extents.iter().find(|(panel, _)| *panel == placed.panel);
+        if let Some((_, extent)) = own {
             let view = View::new(placed.mu, extent, placed.area);
-            panel(&mut drawing, index, placed, &view, scheme, by_steps);
+            panel(&mut drawing, index, placed, &view, scheme, shown);
         }
     }
     let words = &scheme.words;
@@ -131,18 +148,30 @@ fn compose(
     let steps = numbered(construction);
     let steps = steps.map(|(_, plan, step)| shown_text(&step.caption, plan, words));
     drawing.steps = steps.collect();
-    if by_steps {
-        words::draw(&mut drawing, layout, scene.units, scheme);
-        // After the last step.
-        let from = drawing.marks.len();
-        legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
-        for mark in &mut drawing.marks[from..] {
-            (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
+    match shown {
+        Shown::Figure => {
+            legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
         }
-    } else {
-        legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
+        Shown::Steps => {
+            words::draw(&mut drawing, layout, scene.units, scheme);
+            // After the last step.
+            let from = drawing.marks.len();
+            legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
+            for mark in &mut drawing.marks[from..] {
+                (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
+            }
+        }
+        Shown::Overlay(_) => {}
     }
     drawing
+}
+
+/// The title above the panels, smaller where it would not fit.
+pub(super) fn draw_title(drawing: &mut Drawing, room: Rect) {
+    let title = RichText::verbatim(&drawing.title);
+    let size = TITLE_SIZE * (room.width() / title.width(TITLE_SIZE)).min(1.0);
+    let heading = PlacedText::new(title, size, Point::new(room.x0, room.y0 + 5.6));
+    drawing.draw(Pen::Heading, Shape::Text(heading));
 }
 
 /// The scales of the figure that a scene asks for; a plan without a panel has the scale that the scene gives, or none.
@@ -206,7 +235,7 @@ pub fn misfits(
 }
 
 /// The panels that have something to show, and how much.
-fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
+pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
     let panels = scheme.figure.panels.iter();
     let extents = panels.filter_map(|&panel| {
         let extent = match panel {
@@ -220,9 +249,9 @@ fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
 }
 
 /// The sheet of a figure, divided up, and the table of a work sheet.
-struct Sheet {
-    layout: Layout,
-    worksheet: Option<Worksheet>,
+pub(super) struct Sheet {
+    pub layout: Layout,
+    pub worksheet: Option<Worksheet>,
 }
 
 impl Sheet {
@@ -237,17 +266,24 @@ impl Sheet {
         let table = || Worksheet::new(scheme, scene.units, extents, page);
         let worksheet = scene.figure.worksheet.then(table);
         let below = words_below(scheme.agreement().len(), by_steps);
-        Self::divided(scene, scheme, extents, below, worksheet)
+        let asides = |room| match &worksheet {
+            Some(table) => table.asides(room),
+            None => vec![Aside::Nothing],
+        };
+        Self {
+            layout: Self::divided(scene, scheme, extents, below, &asides),
+            worksheet,
+        }
     }
 
     /// The sheet with so much room below the scales. They stand in as few rows as hold them.
-    fn divided(
+    pub(super) fn divided(
         scene: &Scene,
         scheme: &Scheme<'_>,
         extents: &[(Panel, Extent)],
         below: f64,
-        worksheet: Option<Worksheet>,
-    ) -> Self {
+        asides: &dyn Fn(Rect) -> Vec<Aside>,
+    ) -> Layout {
         let wanted = extents.iter().map(|&(panel, extent)| Wanted {
             panel,
             extent,
@@ -258,10 +294,7 @@ impl Sheet {
         let page = scene.figure.page.size_mm();
         let in_columns = |columns: usize| {
             let heights = [legend::height(wanted.len(), columns), below];
-            layout(page, &wanted, heights, columns, |room| match &worksheet {
-                Some(table) => table.asides(room),
-                None => vec![Aside::Nothing],
-            })
+            layout(page, &wanted, heights, columns, asides)
         };
         let mut layout = in_columns(MOST_COLUMNS);
         for columns in (1..MOST_COLUMNS).rev() {
@@ -270,7 +303,7 @@ impl Sheet {
             }
             layout = in_columns(columns);
         }
-        Self { layout, worksheet }
+        layout
     }
 }
 
@@ -289,7 +322,7 @@ fn panel(
     placed: &Placed,
     view: &View,
     scheme: &Scheme<'_>,
-    by_steps: bool,
+    shown: Shown<'_>,
 ) {
     let frame = Shape::Polygon(legend::corners(placed.frame));
     drawing.draw(Pen::Frame, frame);
@@ -297,6 +330,7 @@ fn panel(
     drawing.panels.push((name.to_owned(), placed.frame));
     let start = Point::new(placed.frame.x0 + BEFORE_HEADING, placed.frame.y0 + 6.0);
     let heading = PlacedText::new(heading(scheme, index, placed.panel), HEADING_SIZE, start);
+    let from = drawing.marks.len();
     let mut canvas = Canvas::new(
         drawing,
         placed.panel.as_str(),
@@ -304,9 +338,17 @@ fn panel(
         &scheme.figure.labels,
     );
     canvas.draw(Pen::Heading, Shape::Text(heading));
+    let student = match shown {
+        Shown::Overlay(overlay) => Some(overlay),
+        _ => None,
+    };
+    if let Some(overlay) = student {
+        overlay.announce(&mut canvas, view, scheme, placed.panel);
+    }
+    let with_hints = !matches!(shown, Shown::Figure);
     let plan = match placed.panel {
         Panel::Scheme => {
-            if by_steps {
+            if with_hints {
                 scheme.hints(&mut canvas, view);
             }
             scheme.draw(&mut canvas, view);
@@ -316,14 +358,22 @@ fn panel(
         Panel::Acceleration => scheme.construction.acceleration.as_ref(),
     };
     if let Some(plan) = plan {
-        if by_steps {
+        if with_hints {
             plan_panel::hints(&mut canvas, view, scheme, plan);
         }
         plan_panel::draw(&mut canvas, view, scheme, plan);
     }
+    if let Some(overlay) = student {
+        overlay.draw(&mut canvas, view, scheme, placed.panel);
+    }
     canvas.finish();
+    if let Some(overlay) = student {
+        overlay.emphasise(&mut drawing.marks, from, scheme);
+    }
 }
 
+/// Size of the title.
+const TITLE_SIZE: f64 = 5.2;
 /// Size of panels' headings, and the white before them.
 const HEADING_SIZE: f64 = 1.05 * CAPTION;
 const BEFORE_HEADING: f64 = 2.5;

@@ -85,6 +85,7 @@ impl Inset {
         });
         let since = first.map(|mark| mark.since).min();
         canvas.since(since.unwrap_or_default());
+        canvas.close(self.centre, self.radius);
         let small = self.shown().max(FILLED * self.shown() + 0.8);
         for (center, radius) in [(self.crowd, small), (self.centre, self.radius)] {
             for start in [0.0, PI] {

@@ -57,6 +57,8 @@ pub(super) struct Layout {
     pub columns: usize,
     pub table: Option<Rect>,
     pub panels: Vec<Placed>,
+    /// How good it is, what counts first before the rest.
+    pub worth: [f64; 3],
 }
 
 /// The room above a legend of some height, for panels and a table.
@@ -93,7 +95,7 @@ pub(super) fn layout(
             }
         }
     }
-    let (table, panels) = best.map(|(_, way)| way).unwrap_or_default();
+    let (worth, (table, panels)) = best.unwrap_or_default();
     let [_, height] = page;
     Layout {
         title: Rect::new(whole.x0, MARGIN, whole.x1, whole.y0),
@@ -102,6 +104,7 @@ pub(super) fn layout(
         columns,
         table,
         panels,
+        worth,
     }
 }
 

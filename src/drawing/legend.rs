@@ -9,7 +9,7 @@ use crate::words::{Language, Wording};
 use kurbo::{Point, Rect};
 
 /// White inside the legend's frame, left and right.
-const PAD: f64 = 4.0;
+pub(super) const PAD: f64 = 4.0;
 /// Height of a row of scales.
 const ROW: f64 = 7.2;
 /// Height of a line of words.
@@ -112,7 +112,12 @@ pub(super) fn draw(drawing: &mut Drawing, layout: &Layout, words: &Wording, unit
 /// How the construction and the loop equations agree, in lines for a sheet of that width.
 pub(super) fn agreement(words: &Wording, construction: &Construction, page: f64) -> Vec<RichText> {
     let sentence = comparison(words.language, construction);
-    RichText::lines(&sentence, CAPTION, page - 2.0 * (MARGIN + PAD))
+    RichText::lines(&sentence, CAPTION, words_width([page, 0.0]))
+}
+
+/// How wide lines of words below the scales may be.
+pub(super) fn words_width([width, _]: [f64; 2]) -> f64 {
+    width - 2.0 * (MARGIN + PAD)
 }
 
 /// Room for so many lines below the scales, in mm.
@@ -122,11 +127,27 @@ pub(super) fn height_of_lines(lines: usize) -> f64 {
 
 /// Writes lines below the scales.
 pub(super) fn draw_lines(drawing: &mut Drawing, layout: &Layout, lines: Vec<RichText>) {
+    let mut area = layout.legend;
+    area.y0 += layout.scales;
+    draw_lines_in(drawing, area, 0, lines);
+}
+
+/// Writes lines from the upper edge of an area, below as many others.
+pub(super) fn draw_lines_in(
+    drawing: &mut Drawing,
+    area: Rect,
+    before: usize,
+    lines: Vec<RichText>,
+) {
     for (index, line) in lines.into_iter().enumerate() {
-        let y = layout.legend.y0 + layout.scales + 4.6 + LINE * index as f64;
-        let text = PlacedText::new(line, CAPTION, Point::new(layout.legend.x0 + PAD, y));
+        let text = PlacedText::new(line, CAPTION, baseline(area, before + index));
         drawing.draw(Pen::Caption, Shape::Text(text));
     }
+}
+
+/// Where a line of an area begins.
+pub(super) fn baseline(area: Rect, line: usize) -> Point {
+    Point::new(area.x0 + PAD, area.y0 + 4.6 + LINE * line as f64)
 }
 
 /// How the construction and the loop equations agree, in words.

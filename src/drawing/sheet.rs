@@ -256,11 +256,15 @@ pub enum Pen {
     Change,
     /// Where the drive stands in the scene.
     Stand,
+    /// A line of a student's drawing over the right one.
+    Student,
+    /// A point of such a drawing, a small cross, and its name.
+    StudentPoint,
 }
 
 impl Pen {
     /// How many pens there are.
-    pub(super) const COUNT: usize = Pen::Stand as usize + 1;
+    pub(super) const COUNT: usize = Pen::StudentPoint as usize + 1;
 }
 
 #[cfg(test)]

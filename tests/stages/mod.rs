@@ -1,7 +1,9 @@
 //! A scene taken through all stages.
 #![allow(dead_code)] // not every test uses all of it
 
-use kinegon::drawing::{Drawing, figure};
+use kinegon::check::Drawn;
+use kinegon::drafting::Tolerance;
+use kinegon::drawing::{Drawing, figure, scales};
 use kinegon::format::{self, ResultFile, Solved};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
@@ -44,6 +46,22 @@ impl Stages {
             motion: &self.motion,
             construction: &self.construction,
         })
+    }
+
+    /// What a student's values are held against; so many mistakes at once are looked for.
+    pub fn drawn(&self, depth: usize) -> Drawn<'_> {
+        let (scene, mechanism, pose) = (&self.scene, &self.mechanism, &self.pose);
+        Drawn {
+            units: scene.units,
+            near: &scene.near,
+            mechanism,
+            pose,
+            motion: &self.motion,
+            construction: &self.construction,
+            scales: scales(scene, mechanism, pose, &self.construction),
+            tolerance: Tolerance::default(),
+            depth,
+        }
     }
 
     pub fn drawing(&self) -> Drawing {

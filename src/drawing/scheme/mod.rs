@@ -156,7 +156,7 @@ impl<'a> Scheme<'a> {
     }
 
     /// The number of a link among all, by which a style picks its colour; none for the ground and for blocks without name.
-    fn number(&self, link: BodyId) -> Option<usize> {
+    pub(super) fn number(&self, link: BodyId) -> Option<usize> {
         self.mechanism.links().position(|(id, _)| id == link)
     }
 

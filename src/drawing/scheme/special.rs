@@ -13,7 +13,7 @@ use kurbo::{Point, Vec2};
 const REACH: f64 = 2.5;
 
 impl Scheme<'_> {
-    pub(super) fn special(&self) -> impl Iterator<Item = &Special> {
+    pub(in crate::drawing) fn special(&self) -> impl Iterator<Item = &Special> {
         let shown = self.figure.special_points;
         self.construction
             .special

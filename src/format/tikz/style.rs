@@ -131,6 +131,8 @@ fn pen_name(pen: Pen) -> &'static str {
         Pen::Limit => "limit",
         Pen::Change => "change",
         Pen::Stand => "stand",
+        Pen::Student => "student",
+        Pen::StudentPoint => "student-point",
         Pen::Hint => "hint",
     }
 }

@@ -1,0 +1,158 @@
+//! What stands elsewhere on a student's sheets than it should, with what is said of it, ready to be drawn over the right figure.
+
+mod sheets;
+
+use super::mistakes::{Candidate, Mistake};
+use super::model::Model;
+use super::order::numbered_steps;
+use super::report::Page;
+use super::sheet::{CheckError, Measured};
+use super::verdict::{Checked, Drawn, Verdict};
+use crate::drafting::Sheet;
+use crate::drawing::{Overlay, OwnValue, WrongStep};
+use crate::plan::Action;
+use crate::scene::Panel;
+use crate::words::{CheckWords, Wording};
+use sheets::Sheets;
+
+/// Points that are turned by more than this to lie over the right ones are said to be, in degrees.
+const TURNED: f64 = 1.0;
+
+/// Up to so many values that follow from a mistake are named below the figure; more are marked in the table.
+const NAMED: usize = 3;
+
+/// The columns of the report that the table on a sheet has.
+const COLUMNS: [usize; 6] = [0, 1, 2, 4, 5, 7];
+
+/// The student's drawing over the right one, and what is said of it.
+///
+/// Points of a plan that are given are laid with pole on pole and turned as most of them fit best to what was probably drawn. Everything else is
+/// the replay with the mistakes that were found, as far as it differs visibly from the right drawing. Values that nothing explains are
+/// drawn at their own length. A mistake of writing alone changes no drawing.
+///
+/// # Errors
+/// Where a scale is missing; values that have been checked have theirs.
+pub fn redrawn(
+    measured: &Measured,
+    drawn: &Drawn<'_>,
+    checked: &Checked,
+    words: &Wording,
+) -> Result<Overlay, CheckError> {
+    let mu = measured.mu;
+    let entries: Vec<_> = checked.values.iter().map(|v| v.entry.clone()).collect();
+    let (pose, motion, construction) = (drawn.pose, drawn.motion, drawn.construction);
+    let right = Model::new(drawn, pose, motion, construction, mu, &entries)?;
+    let findings = &checked.diagnosis.best.findings;
+    let mode = findings.iter().map(|f| f.candidate.mode).max();
+    let mode = mode.unwrap_or(0);
+    let other = (mode > 0).then(|| super::search::other_modes(drawn, mu, &entries));
+    let other = other.and_then(|models| models.into_iter().nth(mode - 1));
+    let own = other.as_ref().unwrap_or(&right);
+    let found: Vec<&Candidate> = findings.iter().map(|f| &f.candidate).collect();
+
+    let mut sheets = Sheets::new(drawn, &right, own, &found, words);
+    let turns = sheets.lay_points(measured);
+    sheets.draw_acts();
+    if mode > 0 {
+        sheets.draw_links();
+    }
+    let own_words = words.language.check;
+    for &index in &checked.diagnosis.unexplained {
+        sheets.draw_value(index, &checked.values[index]);
+    }
+    let unknown = found.iter().filter(|c| c.mistake == Mistake::Unknown);
+    for stand in unknown.flat_map(|c| &c.stands) {
+        sheets.draw_value(stand.entry, &checked.values[stand.entry]);
+    }
+    let (points, lines) = sheets.finish();
+
+    let page = Page::new(checked, drawn, words);
+    let sure = (!findings.is_empty()).then(|| page.sure(&checked.diagnosis.best));
+    let sure = sure.map_or_else(String::new, |sure| format!(" ({sure})"));
+    let mut said = vec![format!("{}. {}{sure}", page.counts(), page.heading())];
+    for (finding, number) in findings.iter().zip(1..) {
+        let told = page.told(finding);
+        let follows = match finding.follows.len() {
+            0 => None,
+            few if few <= NAMED => told.follows,
+            many => Some((own_words.follows_marked)(many, &format!("({number})"))),
+        };
+        let sentences = [told.done, told.should].into_iter().chain(follows);
+        let sentences: Vec<String> = sentences.collect();
+        said.push(format!("{number}. {}", sentences.join(" ")));
+    }
+    said.extend(page.unexplained());
+    for (sheet, degrees) in turns {
+        if degrees.abs() > TURNED {
+            let degrees = words.number(format!("{degrees:.0}").replace('-', "−"));
+            let plan = match sheet {
+                Sheet::Acceleration => words.language.acceleration_plan,
+                _ => words.language.velocity_plan,
+            };
+            said.push((own_words.turned)(&plan.to_lowercase(), &degrees));
+        }
+    }
+    let cells = |row: [String; 8]| COLUMNS.map(|column| row[column].replace('-', "−"));
+    let values = checked.values.iter().enumerate();
+    let values = values.map(|(index, value)| OwnValue {
+        cells: {
+            let mut cells = cells(page.row(value));
+            cells[0] = value.entry.asked.name().to_owned();
+            let follow = (1..)
+                .zip(findings)
+                .filter(|(_, f)| f.follows.contains(&index));
+            cells[5].extend(follow.map(|(number, _)| format!(" ({number})")));
+            cells
+        },
+        is_off: value.verdict == Verdict::Off,
+    });
+    let said = said.into_iter().map(|text| text.replace(" -", " −"));
+    Ok(Overlay {
+        name: measured.name.clone(),
+        points,
+        lines,
+        steps: wrong_steps(drawn, &found, own_words),
+        words: said.collect(),
+        head: cells(own_words.columns.map(str::to_owned)),
+        values: values.collect(),
+    })
+}
+
+/// The steps at which something went wrong, each once.
+fn wrong_steps(drawn: &Drawn<'_>, found: &[&Candidate], words: &CheckWords) -> Vec<WrongStep> {
+    let all = numbered_steps(drawn.construction);
+    let mut wrong: Vec<WrongStep> = Vec::new();
+    for candidate in found {
+        let own = all.iter().find(|s| s.number == candidate.step);
+        let Some(own) = own.filter(|own| wrong.iter().all(|w| w.step != own.number)) else {
+            continue;
+        };
+        // Of the rates that a step solves for only that of one link is wrong; its sense is shown on the scheme.
+        let solves = matches!(own.step.action, Action::Solve { .. });
+        let rate = candidate.blanks.first().map_or("", String::as_str);
+        let link = ["omega(", "alpha("]
+            .iter()
+            .find_map(|h| rate.strip_prefix(h));
+        let link = link.map_or("", |link| link.trim_end_matches(')'));
+        wrong.push(WrongStep {
+            step: own.number,
+            panel: if solves {
+                Panel::Scheme
+            } else {
+                panel(own.sheet)
+            },
+            label: (words.step)(own.number),
+            link: solves.then(|| link.to_owned()),
+        });
+    }
+    wrong
+}
+
+/// The panel on which a sheet is drawn.
+fn panel(sheet: Sheet) -> Panel {
+    match sheet {
+        Sheet::Scheme => Panel::Scheme,
+        Sheet::Velocity => Panel::Velocity,
+        Sheet::Acceleration => Panel::Acceleration,
+    }
+}

@@ -1,0 +1,72 @@
+use super::figures::{Figures, Forms, stem};
+use super::message::{Failure, warn};
+use super::paper::{GivenScales, Paper};
+use super::work::Work;
+use crate::check::{self, Checked, Drawn, Measured};
+use crate::drawing::{misfits, overlay};
+use crate::words::Wording;
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// The student's drawing over the right figure, to be printed.
+#[derive(Debug, Args)]
+pub(super) struct Correction {
+    /// Also draw it: the student's points and lines over the right figure at the student's scales, the first wrong steps marked, and a table of
+    /// the values. Into a folder, or a file whose ending gives the format.
+    #[arg(long, value_name = "FOLDER|FILE")]
+    draw: Option<PathBuf>,
+    #[command(flatten)]
+    forms: Forms,
+    #[command(flatten)]
+    paper: Paper,
+    #[command(flatten)]
+    scales: GivenScales,
+}
+
+impl Correction {
+    /// Draws checked values, where that was asked for; `inputs` are the files of the scene and of the values, which are not written over.
+    pub(super) fn write(
+        &self,
+        work: &Work,
+        [scene_file, values_file]: [&Path; 2],
+        measured: &Measured,
+        drawn: &Drawn<'_>,
+        checked: &Checked,
+    ) -> Result<(), Failure> {
+        let Some(output) = &self.draw else {
+            return Ok(());
+        };
+        if output == Path::new("-") {
+            return Err(Failure::Misuse(
+                "the report is on stdout, so the drawing cannot be there too".into(),
+                Some("name a folder or a file after --draw".into()),
+            ));
+        }
+        let mut scene = work.scene.clone();
+        let figure = &mut scene.figure;
+        // The student's own scales, unless others are asked for.
+        let [mu_l, mu_v, mu_a] = measured.mu;
+        figure.mu_l = mu_l.or(figure.mu_l);
+        figure.mu_v = mu_v.or(figure.mu_v);
+        figure.mu_a = mu_a.or(figure.mu_a);
+        self.paper.put_into(figure);
+        self.scales.put_into(figure);
+        let words = Wording::of(figure);
+        let own = check::redrawn(measured, drawn, checked, &words);
+        let own = own.map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
+        let (mechanism, pose, construction) = (&work.mechanism, &work.pose, &work.construction);
+        let left_out = misfits(&scene, mechanism, pose, construction);
+        left_out.iter().for_each(|text| warn(text));
+        let sheets = overlay(&scene, mechanism, pose, construction, &own);
+        let name = format!("{}-check", stem(values_file));
+        let names = [name.clone(), format!("{name}-values")].into_iter();
+        let names = names.chain((2..).map(|number| format!("{name}-values-{number}")));
+        let inputs = [("scene", scene_file), ("form", values_file)];
+        Figures::at(output, &self.forms).write(&inputs, names.zip(sheets).collect(), |_| {
+            Err(Failure::Misuse(
+                "a check has no page to step through".into(),
+                Some("the formats are svg, png, pdf and tikz".into()),
+            ))
+        })
+    }
+}

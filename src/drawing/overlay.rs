@@ -1,0 +1,490 @@
+//! A student's drawing over the right figure: what stands elsewhere on the own sheets, in a pen of its own, the steps at which something went
+//! wrong in the accent colour, everything else pale.
+
+use super::canvas::{CAPTION, Canvas, clipped_segment};
+use super::clip::holds;
+use super::legend;
+use super::plan_panel::is_hidden;
+use super::scheme::Scheme;
+use super::shape::Shape;
+use super::sheet::{Drawing, Emphasis, Mark, Pen};
+use super::table::{Cells, Table};
+use super::text::{PlacedText, RichText};
+use super::view::{Extent, View, towards};
+use crate::geometry;
+use crate::plan::Plan;
+use crate::scene::Panel;
+use crate::words::Wording;
+use kurbo::{Point, Rect, Vec2};
+
+/// Half the width of a cross that marks a point, in mm.
+const CROSS: f64 = 1.1;
+/// A panel grows for the student's points up to so many times the size of its own content: where its scale follows its size, and where the scale is
+/// given.
+const REACH: [f64; 2] = [1.6, 4.0];
+/// Between a sample in the key and its words, and behind these, in mm.
+const KEY: [f64; 2] = [1.6, 9.0];
+/// Length of a sample in the key.
+const SAMPLE: f64 = 11.0;
+
+/// Points closer than this on paper, in mm, share a name.
+const SHARED: f64 = 0.35;
+
+/// What a student's drawing has elsewhere than the right one, and what is to be said of it.
+#[derive(Clone, Debug, Default)]
+pub struct Overlay {
+    /// Whose drawing it is.
+    pub name: Option<String>,
+    /// Points, marked with crosses.
+    pub points: Vec<OwnPoint>,
+    /// Lines and vectors.
+    pub lines: Vec<OwnLine>,
+    /// Steps at which something went wrong, the first one first.
+    pub steps: Vec<WrongStep>,
+    /// What is said below the panels, a paragraph each.
+    pub words: Vec<String>,
+    /// What the columns of the table of values show.
+    pub head: [String; 6],
+    /// The student's values.
+    pub values: Vec<OwnValue>,
+}
+
+/// A point on a student's sheet.
+#[derive(Clone, Debug)]
+pub struct OwnPoint {
+    /// Where it is drawn.
+    pub panel: Panel,
+    /// The name of the right point that it stands for.
+    pub name: String,
+    /// Its place, in units of the panel.
+    pub at: geometry::Point,
+    /// Whether its name is written beside it: not where it lies on the right point.
+    pub is_named: bool,
+}
+
+/// A line on a student's sheet.
+#[derive(Clone, Debug)]
+pub struct OwnLine {
+    /// Where it is drawn.
+    pub panel: Panel,
+    /// The point to which it leads.
+    pub leads_to: String,
+    /// Its ends, in units of the panel.
+    pub ends: [geometry::Point; 2],
+    /// What it is.
+    pub kind: OwnKind,
+    /// What is written beside it.
+    pub label: Option<String>,
+}
+
+/// What a line on a student's sheet is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OwnKind {
+    /// A straight line, without a head.
+    Line,
+    /// A vector.
+    Vector,
+    /// Not drawn by the student: it shows what another line has to do with the right drawing.
+    Helper,
+}
+
+/// A step at which something went wrong.
+#[derive(Clone, Debug)]
+pub struct WrongStep {
+    /// Its number, from 1.
+    pub step: usize,
+    /// The panel in which it is named.
+    pub panel: Panel,
+    /// What is written there.
+    pub label: String,
+    /// Of a step that solves for several rates the link whose rate is wrong; an empty name for a slide, which has no mark.
+    pub link: Option<String>,
+}
+
+/// A row of the table of values.
+#[derive(Clone, Debug)]
+pub struct OwnValue {
+    /// What stands in its cells.
+    pub cells: [String; 6],
+    /// Whether the value is off.
+    pub is_off: bool,
+}
+
+impl Overlay {
+    /// A panel's extent with the student's points where that does not make everything else small, at a scale that is given or not.
+    pub(super) fn extended(&self, panel: Panel, own: Extent, is_given: bool) -> Extent {
+        let reach = REACH[usize::from(is_given)];
+        let points = self.points.iter().filter(|p| p.panel == panel);
+        let ends = self.lines.iter().filter(|l| l.panel == panel);
+        let ends = ends.flat_map(|l| l.ends);
+        let mut extent = own;
+        for place in points.map(|p| p.at).chain(ends) {
+            let all = Extent::of([extent.low, extent.high, place]);
+            if all.size().norm() <= reach * own.size().norm() {
+                extent = all;
+            }
+        }
+        extent
+    }
+
+    /// The words in lines of at most this width, in a column with an empty line before each paragraph.
+    pub(super) fn lines(&self, width: f64, is_column: bool) -> Vec<RichText> {
+        let words = self.words.iter();
+        let lines = words.flat_map(|text| {
+            let blank = is_column.then(|| RichText::plain(""));
+            let lines = RichText::lines(&typeset(text), CAPTION, width);
+            blank.into_iter().chain(lines)
+        });
+        lines.collect()
+    }
+
+    /// The samples that the key needs, by their places in it.
+    fn key(&self) -> impl Iterator<Item = usize> {
+        let own = !(self.points.is_empty() && self.lines.is_empty());
+        let wrong = !self.steps.is_empty();
+        let there = [own || wrong, own, wrong];
+        (0..there.len()).filter(move |&sample| there[sample])
+    }
+
+    /// How many lines the key takes above the words, in a column or in a row.
+    pub(super) fn key_lines(&self, is_column: bool) -> usize {
+        let samples = self.key().count();
+        if is_column { samples } else { samples.min(1) }
+    }
+
+    /// Draws the key at the upper edge of an area; how many lines it takes.
+    pub(super) fn draw_key(&self, drawing: &mut Drawing, area: Rect, words: &Wording) -> usize {
+        let is_column = area.width() < 0.5 * drawing.width;
+        let mut at = legend::baseline(area, 0);
+        for (line, sample) in (1..).zip(self.key()) {
+            let words = words.language.check.key[sample];
+            let end = key(drawing, at, sample, words);
+            at = match is_column {
+                true => legend::baseline(area, line),
+                false => Point::new(end + KEY[1], at.y),
+            };
+        }
+        self.key_lines(is_column)
+    }
+
+    /// Keeps what is drawn before the student's marks off them.
+    pub(super) fn announce(
+        &self,
+        canvas: &mut Canvas<'_>,
+        view: &View,
+        scheme: &Scheme<'_>,
+        panel: Panel,
+    ) {
+        canvas.overlay();
+        for line in self.lines_in(scheme, panel) {
+            canvas.expect(&Shape::Line(view.at(line.ends[0]), view.at(line.ends[1])));
+        }
+        for point in self.points_in(scheme, panel) {
+            let center = view.at(point.at);
+            let radius = CROSS;
+            canvas.expect(&Shape::Circle { center, radius });
+        }
+    }
+
+    /// Draws what a panel has of it, over all else.
+    pub(super) fn draw(
+        &self,
+        canvas: &mut Canvas<'_>,
+        view: &View,
+        scheme: &Scheme<'_>,
+        panel: Panel,
+    ) {
+        let plan = plan_of(scheme, panel);
+        for wrong in self.steps.iter().filter(|wrong| wrong.panel == panel) {
+            self.name_step(canvas, scheme, wrong);
+        }
+        let room = canvas.room();
+        for (line, number) in self.lines_in(scheme, panel).zip(1..) {
+            let [from, to] = line.ends.map(|place| view.at(place));
+            let Some((a, b)) = clipped_segment(room, from, to) else {
+                continue;
+            };
+            let (pen, shape) = match line.kind {
+                OwnKind::Vector if holds(room, to) => (Pen::Student, Shape::Arrow { from: a, to }),
+                OwnKind::Line | OwnKind::Vector => (Pen::Student, Shape::Line(a, b)),
+                OwnKind::Helper => (Pen::Construction, Shape::Line(a, b)),
+            };
+            let name = format!("student-line-{number}");
+            canvas.draw_named(&name, pen, shape);
+            if let Some(label) = &line.label {
+                let wanted = canvas.label(&name, label, a.midpoint(b), 1.0, None, 2);
+                wanted.request.text = RichText::plain(label);
+                wanted.pen = Pen::StudentPoint;
+            }
+        }
+        let mut places: Vec<(Point, Vec<String>, &OwnPoint)> = Vec::new();
+        for point in self.points_in(scheme, panel) {
+            let at = view.at(point.at);
+            let label = format!("{}^*", scheme.shown(&point.name, plan));
+            let shared = places.iter_mut().find(|(p, ..)| (*p - at).hypot() < SHARED);
+            let labels = match shared {
+                Some((_, labels, _)) => labels,
+                None => {
+                    places.push((at, Vec::new(), point));
+                    &mut places.last_mut().expect("a place was added").1
+                }
+            };
+            labels.extend(point.is_named.then_some(label));
+        }
+        for (center, labels, point) in places {
+            let label = labels.join(", ");
+            if !holds(room, center) {
+                self.beyond(canvas, view, scheme, point, &label);
+                continue;
+            }
+            for arm in cross(center) {
+                canvas.draw(Pen::StudentPoint, arm);
+            }
+            let radius = CROSS;
+            canvas.keep_off(Shape::Circle { center, radius }.bounds());
+            if !label.is_empty() {
+                let name = format!("student-{}", point.name);
+                let wanted = canvas.label(&name, &label, center, CROSS + 0.7, None, 2);
+                wanted.pen = Pen::StudentPoint;
+            }
+        }
+    }
+
+    /// Writes the number of a step beside what it draws or measures.
+    fn name_step(&self, canvas: &mut Canvas<'_>, scheme: &Scheme<'_>, wrong: &WrongStep) {
+        let own = canvas.marks().iter().filter(|m| is_of(m, scheme, wrong));
+        let size = |mark: &Mark| {
+            let area = mark.shape.bounds();
+            // A special point says more than its lines.
+            let is_point = mark.pen == Pen::Special && matches!(mark.shape, Shape::Circle { .. });
+            (is_point, area.width() + area.height())
+        };
+        let largest = own.max_by(|a, b| {
+            let ((a, p), (b, q)) = (size(a), size(b));
+            a.cmp(&b).then(p.total_cmp(&q))
+        });
+        let Some(mark) = largest else { return };
+        let (anchor, clearance, prefer) = match &mark.shape {
+            Shape::Line(a, b) | Shape::Arrow { from: a, to: b } => {
+                let (anchor, prefer) = beside(canvas, *a, *b);
+                (anchor, 1.6, prefer)
+            }
+            Shape::ArcArrow { center, radius, .. } => (*center, radius + 0.8, None),
+            other => (other.bounds().center(), 2.0, None),
+        };
+        canvas.since(wrong.step as u16);
+        let name = format!("step-{}", wrong.step);
+        let request = canvas.label(&name, &wrong.label, anchor, clearance, prefer, 3);
+        request.request.text = RichText::plain(&wrong.label);
+        canvas.since(0);
+    }
+
+    /// A point outside its panel: how far it lies beyond the edge, where a line that leads to it leaves the panel, else at an arrow towards it.
+    fn beyond(
+        &self,
+        canvas: &mut Canvas<'_>,
+        view: &View,
+        scheme: &Scheme<'_>,
+        point: &OwnPoint,
+        label: &str,
+    ) {
+        const ARROW: f64 = 9.0;
+        let room = canvas.room().inset(-2.0);
+        let target = view.at(point.at);
+        let leads = self.lines_in(scheme, point.panel);
+        let leads = leads.filter(|l| l.leads_to == point.name && l.ends[1] == point.at);
+        let seen = leads.filter_map(|l| clipped_segment(room, view.at(l.ends[0]), target));
+        let left = |(_, edge): &(Point, Point)| (target - *edge).hypot();
+        let seen = seen.min_by(|a, b| left(a).total_cmp(&left(b)));
+        let from = seen.or_else(|| clipped_segment(room, room.center(), target));
+        let Some((start, edge)) = from else {
+            return;
+        };
+        let way = towards(start, edge, Vec2::new(1.0, 0.0));
+        let tail = edge - way * ARROW;
+        let name = format!("student-{}", point.name);
+        if seen.is_none() {
+            let shape = Shape::Arrow {
+                from: tail,
+                to: edge,
+            };
+            canvas.draw_named(&name, Pen::StudentPoint, shape);
+        }
+        let mm = (target - edge).hypot();
+        let mm = scheme.words.number(format!("{mm:.0}"));
+        let words = (scheme.words.language.check.beyond)(label, &mm);
+        let wanted = canvas.label(&name, &words, tail, 1.0, None, 3);
+        wanted.request.text = RichText::plain(&words);
+        wanted.pen = Pen::StudentPoint;
+    }
+
+    fn points_in<'a>(
+        &'a self,
+        scheme: &'a Scheme<'_>,
+        panel: Panel,
+    ) -> impl Iterator<Item = &'a OwnPoint> {
+        let own = self.points.iter();
+        own.filter(move |p| p.panel == panel && shows(scheme, panel, &p.name))
+    }
+
+    fn lines_in<'a>(
+        &'a self,
+        scheme: &'a Scheme<'_>,
+        panel: Panel,
+    ) -> impl Iterator<Item = &'a OwnLine> {
+        let own = self.lines.iter();
+        own.filter(move |l| l.panel == panel && shows(scheme, panel, &l.leads_to))
+    }
+
+    /// Makes the marks of a panel pale but for the student's and those of wrong steps, and lets none of them wait for its step.
+    pub(super) fn emphasise(&self, marks: &mut Vec<Mark>, from: usize, scheme: &Scheme<'_>) {
+        let drawn = marks.split_off(from);
+        for mut mark in drawn {
+            let is_wrong = self.steps.iter().any(|wrong| is_of(&mark, scheme, wrong));
+            if mark.passing && !is_wrong {
+                continue;
+            }
+            (mark.since, mark.passing) = (0, false);
+            mark.emphasis = match mark.pen {
+                Pen::Student | Pen::StudentPoint | Pen::Frame => Emphasis::Plain,
+                _ if is_wrong => Emphasis::New,
+                _ => Emphasis::Earlier,
+            };
+            marks.push(mark);
+        }
+    }
+
+    /// The table of values.
+    pub(super) fn table(&self) -> (Table<6>, Vec<Cells<6>>) {
+        let set = |text: &String| RichText::plain(&typeset(text));
+        let head = self.head.each_ref().map(set);
+        let mut table = Table {
+            widths: [0.0; 6],
+            ending: [false, true, true, true, true, false],
+            names: ["name", "own", "expected", "mm", "percent", "verdict"],
+            rows: self.values.len(),
+            foot: ([0.0; 2], 0),
+            head,
+        };
+        let head = table.head.clone();
+        table.widen(head.each_ref());
+        let rows = self.values.iter().zip(1..).map(|(value, number)| Cells {
+            texts: value.cells.each_ref().map(set),
+            id: Some(format!("value-{number}")),
+            since: 0,
+            stands_out: value.is_off,
+        });
+        let rows: Vec<Cells<6>> = rows.collect();
+        for row in &rows {
+            table.widen(row.texts.each_ref());
+        }
+        (table, rows)
+    }
+}
+
+/// A line of the key from the left end of its baseline: as it should be, the student's, where it went wrong. Where it ends.
+fn key(drawing: &mut Drawing, from: Point, sample: usize, words: &str) -> f64 {
+    let middle = from.y - 1.3;
+    let ends = [from.x, from.x + SAMPLE].map(|x| Point::new(x, middle));
+    let line = Shape::Line(ends[0], ends[1]);
+    match sample {
+        0 => drawing.draw(Pen::Velocity, line).emphasis = Emphasis::Earlier,
+        1 => {
+            drawing.draw(Pen::Student, line);
+            for arm in cross(ends[0].midpoint(ends[1])) {
+                drawing.draw(Pen::StudentPoint, arm);
+            }
+        }
+        _ => {
+            drawing.draw(Pen::Hint, line.clone());
+            drawing.draw(Pen::Velocity, line).emphasis = Emphasis::New;
+        }
+    }
+    let text = RichText::plain(words);
+    let start = from.x + SAMPLE + KEY[0];
+    let end = start + text.width(CAPTION);
+    let text = PlacedText::new(text, CAPTION, Point::new(start, from.y));
+    drawing.draw(Pen::Caption, Shape::Text(text));
+    end
+}
+
+/// Whether a mark comes with a step, and is of the link that the step went wrong with.
+fn is_of(mark: &Mark, scheme: &Scheme<'_>, wrong: &WrongStep) -> bool {
+    let link = |name: &String| {
+        let id = scheme.mechanism.link(name);
+        id.is_some() && mark.number == id.and_then(|id| scheme.number(id))
+    };
+    // The magnification of what is shown larger belongs to no step.
+    let is_scale = mark.pen == Pen::Label && mark.id.is_none();
+    usize::from(mark.since) == wrong.step && !is_scale && wrong.link.as_ref().is_none_or(link)
+}
+
+fn plan_of<'a>(scheme: &'a Scheme<'_>, panel: Panel) -> Option<&'a Plan> {
+    match panel {
+        Panel::Scheme => None,
+        Panel::Velocity => Some(&scheme.construction.velocity),
+        Panel::Acceleration => scheme.construction.acceleration.as_ref(),
+    }
+}
+
+/// Whether the right figure shows a point of that name too.
+fn shows(scheme: &Scheme<'_>, panel: Panel, name: &str) -> bool {
+    match plan_of(scheme, panel) {
+        None => {
+            let mut special = scheme.special();
+            scheme.mechanism.point(name).is_some() || special.any(|s| s.name == name)
+        }
+        Some(plan) => plan.points.contains_key(name) && !is_hidden(scheme.figure, plan, name),
+    }
+}
+
+/// A place of a line, and a side of it, where a name has room.
+fn beside(canvas: &Canvas<'_>, from: Point, to: Point) -> (Point, Option<Vec2>) {
+    const FREE: f64 = 2.6;
+    let way = towards(from, to, Vec2::new(1.0, 0.0));
+    let normal = Vec2::new(way.y, -way.x);
+    let places = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8].map(|share| from.lerp(to, share));
+    let mut sides = places.into_iter().flat_map(|p| [(p, normal), (p, -normal)]);
+    let free = sides.find(|(p, side)| canvas.is_free(*p + *side * (FREE + 1.4), FREE));
+    match free {
+        Some((place, side)) => (place, Some(side)),
+        None => (from.midpoint(to), None),
+    }
+}
+
+/// The two strokes of a cross.
+fn cross(center: Point) -> [Shape; 2] {
+    [1.0, -1.0].map(|sign| {
+        let arm = Vec2::new(CROSS, sign * CROSS);
+        Shape::Line(center - arm, center + arm)
+    })
+}
+
+/// Names in sentences, `v_r(3/2)` and `n_b3`, as markup: all that follows an underscore stands low.
+fn typeset(text: &str) -> String {
+    let Some((before, after)) = text.split_once('_') else {
+        return text.to_owned();
+    };
+    let is_low = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+    // ² and ³ count as letters there, but stand high.
+    let end = after.find(|c: char| !is_low(c) || matches!(c, '²' | '³'));
+    let (low, rest) = after.split_at(end.unwrap_or(after.len()));
+    format!("{before}_{{{}}}{}", typeset(low), typeset(rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn underscores_become_low_letters() {
+        for (text, markup) in [
+            ("v_r(3/2) and n_b3.", "v_{r}(3/2) and n_{b3}."),
+            ("ω_2² L_BS3", "ω_{2}² L_{BS3}"),
+            ("n_b_rodC", "n_{b_{rodC}}"),
+            ("vplan(b,s3)", "vplan(b,s3)"),
+        ] {
+            assert_eq!(typeset(text), markup);
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! A table on a sheet: rows of cells under a head, in as many columns beside each other as the area holds.
+
+use super::canvas::CAPTION;
+use super::layout::Aside;
+use super::legend;
+use super::shape::Shape;
+use super::sheet::{Drawing, Emphasis, Mark, Pen};
+use super::text::{PlacedText, RichText};
+use kurbo::{Point, Rect};
+
+/// Height of a row, in mm.
+const ROW: f64 = 6.2;
+/// Height of the row with what the columns show.
+const HEAD: f64 = 7.6;
+/// White inside the frame.
+pub(super) const PAD: f64 = 3.0;
+/// White between the cells of a row.
+const GUTTER: f64 = 3.2;
+/// Rows are not set smaller than this part of their size.
+const SMALLEST: f64 = 0.1;
+/// The table takes no more than this part of a sheet that it shares.
+const MOST: f64 = 0.6;
+
+/// A table of rows of `N` cells, not yet placed.
+#[derive(Clone)]
+pub(super) struct Table<const N: usize> {
+    /// What the columns show.
+    pub head: [RichText; N],
+    /// Which of the cells end in one line; the others begin in one.
+    pub ending: [bool; N],
+    /// Ends of the ids of a row's cells.
+    pub names: [&'static str; N],
+    /// Width of each cell, in mm.
+    pub widths: [f64; N],
+    /// How many rows it has.
+    pub rows: usize,
+    /// What is kept free below the last column: width and height in mm, and how many rows that takes.
+    pub foot: ([f64; 2], usize),
+}
+
+/// A row's cells.
+pub(super) struct Cells<const N: usize> {
+    pub texts: [RichText; N],
+    /// The beginning of their marks' ids.
+    pub id: Option<String>,
+    /// With which step they come.
+    pub since: u16,
+    /// Whether they are names and values that the eye should find.
+    pub stands_out: bool,
+}
+
+/// How rows stand: in how many columns, how many in each and in the last, and by how much smaller than they should be.
+struct Grid {
+    columns: usize,
+    depth: usize,
+    last: usize,
+    small: f64,
+}
+
+impl<const N: usize> Table<N> {
+    /// Makes the cells wide enough for these texts.
+    pub(super) fn widen(&mut self, texts: [&RichText; N]) {
+        for (width, text) in self.widths.iter_mut().zip(texts) {
+            *width = width.max(text.width(CAPTION));
+        }
+    }
+
+    /// Width of a row with white on both sides.
+    pub(super) fn column(&self) -> f64 {
+        let cells: f64 = self.widths.iter().sum();
+        let row = cells + GUTTER * (N - 1) as f64;
+        row.max(self.foot.0[0]) + 2.0 * PAD
+    }
+
+    /// How many columns of rows a width holds, at least one.
+    fn columns(&self, width: f64) -> usize {
+        let fitting = ((width + 1e-6) / self.column()) as usize;
+        fitting.clamp(1, self.rows.max(1))
+    }
+
+    /// How many rows each of some columns has, where the foot stands below the last one's.
+    fn depth(&self, columns: usize) -> usize {
+        let foot = self.foot.1;
+        (self.rows + foot).div_ceil(columns).max(foot)
+    }
+
+    fn height(&self, columns: usize) -> f64 {
+        HEAD + ROW * self.depth(columns) as f64 + 2.0 * PAD
+    }
+
+    /// The parts of a room that it may take: below everything, or to the right.
+    pub(super) fn asides(&self, room: Rect) -> Vec<Aside> {
+        let below = self.height(self.columns(room.width()));
+        let mut asides = vec![Aside::Below(below.min(MOST * room.height()))];
+        let mut columns = 1;
+        while columns as f64 * self.column() < MOST * room.width() {
+            if self.height(columns) <= room.height() {
+                asides.push(Aside::Right(columns as f64 * self.column()));
+                break;
+            }
+            columns += 1;
+        }
+        asides
+    }
+
+    /// How the rows stand in an area: as large as they fit; only far more rows than a sheet has room for are set smaller.
+    fn grid(&self, area: Rect) -> Grid {
+        let mut small = 1.0;
+        loop {
+            let columns = self.columns(area.width() / small);
+            let rows_in = |height: f64| {
+                let rows = (height - 2.0 * PAD - HEAD * small) / (ROW * small) + 1e-6;
+                rows.max(0.0) as usize
+            };
+            let depth = rows_in(area.height());
+            let last = rows_in(area.height() - self.foot.0[1]).min(depth);
+            let fits = depth * (columns - 1) + last >= self.rows;
+            if fits || small < SMALLEST {
+                // The last column has what the others leave, but no column is filled more than need be.
+                let even = (self.rows + depth - last).div_ceil(columns);
+                let depth = even.min(depth);
+                return Grid {
+                    columns,
+                    depth,
+                    last: self.rows.saturating_sub(depth * (columns - 1)),
+                    small,
+                };
+            }
+            small *= 0.97;
+        }
+    }
+
+    /// Whether its rows are set at their full size in an area.
+    pub(super) fn fits(&self, area: Rect) -> bool {
+        self.column() <= area.width() && self.grid(area).small == 1.0
+    }
+
+    /// How many rows an area holds at their full size.
+    pub(super) fn most(&self, area: Rect) -> usize {
+        let rows = (area.height() - 2.0 * PAD - HEAD) / ROW + 1e-6;
+        let columns = ((area.width() + 1e-6) / self.column()) as usize;
+        rows.max(0.0) as usize * columns.max(1)
+    }
+
+    /// The upper part of an area that its rows need.
+    pub(super) fn needed(&self, area: Rect) -> Rect {
+        let height = self.height(self.columns(area.width()));
+        Rect::new(area.x0, area.y0, area.x1, (area.y0 + height).min(area.y1))
+    }
+
+    /// Draws the table in its area. Where the foot's lower left corner is.
+    pub(super) fn draw(&self, drawing: &mut Drawing, area: Rect, rows: &[Cells<N>]) -> Point {
+        drawing.draw(Pen::Frame, Shape::Polygon(legend::corners(area)));
+        let Grid {
+            columns,
+            depth,
+            last,
+            small,
+        } = self.grid(area);
+        let pitch = area.width() / columns as f64;
+        let mut left = rows;
+        for column in 0..columns {
+            let x = area.x0 + pitch * column as f64;
+            if column > 0 {
+                let ends = [area.y0, area.y1].map(|y| Point::new(x, y));
+                drawing.draw(Pen::Frame, Shape::Line(ends[0], ends[1]));
+            }
+            let room = if column + 1 < columns { depth } else { last };
+            let (own, later) = left.split_at(room.min(left.len()));
+            left = later;
+            if own.is_empty() {
+                continue;
+            }
+            let head = Point::new(x + PAD * small, area.y0 + (PAD + 4.2) * small);
+            self.row(drawing, head, small, None, &self.head);
+            let y = area.y0 + (PAD + HEAD - 1.6) * small;
+            let ends = [x + PAD * small, x + pitch - PAD * small].map(|x| Point::new(x, y));
+            drawing.draw(Pen::Grid, Shape::Line(ends[0], ends[1]));
+            for (line, row) in own.iter().enumerate() {
+                let below = PAD + HEAD + ROW * line as f64 + 4.0;
+                let at = Point::new(head.x, area.y0 + below * small);
+                self.row(drawing, at, small, Some(row), &row.texts);
+            }
+        }
+        Point::new(area.x1 - pitch + PAD, area.y1 - PAD)
+    }
+
+    /// Writes a row from the left end of its baseline.
+    fn row(
+        &self,
+        drawing: &mut Drawing,
+        from: Point,
+        small: f64,
+        row: Option<&Cells<N>>,
+        texts: &[RichText; N],
+    ) {
+        let size = CAPTION * small;
+        let stands_out = row.is_some_and(|row| row.stands_out);
+        let mut x = from.x;
+        for (cell, text) in texts.iter().enumerate() {
+            let width = self.widths[cell] * small;
+            let start = if self.ending[cell] {
+                x + width - text.width(size)
+            } else {
+                x
+            };
+            x += width + GUTTER * small;
+            if text.is_empty() {
+                continue;
+            }
+            let text = PlacedText::new(text.clone(), size, Point::new(start, from.y));
+            let (pen, emphasis) = if stands_out {
+                (Pen::Label, Emphasis::New)
+            } else {
+                (Pen::Caption, Emphasis::Plain)
+            };
+            let id = row.and_then(|row| row.id.as_ref());
+            drawing.add(Mark {
+                id: id.map(|id| format!("{id}-{}", self.names[cell])),
+                since: row.map_or(0, |row| row.since),
+                emphasis,
+                ..Mark::new(pen, Shape::Text(text))
+            });
+        }
+    }
+}
