@@ -136,7 +136,7 @@ impl<'a> Search<'a> {
     /// All explanations compared as a whole, the best first.
     fn run(&self, depth: usize) -> Vec<Tried> {
         let mut tried: Vec<Tried> = Vec::new();
-        tried.extend(self.compared(vec![Vec::new()]));
+        tried.extend(self.compared(vec![Vec::new()], 1));
         let mut beam: Vec<Vec<usize>> = vec![Vec::new()];
         for _ in 0..depth {
             let best_before = tried.first().map_or(f64::INFINITY, |t| t.cost);
@@ -207,33 +207,31 @@ impl<'a> Search<'a> {
         looked.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
         looked.dedup_by(|a, b| a.1 == b.1);
         looked.truncate(COMPARED);
-        let mut sets: Vec<Vec<usize>> = best.map(|best| self.slips(best)).unwrap_or_default();
-        sets.retain(|set| looked.iter().all(|l| l.1 != *set));
-        sets.extend(looked.into_iter().map(|(_, set)| set));
-        let mut level = self.compared(sets);
+        // Slips that only an exact drawing shows cannot be seen before every kind of hand is tried.
+        let slips = best.map(|best| self.slips(best)).unwrap_or_default();
+        let looked = looked.into_iter().map(|(_, set)| set);
+        let looked = looked.filter(|set| !slips.contains(set)).collect();
+        let mut level = self.compared(looked, REFINED);
+        level.extend(self.compared(slips, usize::MAX));
         level.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         level
     }
 
-    /// Explanations compared as a whole; the likeliest of them with hands that are not equally good at everything.
-    fn compared(&self, sets: Vec<Vec<usize>>) -> Vec<Tried> {
+    /// Explanations compared as a whole; the likeliest of them, so many, with hands that are not equally good at everything.
+    fn compared(&self, sets: Vec<Vec<usize>>, refined: usize) -> Vec<Tried> {
         let compared = on_all_cores(&sets, |set| self.scorer.compare(&self.set(set)));
-        let both = sets.into_iter().zip(compared);
-        let both =
-            both.filter_map(|(set, hands)| hands.map(|h| (h.cost + self.cost(&set), set, h)));
-        let mut all: Vec<(f64, Vec<usize>, Hands<'_, '_>)> = both.collect();
-        all.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
-        let mut all: Vec<(bool, Vec<usize>, Hands<'_, '_>)> = all
+        let mut both: Vec<(Vec<usize>, Hands<'_, '_>)> = sets
             .into_iter()
-            .enumerate()
-            .map(|(place, (_, set, hands))| (place < REFINED, set, hands))
+            .zip(compared)
+            .filter_map(|(set, hands)| Some((set, hands?)))
             .collect();
-        on_each_core(&mut all, |(is_likely, _, hands)| {
-            if *is_likely {
-                hands.search_each();
-            }
+        both.sort_by(|(a, x), (b, y)| {
+            let costs = [x.cost + self.cost(a), y.cost + self.cost(b)];
+            costs[0].total_cmp(&costs[1]).then_with(|| a.cmp(b))
         });
-        let tried = all.into_iter().map(|(_, set, hands)| {
+        let likeliest = refined.min(both.len());
+        on_each_core(&mut both[..likeliest], |(_, hands)| hands.search_each());
+        let tried = both.into_iter().map(|(set, hands)| {
             let fit = Fit::from(hands);
             let cost = fit.cost + self.cost(&set);
             Tried { set, fit, cost }
