@@ -1,7 +1,7 @@
 //! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper and curves over the second
 //! one's cycle, the gallery.
 //!
-//! `kinegon schema scene > templates/scene.schema.json`, likewise `result` and `style`, `kinegon draw`,
+//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `style` and `marks`, `kinegon draw`,
 //! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"` and
 //! `cargo run --release --example gallery` make them anew.
 
@@ -11,6 +11,7 @@ mod files;
 mod gallery;
 mod stages;
 
+use kinegon::check::Marks;
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Style};
 use kinegon::scene::Scene;
@@ -71,6 +72,10 @@ fn schemas_are_current() {
     same(
         "templates/style.schema.json",
         &format::json(&Style::schema()),
+    );
+    same(
+        "templates/marks.schema.json",
+        &format::json(&Marks::schema()),
     );
 }
 

@@ -5,12 +5,15 @@
 //! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry` finds what each value stands
 //! for, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
 //! errors, `score`, `datum` and `covariance` say how well values fit a prediction, `mistakes/` is the catalogue, `search` looks for what explains
-//! the values, `report` and `result` tell it; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
+//! the values, `report` and `result` tell it; `student` draws with mistakes on purpose;
+//! `marks` says what values earn, `class` what is told of many drawings. Nothing is read or printed here, and no plan is computed again.
 
+mod class;
 mod covariance;
 mod datum;
 mod entry;
 mod file;
+mod marks;
 mod mistakes;
 mod model;
 mod order;
@@ -25,7 +28,11 @@ mod template;
 mod unit;
 mod verdict;
 
+pub use class::{
+    ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema,
+};
 pub use entry::{Entry, entries};
+pub use marks::{Awarded, Marks, Scheme};
 pub use mistakes::{Candidate, Mistake};
 pub use order::{NumberedStep, numbered_steps};
 pub use report::report;

@@ -6,7 +6,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 
 /// The names of all quantities of the steps, once each.
-fn names(construction: &Construction) -> Vec<String> {
+pub(super) fn names(construction: &Construction) -> Vec<String> {
     let all = numbered_steps(construction);
     let mut names: Vec<String> = Vec::new();
     for name in all.iter().flat_map(|step| step.names()) {

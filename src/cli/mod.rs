@@ -3,6 +3,7 @@
 //! Exit codes: 0 done; 1 not assembled, singular, or not written; 2 a scene or a command that cannot be understood.
 
 mod check;
+mod class;
 mod curves;
 mod draw;
 mod figures;
@@ -11,6 +12,7 @@ mod message;
 mod new;
 mod paper;
 mod pencil;
+mod pieces;
 mod solve;
 mod steps;
 mod structure;

@@ -150,6 +150,10 @@ enum Kind {
     Result,
     Style,
     Check,
+    /// Of marking schemes, for `kinegon check --marks`.
+    Marks,
+    /// Of reports on a class.
+    Class,
 }
 
 impl Schema {
@@ -159,6 +163,8 @@ impl Schema {
             Kind::Result => format::result_schema(),
             Kind::Style => Style::schema(),
             Kind::Check => crate::check::check_schema(),
+            Kind::Marks => crate::check::Marks::schema(),
+            Kind::Class => crate::check::class_schema(),
         };
         files::print(format::json(&schema).as_bytes())
     }

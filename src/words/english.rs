@@ -191,6 +191,7 @@ pub(super) const ENGLISH: Language = Language {
     },
 
     check: &super::check::ENGLISH,
+    class: &super::class::ENGLISH,
 };
 
 fn reversed(backwards: bool) -> &'static str {

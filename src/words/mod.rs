@@ -6,12 +6,14 @@
 //! name at run time; with a few dozen sentences and no plural forms that buys nothing.)
 
 mod check;
+mod class;
 mod english;
 mod language;
 mod notation;
 mod spanish;
 
 pub use check::{CheckWords, MistakeWords};
+pub use class::ClassWords;
 pub use language::{Language, NormalParts, PageWords};
 pub use notation::{Notation, with_prime};
 

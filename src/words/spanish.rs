@@ -189,6 +189,7 @@ pub(super) const SPANISH: Language = Language {
     },
 
     check: &super::check::ENGLISH,
+    class: &super::class::SPANISH,
 };
 
 fn reversed(backwards: bool) -> &'static str {
