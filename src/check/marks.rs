@@ -2,7 +2,7 @@
 
 use super::entry::entries;
 use super::sheet::{CheckError, Given, Measured};
-use super::template::names;
+use super::template::form_names;
 use super::verdict::{Checked, Drawn, Verdict};
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
 use crate::words::Wording;
@@ -105,7 +105,7 @@ impl Marks {
         };
         let mut worth: IndexMap<String, f64> = IndexMap::new();
         if let Some(each) = each {
-            let all = names(drawn.construction).into_iter();
+            let all = form_names(drawn.construction).into_iter();
             worth.extend(all.map(|name| (name, each)));
         }
         let mut given: IndexMap<String, &str> = IndexMap::new();

@@ -40,5 +40,5 @@ pub use result::{CheckResult, check_result, check_schema};
 pub use search::{Diagnosis, Explanation, Finding};
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};
 pub use student::Student;
-pub use template::{template_csv, template_json};
-pub use verdict::{Checked, Drawn, Judged, Verdict, check};
+pub use template::{form_names, template_csv, template_json};
+pub use verdict::{BANDS, Checked, Drawn, Judged, Verdict, check};

@@ -154,6 +154,8 @@ enum Kind {
     Marks,
     /// Of reports on a class.
     Class,
+    /// Of keys of exercises.
+    Key,
 }
 
 impl Schema {
@@ -165,6 +167,7 @@ impl Schema {
             Kind::Check => crate::check::check_schema(),
             Kind::Marks => crate::check::Marks::schema(),
             Kind::Class => crate::check::class_schema(),
+            Kind::Key => crate::exercise::key_schema(),
         };
         files::print(format::json(&schema).as_bytes())
     }

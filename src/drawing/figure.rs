@@ -100,6 +100,42 @@ fn compose(
     extents: &[(Panel, Extent)],
     by_steps: bool,
 ) -> Drawing {
+    let lines = scheme.agreement().to_vec();
+    if !by_steps {
+        return composed(scene, scheme, sheet, extents, lines);
+    }
+    let mut drawing = panels(scene, scheme, sheet, extents, true);
+    words::draw(&mut drawing, &sheet.layout, scene.units, scheme);
+    // After the last step.
+    let from = drawing.marks.len();
+    legend::draw_lines(&mut drawing, &sheet.layout, lines);
+    for mark in &mut drawing.marks[from..] {
+        (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
+    }
+    drawing
+}
+
+/// The figure on its sheet, with lines below the scales.
+pub(super) fn composed(
+    scene: &Scene,
+    scheme: &Scheme<'_>,
+    sheet: &Sheet,
+    extents: &[(Panel, Extent)],
+    lines: Vec<RichText>,
+) -> Drawing {
+    let mut drawing = panels(scene, scheme, sheet, extents, false);
+    legend::draw_lines(&mut drawing, &sheet.layout, lines);
+    drawing
+}
+
+/// The figure without the words below the scales.
+fn panels(
+    scene: &Scene,
+    scheme: &Scheme<'_>,
+    sheet: &Sheet,
+    extents: &[(Panel, Extent)],
+    by_steps: bool,
+) -> Drawing {
     let layout = &sheet.layout;
     let (mechanism, construction) = (scheme.mechanism, scheme.construction);
     let [width, height] = scene.figure.page.size_mm();
@@ -131,17 +167,6 @@ fn compose(
     let steps = numbered(construction);
     let steps = steps.map(|(_, plan, step)| shown_text(&step.caption, plan, words));
     drawing.steps = steps.collect();
-    if by_steps {
-        words::draw(&mut drawing, layout, scene.units, scheme);
-        // After the last step.
-        let from = drawing.marks.len();
-        legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
-        for mark in &mut drawing.marks[from..] {
-            (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
-        }
-    } else {
-        legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
-    }
     drawing
 }
 
@@ -206,7 +231,7 @@ pub fn misfits(
 }
 
 /// The panels that have something to show, and how much.
-fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
+pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
     let panels = scheme.figure.panels.iter();
     let extents = panels.filter_map(|&panel| {
         let extent = match panel {
@@ -220,12 +245,17 @@ fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
 }
 
 /// The sheet of a figure, divided up, and the table of a work sheet.
-struct Sheet {
+pub(super) struct Sheet {
     layout: Layout,
     worksheet: Option<Worksheet>,
 }
 
 impl Sheet {
+    /// Its panels with their scales.
+    pub(super) fn panels(&self) -> &[Placed] {
+        &self.layout.panels
+    }
+
     /// The sheet for these panels, with room for the words of steps or without.
     fn new(
         scene: &Scene,
@@ -241,7 +271,7 @@ impl Sheet {
     }
 
     /// The sheet with so much room below the scales. They stand in as few rows as hold them.
-    fn divided(
+    pub(super) fn divided(
         scene: &Scene,
         scheme: &Scheme<'_>,
         extents: &[(Panel, Extent)],

@@ -10,6 +10,7 @@ mod arrow;
 mod canvas;
 mod clip;
 mod curves;
+mod exercise;
 mod figure;
 mod fonts;
 mod inset;
@@ -32,6 +33,7 @@ mod worksheet;
 
 pub use arrow::arrow_head;
 pub use curves::{CurvesError, curves, hodographs};
+pub use exercise::{exercise_sheet, shows_special_points};
 pub use figure::{figure, frames, misfits, scales, stepwise};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};

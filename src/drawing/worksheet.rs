@@ -12,7 +12,7 @@ use super::stages::numbered;
 use super::text::{PlacedText, RichText};
 use super::view::Extent;
 use super::words::significant;
-use crate::plan::{Action, Kind, Plan, PlanKind};
+use crate::plan::{Action, Asked, Kind, Plan, PlanKind, Spot, What};
 use crate::scene::{Panel, Units};
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
@@ -43,14 +43,21 @@ pub(super) struct Worksheet {
     ruler: &'static str,
     /// Width of each cell of a row, in mm.
     widths: [f64; CELLS],
+    /// Whether millimetres and values are left to be filled in.
+    is_blank: bool,
 }
+
+/// Widths of the boxes for millimetres and values.
+const BOXES: [f64; 2] = [15.0, 21.0];
+/// How far a box reaches above and below the line of letters.
+const BOX: [f64; 2] = [4.1, 1.3];
 
 /// Name, millimetres, scale, value, unit.
 const CELLS: usize = 5;
 /// Which of them end in one line; the others begin in one.
 const ENDING: [bool; CELLS] = [false, true, false, true, false];
 
-/// A measured length.
+/// A measured length; on a blank sheet any quantity.
 struct Row {
     /// The step that measures it.
     step: u16,
@@ -120,6 +127,39 @@ impl Worksheet {
             head,
             ruler: language.ruler,
             widths,
+            is_blank: false,
+        }
+    }
+
+    /// A table with boxes for what is to be found.
+    pub(super) fn blank(scheme: &Scheme<'_>, units: Units, asked: &[Asked]) -> Self {
+        let language = scheme.words.language;
+        let rows: Vec<Row> = asked
+            .iter()
+            .map(|asked| blank_row(scheme, units, asked))
+            .collect();
+        let plain = RichText::plain;
+        let head = [
+            plain(language.exercise.quantity),
+            plain("mm"),
+            plain("μ"),
+            plain(language.value),
+            plain(""),
+        ];
+        let mut widths = head.each_ref().map(|text| text.width(CAPTION));
+        for row in &rows {
+            let own = [&row.name, &symbol(row.scale), &row.unit].map(|text| text.width(CAPTION));
+            for (cell, own) in [0, 2, 4].into_iter().zip(own) {
+                widths[cell] = widths[cell].max(own);
+            }
+        }
+        [widths[1], widths[3]] = BOXES;
+        Self {
+            rows,
+            head,
+            ruler: language.ruler,
+            widths,
+            is_blank: true,
         }
     }
 
@@ -229,16 +269,41 @@ impl Worksheet {
                 let below = PAD + HEAD + ROW * line as f64 + 4.0;
                 let at = Point::new(head.x, area.y0 + below * small);
                 let mu = panels.iter().find(|p| p.panel == row.panel).map(|p| p.mu);
-                let mm = mu.map_or(RichText::plain("–"), |mu| {
-                    millimetres(words, row.value, mu)
-                });
+                let mm = match (self.is_blank, mu) {
+                    (true, _) => RichText::plain(""),
+                    (false, None) => RichText::plain("–"),
+                    (false, Some(mu)) => millimetres(words, row.value, mu),
+                };
                 let cells = [&row.name, &mm, &symbol(row.scale), &row.written, &row.unit];
                 self.row(drawing, at, small, Some((index, row)), cells);
+                if self.is_blank {
+                    self.boxes(drawing, at, small, (index, row));
+                }
             }
         }
         let last_column = area.x1 - pitch;
         let from = Point::new(last_column + PAD + 2.0, area.y1 - PAD - RULER_ROOM[1]);
         ruler(drawing, from, self.ruler);
+    }
+
+    /// The empty boxes of a row: for the value, and for millimetres where it has a scale.
+    fn boxes(&self, drawing: &mut Drawing, from: Point, small: f64, (index, row): (usize, &Row)) {
+        for (cell, name) in [(1, "mm"), (3, "value")] {
+            if cell == 1 && row.scale.is_empty() {
+                continue;
+            }
+            let before: f64 = self.widths[..cell].iter().sum();
+            let x = from.x + (before + GUTTER * cell as f64) * small;
+            let [above, below] = BOX.map(|y| y * small);
+            let area = Rect::new(
+                x,
+                from.y - above,
+                x + self.widths[cell] * small,
+                from.y + below,
+            );
+            let name = format!("box-{index}-{name}");
+            drawing.draw_named(name, Pen::Frame, Shape::Polygon(legend::corners(area)));
+        }
     }
 
     /// Writes a row from the left end of its baseline; of a measured length with names for its cells and the step that measures it.
@@ -271,6 +336,46 @@ impl Worksheet {
                 ..Mark::new(Pen::Caption, Shape::Text(text))
             });
         }
+    }
+}
+
+/// The row of a quantity that is to be found. What has no length on paper has no scale.
+fn blank_row(scheme: &Scheme<'_>, units: Units, asked: &Asked) -> Row {
+    let plan = match asked.what() {
+        What::Segment { kind, .. } => {
+            let mut plans = scheme.construction.plans();
+            plans.find(|plan| plan.kind == *kind)
+        }
+        _ => None,
+    };
+    let name = match asked.what() {
+        What::Segment { from, to, .. } => {
+            format!("{} {}", scheme.shown(from, plan), scheme.shown(to, plan))
+        }
+        What::Length(from, to) => {
+            let shown = |spot: &Spot| scheme.shown(spot.name(), None);
+            format!("{} {}", shown(from), shown(to))
+        }
+        _ => asked.symbol(scheme.mechanism, scheme.words.notation, &|name| {
+            scheme.shown(name, None)
+        }),
+    };
+    let (panel, scale) = match (asked.what(), plan) {
+        (_, Some(plan)) if plan.kind == PlanKind::Velocity => {
+            (Panel::Velocity, plan.kind.scale_name())
+        }
+        (_, Some(plan)) => (Panel::Acceleration, plan.kind.scale_name()),
+        (What::Length(..), None) => (Panel::Scheme, "μ_l"),
+        _ => (Panel::Scheme, ""),
+    };
+    Row {
+        step: 0,
+        panel,
+        value: 0.0,
+        name: RichText::math(&name),
+        scale,
+        written: RichText::plain(""),
+        unit: RichText::plain(&asked.kind().unit(units)),
     }
 }
 

@@ -1,5 +1,6 @@
 use super::check::CheckWords;
 use super::class::ClassWords;
+use super::exercise::ExerciseWords;
 
 /// The normal parts that are laid off together along a cut line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -220,6 +221,8 @@ pub struct Language {
     pub check: &'static CheckWords,
     /// Marks, and what is said of a whole class.
     pub class: &'static ClassWords,
+    /// The sheets of exercises.
+    pub exercise: &'static ExerciseWords,
 }
 
 /// What stands on the buttons of a page for the classroom, or is read out for them; names of keys are in brackets.

@@ -190,6 +190,7 @@ pub(super) const SPANISH: Language = Language {
 
     check: &super::check::ENGLISH,
     class: &super::class::SPANISH,
+    exercise: &super::exercise::SPANISH,
 };
 
 fn reversed(backwards: bool) -> &'static str {

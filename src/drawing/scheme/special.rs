@@ -13,7 +13,7 @@ use kurbo::{Point, Vec2};
 const REACH: f64 = 2.5;
 
 impl Scheme<'_> {
-    pub(super) fn special(&self) -> impl Iterator<Item = &Special> {
+    pub(in super::super) fn special(&self) -> impl Iterator<Item = &Special> {
         let shown = self.figure.special_points;
         self.construction
             .special
@@ -23,7 +23,7 @@ impl Scheme<'_> {
     }
 
     /// Whether a special point can be drawn at its place without making the rest small.
-    pub(super) fn is_near(&self, special: &Special) -> bool {
+    pub(in super::super) fn is_near(&self, special: &Special) -> bool {
         let own = span(self.pose.points.iter().copied());
         special.place.finite().is_some_and(|place| {
             let points = self.pose.points.iter().copied();

@@ -1,0 +1,51 @@
+//! The sheet that a student gets: the scheme true to scale, what is given, and boxes for what is to be found.
+
+use super::figure::{Sheet, composed, extents};
+use super::legend;
+use super::scheme::Scheme;
+use super::sheet::Drawing;
+use super::worksheet::Worksheet;
+use crate::mechanism::Mechanism;
+use crate::plan::{Asked, Construction};
+use crate::position::Pose;
+use crate::scene::{Panel, Scene};
+
+/// The sheet of an exercise: the scheme without special points, but with room for them; below it `sentences`, in markup; beside it a table with
+/// a row for each of `asked` and boxes for its millimetres and its value, and a ruler. `None` where the scheme does not fit beside them at the
+/// scale that the scene gives.
+#[must_use]
+pub fn exercise_sheet(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    pose: &Pose,
+    construction: &Construction,
+    asked: &[Asked],
+    sentences: &[String],
+) -> Option<Drawing> {
+    let mut scene = scene.clone();
+    scene.figure.panels = vec![Panel::Scheme];
+    let scheme = Scheme::new(&scene, mechanism, pose, construction);
+    let extents = extents(&scheme);
+    let [width, _] = scene.figure.page.size_mm();
+    let lines = sentences.iter().flat_map(|s| legend::lines(s, width));
+    let lines: Vec<_> = lines.collect();
+    let table = Worksheet::blank(&scheme, scene.units, asked);
+    let below = legend::height_of_lines(lines.len());
+    let sheet = Sheet::divided(&scene, &scheme, &extents, below, Some(table));
+    let placed = sheet.panels().first()?;
+    let size = extents.first()?.1.size() / placed.mu;
+    let fits = size.x <= placed.area.width() && size.y <= placed.area.height();
+    fits.then(|| composed(&scene, &scheme, &sheet, &extents, lines).after_step(0))
+}
+
+/// Whether the scheme has its special points at their places, none beyond reach.
+#[must_use]
+pub fn shows_special_points(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    pose: &Pose,
+    construction: &Construction,
+) -> bool {
+    let scheme = Scheme::new(scene, mechanism, pose, construction);
+    scheme.special().all(|special| scheme.is_near(special))
+}

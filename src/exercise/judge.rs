@@ -1,0 +1,246 @@
+//! Which variants are exercises: those that a careful hand draws well.
+
+use super::given::sentences;
+use crate::check::{form_names, numbered_steps};
+use crate::drafting::{Pencil, Tolerance, pencil};
+use crate::drawing::{Drawing, exercise_sheet, figure, misfits, scales, shows_special_points};
+use crate::mechanism::{Mechanism, mechanism};
+use crate::motion::{Motion, Order, motion};
+use crate::plan::{
+    Action, Asked, Construction, PlanKind, Quantity, Scales, Snapshot, What, construction_in,
+};
+use crate::position::{Pose, pose};
+use crate::scene::{Figure, Scene};
+use crate::words::Wording;
+use serde_json::Value;
+
+/// Condition numbers of groups are at most this: near singular positions every length counts many times.
+const CONDITION: f64 = 40.0;
+/// Lines that are crossed meet at an angle whose sine is at least this: 20°.
+const SINE: f64 = 0.35;
+/// Segments that are measured are at least this long on paper, in mm, unless they are nothing.
+const SHORTEST: f64 = 5.0;
+/// A rate less than this part of the largest of its kind is judged as if it were so large.
+const SMALL: f64 = 1.0 / 3.0;
+/// The band of a rate is at most this part of it.
+const BAND: f64 = 0.15;
+/// What counts as nothing, in parts of the largest of its kind: roundings leave less.
+const NOTHING: f64 = 1e-9;
+
+/// A scene to be drawn by hand, with all that is known of it.
+#[derive(Clone, Debug)]
+pub struct Exercise {
+    /// The text of its scene file.
+    pub text: String,
+    /// The scene.
+    pub scene: Scene,
+    /// Its mechanism.
+    pub mechanism: Mechanism,
+    /// Its position.
+    pub pose: Pose,
+    /// Its motion, with accelerations.
+    pub motion: Motion,
+    /// Its plans.
+    pub construction: Construction,
+    /// The scales of its sheets.
+    pub scales: Scales,
+    /// How exactly a careful hand finds each quantity of the form.
+    pub pencil: Pencil,
+    /// The sheet that the student gets: the scheme without special points, what is given, boxes for what is to be found.
+    pub sheet: Drawing,
+}
+
+/// Why a variant is no exercise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, thiserror::Error)]
+pub enum Refusal {
+    /// The scene is not understood.
+    #[error("the numbers do not fit together")]
+    Numbers,
+    /// No position.
+    #[error("the links do not reach each other")]
+    Assembly,
+    /// A singular position, or nearly one.
+    #[error("the position is too near a singular one")]
+    Singular,
+    /// No construction.
+    #[error("there is no construction of the plans")]
+    NoConstruction,
+    /// The construction and the loop equations differ by more than rounding allows.
+    #[error("the construction is not exact enough")]
+    Routes,
+    /// Lines cross under small angles.
+    #[error("lines cross at less than 20°")]
+    Crossing,
+    /// Something has no room.
+    #[error("a special point or a plan does not fit on the sheet")]
+    Sheet,
+    /// Segments are too short to be measured.
+    #[error("a segment to be measured is shorter than 5 mm")]
+    Short,
+    /// A hand finds rates only roughly.
+    #[error("a rate cannot be found to 15 % by hand")]
+    Unsure,
+    /// The same numbers came before.
+    #[error("its numbers came before")]
+    Same,
+}
+
+impl Exercise {
+    /// The scene of that text, if it is an exercise; the figure is that of the scene, or another that is `asked` for.
+    pub(super) fn of(text: &str, asked: Option<&Figure>) -> Result<Exercise, Refusal> {
+        let mut scene = Scene::read(text).map_err(|_| Refusal::Numbers)?;
+        scene.figure = asked.unwrap_or(&scene.figure).clone();
+        scene.figure.worksheet = true;
+        let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
+        let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
+        let motion =
+            motion(&mechanism, &pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
+        let conditions = motion.groups.iter().map(|group| group.condition);
+        if conditions.fold(1.0, f64::max) > CONDITION {
+            return Err(Refusal::Singular);
+        }
+        let wording = Wording::of(&scene.figure);
+        let construction = construction_in(&mechanism, &pose, &motion, &wording);
+        crosses_well(&construction)?;
+        let scales = scales(&scene, &mechanism, &pose, &construction);
+        let fits = misfits(&scene, &mechanism, &pose, &construction).is_empty()
+            && shows_special_points(&scene, &mechanism, &pose, &construction);
+        if !fits {
+            return Err(Refusal::Sheet);
+        }
+        is_long_enough(&construction, &scales)?;
+        let names = form_names(&construction).into_iter();
+        let quantities = names.map(|name| Asked::new(&name, &mechanism));
+        let quantities: Vec<Asked> = quantities
+            .collect::<Result<_, _>>()
+            .map_err(|_| Refusal::NoConstruction)?;
+        let hand = Tolerance::default();
+        let pencil = pencil(
+            &mechanism,
+            &pose,
+            &motion,
+            &construction,
+            &scales,
+            hand,
+            quantities.clone(),
+        );
+        let given = sentences(&scene, text, &scales, &wording);
+        let sheet = exercise_sheet(
+            &scene,
+            &mechanism,
+            &pose,
+            &construction,
+            &quantities,
+            &given,
+        );
+        let exercise = Exercise {
+            text: text.to_owned(),
+            scales,
+            pencil,
+            sheet: sheet.ok_or(Refusal::Sheet)?,
+            scene,
+            mechanism,
+            pose,
+            motion,
+            construction,
+        };
+        exercise.is_sure()?;
+        Ok(exercise)
+    }
+
+    /// What is asked for, with its exact value.
+    pub(super) fn values(&self) -> impl Iterator<Item = (&Asked, f64)> {
+        let snapshot = Snapshot {
+            pose: &self.pose,
+            motion: &self.motion,
+        };
+        let asked = self.pencil.quantities.iter().map(|(asked, _)| asked);
+        asked.filter_map(move |asked| {
+            let value = asked
+                .value(&snapshot, Some(&self.construction), None)
+                .ok()?;
+            let value = match value {
+                Quantity::Number(x) => x,
+                Quantity::Vector(v) => v.norm(),
+            };
+            Some((asked, value))
+        })
+    }
+
+    /// Whether a hand finds all rates of rotation well.
+    fn is_sure(&self) -> Result<(), Refusal> {
+        let is_rate = |asked: &Asked| matches!(asked.what(), What::Omega(_) | What::Alpha(_));
+        let rates: Vec<(&Asked, f64)> = self.values().filter(|(a, _)| is_rate(a)).collect();
+        for (asked, value) in &rates {
+            let alike = rates.iter().filter(|(a, _)| a.kind() == asked.kind());
+            let largest = alike.map(|(_, v)| v.abs()).fold(0.0, f64::max);
+            let size = value.abs().max(SMALL * largest);
+            let is_nothing = value.abs() <= NOTHING * largest;
+            let band = self.pencil.band(asked.name()).ok_or(Refusal::Unsure)?;
+            // Of a rate that is there at all a drawing must tell the sense.
+            if band.band > BAND * size || (band.band > value.abs() && !is_nothing) {
+                return Err(Refusal::Unsure);
+            }
+        }
+        Ok(())
+    }
+
+    /// The key as a figure: the work sheet with scheme, plans and the table of all measured lengths.
+    #[must_use]
+    pub fn key_sheet(&self) -> Drawing {
+        figure(&self.scene, &self.mechanism, &self.pose, &self.construction)
+    }
+
+    /// The numbers of its scene file.
+    pub(super) fn file(text: &str) -> Result<Value, Refusal> {
+        let text = text.trim_start_matches('\u{feff}');
+        serde_json::from_str(text).map_err(|_| Refusal::Numbers)
+    }
+}
+
+/// Whether there is a construction, exact and with good crossings.
+fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
+    for agreement in &construction.agreement {
+        let agreement = agreement.ok_or(Refusal::NoConstruction)?;
+        if agreement.difference > agreement.allowed {
+            return Err(Refusal::Routes);
+        }
+    }
+    let sines = numbered_steps(construction)
+        .into_iter()
+        .filter_map(|s| match &s.step.action {
+            Action::Cross { sine, .. } | Action::SpecialPoint { sine, .. } => Some(sine.abs()),
+            _ => None,
+        });
+    match sines.fold(1.0, f64::min) < SINE {
+        true => Err(Refusal::Crossing),
+        false => Ok(()),
+    }
+}
+
+/// Whether everything that is measured is long enough on paper, or nothing.
+fn is_long_enough(construction: &Construction, scales: &Scales) -> Result<(), Refusal> {
+    for step in numbered_steps(construction) {
+        let value = match (&step.step.action, step.plan) {
+            (Action::Measure { value, .. } | Action::MeasureLength { value, .. }, _) => value.abs(),
+            (Action::Cross { point, .. }, Some(plan)) => plan.points[point].vector.norm(),
+            _ => continue,
+        };
+        let (mu, largest) = match step.plan {
+            None => (scales.length, value),
+            Some(plan) => {
+                let sizes = plan.points.values().map(|p| p.vector.norm());
+                let mu = match plan.kind {
+                    PlanKind::Velocity => scales.velocity,
+                    PlanKind::Acceleration => scales.acceleration,
+                };
+                (mu, sizes.fold(0.0, f64::max))
+            }
+        };
+        let mm = value / mu.ok_or(Refusal::Sheet)?;
+        if mm < SHORTEST && value > NOTHING * largest {
+            return Err(Refusal::Short);
+        }
+    }
+    Ok(())
+}

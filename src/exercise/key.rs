@@ -1,0 +1,101 @@
+//! What a teacher is told: every value of the form.
+
+use super::judge::Exercise;
+use crate::check::{BANDS, numbered_steps, template_csv, template_json};
+use crate::scene::schema_of;
+use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// The values of an exercise.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct KeyResult {
+    /// Version of the format.
+    pub kinegon_key: u64,
+    /// The title of the scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// The scales of the sheets.
+    pub scales: KeyScales,
+    /// The values by the names of their quantities, in the order of the form.
+    pub values: IndexMap<String, KeyValue>,
+}
+
+/// Scales, in units of the scene per millimetre of paper.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct KeyScales {
+    /// Of the scheme.
+    pub mu_l: Option<f64>,
+    /// Of the velocity plan.
+    pub mu_v: Option<f64>,
+    /// Of the acceleration plan.
+    pub mu_a: Option<f64>,
+}
+
+/// The value of a quantity.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct KeyValue {
+    /// The exact value.
+    pub value: f64,
+    /// Its unit.
+    pub unit: String,
+    /// By how much the value of a careful hand may differ, as `kinegon check` judges it; not there for what is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub allowed: Option<f64>,
+    /// The number of the step that gives it.
+    pub step: usize,
+}
+
+impl Exercise {
+    /// All values of the form, with what a careful hand may be off by.
+    #[must_use]
+    pub fn key(&self) -> KeyResult {
+        let steps = numbered_steps(&self.construction);
+        let names: Vec<(usize, Vec<String>)> =
+            steps.iter().map(|s| (s.number, s.names())).collect();
+        let step = |name: &str| {
+            let mut found = names
+                .iter()
+                .filter(|(_, own)| own.iter().any(|n| n == name));
+            found.next().map_or(0, |(number, _)| *number)
+        };
+        let values = self.values().map(|(asked, value)| {
+            let band = self.pencil.band(asked.name());
+            let value = KeyValue {
+                value,
+                unit: asked.kind().unit(self.scene.units),
+                allowed: band.map(|band| BANDS * band.band),
+                step: step(asked.name()),
+            };
+            (asked.name().to_owned(), value)
+        });
+        KeyResult {
+            kinegon_key: 1,
+            title: self.scene.title.clone(),
+            scales: KeyScales {
+                mu_l: self.scales.length,
+                mu_v: self.scales.velocity,
+                mu_a: self.scales.acceleration,
+            },
+            values: values.collect(),
+        }
+    }
+
+    /// The empty form as JSON.
+    #[must_use]
+    pub fn form_json(&self) -> String {
+        template_json(&self.construction, &self.scales)
+    }
+
+    /// The empty form as a table.
+    #[must_use]
+    pub fn form_csv(&self) -> String {
+        template_csv(&self.construction, &self.scales)
+    }
+}
+
+/// The JSON Schema of keys.
+#[must_use]
+pub fn key_schema() -> serde_json::Value {
+    schema_of::<KeyResult>("Kinegon key of an exercise, version 1")
+}
