@@ -9,7 +9,7 @@ use crate::drawing::{Drawing, Style};
 use crate::exercise::{Exercise, ExerciseError, Exercises};
 use crate::format::{self, Text};
 use crate::motion::Order;
-use crate::scene::Figure;
+use crate::scene::{Figure, StyleName};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -57,12 +57,17 @@ impl ExerciseCommand {
             self.words.put_into(figure);
             self.paper.put_into(figure);
             self.scales.put_into(figure);
+            // The scene can say a style's name, but no file.
+            let mut names = StyleName::ALL.into_iter();
+            let named = names.find(|name| Some(name.as_str()) == self.style.as_deref());
+            figure.style = named.unwrap_or(figure.style);
         };
         let style = self.style.as_deref().map(style).transpose()?;
         let work = work(&source, None, put, |_| Order::Acceleration)?;
         let (figure, construction) = (&work.scene.figure, &work.construction);
         let failed = |error: ExerciseError| Failure::Outside(format!("{}: {error}", source.name));
-        let exercises = Exercises::new(&source.text, figure, construction, self.seed);
+        let page = self.paper.is_given().then_some(figure.page);
+        let exercises = Exercises::new(&source.text, figure, page, construction, self.seed);
         let mut exercises = exercises.map_err(|error| {
             let hint = "`kinegon new --list` shows other kinds";
             Failure::Misuse(format!("{}: {error}", source.name), Some(hint.into()))

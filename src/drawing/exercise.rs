@@ -4,6 +4,8 @@ use super::figure::{Sheet, composed, extents};
 use super::legend;
 use super::scheme::Scheme;
 use super::sheet::Drawing;
+use super::text::RichText;
+use super::view::Extent;
 use super::worksheet::Worksheet;
 use crate::mechanism::Mechanism;
 use crate::plan::{Asked, Construction};
@@ -22,20 +24,60 @@ pub fn exercise_sheet(
     asked: &[Asked],
     sentences: &[String],
 ) -> Option<Drawing> {
+    let scene = alone(scene);
+    let scheme = Scheme::new(&scene, mechanism, pose, construction);
+    let laid = Laid::out(&scene, &scheme, asked, sentences);
+    let placed = laid.sheet.panels().first()?;
+    let size = laid.extents.first()?.1.size() / placed.mu;
+    let fits = size.x <= placed.area.width() && size.y <= placed.area.height();
+    fits.then(|| composed(&scene, &scheme, &laid.sheet, &laid.extents, laid.lines).after_step(0))
+}
+
+/// The scale at which the scheme fits on the sheet of an exercise, from the same as [`exercise_sheet`]; that of the scene where it gives one.
+#[must_use]
+pub fn exercise_scale(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    pose: &Pose,
+    construction: &Construction,
+    asked: &[Asked],
+    sentences: &[String],
+) -> Option<f64> {
+    let scene = alone(scene);
+    let scheme = Scheme::new(&scene, mechanism, pose, construction);
+    let laid = Laid::out(&scene, &scheme, asked, sentences);
+    laid.sheet.panels().first().map(|placed| placed.mu)
+}
+
+/// The scene with nothing but the scheme in its figure.
+fn alone(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.figure.panels = vec![Panel::Scheme];
-    let scheme = Scheme::new(&scene, mechanism, pose, construction);
-    let extents = extents(&scheme);
-    let [width, _] = scene.figure.page.size_mm();
-    let lines = sentences.iter().flat_map(|s| legend::lines(s, width));
-    let lines: Vec<_> = lines.collect();
-    let table = Worksheet::blank(&scheme, scene.units, asked);
-    let below = legend::height_of_lines(lines.len());
-    let sheet = Sheet::divided(&scene, &scheme, &extents, below, Some(table));
-    let placed = sheet.panels().first()?;
-    let size = extents.first()?.1.size() / placed.mu;
-    let fits = size.x <= placed.area.width() && size.y <= placed.area.height();
-    fits.then(|| composed(&scene, &scheme, &sheet, &extents, lines).after_step(0))
+    scene
+}
+
+/// The sheet of an exercise, divided up.
+struct Laid {
+    sheet: Sheet,
+    extents: Vec<(Panel, Extent)>,
+    lines: Vec<RichText>,
+}
+
+impl Laid {
+    fn out(scene: &Scene, scheme: &Scheme<'_>, asked: &[Asked], sentences: &[String]) -> Laid {
+        let extents = extents(scheme);
+        let [width, _] = scene.figure.page.size_mm();
+        let lines = sentences.iter().flat_map(|s| legend::lines(s, width));
+        let lines: Vec<RichText> = lines.collect();
+        let table = Worksheet::blank(scheme, scene.units, asked);
+        let below = legend::height_of_lines(lines.len());
+        let sheet = Sheet::divided(scene, scheme, &extents, below, Some(table));
+        Laid {
+            sheet,
+            extents,
+            lines,
+        }
+    }
 }
 
 /// Whether the scheme has its special points at their places, none beyond reach.

@@ -1,15 +1,20 @@
 //! Variants by lot until one is an exercise.
 
-use super::judge::{Exercise, Refusal};
+use super::judge::{Exercise, Refusal, key_page};
 use super::vary::{length_step, varied};
 use crate::geometry::Random;
 use crate::plan::{Asked, Construction, Quantity, Snapshot};
-use crate::scene::{Figure, Panel, SceneError};
+use crate::scene::{Figure, Page, PageSize, Panel, SceneError};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// So many variants are tried for each exercise.
-const TRIES: usize = 2000;
+const TRIES: usize = 1000;
+
+/// So many variants show on which sheets a scene can be drawn …
+const PILOT: usize = 40;
+/// … if at least so many of them can.
+const FEW: usize = 6;
 
 /// Why there is no exercise, or no further one.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -48,13 +53,15 @@ pub struct Exercises {
 }
 
 impl Exercises {
-    /// The exercises of the scene with that text and construction, on the sheets that `figure` asks for.
+    /// The exercises of the scene with that text and construction, as `figure` asks for. Where neither the scene nor `page` says on which sheets,
+    /// they are A4, or A3 where few variants can be drawn well on A4.
     ///
     /// # Errors
     /// Where the text is no scene, or the scene has no construction.
     pub fn new(
         text: &str,
         figure: &Figure,
+        page: Option<Page>,
         construction: &Construction,
         seed: u64,
     ) -> Result<Exercises, ExerciseError> {
@@ -62,15 +69,18 @@ impl Exercises {
         if construction.agreement.iter().any(Option::is_none) || construction.agreement.is_empty() {
             return Err(ExerciseError::NoConstruction);
         }
-        let base = Exercise::file(text).map_err(|_| ExerciseError::NoConstruction)?;
+        let base = serde_json::from_str(text.trim_start_matches('\u{feff}'));
+        let base: Value = base.expect("a scene is JSON");
+        let is_page_open = page.is_none() && base["figure"]["page"].is_null();
         let figure = Figure {
             panels: vec![Panel::Scheme, Panel::Velocity, Panel::Acceleration],
             step: None,
             special_points: true,
             construction: true,
+            page: page.unwrap_or(figure.page),
             ..figure.clone()
         };
-        Ok(Exercises {
+        let mut exercises = Exercises {
             base,
             title: scene.title.unwrap_or_default(),
             figure,
@@ -78,7 +88,20 @@ impl Exercises {
             random: Random(seed),
             number: 0,
             seen: BTreeSet::new(),
-        })
+        };
+        if is_page_open && exercises.goes_badly() {
+            exercises.figure.page.size = PageSize::A3;
+        }
+        Ok(exercises)
+    }
+
+    /// Whether few variants can be drawn well on its sheets; the same for every seed.
+    fn goes_badly(&self) -> bool {
+        let mut random = Random(0);
+        let variants = (0..PILOT).map(|_| varied(&self.base, &mut random).to_string());
+        let good = variants
+            .filter(|numbers| Exercise::of(numbers, self.figure.page, Some(&self.figure)).is_ok());
+        good.take(FEW).count() < FEW
     }
 
     /// The next exercise.
@@ -108,14 +131,14 @@ impl Exercises {
     fn variant(&mut self) -> Result<Exercise, Refusal> {
         let mut file = varied(&self.base, &mut self.random);
         let numbers = file.to_string();
-        let first = Exercise::of(&numbers, Some(&self.figure))?;
+        let first = Exercise::of(&numbers, self.figure.page, Some(&self.figure))?;
         if !self.seen.insert(numbers) {
             return Err(Refusal::Same);
         }
         // The file says all that was found: the position, the scales. It is then judged as it stands.
         self.put_near(&mut file, &first);
         self.put_figure(&mut file, &first);
-        let exercise = Exercise::of(&crate::format::json(&file), None)?;
+        let exercise = Exercise::of(&crate::format::json(&file), self.figure.page, None)?;
         let same = exercise.pose.points.iter().zip(&first.pose.points);
         let size = crate::geometry::span(first.pose.points.iter().copied());
         let moved = same.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
@@ -157,6 +180,7 @@ impl Exercises {
             return;
         };
         let (own, usual) = (&self.figure, Figure::default());
+        let page = key_page(own.page);
         let mut figure = Map::new();
         let panels: Vec<&str> = own.panels.iter().map(|panel| panel.as_str()).collect();
         figure.insert("panels".into(), json!(panels));
@@ -171,7 +195,7 @@ impl Exercises {
             }
         }
         for (key, is_usual, name) in [
-            ("page", own.page == usual.page, own.page.name()),
+            ("page", page == usual.page, page.name()),
             ("style", own.style == usual.style, own.style.as_str()),
             (
                 "notation",

@@ -3,16 +3,17 @@
 use super::given::sentences;
 use crate::check::{form_names, numbered_steps};
 use crate::drafting::{Pencil, Tolerance, pencil};
-use crate::drawing::{Drawing, exercise_sheet, figure, misfits, scales, shows_special_points};
+use crate::drawing::{
+    Drawing, exercise_scale, exercise_sheet, figure, misfits, scales, shows_special_points,
+};
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::{Motion, Order, motion};
 use crate::plan::{
     Action, Asked, Construction, PlanKind, Quantity, Scales, Snapshot, What, construction_in,
 };
 use crate::position::{Pose, pose};
-use crate::scene::{Figure, Scene};
+use crate::scene::{Figure, Page, PageSize, Scene};
 use crate::words::Wording;
-use serde_json::Value;
 
 /// Condition numbers of groups are at most this: near singular positions every length counts many times.
 const CONDITION: f64 = 40.0;
@@ -86,11 +87,10 @@ pub enum Refusal {
 }
 
 impl Exercise {
-    /// The scene of that text, if it is an exercise; the figure is that of the scene, or another that is `asked` for.
-    pub(super) fn of(text: &str, asked: Option<&Figure>) -> Result<Exercise, Refusal> {
+    /// The scene of that text, if it is an exercise for a sheet of that size; the figure is that of the scene, or another that is `asked` for.
+    pub(super) fn of(text: &str, page: Page, asked: Option<&Figure>) -> Result<Exercise, Refusal> {
         let mut scene = Scene::read(text).map_err(|_| Refusal::Numbers)?;
         scene.figure = asked.unwrap_or(&scene.figure).clone();
-        scene.figure.worksheet = true;
         let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
         let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
         let motion =
@@ -102,19 +102,35 @@ impl Exercise {
         let wording = Wording::of(&scene.figure);
         let construction = construction_in(&mechanism, &pose, &motion, &wording);
         crosses_well(&construction)?;
-        let scales = scales(&scene, &mechanism, &pose, &construction);
+        let quantities = form_names(&construction).into_iter();
+        let quantities = quantities.map(|name| Asked::new(&name, &mechanism));
+        let quantities: Vec<Asked> = quantities
+            .collect::<Result<_, _>>()
+            .map_err(|_| Refusal::NoConstruction)?;
+        // Scheme and plans are as large as the key has room; the scheme smaller where the student's sheet needs it.
+        let mut students = scene.clone();
+        (students.figure.page, students.figure.worksheet) = (page, false);
+        (scene.figure.page, scene.figure.worksheet) = (key_page(page), true);
+        let mut own = scales(&scene, &mechanism, &pose, &construction);
+        if scene.figure.mu_l.is_none() {
+            let given = sentences(&scene, text, &own, &wording);
+            let (asked, given) = (quantities.as_slice(), given.as_slice());
+            let mu = exercise_scale(&students, &mechanism, &pose, &construction, asked, given);
+            if mu > own.length {
+                scene.figure.mu_l = mu;
+                own = scales(&scene, &mechanism, &pose, &construction);
+            }
+            students.figure.mu_l = own.length;
+        }
+        let scales = own;
+        is_long_enough(&construction, &scales)?;
         let fits = misfits(&scene, &mechanism, &pose, &construction).is_empty()
             && shows_special_points(&scene, &mechanism, &pose, &construction);
         if !fits {
             return Err(Refusal::Sheet);
         }
-        is_long_enough(&construction, &scales)?;
-        let names = form_names(&construction).into_iter();
-        let quantities = names.map(|name| Asked::new(&name, &mechanism));
-        let quantities: Vec<Asked> = quantities
-            .collect::<Result<_, _>>()
-            .map_err(|_| Refusal::NoConstruction)?;
         let hand = Tolerance::default();
+        let asked = quantities.clone();
         let pencil = pencil(
             &mechanism,
             &pose,
@@ -122,18 +138,13 @@ impl Exercise {
             &construction,
             &scales,
             hand,
-            quantities.clone(),
+            asked,
         );
+        is_sure(&pencil, &values(&quantities, &pose, &motion, &construction))?;
         let given = sentences(&scene, text, &scales, &wording);
-        let sheet = exercise_sheet(
-            &scene,
-            &mechanism,
-            &pose,
-            &construction,
-            &quantities,
-            &given,
-        );
-        let exercise = Exercise {
+        let (asked, given) = (quantities.as_slice(), given.as_slice());
+        let sheet = exercise_sheet(&students, &mechanism, &pose, &construction, asked, given);
+        Ok(Exercise {
             text: text.to_owned(),
             scales,
             pencil,
@@ -143,46 +154,18 @@ impl Exercise {
             pose,
             motion,
             construction,
-        };
-        exercise.is_sure()?;
-        Ok(exercise)
-    }
-
-    /// What is asked for, with its exact value.
-    pub(super) fn values(&self) -> impl Iterator<Item = (&Asked, f64)> {
-        let snapshot = Snapshot {
-            pose: &self.pose,
-            motion: &self.motion,
-        };
-        let asked = self.pencil.quantities.iter().map(|(asked, _)| asked);
-        asked.filter_map(move |asked| {
-            let value = asked
-                .value(&snapshot, Some(&self.construction), None)
-                .ok()?;
-            let value = match value {
-                Quantity::Number(x) => x,
-                Quantity::Vector(v) => v.norm(),
-            };
-            Some((asked, value))
         })
     }
 
-    /// Whether a hand finds all rates of rotation well.
-    fn is_sure(&self) -> Result<(), Refusal> {
-        let is_rate = |asked: &Asked| matches!(asked.what(), What::Omega(_) | What::Alpha(_));
-        let rates: Vec<(&Asked, f64)> = self.values().filter(|(a, _)| is_rate(a)).collect();
-        for (asked, value) in &rates {
-            let alike = rates.iter().filter(|(a, _)| a.kind() == asked.kind());
-            let largest = alike.map(|(_, v)| v.abs()).fold(0.0, f64::max);
-            let size = value.abs().max(SMALL * largest);
-            let is_nothing = value.abs() <= NOTHING * largest;
-            let band = self.pencil.band(asked.name()).ok_or(Refusal::Unsure)?;
-            // Of a rate that is there at all a drawing must tell the sense.
-            if band.band > BAND * size || (band.band > value.abs() && !is_nothing) {
-                return Err(Refusal::Unsure);
-            }
-        }
-        Ok(())
+    /// What is asked for, with its exact value.
+    pub(super) fn values(&self) -> Vec<(Asked, f64)> {
+        let asked = self
+            .pencil
+            .quantities
+            .iter()
+            .map(|(asked, _)| asked.clone());
+        let asked: Vec<Asked> = asked.collect();
+        values(&asked, &self.pose, &self.motion, &self.construction)
     }
 
     /// The key as a figure: the work sheet with scheme, plans and the table of all measured lengths.
@@ -190,12 +173,50 @@ impl Exercise {
     pub fn key_sheet(&self) -> Drawing {
         figure(&self.scene, &self.mechanism, &self.pose, &self.construction)
     }
+}
 
-    /// The numbers of its scene file.
-    pub(super) fn file(text: &str) -> Result<Value, Refusal> {
-        let text = text.trim_start_matches('\u{feff}');
-        serde_json::from_str(text).map_err(|_| Refusal::Numbers)
+/// The sheet of the key, which has the plans, too: the largest.
+pub(super) fn key_page(students: Page) -> Page {
+    Page {
+        size: PageSize::A3,
+        ..students
     }
+}
+
+/// Quantities with their exact values.
+fn values(
+    asked: &[Asked],
+    pose: &Pose,
+    motion: &Motion,
+    construction: &Construction,
+) -> Vec<(Asked, f64)> {
+    let snapshot = Snapshot { pose, motion };
+    let value = |asked: &Asked| match asked.value(&snapshot, Some(construction), None).ok()? {
+        Quantity::Number(x) => Some(x),
+        Quantity::Vector(v) => Some(v.norm()),
+    };
+    let valued = asked.iter();
+    valued
+        .filter_map(|asked| Some((asked.clone(), value(asked)?)))
+        .collect()
+}
+
+/// Whether a hand finds all rates of rotation well.
+fn is_sure(pencil: &Pencil, values: &[(Asked, f64)]) -> Result<(), Refusal> {
+    let is_rate = |asked: &Asked| matches!(asked.what(), What::Omega(_) | What::Alpha(_));
+    let rates = || values.iter().filter(|(asked, _)| is_rate(asked));
+    for (asked, value) in rates() {
+        let alike = rates().filter(|(a, _)| a.kind() == asked.kind());
+        let largest = alike.map(|(_, v)| v.abs()).fold(0.0, f64::max);
+        let size = value.abs().max(SMALL * largest);
+        let is_nothing = value.abs() <= NOTHING * largest;
+        let band = pencil.band(asked.name()).ok_or(Refusal::Unsure)?;
+        // Of a rate that is there at all a drawing must tell the sense.
+        if band.band > BAND * size || (band.band > value.abs() && !is_nothing) {
+            return Err(Refusal::Unsure);
+        }
+    }
+    Ok(())
 }
 
 /// Whether there is a construction, exact and with good crossings.

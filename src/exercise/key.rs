@@ -59,7 +59,7 @@ impl Exercise {
                 .filter(|(_, own)| own.iter().any(|n| n == name));
             found.next().map_or(0, |(number, _)| *number)
         };
-        let values = self.values().map(|(asked, value)| {
+        let values = self.values().into_iter().map(|(asked, value)| {
             let band = self.pencil.band(asked.name());
             let value = KeyValue {
                 value,
