@@ -36,6 +36,7 @@ pub use marks::{Awarded, Marks, Scheme};
 pub use mistakes::{Candidate, Mistake};
 pub use order::{NumberedStep, numbered_steps};
 pub use report::report;
+pub(crate) use report::significant;
 pub use result::{CheckResult, check_result, check_schema};
 pub use search::{Diagnosis, Explanation, Finding};
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};

@@ -31,7 +31,7 @@ pub(super) struct ExerciseCommand {
     /// Kind of mechanism, as `kinegon new --list` shows them, or the path of a scene file.
     kind: String,
     /// Which exercises: a number that gives the same ones again.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     seed: u64,
     /// How many.
     #[arg(long, value_name = "M", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1000))]

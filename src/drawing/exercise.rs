@@ -1,4 +1,4 @@
-//! The sheet that a student gets: the scheme true to scale, what is given, and boxes for what is to be found.
+//! The sheets of an exercise: the student's with the scheme true to scale, what is given, and boxes for what is to be found; the teacher's key.
 
 use super::figure::{Sheet, composed, extents};
 use super::legend;
@@ -26,11 +26,31 @@ pub fn exercise_sheet(
 ) -> Option<Drawing> {
     let scene = alone(scene);
     let scheme = Scheme::new(&scene, mechanism, pose, construction);
-    let laid = Laid::out(&scene, &scheme, asked, sentences);
+    let laid = Laid::out(&scene, &scheme, sentences, |_| {
+        Worksheet::blank(&scheme, scene.units, asked)
+    });
     let placed = laid.sheet.panels().first()?;
     let size = laid.extents.first()?.1.size() / placed.mu;
     let fits = size.x <= placed.area.width() && size.y <= placed.area.height();
     fits.then(|| composed(&scene, &scheme, &laid.sheet, &laid.extents, laid.lines).after_step(0))
+}
+
+/// The figure that a scene asks for with other `sentences` below its scales, in markup.
+#[must_use]
+pub fn key_sheet(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    pose: &Pose,
+    construction: &Construction,
+    sentences: &[String],
+) -> Drawing {
+    let scheme = Scheme::new(scene, mechanism, pose, construction);
+    let table = |extents: &[(Panel, Extent)]| {
+        let page = scene.figure.page.size_mm();
+        Worksheet::new(&scheme, scene.units, extents, page)
+    };
+    let laid = Laid::out(scene, &scheme, sentences, table);
+    composed(scene, &scheme, &laid.sheet, &laid.extents, laid.lines)
 }
 
 /// The scale at which the scheme fits on the sheet of an exercise, from the same as [`exercise_sheet`]; that of the scene where it gives one.
@@ -45,7 +65,9 @@ pub fn exercise_scale(
 ) -> Option<f64> {
     let scene = alone(scene);
     let scheme = Scheme::new(&scene, mechanism, pose, construction);
-    let laid = Laid::out(&scene, &scheme, asked, sentences);
+    let laid = Laid::out(&scene, &scheme, sentences, |_| {
+        Worksheet::blank(&scheme, scene.units, asked)
+    });
     laid.sheet.panels().first().map(|placed| placed.mu)
 }
 
@@ -56,7 +78,7 @@ fn alone(scene: &Scene) -> Scene {
     scene
 }
 
-/// The sheet of an exercise, divided up.
+/// A sheet of an exercise, divided up.
 struct Laid {
     sheet: Sheet,
     extents: Vec<(Panel, Extent)>,
@@ -64,12 +86,17 @@ struct Laid {
 }
 
 impl Laid {
-    fn out(scene: &Scene, scheme: &Scheme<'_>, asked: &[Asked], sentences: &[String]) -> Laid {
+    fn out(
+        scene: &Scene,
+        scheme: &Scheme<'_>,
+        sentences: &[String],
+        table: impl FnOnce(&[(Panel, Extent)]) -> Worksheet,
+    ) -> Laid {
         let extents = extents(scheme);
         let [width, _] = scene.figure.page.size_mm();
         let lines = sentences.iter().flat_map(|s| legend::lines(s, width));
         let lines: Vec<RichText> = lines.collect();
-        let table = Worksheet::blank(scheme, scene.units, asked);
+        let table = table(&extents);
         let below = legend::height_of_lines(lines.len());
         let sheet = Sheet::divided(scene, scheme, &extents, below, Some(table));
         Laid {

@@ -33,7 +33,7 @@ mod worksheet;
 
 pub use arrow::arrow_head;
 pub use curves::{CurvesError, curves, hodographs};
-pub use exercise::{exercise_scale, exercise_sheet, shows_special_points};
+pub use exercise::{exercise_scale, exercise_sheet, key_sheet, shows_special_points};
 pub use figure::{figure, frames, misfits, scales, stepwise};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};

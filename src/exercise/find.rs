@@ -1,7 +1,7 @@
 //! Variants by lot until one is an exercise.
 
 use super::judge::{Exercise, Refusal, key_page};
-use super::vary::{length_step, varied};
+use super::vary::{OnGuide, length_step, varied};
 use crate::geometry::Random;
 use crate::plan::{Asked, Construction, Quantity, Snapshot};
 use crate::scene::{Figure, Page, PageSize, Panel, SceneError};
@@ -43,6 +43,7 @@ pub enum ExerciseError {
 #[derive(Clone, Debug)]
 pub struct Exercises {
     base: Value,
+    on_guides: Vec<OnGuide>,
     title: String,
     figure: Figure,
     seed: u64,
@@ -82,6 +83,7 @@ impl Exercises {
         };
         let mut exercises = Exercises {
             base,
+            on_guides: OnGuide::all(&scene),
             title: scene.title.unwrap_or_default(),
             figure,
             seed,
@@ -98,7 +100,8 @@ impl Exercises {
     /// Whether few variants can be drawn well on its sheets; the same for every seed.
     fn goes_badly(&self) -> bool {
         let mut random = Random(0);
-        let variants = (0..PILOT).map(|_| varied(&self.base, &mut random).to_string());
+        let variants =
+            (0..PILOT).map(|_| varied(&self.base, &self.on_guides, &mut random).to_string());
         let good = variants
             .filter(|numbers| Exercise::of(numbers, self.figure.page, Some(&self.figure)).is_ok());
         good.take(FEW).count() < FEW
@@ -129,7 +132,7 @@ impl Exercises {
 
     /// A variant, if it is an exercise.
     fn variant(&mut self) -> Result<Exercise, Refusal> {
-        let mut file = varied(&self.base, &mut self.random);
+        let mut file = varied(&self.base, &self.on_guides, &mut self.random);
         let numbers = file.to_string();
         let first = Exercise::of(&numbers, self.figure.page, Some(&self.figure))?;
         if !self.seen.insert(numbers) {

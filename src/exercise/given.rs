@@ -28,7 +28,13 @@ pub(super) fn sentences(
         Some(format!("{symbol} = {} ({unit})/mm", teller.number(mu?)))
     });
     let plans: Vec<String> = plans.collect();
-    vec![(own.given)(&all.join(", ")), (own.draw)(&plans.join(", "))]
+    vec![(own.given)(&listed(&all)), (own.draw)(&listed(&plans))]
+}
+
+/// A list that breaks between its items only.
+pub(super) fn listed(items: &[String]) -> String {
+    let items = items.iter().map(|item| item.replace(' ', "\u{a0}"));
+    items.collect::<Vec<String>>().join(", ")
 }
 
 struct Teller<'a> {

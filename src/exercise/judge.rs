@@ -1,10 +1,10 @@
 //! Which variants are exercises: those that a careful hand draws well.
 
 use super::given::sentences;
-use crate::check::{form_names, numbered_steps};
+use crate::check::{BANDS, form_names, numbered_steps};
 use crate::drafting::{Pencil, Tolerance, pencil};
 use crate::drawing::{
-    Drawing, exercise_scale, exercise_sheet, figure, misfits, scales, shows_special_points,
+    Drawing, exercise_scale, exercise_sheet, misfits, scales, shows_special_points,
 };
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::{Motion, Order, motion};
@@ -167,12 +167,6 @@ impl Exercise {
         let asked: Vec<Asked> = asked.collect();
         values(&asked, &self.pose, &self.motion, &self.construction)
     }
-
-    /// The key as a figure: the work sheet with scheme, plans and the table of all measured lengths.
-    #[must_use]
-    pub fn key_sheet(&self) -> Drawing {
-        figure(&self.scene, &self.mechanism, &self.pose, &self.construction)
-    }
 }
 
 /// The sheet of the key, which has the plans, too: the largest.
@@ -211,8 +205,8 @@ fn is_sure(pencil: &Pencil, values: &[(Asked, f64)]) -> Result<(), Refusal> {
         let size = value.abs().max(SMALL * largest);
         let is_nothing = value.abs() <= NOTHING * largest;
         let band = pencil.band(asked.name()).ok_or(Refusal::Unsure)?;
-        // Of a rate that is there at all a drawing must tell the sense.
-        if band.band > BAND * size || (band.band > value.abs() && !is_nothing) {
+        // Of a rate that is there at all a drawing that passes must tell the sense.
+        if band.band > BAND * size || (BANDS * band.band > value.abs() && !is_nothing) {
             return Err(Refusal::Unsure);
         }
     }

@@ -1,8 +1,12 @@
 //! What a teacher is told: every value of the form.
 
+use super::given::listed;
 use super::judge::Exercise;
-use crate::check::{BANDS, numbered_steps, template_csv, template_json};
+use crate::check::{BANDS, numbered_steps, significant, template_csv, template_json};
+use crate::drawing::{Drawing, key_sheet};
+use crate::plan::What;
 use crate::scene::schema_of;
+use crate::words::Wording;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -79,6 +83,36 @@ impl Exercise {
             },
             values: values.collect(),
         }
+    }
+
+    /// The key as a figure: scheme and plans with a table of all measured lengths, and the rates that come from them.
+    #[must_use]
+    pub fn key_sheet(&self) -> Drawing {
+        let words = Wording::of(&self.scene.figure);
+        let rates = self.values().into_iter();
+        let rates =
+            rates.filter(|(a, _)| !matches!(a.what(), What::Segment { .. } | What::Length(..)));
+        let rates = rates.map(|(asked, value)| {
+            let number =
+                |x: f64, digits: i32| words.number(significant(x, digits)).replace('-', "−");
+            let symbol = asked.symbol(&self.mechanism, words.notation, &str::to_owned);
+            let band = self.pencil.band(asked.name());
+            let allowed = band.map_or_else(String::new, |band| {
+                format!(" ± {}", number(BANDS * band.band, 2))
+            });
+            let unit = asked.kind().unit(self.scene.units);
+            format!("{symbol} = {}{allowed} {unit}", number(value, 4))
+        });
+        let rates: Vec<String> = rates.collect();
+        let sentence = (words.language.exercise.rates)(&listed(&rates));
+        let Exercise {
+            scene,
+            mechanism,
+            pose,
+            construction,
+            ..
+        } = self;
+        key_sheet(scene, mechanism, pose, construction, &[sentence])
     }
 
     /// The empty form as JSON.

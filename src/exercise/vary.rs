@@ -1,8 +1,9 @@
 //! Other numbers for a scene, round ones.
 
-use super::numbers::{Number, each_number};
-use crate::geometry::Random;
-use serde_json::Value;
+use super::numbers::{Number, each_number, written};
+use crate::geometry::{Point, Random, span};
+use crate::scene::{Along, Form, Scene};
+use serde_json::{Value, json};
 
 /// By which part lengths and given motions vary, up and down.
 const PART: f64 = 0.25;
@@ -18,8 +19,8 @@ const STEPS: f64 = 25.0;
 const RATES: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
 
 /// The scene with other numbers: lengths, places and given motions up to a quarter larger or smaller, drives turned by up to 60° and with up
-/// to twice or half their rates. What is zero stays zero; senses stay.
-pub(super) fn varied(scene: &Value, random: &mut Random) -> Value {
+/// to twice or half their rates. What is zero stays zero; senses stay; blocks stay on their guides.
+pub(super) fn varied(scene: &Value, on_guides: &[OnGuide], random: &mut Random) -> Value {
     let mut scene = scene.clone();
     let step = length_step(&scene);
     each_number(&mut scene, &mut |number, x| {
@@ -34,7 +35,57 @@ pub(super) fn varied(scene: &Value, random: &mut Random) -> Value {
             Number::DriveAngle => angle(x + DRIVE * random.within()),
         }
     });
+    on_guides.iter().for_each(|block| block.put(&mut scene));
     scene
+}
+
+/// A block of a drawn scene that stands on the line between two points of its guide.
+#[derive(Clone, Debug)]
+pub(super) struct OnGuide {
+    at: String,
+    line: [String; 2],
+}
+
+/// A block counts as standing on its guide's line where it is off by no more than this part of the scene's size: digits of a file leave that.
+const ON_LINE: f64 = 1e-6;
+
+impl OnGuide {
+    /// The blocks of a scene, in order, that stand on their guides' lines; none in a scene from lengths, which puts them there by itself.
+    pub fn all(scene: &Scene) -> Vec<OnGuide> {
+        let blocks = scene.sliders.iter().filter_map(|slider| {
+            let Along::Points(a, b) = &slider.along else {
+                return None;
+            };
+            let at = slider.at.as_ref().or(slider.pin.as_ref())?.clone();
+            let place = |name: &String| scene.coordinates.get(name).copied().map(Point::from);
+            let [own, from, to] = [place(&at)?, place(a)?, place(b)?];
+            let along = (to - from).try_normalize(0.0)?;
+            let off = along.perp(&(own - from)).abs();
+            let size = span(scene.coordinates.values().copied().map(Point::from));
+            let line = [a.clone(), b.clone()];
+            let is_on = off <= ON_LINE * size && !line.contains(&at);
+            is_on.then_some(OnGuide { at, line })
+        });
+        match scene.form {
+            Form::Drawn => blocks.collect(),
+            Form::Lengths => Vec::new(),
+        }
+    }
+
+    /// Puts the block back on its line.
+    pub fn put(&self, scene: &mut Value) {
+        let place = |name: &String| -> Option<Point> {
+            let place = &scene["points"][name];
+            Some(Point::new(place[0].as_f64()?, place[1].as_f64()?))
+        };
+        let [from, to] = self.line.each_ref().map(place);
+        let (Some(own), Some(from), Some(to)) = (place(&self.at), from, to) else {
+            return;
+        };
+        let way = to - from;
+        let foot = from + way * (way.dot(&(own - from)) / way.norm_squared());
+        scene["points"][&self.at] = json!([foot.x, foot.y].map(written));
+    }
 }
 
 /// What the lengths of a scene are multiples of.

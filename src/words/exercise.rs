@@ -5,6 +5,8 @@ pub struct ExerciseWords {
     pub given: fn(&str) -> String,
     /// The scales of the plans, parted by commas.
     pub draw: fn(&str) -> String,
+    /// What a teacher finds below the drawn key: all rates, parted by commas.
+    pub rates: fn(&str) -> String,
     /// Above the names of what is to be found.
     pub quantity: &'static str,
 }
@@ -12,19 +14,19 @@ pub struct ExerciseWords {
 pub(super) const ENGLISH: ExerciseWords = ExerciseWords {
     given: |all| format!("Given: {all}."),
     draw: |scales| {
-        format!(
-            "Draw the plans at {scales}; measure on this sheet, which is true to scale, and on your plans, and fill in the boxes."
-        )
+        format!("Draw the plans at {scales}. Measure, on this sheet too, and fill in the boxes.")
     },
-    quantity: "Quantity",
+    rates: |all| format!("Rates, ± what a careful hand may be off by: {all}."),
+    quantity: "quantity",
 };
 
 pub(super) const SPANISH: ExerciseWords = ExerciseWords {
     given: |all| format!("Datos: {all}."),
     draw: |scales| {
         format!(
-            "Dibujar los planos a {scales}; medir en esta hoja, que está a escala, y en los planos, y rellenar las casillas."
+            "Dibujar los planos a {scales}. Medir, también en esta hoja, y rellenar las casillas."
         )
     },
-    quantity: "Magnitud",
+    rates: |all| format!("Velocidades y aceleraciones, ± lo que admite una mano cuidadosa: {all}."),
+    quantity: "magnitud",
 };
