@@ -7,6 +7,7 @@
 // In reading order: `figure`, its `layout` and panels; then the display list: `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its
 // `text`, where `labels` go.
 mod arrow;
+mod blank;
 mod canvas;
 mod clip;
 mod curves;

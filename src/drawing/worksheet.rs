@@ -12,7 +12,7 @@ use super::stages::numbered;
 use super::text::{PlacedText, RichText};
 use super::view::Extent;
 use super::words::significant;
-use crate::plan::{Action, Asked, Kind, Plan, PlanKind, Spot, What};
+use crate::plan::{Action, Kind, Plan, PlanKind};
 use crate::scene::{Panel, Units};
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
@@ -24,7 +24,7 @@ const HEAD: f64 = 7.6;
 /// White inside the frame.
 const PAD: f64 = 3.0;
 /// White between the cells of a row.
-const GUTTER: f64 = 3.2;
+pub(super) const GUTTER: f64 = 3.2;
 /// Length of the ruler.
 const RULER: f64 = 50.0;
 /// Room for the ruler with its numbers and words.
@@ -38,19 +38,14 @@ const MOST: f64 = 0.6;
 
 /// A table of measured lengths and a ruler, not yet placed.
 pub(super) struct Worksheet {
-    rows: Vec<Row>,
-    head: [RichText; CELLS],
-    ruler: &'static str,
+    pub(super) rows: Vec<Row>,
+    pub(super) head: [RichText; CELLS],
+    pub(super) ruler: &'static str,
     /// Width of each cell of a row, in mm.
-    widths: [f64; CELLS],
+    pub(super) widths: [f64; CELLS],
     /// Whether millimetres and values are left to be filled in.
-    is_blank: bool,
+    pub(super) is_blank: bool,
 }
-
-/// Widths of the boxes for millimetres and values.
-const BOXES: [f64; 2] = [15.0, 21.0];
-/// How far a box reaches above and below the line of letters.
-const BOX: [f64; 2] = [4.1, 1.3];
 
 /// Name, millimetres, scale, value, unit.
 const CELLS: usize = 5;
@@ -58,15 +53,15 @@ const CELLS: usize = 5;
 const ENDING: [bool; CELLS] = [false, true, false, true, false];
 
 /// A measured length; on a blank sheet any quantity.
-struct Row {
+pub(super) struct Row {
     /// The step that measures it.
-    step: u16,
-    panel: Panel,
-    value: f64,
-    name: RichText,
-    scale: &'static str,
-    written: RichText,
-    unit: RichText,
+    pub(super) step: u16,
+    pub(super) panel: Panel,
+    pub(super) value: f64,
+    pub(super) name: RichText,
+    pub(super) scale: &'static str,
+    pub(super) written: RichText,
+    pub(super) unit: RichText,
 }
 
 /// How rows stand: in how many columns, how many in each and in the last, and by how much smaller than they should be.
@@ -128,38 +123,6 @@ impl Worksheet {
             ruler: language.ruler,
             widths,
             is_blank: false,
-        }
-    }
-
-    /// A table with boxes for what is to be found.
-    pub(super) fn blank(scheme: &Scheme<'_>, units: Units, asked: &[Asked]) -> Self {
-        let language = scheme.words.language;
-        let rows: Vec<Row> = asked
-            .iter()
-            .map(|asked| blank_row(scheme, units, asked))
-            .collect();
-        let plain = RichText::plain;
-        let head = [
-            plain(language.exercise.quantity),
-            plain("mm"),
-            plain("μ"),
-            plain(language.value),
-            plain(""),
-        ];
-        let mut widths = head.each_ref().map(|text| text.width(CAPTION));
-        for row in &rows {
-            let own = [&row.name, &symbol(row.scale), &row.unit].map(|text| text.width(CAPTION));
-            for (cell, own) in [0, 2, 4].into_iter().zip(own) {
-                widths[cell] = widths[cell].max(own);
-            }
-        }
-        [widths[1], widths[3]] = BOXES;
-        Self {
-            rows,
-            head,
-            ruler: language.ruler,
-            widths,
-            is_blank: true,
         }
     }
 
@@ -286,26 +249,6 @@ impl Worksheet {
         ruler(drawing, from, self.ruler);
     }
 
-    /// The empty boxes of a row: for the value, and for millimetres where it has a scale.
-    fn boxes(&self, drawing: &mut Drawing, from: Point, small: f64, (index, row): (usize, &Row)) {
-        for (cell, name) in [(1, "mm"), (3, "value")] {
-            if cell == 1 && row.scale.is_empty() {
-                continue;
-            }
-            let before: f64 = self.widths[..cell].iter().sum();
-            let x = from.x + (before + GUTTER * cell as f64) * small;
-            let [above, below] = BOX.map(|y| y * small);
-            let area = Rect::new(
-                x,
-                from.y - above,
-                x + self.widths[cell] * small,
-                from.y + below,
-            );
-            let name = format!("box-{index}-{name}");
-            drawing.draw_named(name, Pen::Frame, Shape::Polygon(legend::corners(area)));
-        }
-    }
-
     /// Writes a row from the left end of its baseline; of a measured length with names for its cells and the step that measures it.
     fn row(
         &self,
@@ -339,47 +282,7 @@ impl Worksheet {
     }
 }
 
-/// The row of a quantity that is to be found. What has no length on paper has no scale.
-fn blank_row(scheme: &Scheme<'_>, units: Units, asked: &Asked) -> Row {
-    let plan = match asked.what() {
-        What::Segment { kind, .. } => {
-            let mut plans = scheme.construction.plans();
-            plans.find(|plan| plan.kind == *kind)
-        }
-        _ => None,
-    };
-    let name = match asked.what() {
-        What::Segment { from, to, .. } => {
-            format!("{} {}", scheme.shown(from, plan), scheme.shown(to, plan))
-        }
-        What::Length(from, to) => {
-            let shown = |spot: &Spot| scheme.shown(spot.name(), None);
-            format!("{} {}", shown(from), shown(to))
-        }
-        _ => asked.symbol(scheme.mechanism, scheme.words.notation, &|name| {
-            scheme.shown(name, None)
-        }),
-    };
-    let (panel, scale) = match (asked.what(), plan) {
-        (_, Some(plan)) if plan.kind == PlanKind::Velocity => {
-            (Panel::Velocity, plan.kind.scale_name())
-        }
-        (_, Some(plan)) => (Panel::Acceleration, plan.kind.scale_name()),
-        (What::Length(..), None) => (Panel::Scheme, "μ_l"),
-        _ => (Panel::Scheme, ""),
-    };
-    Row {
-        step: 0,
-        panel,
-        value: 0.0,
-        name: RichText::math(&name),
-        scale,
-        written: RichText::plain(""),
-        unit: RichText::plain(&asked.kind().unit(units)),
-    }
-}
-
-fn symbol(scale: &str) -> RichText {
+pub(super) fn symbol(scale: &str) -> RichText {
     RichText::math(scale)
 }
 
