@@ -11,12 +11,14 @@ use kinegon::check::{
 };
 use kinegon::drafting::Tolerance;
 use kinegon::drawing::scales;
+use kinegon::exercise::{Number, each_number};
+use kinegon::geometry::Random;
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
 use kinegon::plan::{Construction, construction};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// The starting scenes whose plans are drawn.
@@ -36,28 +38,6 @@ const SCENES: [&str; 14] = [
     include_str!("figure-1.json"),
     include_str!("figure-2.json"),
 ];
-
-/// Splitmix64 (Steele, Lea, Flood 2014): the same in every run.
-pub struct Random(pub u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.next() % count as u64) as usize
-    }
-
-    /// From −1 to 1.
-    fn within(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
 
 /// A random scene with all that is known of it.
 pub struct Sheet {
@@ -128,35 +108,16 @@ impl Sheet {
 
 /// Varies lengths, places and motions by up to an eighth, drives by up to 20°.
 fn vary(scene: &mut Value, random: &mut Random) {
-    for key in ["ground", "points", "known"] {
-        each_number(&mut scene[key], random);
-    }
-    for (_, link) in scene["links"].as_object_mut().into_iter().flatten() {
-        for key in ["lengths", "shape", "motion"] {
-            if let Some(part) = link.get_mut(key) {
-                each_number(part, random);
-            }
+    each_number(scene, &mut |number, x| match number {
+        Number::Length | Number::Motion | Number::Direction | Number::Turning => {
+            x * (1.0 + 0.125 * random.within())
         }
-        if let Some(angle) = link.get("drive").and_then(|d| d["angle"].as_f64()) {
-            link["drive"]["angle"] = json!(angle + 20.0 * random.within());
-        }
-    }
+        Number::DriveAngle => x + 20.0 * random.within(),
+        Number::DrivePosition | Number::DriveRate => x,
+    });
     if let Some(object) = scene.as_object_mut() {
-        object.retain(|_, value| !value.is_null());
         object.shift_remove("figure");
         object.shift_remove("want");
-    }
-}
-
-fn each_number(node: &mut Value, random: &mut Random) {
-    match node {
-        Value::Number(number) => {
-            let x = number.as_f64().unwrap_or(0.0);
-            *node = json!(x * (1.0 + 0.125 * random.within()));
-        }
-        Value::Array(elements) => elements.iter_mut().for_each(|e| each_number(e, random)),
-        Value::Object(entries) => entries.values_mut().for_each(|e| each_number(e, random)),
-        _ => {}
     }
 }
 

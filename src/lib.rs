@@ -30,6 +30,7 @@ pub mod cli;
 pub mod cycle;
 pub mod drafting;
 pub mod drawing;
+pub mod exercise;
 pub mod format;
 pub mod geometry;
 pub mod kernel;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
-const ORDER: [&str; 15] = [
+const ORDER: [&str; 16] = [
     "geometry",
     "scene",
     "words",
@@ -19,6 +19,7 @@ const ORDER: [&str; 15] = [
     "drawing",
     "format",
     "check",
+    "exercise",
     "cli",
 ];
 

@@ -1,7 +1,7 @@
 //! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper, curves over the second
 //! one's cycle and the paper's numbers checked, the gallery.
 //!
-//! `kinegon schema scene > templates/scene.schema.json`, likewise `result` and `style`, `kinegon draw`,
+//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `style` and `marks`, `kinegon draw`,
 //! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"`,
 //! `kinegon check examples/figure-2.json examples/paper-as-student.json --draw out/ --mu-l 5 --mu-v 2 --mu-a 2.5` and
 //! `cargo run --release --example gallery` make them anew.
@@ -12,7 +12,7 @@ mod files;
 mod gallery;
 mod stages;
 
-use kinegon::check::{Measured, check, redrawn};
+use kinegon::check::{Marks, Measured, check, redrawn};
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Style};
 use kinegon::scene::Scene;
@@ -103,6 +103,10 @@ fn schemas_are_current() {
     same(
         "templates/style.schema.json",
         &format::json(&Style::schema()),
+    );
+    same(
+        "templates/marks.schema.json",
+        &format::json(&Marks::schema()),
     );
 }
 

@@ -6,14 +6,17 @@
 //! for, `precision` how finely it is written, `points` what places on paper say, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
 //! errors, `score`, `datum`, `covariance` and `fit` say how well values fit a prediction, `mistakes/` is the catalogue, `together` what a drawing program is off, `search` looks for what explains
 //! the values, `diagnosis` what that comes to, `report` and `result` tell it, `redrawn/` draws it again as it was
-//! probably drawn; `student` draws with mistakes on purpose. Nothing is read or printed here, and no plan is computed again.
+//! probably drawn; `student` draws with mistakes on purpose;
+//! `marks` says what values earn, `class` what is told of many drawings. Nothing is read or printed here, and no plan is computed again.
 
+mod class;
 mod covariance;
 mod datum;
 mod diagnosis;
 mod entry;
 mod file;
 mod fit;
+mod marks;
 mod mistakes;
 mod model;
 mod order;
@@ -32,16 +35,21 @@ mod together;
 mod unit;
 mod verdict;
 
+pub use class::{
+    ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema,
+};
 pub use diagnosis::{Diagnosis, Explanation, Finding};
 pub use entry::{Entry, entries};
+pub use marks::{Awarded, Marks, Scheme};
 pub use mistakes::{Candidate, Mistake};
 pub use order::{NumberedStep, numbered_steps};
 pub use precision::Precision;
 pub use redrawn::redrawn;
 pub use report::report;
+pub(crate) use report::significant;
 pub use result::{CheckResult, check_result, check_schema};
 
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};
 pub use student::Student;
-pub use template::{template_csv, template_json};
-pub use verdict::{Checked, Drawn, Judged, Verdict, check};
+pub use template::{form_names, template_csv, template_json};
+pub use verdict::{BANDS, Checked, Drawn, Judged, Verdict, check};

@@ -249,7 +249,7 @@ impl Page<'_> {
 }
 
 /// A number with so many significant digits, without trailing zeros behind the point.
-pub(super) fn significant(x: f64, count: i32) -> String {
+pub(crate) fn significant(x: f64, count: i32) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }

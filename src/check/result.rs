@@ -1,6 +1,7 @@
 //! The report as JSON.
 
 use super::diagnosis::{Explanation, Finding};
+use super::marks::Awarded;
 use super::verdict::{Checked, Drawn, Verdict};
 use crate::words::Wording;
 use schemars::JsonSchema;
@@ -24,6 +25,9 @@ pub struct CheckResult {
     pub others: Vec<ExplanationResult>,
     /// Values that nothing explains.
     pub unexplained: Vec<String>,
+    /// The marks that the values earn, where a marking scheme is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub marks: Option<Awarded>,
 }
 
 /// A value with its verdict.
@@ -149,6 +153,7 @@ pub fn check_result(
         diagnosis: explanation(&diagnosis.best),
         others: diagnosis.others.iter().map(explanation).collect(),
         unexplained: names(&diagnosis.unexplained),
+        marks: None,
     }
 }
 

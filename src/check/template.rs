@@ -5,8 +5,9 @@ use crate::plan::{Construction, Scales};
 use indexmap::IndexMap;
 use serde::Serialize;
 
-/// The names of all quantities of the steps, once each.
-fn names(construction: &Construction) -> Vec<String> {
+/// The names of all quantities of the steps, once each: what a form asks for.
+#[must_use]
+pub fn form_names(construction: &Construction) -> Vec<String> {
     let all = numbered_steps(construction);
     let mut names: Vec<String> = Vec::new();
     for name in all.iter().flat_map(|step| step.names()) {
@@ -34,7 +35,7 @@ struct Form {
 /// An empty form as JSON, at the figure's scales.
 #[must_use]
 pub fn template_json(construction: &Construction, scales: &Scales) -> String {
-    let values = names(construction).into_iter();
+    let values = form_names(construction).into_iter();
     let form = Form {
         kinegon_measured: 1,
         name: String::new(),
@@ -60,7 +61,7 @@ pub fn template_csv(construction: &Construction, scales: &Scales) -> String {
             text.push_str(&format!("{name},{scale},\n"));
         }
     }
-    for name in names(construction) {
+    for name in form_names(construction) {
         text.push_str(&format!("\"{name}\",,\n"));
     }
     text

@@ -1,10 +1,11 @@
+use super::class::{Class, Form as Report};
 use super::correction::Correction;
 use super::files::{self, Source};
 use super::message::Failure;
 use super::pencil::Hand;
 use super::wording::Words;
 use super::work::{Mode, Work, work};
-use crate::check::{self, CheckError, Drawn, Measured};
+use crate::check::{self, CheckError, Drawn, Marks, Measured, Scheme};
 use crate::drawing::scales;
 use crate::format;
 use crate::motion::Order;
@@ -12,12 +13,25 @@ use crate::words::Wording;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
-/// Check values read from a hand drawing.
+/// What `--help` says after the options.
+const AFTER_HELP: &str = "\
+Exit code: 0 no value is off, 1 some are, 2 something is not understood; of a folder: 0 all files are passed, 1 some are not, 2 some are
+not understood (their rows say why; the table is written all the same).
+
+Examples:
+  kinegon check scene.json values.json                        one drawing
+  kinegon check scene.json --template > form.json             the empty form
+  kinegon check scene.json class/ -o report.csv               all *.json and *.csv in the folder, a row each
+  kinegon check scene.json class/ --marks marks.json          with marks";
+
+/// Check values read from a hand drawing, or those of a class.
 #[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
 pub(super) struct Check {
     /// Scene file, `-` for stdin.
     scene: PathBuf,
-    /// File with the values: JSON, or a table as CSV; `-` for stdin.
+    /// File with the values: JSON, or a table as CSV; `-` for stdin. Or a folder with such files, those of a class: then a table is
+    /// printed, a row for each.
     #[arg(required_unless_present = "template")]
     measured: Option<PathBuf>,
     /// Print an empty form in place of a check: every quantity of the steps, in order.
@@ -26,6 +40,12 @@ pub(super) struct Check {
     /// Print verdicts and diagnosis as JSON.
     #[arg(long)]
     json: bool,
+    /// File for the table of a folder: .csv, .json or .jsonl; `-` for stdout.
+    #[arg(short, long, value_name = "FILE", conflicts_with = "template")]
+    output: Option<PathBuf>,
+    /// Marking scheme: how many marks the quantities are worth (JSON, `kinegon schema marks`).
+    #[arg(long, value_name = "FILE", conflicts_with = "template")]
+    marks: Option<PathBuf>,
     /// How many mistakes at once are looked for.
     #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u8).range(1..=6))]
     depth: u8,
@@ -57,17 +77,30 @@ impl Check {
         let Some(path) = &self.measured else {
             return self.print_template(&work);
         };
+        let drawn = self.drawn(&work);
+        let wording = Wording::of(&work.scene.figure);
+        let scheme = self.scheme(&drawn)?;
+        if path.is_dir() {
+            return self.class(path, &work, &drawn, scheme.as_ref());
+        }
+        if self.output.is_some() {
+            return Err(Failure::Misuse(
+                "-o takes the table of a folder; here is one form".into(),
+                Some("leave out -o: the report is printed".into()),
+            ));
+        }
         let text = files::read_text("form", path)?;
         let measured = read(path, &text)?;
-        let drawn = self.drawn(&work);
         let checked = check::check(&measured, &drawn);
         let checked = checked.map_err(|error| misuse(&text, &error))?;
-        let wording = Wording::of(&work.scene.figure);
+        let marks = scheme.map(|scheme| scheme.award(&checked));
         let printed = if self.json {
-            let result = check::check_result(&checked, &drawn, &wording, measured.name.clone());
+            let mut result = check::check_result(&checked, &drawn, &wording, measured.name.clone());
+            result.marks = marks;
             format::json(&result)
         } else {
-            check::report(&checked, &drawn, &wording)
+            let marks = marks.map_or_else(String::new, |marks| marks.line(&wording) + "\n");
+            check::report(&checked, &drawn, &wording) + &marks
         };
         work.warn();
         let files = [self.scene.as_path(), path];
@@ -79,6 +112,47 @@ impl Check {
         } else {
             Err(Failure::NotPassed)
         }
+    }
+
+    /// The forms of a folder.
+    fn class(
+        &self,
+        folder: &Path,
+        work: &Work,
+        drawn: &Drawn<'_>,
+        scheme: Option<&Scheme>,
+    ) -> Result<(), Failure> {
+        let output = self.output.as_deref().unwrap_or(Path::new("-"));
+        for (what, input) in [
+            ("scene", Some(&self.scene)),
+            ("marking scheme", self.marks.as_ref()),
+        ] {
+            input.map_or(Ok(()), |input| files::keep_input(what, input, output))?;
+        }
+        let form = Report::of(output, self.json)?;
+        work.warn();
+        let class = Class {
+            folder,
+            others: [Some(&self.scene), self.marks.as_deref()],
+            drawn,
+            words: &Wording::of(&work.scene.figure),
+            scheme,
+            form,
+            output,
+        };
+        class.run()
+    }
+
+    /// The marks of the scene's quantities, where a marking scheme is given.
+    fn scheme(&self, drawn: &Drawn<'_>) -> Result<Option<Scheme>, Failure> {
+        let Some(path) = &self.marks else {
+            return Ok(None);
+        };
+        let text = files::read_text("marking scheme", path)?;
+        let marks = Marks::read(&text.text);
+        let marks = marks.map_err(|e| Failure::Scene(text.clone(), Box::new(e.into())))?;
+        let scheme = marks.of(drawn).map_err(|error| misuse(&text, &error))?;
+        Ok(Some(scheme))
     }
 
     fn print_template(&self, work: &Work) -> Result<(), Failure> {
@@ -106,7 +180,7 @@ impl Check {
 }
 
 /// The values of a form: JSON where it begins with a brace, else a table.
-fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
+pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
     let is_table = path
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("csv"));

@@ -231,7 +231,7 @@ impl Figures {
 }
 
 /// A style by its name, or from a file.
-fn style(asked: &str) -> Result<Style, Failure> {
+pub(super) fn style(asked: &str) -> Result<Style, Failure> {
     let mut names = StyleName::ALL.into_iter();
     if let Some(name) = names.find(|name| name.as_str() == asked) {
         return Ok(Style::named(name));

@@ -18,6 +18,8 @@ pub(super) enum Failure {
     Partly(String),
     /// A check that is not passed; everything is said.
     NotPassed,
+    /// Files of a class that are not understood; everything is said.
+    NotUnderstood,
     /// The person has stopped it.
     Interrupted,
 }
@@ -38,10 +40,28 @@ impl Failure {
                     _ => 2,
                 },
             },
-            Failure::Misuse(..) => 2,
+            Failure::Misuse(..) | Failure::NotUnderstood => 2,
             Failure::Outside(_) | Failure::Partly(_) | Failure::NotPassed => 1,
             // As shells report a program that Ctrl-C has ended.
             Failure::Interrupted => 130,
+        }
+    }
+
+    /// The failure on one line for a list that names the file `place` already.
+    pub(super) fn line(&self, place: &str) -> String {
+        let (message, hint) = match self {
+            Failure::Scene(_, error) => (error.to_string(), None),
+            Failure::Misuse(message, hint) => (message.clone(), hint.as_deref()),
+            Failure::Outside(message) | Failure::Partly(message) => (message.clone(), None),
+            Failure::NotPassed | Failure::NotUnderstood | Failure::Interrupted => {
+                return String::new();
+            }
+        };
+        let message = message.strip_prefix(place).unwrap_or(&message);
+        let message = message.trim_start_matches([':', ' ']);
+        match hint {
+            Some(hint) => format!("{message} ({hint})"),
+            None => message.to_owned(),
         }
     }
 }
@@ -49,7 +69,7 @@ impl Failure {
 /// Shows a failure on stderr; colours only on a terminal that wants them.
 pub(super) fn show(failure: &Failure) {
     let report = match failure {
-        Failure::NotPassed => return,
+        Failure::NotPassed | Failure::NotUnderstood => return,
         Failure::Scene(source, error) => shown(&source.name, &source.text, error),
         Failure::Misuse(message, hint) => plain(message, hint.as_deref()),
         Failure::Outside(message) | Failure::Partly(message) => plain(message, None),

@@ -3,15 +3,18 @@
 //! Exit codes: 0 done; 1 not assembled, singular, or not written; 2 a scene or a command that cannot be understood.
 
 mod check;
+mod class;
 mod correction;
 mod curves;
 mod draw;
+mod exercise;
 mod figures;
 mod files;
 mod message;
 mod new;
 mod paper;
 mod pencil;
+mod pieces;
 mod solve;
 mod steps;
 mod structure;
@@ -45,6 +48,8 @@ enum Task {
     Steps(steps::Steps),
     /// Check values read from a hand drawing: verdicts, and what probably went wrong.
     Check(check::Check),
+    /// Write exercises: random variants of a mechanism to be drawn by hand, with sheets, forms and keys.
+    Exercise(exercise::ExerciseCommand),
     /// Print the Assur groups of a scene in solving order, with class, joints and degrees of freedom.
     Structure(structure::Structure),
     /// Print every way to assemble a scene, numbered, with coordinates.
@@ -67,6 +72,7 @@ pub fn run() -> ExitCode {
         Task::Solve(solve) => solve.run(),
         Task::Steps(steps) => steps.run(),
         Task::Check(check) => check.run(),
+        Task::Exercise(exercise) => exercise.run(),
         Task::Structure(structure) => structure.run(),
         Task::Modes(modes) => modes.run(),
         Task::Sweep(sweep) => sweep.run(),

@@ -79,6 +79,19 @@ impl New {
     }
 }
 
+/// The starting scene of a kind, if there is such a kind.
+pub(super) fn starting_scene(kind: &str) -> Option<String> {
+    let mut found = TEMPLATES.into_iter().filter(|(name, _)| *name == kind);
+    found.next().map(|(_, text)| without_schema(text))
+}
+
+/// The kind whose name is nearest.
+pub(super) fn nearest(name: &str) -> &'static str {
+    let kinds = TEMPLATES.into_iter().map(|(kind, _)| kind);
+    let nearest = kinds.min_by_key(|kind| strsim::damerau_levenshtein(kind, name));
+    nearest.unwrap_or_default()
+}
+
 /// The kinds and the titles of their scenes, one a line.
 fn list() -> String {
     let width = TEMPLATES.iter().map(|(name, _)| name.len()).max();

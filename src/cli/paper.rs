@@ -20,6 +20,11 @@ enum Orientation {
 }
 
 impl Paper {
+    /// Whether something is asked for.
+    pub(super) fn is_given(&self) -> bool {
+        self.page.is_some() || self.orientation.is_some()
+    }
+
     /// Writes what was asked for into a scene's figure.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         let page = &mut figure.page;

@@ -150,6 +150,12 @@ enum Kind {
     Result,
     Style,
     Check,
+    /// Of marking schemes, for `kinegon check --marks`.
+    Marks,
+    /// Of reports on a class.
+    Class,
+    /// Of keys of exercises.
+    Key,
 }
 
 impl Schema {
@@ -159,6 +165,9 @@ impl Schema {
             Kind::Result => format::result_schema(),
             Kind::Style => Style::schema(),
             Kind::Check => crate::check::check_schema(),
+            Kind::Marks => crate::check::Marks::schema(),
+            Kind::Class => crate::check::class_schema(),
+            Kind::Key => crate::exercise::key_schema(),
         };
         files::print(format::json(&schema).as_bytes())
     }

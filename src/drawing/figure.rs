@@ -55,6 +55,8 @@ pub fn stepwise(
 pub(super) enum Shown<'a> {
     /// The finished figure.
     Figure,
+    /// The same with other words below its scales.
+    Words(&'a [RichText]),
     /// The same with all its steps.
     Steps,
     /// The same under a student's drawing.
@@ -161,6 +163,7 @@ pub(super) fn compose(
                 (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
             }
         }
+        Shown::Words(lines) => legend::draw_lines(&mut drawing, layout, lines.to_vec()),
         Shown::Overlay(_) => {}
     }
     drawing
@@ -345,7 +348,7 @@ fn panel(
     if let Some(overlay) = student {
         overlay.announce(&mut canvas, view, scheme, placed.panel);
     }
-    let with_hints = !matches!(shown, Shown::Figure);
+    let with_hints = !matches!(shown, Shown::Figure | Shown::Words(_));
     let plan = match placed.panel {
         Panel::Scheme => {
             if with_hints {

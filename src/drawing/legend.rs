@@ -111,8 +111,12 @@ pub(super) fn draw(drawing: &mut Drawing, layout: &Layout, words: &Wording, unit
 
 /// How the construction and the loop equations agree, in lines for a sheet of that width.
 pub(super) fn agreement(words: &Wording, construction: &Construction, page: f64) -> Vec<RichText> {
-    let sentence = comparison(words.language, construction);
-    RichText::lines(&sentence, CAPTION, words_width([page, 0.0]))
+    lines(&comparison(words.language, construction), page)
+}
+
+/// A sentence in lines for a sheet of that width.
+pub(super) fn lines(sentence: &str, page: f64) -> Vec<RichText> {
+    RichText::lines(sentence, CAPTION, words_width([page, 0.0]))
 }
 
 /// How wide lines of words below the scales may be.

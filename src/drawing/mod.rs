@@ -7,10 +7,12 @@
 // In reading order: `figure`, its `layout` and panels; then the display list: `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its
 // `text`, where `labels` go.
 mod arrow;
+mod blank;
 mod canvas;
 mod clip;
 mod correction;
 mod curves;
+mod exercise;
 mod figure;
 mod fonts;
 mod inset;
@@ -36,6 +38,7 @@ mod worksheet;
 pub use arrow::arrow_head;
 pub use correction::overlay;
 pub use curves::{CurvesError, curves, hodographs};
+pub use exercise::{exercise_scale, exercise_sheet, key_sheet, shows_special_points};
 pub use figure::{figure, frames, misfits, scales, stepwise};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};

@@ -373,6 +373,7 @@ impl Overlay {
             id: Some(format!("value-{number}")),
             since: 0,
             stands_out: value.is_off,
+            boxes: [false; 6],
         });
         let rows: Vec<Cells<6>> = rows.collect();
         for row in &rows {

@@ -16,6 +16,8 @@ const HEAD: f64 = 7.6;
 pub(super) const PAD: f64 = 3.0;
 /// White between the cells of a row.
 const GUTTER: f64 = 3.2;
+/// How far a box reaches above and below the line of letters.
+const BOX: [f64; 2] = [4.1, 1.3];
 /// Rows are not set smaller than this part of their size.
 const SMALLEST: f64 = 0.1;
 /// The table takes no more than this part of a sheet that it shares.
@@ -47,6 +49,8 @@ pub(super) struct Cells<const N: usize> {
     pub since: u16,
     /// Whether they are names and values that the eye should find.
     pub stands_out: bool,
+    /// Which of them are boxes to be filled in.
+    pub boxes: [bool; N],
 }
 
 /// How rows stand: in how many columns, how many in each and in the last, and by how much smaller than they should be.
@@ -204,6 +208,16 @@ impl<const N: usize> Table<N> {
             } else {
                 x
             };
+            let id = row.and_then(|row| row.id.as_ref());
+            let id = id.map(|id| format!("{id}-{}", self.names[cell]));
+            if row.is_some_and(|row| row.boxes[cell]) {
+                let [above, below] = BOX.map(|y| y * small);
+                let area = Rect::new(x, from.y - above, x + width, from.y + below);
+                drawing.add(Mark {
+                    id: id.clone(),
+                    ..Mark::new(Pen::Frame, Shape::Polygon(legend::corners(area)))
+                });
+            }
             x += width + GUTTER * small;
             if text.is_empty() {
                 continue;
@@ -214,9 +228,8 @@ impl<const N: usize> Table<N> {
             } else {
                 (Pen::Caption, Emphasis::Plain)
             };
-            let id = row.and_then(|row| row.id.as_ref());
             drawing.add(Mark {
-                id: id.map(|id| format!("{id}-{}", self.names[cell])),
+                id,
                 since: row.map_or(0, |row| row.since),
                 emphasis,
                 ..Mark::new(pen, Shape::Text(text))

@@ -26,24 +26,26 @@ const RULER_ROWS: usize = 3;
 
 /// A table of measured lengths and a ruler, not yet placed.
 pub(super) struct Worksheet {
-    table: Table<CELLS>,
-    rows: Vec<Row>,
-    ruler: &'static str,
+    pub(super) table: Table<CELLS>,
+    pub(super) rows: Vec<Row>,
+    pub(super) ruler: &'static str,
+    /// Whether millimetres and values are left to be filled in.
+    pub(super) is_blank: bool,
 }
 
 /// Name, millimetres, scale, value, unit.
-const CELLS: usize = 5;
+pub(super) const CELLS: usize = 5;
 
-/// A measured length.
-struct Row {
+/// A measured length; on a blank sheet any quantity.
+pub(super) struct Row {
     /// The step that measures it.
-    step: u16,
-    panel: Panel,
-    value: f64,
-    name: RichText,
-    scale: &'static str,
-    written: RichText,
-    unit: RichText,
+    pub(super) step: u16,
+    pub(super) panel: Panel,
+    pub(super) value: f64,
+    pub(super) name: RichText,
+    pub(super) scale: &'static str,
+    pub(super) written: RichText,
+    pub(super) unit: RichText,
 }
 
 impl Worksheet {
@@ -58,16 +60,7 @@ impl Worksheet {
         let rows: Vec<Row> = rows(scheme, units)
             .filter(|row| extents.iter().any(|(panel, _)| *panel == row.panel))
             .collect();
-        let head = [language.segment, "mm", "μ", language.value, ""];
-        let head = head.map(RichText::plain);
-        let mut table = Table {
-            widths: head.each_ref().map(|text| text.width(CAPTION)),
-            head,
-            ending: [false, true, false, true, false],
-            names: ["name", "mm", "scale", "value", "unit"],
-            rows: rows.len(),
-            foot: (RULER_ROOM, RULER_ROWS),
-        };
+        let mut table = table(language.segment, language.value, rows.len());
         let figure = scheme.figure;
         // No panel is larger than the page, so its scale is at least this one.
         let least = |panel: Panel| {
@@ -90,6 +83,7 @@ impl Worksheet {
             table,
             rows,
             ruler: language.ruler,
+            is_blank: false,
         }
     }
 
@@ -108,9 +102,14 @@ impl Worksheet {
     ) {
         let cells = self.rows.iter().zip(1..).map(|(row, number)| {
             let mu = panels.iter().find(|p| p.panel == row.panel).map(|p| p.mu);
-            let mm = mu.map_or(RichText::plain("–"), |mu| {
-                millimetres(words, row.value, mu)
-            });
+            let mm = match (self.is_blank, mu) {
+                (true, _) => RichText::plain(""),
+                (false, None) => RichText::plain("–"),
+                (false, Some(mu)) => millimetres(words, row.value, mu),
+            };
+            // What has no scale has no millimetres.
+            let boxes = [false, !row.scale.is_empty(), false, true, false];
+            let kind = if self.is_blank { "box" } else { "measured" };
             Cells {
                 texts: [
                     row.name.clone(),
@@ -119,9 +118,10 @@ impl Worksheet {
                     row.written.clone(),
                     row.unit.clone(),
                 ],
-                id: Some(format!("measured-{number}")),
+                id: Some(format!("{kind}-{number}")),
                 since: row.step,
                 stands_out: false,
+                boxes: boxes.map(|is_box| is_box && self.is_blank),
             }
         });
         let cells: Vec<Cells<CELLS>> = cells.collect();
@@ -130,7 +130,20 @@ impl Worksheet {
     }
 }
 
-fn symbol(scale: &str) -> RichText {
+/// A table with such a heading over its names and its values.
+pub(super) fn table(name: &str, value: &str, rows: usize) -> Table<CELLS> {
+    let head = [name, "mm", "μ", value, ""].map(RichText::plain);
+    Table {
+        widths: head.each_ref().map(|text| text.width(CAPTION)),
+        head,
+        ending: [false, true, false, true, false],
+        names: ["name", "mm", "scale", "value", "unit"],
+        rows,
+        foot: (RULER_ROOM, RULER_ROWS),
+    }
+}
+
+pub(super) fn symbol(scale: &str) -> RichText {
     RichText::math(scale)
 }
 

@@ -7,6 +7,7 @@ mod ball;
 mod lanes;
 mod line;
 mod numbers;
+mod random;
 mod reduced;
 mod system;
 
@@ -15,6 +16,7 @@ pub use ball::Ball;
 pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row};
 pub use line::{Crossing, Line, PARALLEL, Place};
 pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};
+pub use random::Random;
 pub use reduced::Reduced;
 pub use system::{LinearSystem, Numbers};
 

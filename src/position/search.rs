@@ -1,7 +1,7 @@
 use super::closing::Assembled;
 use super::frames::{Frames, across, fitted, local, local_guide, pinned, within};
 use super::rough::Rough;
-use crate::geometry::{Placement, Point, Turn, span};
+use crate::geometry::{Placement, Point, Random, Turn, span};
 use crate::mechanism::{BodyId, Group, JointKind, Mechanism, SliderId};
 use std::f64::consts::TAU;
 
@@ -187,21 +187,6 @@ fn rough_frame(
         (Some(turn), Some(&(own, place))) => Some(pinned(turn, own, place)),
         (Some(turn), None) => Some(pinned(turn, Point::origin(), Point::origin())),
         (None, _) => fitted(&pairs),
-    }
-}
-
-/// Splitmix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
-struct Random(u64);
-
-impl Random {
-    /// From 0 to 1.
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^= z >> 31;
-        (z >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
 

@@ -191,6 +191,8 @@ pub(super) const ENGLISH: Language = Language {
     },
 
     check: &super::check::ENGLISH,
+    class: &super::class::ENGLISH,
+    exercise: &super::exercise::ENGLISH,
 };
 
 fn reversed(backwards: bool) -> &'static str {

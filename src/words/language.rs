@@ -1,4 +1,6 @@
 use super::check::CheckWords;
+use super::class::ClassWords;
+use super::exercise::ExerciseWords;
 
 /// The normal parts that are laid off together along a cut line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -217,6 +219,10 @@ pub struct Language {
 
     /// The report on a student's values.
     pub check: &'static CheckWords,
+    /// Marks, and what is said of a whole class.
+    pub class: &'static ClassWords,
+    /// The sheets of exercises.
+    pub exercise: &'static ExerciseWords,
 }
 
 /// What stands on the buttons of a page for the classroom, or is read out for them; names of keys are in brackets.

@@ -6,12 +6,16 @@
 //! name at run time; with a few dozen sentences and no plural forms that buys nothing.)
 
 mod check;
+mod class;
 mod english;
+mod exercise;
 mod language;
 mod notation;
 mod spanish;
 
 pub use check::{CheckWords, MistakeWords};
+pub use class::ClassWords;
+pub use exercise::ExerciseWords;
 pub use language::{Language, NormalParts, PageWords};
 pub use notation::{Notation, with_prime};
 

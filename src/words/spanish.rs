@@ -189,6 +189,8 @@ pub(super) const SPANISH: Language = Language {
     },
 
     check: &super::check::ENGLISH,
+    class: &super::class::SPANISH,
+    exercise: &super::exercise::SPANISH,
 };
 
 fn reversed(backwards: bool) -> &'static str {

@@ -23,7 +23,7 @@ impl Scheme<'_> {
     }
 
     /// Whether a special point can be drawn at its place without making the rest small.
-    pub(super) fn is_near(&self, special: &Special) -> bool {
+    pub(in super::super) fn is_near(&self, special: &Special) -> bool {
         let own = span(self.pose.points.iter().copied());
         special.place.finite().is_some_and(|place| {
             let points = self.pose.points.iter().copied();

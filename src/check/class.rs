@@ -1,0 +1,301 @@
+//! What a teacher sees of a whole class: a row for each drawing, and what went wrong most often.
+
+use super::diagnosis::Finding;
+use super::marks::{Awarded, Scheme};
+use super::verdict::{Checked, Verdict};
+use crate::scene::schema_of;
+use crate::words::Wording;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The report on a class.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ClassResult {
+    /// Version of the format.
+    pub kinegon_class: u64,
+    /// The files in the order of their names.
+    pub rows: Vec<ClassRow>,
+    /// How many are how, and what went wrong most often.
+    pub summary: ClassSummary,
+}
+
+/// What is said of one file.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ClassRow {
+    /// The file's name.
+    pub file: String,
+    /// Whose drawing it is, as the form says.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Whether the file was understood and no value is off.
+    pub passed: bool,
+    /// What was found; not there where the file was not understood.
+    #[serde(flatten)]
+    pub found: Option<ClassFound>,
+    /// Why the file was not understood.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub message: Option<String>,
+}
+
+/// What was found in a file that was understood.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ClassFound {
+    /// How many values it has.
+    pub values: usize,
+    /// How many of them are right.
+    pub right: usize,
+    /// How many are within the tolerance.
+    pub within: usize,
+    /// How many are off.
+    pub off: usize,
+    /// The first mistake that was probably made.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first: Option<ClassMistake>,
+    /// What was probably done there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub done: Option<String>,
+    /// All further mistakes.
+    pub further: Vec<ClassMistake>,
+    /// How sure these are together, from 0 to 1; not there where nothing is to be explained.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probability: Option<f64>,
+    /// Values that nothing explains.
+    pub unexplained: Vec<String>,
+    /// The marks that the values earn, where a marking scheme is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub marks: Option<Awarded>,
+}
+
+/// A mistake, and where it was made.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ClassMistake {
+    /// The number of its step; 0 for the whole drawing.
+    pub step: usize,
+    /// Its name in the catalogue.
+    pub mistake: &'static str,
+}
+
+/// Letters of a name or a message that are shown.
+const SHOWN: usize = 300;
+
+impl ClassRow {
+    /// The row of a file that was understood; sentences in the wording's language.
+    #[must_use]
+    pub fn checked(
+        file: String,
+        name: Option<&str>,
+        checked: &Checked,
+        words: &Wording,
+        scheme: Option<&Scheme>,
+    ) -> ClassRow {
+        let count = |verdict| {
+            let values = checked.values.iter();
+            values.filter(|v| v.verdict == verdict).count()
+        };
+        let diagnosis = &checked.diagnosis;
+        let findings = &diagnosis.best.findings;
+        let mistake = |finding: &Finding| ClassMistake {
+            step: finding.candidate.step,
+            mistake: finding.candidate.mistake.id(),
+        };
+        let done = findings.first().map(|finding| {
+            let sentences = finding.candidate.mistake.words(words.language.check);
+            (sentences.done)(&finding.candidate.blanks)
+        });
+        let unexplained = diagnosis.unexplained.iter();
+        let unexplained = unexplained.map(|&i| checked.values[i].entry.asked.name().to_owned());
+        ClassRow {
+            file,
+            name: name.map(shortened).filter(|name| !name.is_empty()),
+            passed: checked.is_passed(),
+            found: Some(ClassFound {
+                values: checked.values.len(),
+                right: count(Verdict::Right),
+                within: count(Verdict::WithinTolerance),
+                off: count(Verdict::Off),
+                first: findings.first().map(mistake),
+                done,
+                further: findings.iter().skip(1).map(mistake).collect(),
+                probability: (!findings.is_empty()).then_some(diagnosis.best.probability),
+                unexplained: unexplained.collect(),
+                marks: scheme.map(|scheme| scheme.award(checked)),
+            }),
+            message: None,
+        }
+    }
+
+    /// The row of a file that was not understood.
+    #[must_use]
+    pub fn broken(file: String, message: &str) -> ClassRow {
+        ClassRow {
+            file,
+            name: None,
+            passed: false,
+            found: None,
+            message: Some(shortened(message)),
+        }
+    }
+
+    /// The line with the names of the columns of a table, with those of marks or without.
+    #[must_use]
+    pub fn csv_head(with_marks: bool) -> String {
+        let marks = if with_marks { ",marks,marks_of" } else { "" };
+        format!(
+            "file,name,passed,values,right,within,off,step,mistake,done,further,probability,unexplained{marks},message\n"
+        )
+    }
+
+    /// The row as a line of that table.
+    #[must_use]
+    pub fn csv(&self, with_marks: bool) -> String {
+        let text = |text: Option<&str>| spreadsheet_text(text.unwrap_or(""));
+        let found = self.found.as_ref();
+        let number = |of: fn(&ClassFound) -> usize| {
+            found.map_or_else(String::new, |found| of(found).to_string())
+        };
+        let first = found.and_then(|f| f.first.as_ref());
+        let further = found.map_or(&[][..], |f| &f.further);
+        let further = further.iter();
+        let further = further.map(|m| format!("{} (step {})", m.mistake, m.step));
+        let probability = found.and_then(|f| f.probability);
+        let marks = found.and_then(|f| f.marks);
+        let marks = |of: fn(&Awarded) -> f64| {
+            marks.map_or_else(String::new, |marks| Awarded::written(of(&marks)))
+        };
+        let mut cells = vec![
+            text(Some(&self.file)),
+            text(self.name.as_deref()),
+            self.passed.to_string(),
+            number(|f| f.values),
+            number(|f| f.right),
+            number(|f| f.within),
+            number(|f| f.off),
+            first.map_or_else(String::new, |m| m.step.to_string()),
+            text(first.map(|m| m.mistake)),
+            text(found.and_then(|f| f.done.as_deref())),
+            further.collect::<Vec<String>>().join("; "),
+            probability.map_or_else(String::new, |p| format!("{p:.2}")),
+            found.map_or_else(String::new, |f| f.unexplained.join("; ")),
+        ];
+        if with_marks {
+            cells.extend([marks(|m| m.earned), marks(|m| m.of)]);
+        }
+        cells.push(text(self.message.as_deref()));
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let written = writer.write_record(&cells);
+        written.expect("writing to memory does not fail");
+        let bytes = writer
+            .into_inner()
+            .expect("writing to memory does not fail");
+        String::from_utf8(bytes).expect("cells are text")
+    }
+}
+
+/// A spreadsheet takes a cell that begins like a formula for one, and forms come from anybody.
+fn spreadsheet_text(text: &str) -> String {
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+        format!("'{text}")
+    } else {
+        text.to_owned()
+    }
+}
+
+/// A text on one line, not too long for a row.
+fn shortened(text: &str) -> String {
+    let words: Vec<&str> = text.split_whitespace().take(SHOWN).collect();
+    let line = words.join(" ");
+    match line.char_indices().nth(SHOWN) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line,
+    }
+}
+
+/// How many drawings of a class are how, and which mistakes came first most often.
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+pub struct ClassSummary {
+    /// All files.
+    pub files: usize,
+    /// Those without a value that is off.
+    pub passed: usize,
+    /// Those with values that are off.
+    pub off: usize,
+    /// Those that were not understood.
+    pub broken: usize,
+    /// First mistakes that were made more than once, the commonest first.
+    pub commonest: Vec<Common>,
+    /// How often each mistake came first: by step, name and what was done.
+    #[serde(skip)]
+    firsts: BTreeMap<(usize, &'static str, String), usize>,
+}
+
+/// A first mistake that was made more than once.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Common {
+    /// In how many drawings.
+    pub count: usize,
+    /// The number of its step; 0 for the whole drawing.
+    pub step: usize,
+    /// Its name in the catalogue.
+    pub mistake: &'static str,
+    /// What was probably done.
+    pub done: String,
+}
+
+/// So many of the commonest mistakes are told.
+const COMMONEST: usize = 5;
+
+impl ClassSummary {
+    /// Counts a further file.
+    pub fn add(&mut self, row: &ClassRow) {
+        self.files += 1;
+        let Some(found) = &row.found else {
+            self.broken += 1;
+            return;
+        };
+        if row.passed {
+            self.passed += 1;
+        } else {
+            self.off += 1;
+        }
+        if let (Some(first), Some(done)) = (&found.first, &found.done) {
+            let key = (first.step, first.mistake, done.clone());
+            *self.firsts.entry(key).or_default() += 1;
+        }
+    }
+
+    /// Looks for the commonest of what was counted.
+    #[must_use]
+    pub fn finished(mut self) -> ClassSummary {
+        let counted = core::mem::take(&mut self.firsts).into_iter();
+        let more = counted.filter(|(_, count)| *count > 1);
+        let all = more.map(|((step, mistake, done), count)| Common {
+            count,
+            step,
+            mistake,
+            done,
+        });
+        self.commonest = all.collect();
+        // Those made equally often stay in the order of the construction.
+        self.commonest.sort_by_key(|c| core::cmp::Reverse(c.count));
+        self.commonest.truncate(COMMONEST);
+        self
+    }
+
+    /// What is told of the class, a line each.
+    #[must_use]
+    pub fn lines(&self, words: &Wording) -> Vec<String> {
+        let own = words.language.class;
+        let mut lines = vec![(own.counts)(self.files, self.passed, self.off, self.broken)];
+        let understood = self.files - self.broken;
+        let common = self.commonest.iter();
+        lines.extend(common.map(|c| (own.common)(c.count, understood, c.step, &c.done)));
+        lines
+    }
+}
+
+/// The JSON Schema of the report on a class.
+#[must_use]
+pub fn class_schema() -> serde_json::Value {
+    schema_of::<ClassResult>("Kinegon class report, version 1")
+}

@@ -1,0 +1,221 @@
+//! A marking scheme: how many marks each quantity is worth, and what values earn.
+
+use super::entry::entries;
+use super::sheet::{CheckError, Given, Measured};
+use super::template::form_names;
+use super::verdict::{Checked, Drawn, Verdict};
+use crate::scene::{FileKind, SceneError, read_as, schema_of};
+use crate::words::Wording;
+use indexmap::IndexMap;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Serialize};
+
+const MARKS: FileKind = FileKind {
+    what: "marking scheme",
+    key: "kinegon_marks",
+    version: 1,
+};
+
+/// No quantity is worth more.
+const MOST: f64 = 1e6;
+
+/// How many marks the values of a form earn. A value that is right or within the tolerance earns the marks of its quantity; one that is
+/// off earns none, or where it follows from a mistake made at an earlier step and is consistent with it, the part `follow_through` of them.
+/// A value in which a mistake was made itself earns none, whatever else it follows from; nor does one that cannot be judged.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"a marking scheme as { "kinegon_marks": 1, … }"#
+)]
+#[schemars(rename = "marks")]
+pub struct Marks {
+    /// Version of the format.
+    #[schemars(schema_with = "version")]
+    #[serde(rename = "kinegon_marks")]
+    _version: u64,
+    /// Where an editor finds the schema.
+    #[schemars(skip)]
+    #[serde(rename = "$schema")]
+    _schema: Option<String>,
+    /// Marks of every quantity of the scene's form that `values` does not name. Left out: 1 where `values` is left out, too, else only the
+    /// quantities in `values` count.
+    #[schemars(range(min = 0, max = MOST))]
+    each: Option<f64>,
+    /// Marks of single quantities by their names, as in the form.
+    #[schemars(schema_with = "marks_by_name")]
+    #[serde(default)]
+    values: IndexMap<String, f64>,
+    /// Which part of its marks a wrong value earns that follows from an earlier mistake and is consistent with it; left out: 1.
+    #[schemars(range(min = 0, max = 1))]
+    follow_through: Option<f64>,
+    /// Which part of its marks a quantity earns whose value is not there; left out: 0.
+    #[schemars(range(min = 0, max = 1))]
+    missing: Option<f64>,
+}
+
+fn version(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "const": 1 })
+}
+
+fn marks_by_name(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({
+        "type": "object",
+        "additionalProperties": { "type": "number", "minimum": 0, "maximum": MOST }
+    })
+}
+
+impl Marks {
+    /// A marking scheme as it is written; [`Marks::of`] holds it to a scene.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with the text, with its place.
+    pub fn read(text: &str) -> Result<Marks, SceneError> {
+        read_as(text, &MARKS)
+    }
+
+    /// The JSON Schema (draft 2020-12) of marking schemes, with descriptions, for editors.
+    #[must_use]
+    pub fn schema() -> serde_json::Value {
+        schema_of::<Marks>("Kinegon marking scheme, version 1")
+    }
+
+    /// The marks of a scene's quantities.
+    ///
+    /// # Errors
+    /// A quantity that the scene does not have, or that stands there twice; marks or parts that are no such numbers; a scheme without any marks.
+    pub fn of(&self, drawn: &Drawn<'_>) -> Result<Scheme, CheckError> {
+        let part = |key: &str, given: Option<f64>, usual: f64| {
+            let part = given.unwrap_or(usual);
+            let hint = "write a number from 0 (no marks) to 1 (all marks of the quantity)";
+            let wrong = || CheckError::new(format!("{part} is no part of marks"), hint).at(key);
+            Some(part)
+                .filter(|p| (0.0..=1.0).contains(p))
+                .ok_or_else(wrong)
+        };
+        let marks = |key: &str, marks: f64| {
+            let hint = format!("write a number from 0 to {MOST}");
+            let wrong = || CheckError::new(format!("{marks} is no number of marks"), hint).at(key);
+            Some(marks)
+                .filter(|m| (0.0..=MOST).contains(m))
+                .ok_or_else(wrong)
+        };
+        let each = match self.each {
+            Some(each) => Some(marks("each", each)?),
+            None => self.values.is_empty().then_some(1.0),
+        };
+        let mut worth: IndexMap<String, f64> = IndexMap::new();
+        if let Some(each) = each {
+            let all = form_names(drawn.construction).into_iter();
+            worth.extend(all.map(|name| (name, each)));
+        }
+        let mut given: IndexMap<String, &str> = IndexMap::new();
+        for (written, own) in &self.values {
+            let place = format!("values.{written}");
+            let own = marks(&place, *own)?;
+            let name = usual_name(written, drawn)?;
+            if let Some(other) = given.insert(name.clone(), written) {
+                let message = format!("`{other}` is the same quantity and has its marks already");
+                let error = CheckError::new(message, "keep the one that you mean");
+                return Err(error.at(&place));
+            }
+            worth.insert(name, own);
+        }
+        if worth.values().sum::<f64>() == 0.0 {
+            return Err(CheckError::new(
+                "the marking scheme gives no marks for anything",
+                r#"add "each": 1, or marks for the quantities that count"#,
+            ));
+        }
+        Ok(Scheme {
+            worth,
+            follow_through: part("follow_through", self.follow_through, 1.0)?,
+            missing: part("missing", self.missing, 0.0)?,
+        })
+    }
+}
+
+/// The name that steps and results give a quantity.
+fn usual_name(written: &str, drawn: &Drawn<'_>) -> Result<String, CheckError> {
+    let alone = Measured {
+        mu: [Some(1.0); 3],
+        values: vec![Given {
+            name: written.to_owned(),
+            text: "0".to_owned(),
+            unit: None,
+            place: format!("values.{written}"),
+        }],
+        ..Measured::default()
+    };
+    let mut found = entries(&alone, drawn)?;
+    Ok(found.swap_remove(0).asked.name().to_owned())
+}
+
+/// What the quantities of a scene are worth.
+#[derive(Clone, Debug)]
+pub struct Scheme {
+    /// Marks by the quantities' names.
+    worth: IndexMap<String, f64>,
+    follow_through: f64,
+    missing: f64,
+}
+
+/// The marks that somebody's values earn.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Awarded {
+    /// Marks earned.
+    pub earned: f64,
+    /// Marks that could be earned.
+    pub of: f64,
+    /// Those of the earned ones that are for values which follow from an earlier mistake.
+    pub follow_through: f64,
+}
+
+impl Scheme {
+    /// The marks that checked values earn. Values without marks in the scheme earn none.
+    #[must_use]
+    pub fn award(&self, checked: &Checked) -> Awarded {
+        let findings = &checked.diagnosis.best.findings;
+        let follows = |value: usize| {
+            let later = checked.values[value].entry.step;
+            let mut from = findings.iter().filter(|f| f.candidate.step < later);
+            from.any(|f| f.follows.contains(&value))
+                && !findings.iter().any(|f| f.written.contains(&value))
+        };
+        let (mut earned, mut follow_through) = (0.0, 0.0);
+        for (name, worth) in &self.worth {
+            let mut values = checked.values.iter();
+            let Some(index) = values.position(|v| v.entry.asked.name() == name) else {
+                earned += self.missing * worth;
+                continue;
+            };
+            match checked.values[index].verdict {
+                Verdict::Right | Verdict::WithinTolerance => earned += worth,
+                Verdict::Off if follows(index) => follow_through += self.follow_through * worth,
+                Verdict::Off | Verdict::Unjudged => {}
+            }
+        }
+        let tidy = |marks: f64| libm::round(marks * 1e6) / 1e6;
+        Awarded {
+            earned: tidy(earned + follow_through),
+            of: tidy(self.worth.values().sum()),
+            follow_through: tidy(follow_through),
+        }
+    }
+}
+
+impl Awarded {
+    /// The marks in a sentence.
+    #[must_use]
+    pub fn line(&self, words: &Wording) -> String {
+        let number = |marks: f64| words.number(Awarded::written(marks));
+        let follow = Some(self.follow_through).filter(|f| *f > 0.0);
+        let follow = follow.map_or_else(String::new, number);
+        (words.language.class.marks)(&number(self.earned), &number(self.of), &follow)
+    }
+
+    /// Marks as people write them: two decimals at most.
+    #[must_use]
+    pub fn written(marks: f64) -> String {
+        (libm::round(marks * 100.0) / 100.0).to_string()
+    }
+}

@@ -1,0 +1,214 @@
+//! The forms of a whole class in one folder.
+
+use super::check::read;
+use super::files;
+use super::message::{Failure, note};
+use super::pieces::{Out, Pieces};
+use crate::check::{self, ClassRow, ClassSummary, Drawn, Scheme};
+use crate::words::Wording;
+use std::ffi::OsStr;
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// A folder of forms, and what they are held against.
+pub(super) struct Class<'a> {
+    pub folder: &'a Path,
+    /// Files of the folder that are no forms: the scene and the marking scheme.
+    pub others: [Option<&'a Path>; 2],
+    pub drawn: &'a Drawn<'a>,
+    pub words: &'a Wording,
+    pub scheme: Option<&'a Scheme>,
+    pub form: Form,
+    /// File for the report, or `-` for stdout.
+    pub output: &'a Path,
+}
+
+/// The form of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    Csv,
+    Json,
+    Jsonl,
+}
+
+impl Form {
+    /// That of a file's ending; on stdout JSON where it is asked for, else a table.
+    pub(super) fn of(output: &Path, as_json: bool) -> Result<Form, Failure> {
+        if output == Path::new("-") {
+            return Ok(if as_json { Form::Json } else { Form::Csv });
+        }
+        let ending = output.extension().unwrap_or_default().to_string_lossy();
+        let form = match ending.as_ref() {
+            "csv" => Form::Csv,
+            "json" => Form::Json,
+            "jsonl" | "ndjson" => Form::Jsonl,
+            other => {
+                return Err(Failure::Misuse(
+                    format!("no form of report for files ending in `.{other}`"),
+                    Some("known endings: csv, json, jsonl".into()),
+                ));
+            }
+        };
+        if as_json && form == Form::Csv {
+            return Err(Failure::Misuse(
+                "--json and a report that ends in `.csv` do not go together".into(),
+                Some("leave out --json, or name a file that ends in `.json`".into()),
+            ));
+        }
+        Ok(form)
+    }
+}
+
+impl Class<'_> {
+    /// Checks all forms of the folder, each whatever becomes of the others, and writes the report.
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        self.keep_forms()?;
+        let forms = self.forms()?;
+        let mut out = Out::new(self.output)?;
+        let (mut summary, mut is_wanted) = (ClassSummary::default(), true);
+        is_wanted &= match self.form {
+            Form::Csv => out.put(&ClassRow::csv_head(self.scheme.is_some()))?,
+            Form::Json => out.put("{\n  \"kinegon_class\": 1,\n  \"rows\": [")?,
+            Form::Jsonl => true,
+        };
+        let all = Pieces {
+            count: forms.len(),
+            size: 1,
+            ahead: 32,
+            unit: (forms.len() > 20).then_some("files"),
+        };
+        all.each(
+            |one| self.row(&forms[one.start]),
+            |row| {
+                let is_first = summary.files == 0;
+                summary.add(&row);
+                // Whoever has closed stdout may still want the exit code.
+                is_wanted = is_wanted && out.put(&self.written(&row, is_first))?;
+                Ok(true)
+            },
+        )?;
+        let summary = summary.finished();
+        if self.form == Form::Json && is_wanted {
+            let summary = serde_json::to_string(&summary).expect("text keys");
+            out.put(&format!("\n  ],\n  \"summary\": {summary}\n}}\n"))?;
+        }
+        out.finish()?;
+        summary.lines(self.words).iter().for_each(|line| note(line));
+        match (summary.broken, summary.off) {
+            (0, 0) => Ok(()),
+            (0, _) => Err(Failure::NotPassed),
+            _ => Err(Failure::NotUnderstood),
+        }
+    }
+
+    /// A row of the report as it is written.
+    fn written(&self, row: &ClassRow, is_first: bool) -> String {
+        let json = || serde_json::to_string(row).expect("a row has text keys");
+        match self.form {
+            Form::Csv => row.csv(self.scheme.is_some()),
+            Form::Json if is_first => format!("\n    {}", json()),
+            Form::Json => format!(",\n    {}", json()),
+            Form::Jsonl => format!("{}\n", json()),
+        }
+    }
+
+    /// The forms of the folder by their names: all that end in `.json` or `.csv`, but hidden files and those that are something else.
+    fn forms(&self) -> Result<Vec<PathBuf>, Failure> {
+        let failed = |error: std::io::Error| {
+            let message = format!("{} cannot be listed: {error}", self.folder.display());
+            Failure::Misuse(message, None)
+        };
+        let mut forms = Vec::new();
+        for entry in fs::read_dir(self.folder).map_err(failed)? {
+            let path = entry.map_err(failed)?.path();
+            let ending = path.extension().unwrap_or_default().to_string_lossy();
+            let is_form = ["json", "csv"].contains(&ending.to_lowercase().as_str());
+            let is_hidden = name(&path).starts_with('.');
+            let others = [Some(self.output), self.others[0], self.others[1]];
+            let mut others = others.into_iter().flatten();
+            if is_form && !is_hidden && !others.any(|other| is_same(other, &path)) {
+                forms.push(path);
+            }
+        }
+        forms.sort_by(|a, b| a.file_name().cmp(&b.file_name()));
+        if forms.is_empty() {
+            return Err(Failure::Misuse(
+                format!("{} has no forms to check", self.folder.display()),
+                Some("its files that end in `.json` or `.csv` are checked; `kinegon check SCENE --template` writes an empty form".into()),
+            ));
+        }
+        Ok(forms)
+    }
+
+    /// Refuses to write over a form; an earlier report is none.
+    fn keep_forms(&self) -> Result<(), Failure> {
+        let inside = self
+            .output
+            .parent()
+            .map(|folder| match folder.as_os_str().is_empty() {
+                true => Path::new("."),
+                false => folder,
+            });
+        let is_inside = inside.is_some_and(|folder| is_same(folder, self.folder));
+        if self.output == Path::new("-") || !is_inside || !self.output.is_file() {
+            return Ok(());
+        }
+        let mut start = Vec::new();
+        let read = fs::File::open(self.output).and_then(|f| f.take(64).read_to_end(&mut start));
+        let start = String::from_utf8_lossy(&start);
+        let starts = ["file,name,passed,", "{\n  \"kinegon_class\"", "{\"file\":"];
+        if read.is_ok() && starts.iter().any(|known| start.starts_with(known)) {
+            return Ok(());
+        }
+        Err(Failure::Misuse(
+            format!(
+                "{} is one of the files to check and is not overwritten",
+                self.output.display()
+            ),
+            Some("choose another output".into()),
+        ))
+    }
+
+    /// What is said of one file.
+    fn row(&self, path: &Path) -> ClassRow {
+        let file = name(path);
+        let broken = |failure: Failure| {
+            let place = path.display().to_string();
+            ClassRow::broken(file.clone(), &failure.line(&place))
+        };
+        // A pipe or a device would be waited for.
+        if let Ok(found) = fs::metadata(path)
+            && !found.is_file()
+        {
+            let what = if found.is_dir() {
+                "a folder"
+            } else {
+                "special"
+            };
+            return ClassRow::broken(file, &format!("it is {what}, no file with values"));
+        }
+        let measured = match files::read_text("form", path).and_then(|text| read(path, &text)) {
+            Ok(measured) => measured,
+            Err(failure) => return broken(failure),
+        };
+        match check::check(&measured, self.drawn) {
+            Ok(checked) => {
+                let name = measured.name.as_deref();
+                ClassRow::checked(file, name, &checked, self.words, self.scheme)
+            }
+            Err(error) => broken(Failure::Misuse(error.to_string(), error.hint)),
+        }
+    }
+}
+
+/// A file's name, letters that are no text replaced.
+fn name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or(OsStr::new(""));
+    name.to_string_lossy().into_owned()
+}
+
+fn is_same(one: &Path, other: &Path) -> bool {
+    let [one, other] = [one, other].map(|path| path.canonicalize().ok());
+    one.is_some() && one == other
+}

@@ -1,0 +1,159 @@
+use super::figures::{stem, style};
+use super::files::{self, Source};
+use super::message::Failure;
+use super::new;
+use super::paper::{GivenScales, Paper};
+use super::wording::Words;
+use super::work::work;
+use crate::drawing::{Drawing, Style};
+use crate::exercise::{Exercise, ExerciseError, Exercises};
+use crate::format::{self, Text};
+use crate::motion::Order;
+use crate::scene::{Figure, StyleName};
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// What `--help` says after the options.
+const AFTER_HELP: &str = "\
+Writes DIR/KIND-SEED-1, DIR/KIND-SEED-2 …, each with scene.json, the student's sheet (sheet.svg, sheet.pdf), the empty form (form.json,
+form.csv) and for the teacher the drawn key (key.svg, key.pdf) and its values (key.json). Numbers are round; lines cross at 20° or more,
+special points are on the sheet, measured segments have 5 mm or more, and a careful hand finds every rate to 15 %. The same seed gives
+the same files.
+
+Examples:
+  kinegon exercise four-bar --seed 7 --count 30 -o class/    thirty four-bar linkages
+  kinegon exercise scene.json --seed 1 -o class/ --page a3   variants of a scene of your own";
+
+/// Write exercises to be drawn by hand, with sheets, forms and keys.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
+pub(super) struct ExerciseCommand {
+    /// Kind of mechanism, as `kinegon new --list` shows them, or the path of a scene file.
+    kind: String,
+    /// Which exercises: a number that gives the same ones again.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    seed: u64,
+    /// How many.
+    #[arg(long, value_name = "M", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    count: u16,
+    /// Folder to write them to; a folder of an exercise that is there already is never written over.
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+    /// Drawing style: paper, print, lecture, board, or the path of a style file.
+    #[arg(long, value_name = "NAME|FILE")]
+    style: Option<String>,
+    #[command(flatten)]
+    words: Words,
+    #[command(flatten)]
+    paper: Paper,
+    #[command(flatten)]
+    scales: GivenScales,
+}
+
+impl ExerciseCommand {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let (name, source) = self.source()?;
+        let put = |figure: &mut Figure| {
+            self.words.put_into(figure);
+            self.paper.put_into(figure);
+            self.scales.put_into(figure);
+            // The scene can say a style's name, but no file.
+            let mut names = StyleName::ALL.into_iter();
+            let named = names.find(|name| Some(name.as_str()) == self.style.as_deref());
+            figure.style = named.unwrap_or(figure.style);
+        };
+        let style = self.style.as_deref().map(style).transpose()?;
+        let work = work(&source, None, put, |_| Order::Acceleration)?;
+        let (figure, construction) = (&work.scene.figure, &work.construction);
+        let failed = |error: ExerciseError| Failure::Outside(format!("{}: {error}", source.name));
+        let page = self.paper.is_given().then_some(figure.page);
+        let exercises = Exercises::new(&source.text, figure, page, construction, self.seed);
+        let mut exercises = exercises.map_err(|error| {
+            let hint = "`kinegon new --list` shows other kinds";
+            Failure::Misuse(format!("{}: {error}", source.name), Some(hint.into()))
+        })?;
+        let folder = |number: u16| {
+            let own = format!("{name}-{}-{number}", self.seed);
+            self.output.join(own)
+        };
+        for folder in (1..=self.count).map(folder) {
+            if folder.exists() {
+                let message = format!(
+                    "{} is there already and is not overwritten",
+                    folder.display()
+                );
+                let hint = "choose another folder or another seed, or remove it";
+                return Err(Failure::Misuse(message, Some(hint.into())));
+            }
+        }
+        for number in 1..=self.count {
+            let exercise = exercises.next().map_err(failed)?;
+            let written = files_of(&exercise, style.as_ref(), &folder(number))?;
+            files::write(&written)?;
+        }
+        Ok(())
+    }
+
+    /// The scene that is varied, and by which name its exercises go.
+    fn source(&self) -> Result<(String, Source), Failure> {
+        if let Some(text) = new::starting_scene(&self.kind) {
+            let source = Source {
+                name: self.kind.clone(),
+                text,
+            };
+            return Ok((self.kind.clone(), source));
+        }
+        let path = Path::new(&self.kind);
+        if !path.is_file() {
+            return Err(Failure::Misuse(
+                format!("`{}` is no kind of mechanism and no file", self.kind),
+                Some(format!(
+                    "the nearest kind is `{}`; `kinegon new --list` shows all, or give the path of a scene file",
+                    new::nearest(&self.kind)
+                )),
+            ));
+        }
+        Ok((stem(path), files::read(path)?))
+    }
+}
+
+/// The files of an exercise in its folder.
+fn files_of(
+    exercise: &Exercise,
+    style: Option<&Style>,
+    folder: &Path,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+    let mut written = vec![("scene.json".to_owned(), exercise.text.clone().into_bytes())];
+    for (name, mut drawing) in [
+        ("sheet", exercise.sheet.clone()),
+        ("key", exercise.key_sheet()),
+    ] {
+        if let Some(style) = style {
+            drawing.style = style.clone();
+        }
+        written.extend(pictures(name, &drawing)?);
+    }
+    for (name, text) in [
+        ("form.json", exercise.form_json()),
+        ("form.csv", exercise.form_csv()),
+        ("key.json", format::json(&exercise.key())),
+    ] {
+        written.push((name.to_owned(), text.into_bytes()));
+    }
+    let written = written.into_iter();
+    Ok(written
+        .map(|(name, bytes)| (folder.join(name), bytes))
+        .collect())
+}
+
+/// A drawing in all forms that are written.
+fn pictures(name: &str, drawing: &Drawing) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let svg = format::svg_with(drawing, Text::Letters).into_bytes();
+    let mut pictures = vec![(format!("{name}.svg"), svg)];
+    #[cfg(feature = "pdf")]
+    pictures.push((
+        format!("{name}.pdf"),
+        format::pdf(drawing).map_err(|error| Failure::Misuse(error.to_string(), None))?,
+    ));
+    Ok(pictures)
+}

@@ -1,0 +1,236 @@
+//! Variants by lot until one is an exercise.
+
+use super::judge::{Exercise, Refusal, key_page};
+use super::vary::{OnGuide, length_step, varied};
+use crate::geometry::Random;
+use crate::plan::{Asked, Construction, Quantity, Snapshot};
+use crate::scene::{Figure, Page, PageSize, Panel, SceneError};
+use serde_json::{Map, Value, json};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// So many variants are tried for each exercise.
+const TRIES: usize = 1000;
+
+/// So many variants show on which sheets a scene can be drawn …
+const PILOT: usize = 40;
+/// … if at least so many of them can.
+const FEW: usize = 6;
+
+/// Why there is no exercise, or no further one.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum ExerciseError {
+    /// The scene cannot be read.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The scene's plans cannot be constructed.
+    #[error(
+        "its plans have no construction to be drawn by hand: a special point lies at infinity, or a group is of higher class than IV"
+    )]
+    NoConstruction,
+    /// No variant was an exercise.
+    #[error("none of {tries} variants can be drawn well by hand; most often ({percent} %) {most}")]
+    GaveUp {
+        /// How many were tried.
+        tries: usize,
+        /// What was wrong most often.
+        most: Refusal,
+        /// In how many of a hundred.
+        percent: usize,
+    },
+}
+
+/// The exercises of a scene, one after another: the first is the same however many follow.
+#[derive(Clone, Debug)]
+pub struct Exercises {
+    base: Value,
+    on_guides: Vec<OnGuide>,
+    title: String,
+    figure: Figure,
+    seed: u64,
+    random: Random,
+    /// The number of the last exercise.
+    number: usize,
+    seen: BTreeSet<String>,
+}
+
+impl Exercises {
+    /// The exercises of the scene with that text and construction, as `figure` asks for. Where neither the scene nor `page` says on which sheets,
+    /// they are A4, or A3 where few variants can be drawn well on A4.
+    ///
+    /// # Errors
+    /// Where the text is no scene, or the scene has no construction.
+    pub fn new(
+        text: &str,
+        figure: &Figure,
+        page: Option<Page>,
+        construction: &Construction,
+        seed: u64,
+    ) -> Result<Exercises, ExerciseError> {
+        let scene = crate::scene::Scene::read(text)?;
+        if construction.agreement.iter().any(Option::is_none) || construction.agreement.is_empty() {
+            return Err(ExerciseError::NoConstruction);
+        }
+        let base = serde_json::from_str(text.trim_start_matches('\u{feff}'));
+        let base: Value = base.expect("a scene is JSON");
+        let is_page_open = page.is_none() && base["figure"]["page"].is_null();
+        let figure = Figure {
+            panels: vec![Panel::Scheme, Panel::Velocity, Panel::Acceleration],
+            step: None,
+            special_points: true,
+            construction: true,
+            page: page.unwrap_or(figure.page),
+            ..figure.clone()
+        };
+        let mut exercises = Exercises {
+            base,
+            on_guides: OnGuide::all(&scene),
+            title: scene.title.unwrap_or_default(),
+            figure,
+            seed,
+            random: Random(seed),
+            number: 0,
+            seen: BTreeSet::new(),
+        };
+        if is_page_open && exercises.goes_badly() {
+            exercises.figure.page.size = PageSize::A3;
+        }
+        Ok(exercises)
+    }
+
+    /// Whether few variants can be drawn well on its sheets; the same for every seed.
+    fn goes_badly(&self) -> bool {
+        let mut random = Random(0);
+        let variants =
+            (0..PILOT).map(|_| varied(&self.base, &self.on_guides, &mut random).to_string());
+        let good = variants
+            .filter(|numbers| Exercise::of(numbers, self.figure.page, Some(&self.figure)).is_ok());
+        good.take(FEW).count() < FEW
+    }
+
+    /// The next exercise.
+    ///
+    /// # Errors
+    /// Where a stated number of variants gave none; says what was wrong most often.
+    #[allow(clippy::should_implement_trait)] // there is no end to iterate to
+    pub fn next(&mut self) -> Result<Exercise, ExerciseError> {
+        self.number += 1;
+        let mut refused: BTreeMap<Refusal, usize> = BTreeMap::new();
+        for _ in 0..TRIES {
+            match self.variant() {
+                Ok(exercise) => return Ok(exercise),
+                Err(refusal) => *refused.entry(refusal).or_default() += 1,
+            }
+        }
+        let most = refused.into_iter().max_by_key(|(_, count)| *count);
+        let (most, count) = most.unwrap_or((Refusal::Numbers, TRIES));
+        Err(ExerciseError::GaveUp {
+            tries: TRIES,
+            most,
+            percent: (100 * count + TRIES / 2) / TRIES,
+        })
+    }
+
+    /// A variant, if it is an exercise.
+    fn variant(&mut self) -> Result<Exercise, Refusal> {
+        let mut file = varied(&self.base, &self.on_guides, &mut self.random);
+        let numbers = file.to_string();
+        let first = Exercise::of(&numbers, self.figure.page, Some(&self.figure))?;
+        if !self.seen.insert(numbers) {
+            return Err(Refusal::Same);
+        }
+        // The file says all that was found: the position, the scales. It is then judged as it stands.
+        self.put_near(&mut file, &first);
+        self.put_figure(&mut file, &first);
+        let exercise = Exercise::of(&crate::format::json(&file), self.figure.page, None)?;
+        let same = exercise.pose.points.iter().zip(&first.pose.points);
+        let size = crate::geometry::span(first.pose.points.iter().copied());
+        let moved = same.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+        match moved < 1e-6 * size {
+            true => Ok(exercise),
+            false => Err(Refusal::Assembly),
+        }
+    }
+
+    /// Where the points and links are that choose the assembly mode, roughly.
+    fn put_near(&self, file: &mut Value, found: &Exercise) {
+        let step = length_step(file);
+        let Some(near) = file.get_mut("near").and_then(Value::as_object_mut) else {
+            return;
+        };
+        // What it says of places holds for the template's.
+        near.shift_remove("note");
+        let snapshot = Snapshot {
+            pose: &found.pose,
+            motion: &found.motion,
+        };
+        for (name, value) in near {
+            if let Some(point) = found.mechanism.point(name) {
+                let place = found.pose.point(point);
+                *value =
+                    json!([place.x, place.y].map(|x| super::numbers::written(step.nearest(x))));
+            } else if let Ok(asked) = Asked::new(name, &found.mechanism)
+                && let Ok(Quantity::Number(angle)) =
+                    asked.value(&snapshot, Some(&found.construction), None)
+            {
+                *value = super::numbers::written(libm::round(angle));
+            }
+        }
+    }
+
+    /// The sheet, its scales and its words, and the exercise's number in the title.
+    fn put_figure(&self, file: &mut Value, found: &Exercise) {
+        let Some(file) = file.as_object_mut() else {
+            return;
+        };
+        let (own, usual) = (&self.figure, Figure::default());
+        let page = key_page(own.page);
+        let mut figure = Map::new();
+        let panels: Vec<&str> = own.panels.iter().map(|panel| panel.as_str()).collect();
+        figure.insert("panels".into(), json!(panels));
+        let scales = &found.scales;
+        for (key, mu) in [
+            ("mu_l", scales.length),
+            ("mu_v", scales.velocity),
+            ("mu_a", scales.acceleration),
+        ] {
+            if let Some(mu) = mu {
+                figure.insert(key.into(), super::numbers::written(mu));
+            }
+        }
+        for (key, is_usual, name) in [
+            ("page", page == usual.page, page.name()),
+            ("style", own.style == usual.style, own.style.as_str()),
+            (
+                "notation",
+                own.notation == usual.notation,
+                own.notation.as_str(),
+            ),
+            (
+                "language",
+                own.language == usual.language,
+                own.language.as_str(),
+            ),
+            (
+                "decimal",
+                own.decimal == usual.decimal,
+                own.decimal.as_str(),
+            ),
+        ] {
+            if !is_usual {
+                figure.insert(key.into(), json!(name));
+            }
+        }
+        if !own.labels.is_empty() {
+            figure.insert("labels".into(), json!(own.labels));
+        }
+        file.shift_remove("want");
+        file.shift_remove("$schema");
+        file.insert("figure".into(), Value::Object(figure));
+        let number = format!("{}-{}", self.seed, self.number);
+        let title = match self.title.as_str() {
+            "" => number,
+            title => format!("{title} ({number})"),
+        };
+        file.insert("title".into(), json!(title));
+    }
+}

@@ -1,0 +1,174 @@
+//! What a student is told besides the scheme: the numbers of the scene in sentences.
+
+use crate::plan::{Kind, Scales};
+use crate::scene::{At, Form, On, Scene, Shape};
+use crate::words::Wording;
+use serde_json::Value;
+
+/// All that is given, and at which scales the plans are to be drawn; in markup. Vectors are told as the scene's `text` has them, by components
+/// or by size and direction.
+pub(super) fn sentences(
+    scene: &Scene,
+    text: &str,
+    scales: &Scales,
+    words: &Wording,
+) -> Vec<String> {
+    let file = serde_json::from_str(text).unwrap_or(Value::Null);
+    let teller = Teller { scene, words };
+    let mut all = teller.lengths();
+    all.extend(teller.drives());
+    all.extend(teller.motions(&file));
+    let own = words.language.exercise;
+    let plans = [
+        ("μ_v", scales.velocity, Kind::Velocity),
+        ("μ_a", scales.acceleration, Kind::Acceleration),
+    ];
+    let plans = plans.into_iter().filter_map(|(symbol, mu, kind)| {
+        let unit = kind.unit(scene.units);
+        Some(format!("{symbol} = {} ({unit})/mm", teller.number(mu?)))
+    });
+    let plans: Vec<String> = plans.collect();
+    vec![(own.given)(&listed(&all)), (own.draw)(&listed(&plans))]
+}
+
+/// A list that breaks between its items only.
+pub(super) fn listed(items: &[String]) -> String {
+    let items = items.iter().map(|item| item.replace(' ', "\u{a0}"));
+    items.collect::<Vec<String>>().join(", ")
+}
+
+struct Teller<'a> {
+    scene: &'a Scene,
+    words: &'a Wording,
+}
+
+impl Teller<'_> {
+    fn number(&self, x: f64) -> String {
+        self.words.number(x.to_string()).replace('-', "−")
+    }
+
+    fn unit(&self, kind: Kind) -> String {
+        kind.unit(self.scene.units)
+    }
+
+    /// A symbol with its value; of nothing without a unit.
+    fn value(&self, symbol: &str, x: f64, kind: Kind) -> String {
+        let value = self.number(x);
+        match (x == 0.0, kind) {
+            (_, Kind::Angle) => format!("{symbol} = {value}°"),
+            (true, _) => format!("{symbol} = {value}"),
+            _ => format!("{symbol} = {value} {}", self.unit(kind)),
+        }
+    }
+
+    fn pair(&self, [x, y]: [f64; 2]) -> String {
+        // Decimal commas must not run into the one between.
+        let mark = if self.words.number("0.5".into()).contains(',') {
+            ";"
+        } else {
+            ","
+        };
+        format!("({}{mark} {})", self.number(x), self.number(y))
+    }
+
+    /// Fixed points and lengths of a scene from lengths; a drawn one is drawn.
+    fn lengths(&self) -> Vec<String> {
+        if self.scene.form == Form::Drawn {
+            return Vec::new();
+        }
+        let unit = self.unit(Kind::Length);
+        let fixed = self.scene.coordinates.iter();
+        let fixed = fixed.map(|(name, place)| format!("{name} {} {unit}", self.pair(*place)));
+        let lengths = self
+            .scene
+            .links
+            .values()
+            .flat_map(|link| match &link.shape {
+                Shape::Lengths(lengths) => lengths.as_slice(),
+                _ => &[],
+            });
+        let lengths = lengths.map(|length| {
+            let symbol = length.key.replace('-', " ");
+            self.value(&symbol, length.value, Kind::Length)
+        });
+        fixed.chain(lengths).collect()
+    }
+
+    fn drives(&self) -> Vec<String> {
+        let mut told = Vec::new();
+        for (name, link) in &self.scene.links {
+            let angle = link.angle_deg.or(link.drive.and_then(|d| d.angle_deg));
+            told.extend(angle.map(|x| self.value(&format!("φ_{{{name}}}"), x, Kind::Angle)));
+            if let Some(drive) = &link.drive {
+                told.extend(self.turning(name, drive.omega, drive.alpha));
+            }
+        }
+        for slider in &self.scene.sliders {
+            let (Some(drive), Some(link)) = (&slider.drive, &slider.link) else {
+                continue;
+            };
+            let on = match &slider.on {
+                On::Ground => "ground",
+                On::Link(on) => on,
+            };
+            let (r, name) = (self.words.notation.relative, format!("({link}/{on})"));
+            let position = drive.position;
+            told.extend(position.map(|x| self.value(&format!("s{name}"), x, Kind::Length)));
+            let [v, a] = ["v", "a"].map(|letter| format!("{letter}_{{{r}}}{name}"));
+            told.push(self.value(&v, drive.speed, Kind::Velocity));
+            told.push(self.value(&a, drive.acceleration, Kind::Acceleration));
+        }
+        told
+    }
+
+    fn turning(&self, link: &str, omega: f64, alpha: f64) -> [String; 2] {
+        [
+            self.value(&format!("ω_{{{link}}}"), omega, Kind::AngularVelocity),
+            self.value(&format!("α_{{{link}}}"), alpha, Kind::AngularAcceleration),
+        ]
+    }
+
+    /// Given motions of a drawn scene.
+    fn motions(&self, file: &Value) -> Vec<String> {
+        let mut told = Vec::new();
+        for (name, motion) in &self.scene.known {
+            let written = &file["known"][name];
+            told.extend(self.both(name, [motion.velocity, motion.acceleration], written));
+        }
+        for (name, link) in &self.scene.links {
+            let Some(motion) = &link.motion else {
+                continue;
+            };
+            let at = match &motion.at {
+                At::Point(point) => point.clone(),
+                At::Place(place) => self.pair(*place),
+            };
+            let written = &file["links"][name]["motion"];
+            told.extend(self.both(&at, [motion.velocity, motion.acceleration], written));
+            told.extend(self.turning(name, motion.omega, motion.alpha));
+        }
+        told
+    }
+
+    fn both(&self, at: &str, vectors: [[f64; 2]; 2], written: &Value) -> Vec<String> {
+        let kinds = [
+            ("v", "velocity", Kind::Velocity),
+            ("a", "acceleration", Kind::Acceleration),
+        ];
+        let told = kinds.into_iter().zip(vectors);
+        let told = told.map(|((letter, key, kind), vector)| {
+            let symbol = format!("{letter}_{{{at}}}");
+            let polar = ["size", "angle"].map(|part| written[key][part].as_f64());
+            match (polar, vector) {
+                (_, [0.0, 0.0]) => format!("{symbol} = 0"),
+                ([Some(size), Some(angle)], _) => {
+                    let size = format!("{} {}", self.number(size), self.unit(kind));
+                    let sentence = self.words.language.with_direction;
+                    format!("{symbol} = {}", sentence(&size, &self.number(angle)))
+                }
+                _ => format!("{symbol} = {} {}", self.pair(vector), self.unit(kind)),
+            }
+        });
+        told.collect()
+    }
+}

@@ -1,0 +1,261 @@
+//! Which variants are exercises: those that a careful hand draws well.
+
+use super::given::sentences;
+use crate::check::{BANDS, form_names, numbered_steps};
+use crate::drafting::{Pencil, Tolerance, pencil};
+use crate::drawing::{
+    Drawing, exercise_scale, exercise_sheet, misfits, scales, shows_special_points,
+};
+use crate::mechanism::{Mechanism, mechanism};
+use crate::motion::{Motion, Order, motion};
+use crate::plan::{
+    Action, Asked, Construction, PlanKind, Quantity, Scales, Snapshot, What, construction_in,
+};
+use crate::position::{Pose, pose};
+use crate::scene::{Figure, Page, PageSize, Scene};
+use crate::words::Wording;
+
+/// Condition numbers of groups are at most this: near singular positions every length counts many times.
+const CONDITION: f64 = 40.0;
+/// Lines that are crossed meet at an angle whose sine is at least this: 20°.
+const SINE: f64 = 0.35;
+/// Segments that are measured are at least this long on paper, in mm, unless they are nothing.
+const SHORTEST: f64 = 5.0;
+/// A rate less than this part of the largest of its kind is judged as if it were so large.
+const SMALL: f64 = 1.0 / 3.0;
+/// The band of a rate is at most this part of it.
+const BAND: f64 = 0.15;
+/// What counts as nothing, in parts of the largest of its kind: roundings leave less.
+const NOTHING: f64 = 1e-9;
+
+/// A scene to be drawn by hand, with all that is known of it.
+#[derive(Clone, Debug)]
+pub struct Exercise {
+    /// The text of its scene file.
+    pub text: String,
+    /// The scene.
+    pub scene: Scene,
+    /// Its mechanism.
+    pub mechanism: Mechanism,
+    /// Its position.
+    pub pose: Pose,
+    /// Its motion, with accelerations.
+    pub motion: Motion,
+    /// Its plans.
+    pub construction: Construction,
+    /// The scales of its sheets.
+    pub scales: Scales,
+    /// How exactly a careful hand finds each quantity of the form.
+    pub pencil: Pencil,
+    /// The sheet that the student gets: the scheme without special points, what is given, boxes for what is to be found.
+    pub sheet: Drawing,
+}
+
+/// Why a variant is no exercise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, thiserror::Error)]
+pub enum Refusal {
+    /// The scene is not understood.
+    #[error("the numbers do not fit together")]
+    Numbers,
+    /// No position.
+    #[error("the links do not reach each other")]
+    Assembly,
+    /// A singular position, or nearly one.
+    #[error("the position is too near a singular one")]
+    Singular,
+    /// No construction.
+    #[error("there is no construction of the plans")]
+    NoConstruction,
+    /// The construction and the loop equations differ by more than rounding allows.
+    #[error("the construction is not exact enough")]
+    Routes,
+    /// Lines cross under small angles.
+    #[error("lines cross at less than 20°")]
+    Crossing,
+    /// Something has no room.
+    #[error("a special point or a plan does not fit on the sheet")]
+    Sheet,
+    /// Segments are too short to be measured.
+    #[error("a segment to be measured is shorter than 5 mm")]
+    Short,
+    /// A hand finds rates only roughly.
+    #[error("a rate cannot be found to 15 % by hand")]
+    Unsure,
+    /// The same numbers came before.
+    #[error("its numbers came before")]
+    Same,
+}
+
+impl Exercise {
+    /// The scene of that text, if it is an exercise for a sheet of that size; the figure is that of the scene, or another that is `asked` for.
+    pub(super) fn of(text: &str, page: Page, asked: Option<&Figure>) -> Result<Exercise, Refusal> {
+        let mut scene = Scene::read(text).map_err(|_| Refusal::Numbers)?;
+        scene.figure = asked.unwrap_or(&scene.figure).clone();
+        let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
+        let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
+        let motion =
+            motion(&mechanism, &pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
+        let conditions = motion.groups.iter().map(|group| group.condition);
+        if conditions.fold(1.0, f64::max) > CONDITION {
+            return Err(Refusal::Singular);
+        }
+        let wording = Wording::of(&scene.figure);
+        let construction = construction_in(&mechanism, &pose, &motion, &wording);
+        crosses_well(&construction)?;
+        let quantities = form_names(&construction).into_iter();
+        let quantities = quantities.map(|name| Asked::new(&name, &mechanism));
+        let quantities: Vec<Asked> = quantities
+            .collect::<Result<_, _>>()
+            .map_err(|_| Refusal::NoConstruction)?;
+        // Scheme and plans are as large as the key has room; the scheme smaller where the student's sheet needs it.
+        let mut students = scene.clone();
+        (students.figure.page, students.figure.worksheet) = (page, false);
+        (scene.figure.page, scene.figure.worksheet) = (key_page(page), true);
+        let mut own = scales(&scene, &mechanism, &pose, &construction);
+        if scene.figure.mu_l.is_none() {
+            let given = sentences(&scene, text, &own, &wording);
+            let (asked, given) = (quantities.as_slice(), given.as_slice());
+            let mu = exercise_scale(&students, &mechanism, &pose, &construction, asked, given);
+            if mu > own.length {
+                scene.figure.mu_l = mu;
+                own = scales(&scene, &mechanism, &pose, &construction);
+            }
+            students.figure.mu_l = own.length;
+        }
+        let scales = own;
+        is_long_enough(&construction, &scales)?;
+        let fits = misfits(&scene, &mechanism, &pose, &construction).is_empty()
+            && shows_special_points(&scene, &mechanism, &pose, &construction);
+        if !fits {
+            return Err(Refusal::Sheet);
+        }
+        let hand = Tolerance::default();
+        let asked = quantities.clone();
+        let pencil = pencil(
+            &mechanism,
+            &pose,
+            &motion,
+            &construction,
+            &scales,
+            hand,
+            asked,
+        );
+        is_sure(&pencil, &values(&quantities, &pose, &motion, &construction))?;
+        let given = sentences(&scene, text, &scales, &wording);
+        let (asked, given) = (quantities.as_slice(), given.as_slice());
+        let sheet = exercise_sheet(&students, &mechanism, &pose, &construction, asked, given);
+        Ok(Exercise {
+            text: text.to_owned(),
+            scales,
+            pencil,
+            sheet: sheet.ok_or(Refusal::Sheet)?,
+            scene,
+            mechanism,
+            pose,
+            motion,
+            construction,
+        })
+    }
+
+    /// What is asked for, with its exact value.
+    pub(super) fn values(&self) -> Vec<(Asked, f64)> {
+        let asked = self
+            .pencil
+            .quantities
+            .iter()
+            .map(|(asked, _)| asked.clone());
+        let asked: Vec<Asked> = asked.collect();
+        values(&asked, &self.pose, &self.motion, &self.construction)
+    }
+}
+
+/// The sheet of the key, which has the plans, too: the largest.
+pub(super) fn key_page(students: Page) -> Page {
+    Page {
+        size: PageSize::A3,
+        ..students
+    }
+}
+
+/// Quantities with their exact values.
+fn values(
+    asked: &[Asked],
+    pose: &Pose,
+    motion: &Motion,
+    construction: &Construction,
+) -> Vec<(Asked, f64)> {
+    let snapshot = Snapshot { pose, motion };
+    let value = |asked: &Asked| match asked.value(&snapshot, Some(construction), None).ok()? {
+        Quantity::Number(x) => Some(x),
+        Quantity::Vector(v) => Some(v.norm()),
+    };
+    let valued = asked.iter();
+    valued
+        .filter_map(|asked| Some((asked.clone(), value(asked)?)))
+        .collect()
+}
+
+/// Whether a hand finds all rates of rotation well.
+fn is_sure(pencil: &Pencil, values: &[(Asked, f64)]) -> Result<(), Refusal> {
+    let is_rate = |asked: &Asked| matches!(asked.what(), What::Omega(_) | What::Alpha(_));
+    let rates = || values.iter().filter(|(asked, _)| is_rate(asked));
+    for (asked, value) in rates() {
+        let alike = rates().filter(|(a, _)| a.kind() == asked.kind());
+        let largest = alike.map(|(_, v)| v.abs()).fold(0.0, f64::max);
+        let size = value.abs().max(SMALL * largest);
+        let is_nothing = value.abs() <= NOTHING * largest;
+        let band = pencil.band(asked.name()).ok_or(Refusal::Unsure)?;
+        // Of a rate that is there at all a drawing that passes must tell the sense.
+        if band.band > BAND * size || (BANDS * band.band > value.abs() && !is_nothing) {
+            return Err(Refusal::Unsure);
+        }
+    }
+    Ok(())
+}
+
+/// Whether there is a construction, exact and with good crossings.
+fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
+    for agreement in &construction.agreement {
+        let agreement = agreement.ok_or(Refusal::NoConstruction)?;
+        if agreement.difference > agreement.allowed {
+            return Err(Refusal::Routes);
+        }
+    }
+    let sines = numbered_steps(construction)
+        .into_iter()
+        .filter_map(|s| match &s.step.action {
+            Action::Cross { sine, .. } | Action::SpecialPoint { sine, .. } => Some(sine.abs()),
+            _ => None,
+        });
+    match sines.fold(1.0, f64::min) < SINE {
+        true => Err(Refusal::Crossing),
+        false => Ok(()),
+    }
+}
+
+/// Whether everything that is measured is long enough on paper, or nothing.
+fn is_long_enough(construction: &Construction, scales: &Scales) -> Result<(), Refusal> {
+    for step in numbered_steps(construction) {
+        let value = match (&step.step.action, step.plan) {
+            (Action::Measure { value, .. } | Action::MeasureLength { value, .. }, _) => value.abs(),
+            (Action::Cross { point, .. }, Some(plan)) => plan.points[point].vector.norm(),
+            _ => continue,
+        };
+        let (mu, largest) = match step.plan {
+            None => (scales.length, value),
+            Some(plan) => {
+                let sizes = plan.points.values().map(|p| p.vector.norm());
+                let mu = match plan.kind {
+                    PlanKind::Velocity => scales.velocity,
+                    PlanKind::Acceleration => scales.acceleration,
+                };
+                (mu, sizes.fold(0.0, f64::max))
+            }
+        };
+        let mm = value / mu.ok_or(Refusal::Sheet)?;
+        if mm < SHORTEST && value > NOTHING * largest {
+            return Err(Refusal::Short);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,135 @@
+//! What a teacher is told: every value of the form.
+
+use super::given::listed;
+use super::judge::Exercise;
+use crate::check::{BANDS, numbered_steps, significant, template_csv, template_json};
+use crate::drawing::{Drawing, key_sheet};
+use crate::plan::What;
+use crate::scene::schema_of;
+use crate::words::Wording;
+use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// The values of an exercise.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct KeyResult {
+    /// Version of the format.
+    pub kinegon_key: u64,
+    /// The title of the scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// The scales of the sheets.
+    pub scales: KeyScales,
+    /// The values by the names of their quantities, in the order of the form.
+    pub values: IndexMap<String, KeyValue>,
+}
+
+/// Scales, in units of the scene per millimetre of paper.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct KeyScales {
+    /// Of the scheme.
+    pub mu_l: Option<f64>,
+    /// Of the velocity plan.
+    pub mu_v: Option<f64>,
+    /// Of the acceleration plan.
+    pub mu_a: Option<f64>,
+}
+
+/// The value of a quantity.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct KeyValue {
+    /// The exact value.
+    pub value: f64,
+    /// Its unit.
+    pub unit: String,
+    /// By how much the value of a careful hand may differ, as `kinegon check` judges it; not there for what is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub allowed: Option<f64>,
+    /// The number of the step that gives it.
+    pub step: usize,
+}
+
+impl Exercise {
+    /// All values of the form, with what a careful hand may be off by.
+    #[must_use]
+    pub fn key(&self) -> KeyResult {
+        let steps = numbered_steps(&self.construction);
+        let names: Vec<(usize, Vec<String>)> =
+            steps.iter().map(|s| (s.number, s.names())).collect();
+        let step = |name: &str| {
+            let mut found = names
+                .iter()
+                .filter(|(_, own)| own.iter().any(|n| n == name));
+            found.next().map_or(0, |(number, _)| *number)
+        };
+        let values = self.values().into_iter().map(|(asked, value)| {
+            let band = self.pencil.band(asked.name());
+            let value = KeyValue {
+                value,
+                unit: asked.kind().unit(self.scene.units),
+                allowed: band.map(|band| BANDS * band.band),
+                step: step(asked.name()),
+            };
+            (asked.name().to_owned(), value)
+        });
+        KeyResult {
+            kinegon_key: 1,
+            title: self.scene.title.clone(),
+            scales: KeyScales {
+                mu_l: self.scales.length,
+                mu_v: self.scales.velocity,
+                mu_a: self.scales.acceleration,
+            },
+            values: values.collect(),
+        }
+    }
+
+    /// The key as a figure: scheme and plans with a table of all measured lengths, and the rates that come from them.
+    #[must_use]
+    pub fn key_sheet(&self) -> Drawing {
+        let words = Wording::of(&self.scene.figure);
+        let rates = self.values().into_iter();
+        let rates =
+            rates.filter(|(a, _)| !matches!(a.what(), What::Segment { .. } | What::Length(..)));
+        let rates = rates.map(|(asked, value)| {
+            let number =
+                |x: f64, digits: i32| words.number(significant(x, digits)).replace('-', "−");
+            let symbol = asked.symbol(&self.mechanism, words.notation, &str::to_owned);
+            let band = self.pencil.band(asked.name());
+            let allowed = band.map_or_else(String::new, |band| {
+                format!(" ± {}", number(BANDS * band.band, 2))
+            });
+            let unit = asked.kind().unit(self.scene.units);
+            format!("{symbol} = {}{allowed} {unit}", number(value, 4))
+        });
+        let rates: Vec<String> = rates.collect();
+        let sentence = (words.language.exercise.rates)(&listed(&rates));
+        let Exercise {
+            scene,
+            mechanism,
+            pose,
+            construction,
+            ..
+        } = self;
+        key_sheet(scene, mechanism, pose, construction, &[sentence])
+    }
+
+    /// The empty form as JSON.
+    #[must_use]
+    pub fn form_json(&self) -> String {
+        template_json(&self.construction, &self.scales)
+    }
+
+    /// The empty form as a table.
+    #[must_use]
+    pub fn form_csv(&self) -> String {
+        template_csv(&self.construction, &self.scales)
+    }
+}
+
+/// The JSON Schema of keys.
+#[must_use]
+pub fn key_schema() -> serde_json::Value {
+    schema_of::<KeyResult>("Kinegon key of an exercise, version 1")
+}
