@@ -4,12 +4,14 @@ mod files;
 mod program;
 mod stages;
 
+use kinegon::check::Mistake;
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drafting::{Tolerance, pencil};
 use kinegon::drawing::{Drawing, Shape, curves, scales, stepwise};
 use kinegon::format;
 use kinegon::plan::{Asked, step_names};
-use kinegon::scene::NotationName;
+use kinegon::scene::{LanguageName, NotationName, Scene};
+use kinegon::words::Wording;
 use program::{kinegon, stderr};
 use stages::Stages;
 
@@ -153,6 +155,95 @@ fn every_sentence_is_in_the_language_asked_for() {
         }
     }
     assert!(sentences > 1000, "only {sentences} sentences seen");
+}
+
+#[test]
+fn every_mistake_is_told_in_the_language_asked_for() {
+    for (language, foreign) in [("es", ENGLISH), ("en", SPANISH)] {
+        let scene = with(
+            &files::read("examples/figure-2.json"),
+            &[("language", language)],
+        );
+        let scene = Stages::of(&scene).expect("a good scene").scene;
+        let words = Wording::of(&scene.figure).language.check;
+        let other = Wording::of(&with_other(&scene, language)).language.check;
+        let mut told = 0;
+        for mistake in Mistake::all() {
+            let [own, foreigner] = [words, other].map(|words| mistake.words(words));
+            // Only of special points wrong lines are told.
+            let lines = match mistake {
+                Mistake::WrongLines => ["S3", "cut line of S5", "guide of 3/2", ""],
+                _ => ["S3", "S5", "omega(3)", "v_r(3/2)"],
+            };
+            for blanks in [
+                ["p", "b", "omega(2)", "L(B,S3)"],
+                lines,
+                ["", "", "mm", "m"],
+            ] {
+                let blanks = blanks.map(str::to_owned);
+                for (say, other) in [(own.done, foreigner.done), (own.should, foreigner.should)] {
+                    let said = say(&blanks);
+                    let found = words_of(foreign, &said);
+                    assert!(found.is_empty(), "{language}: {found:?} in {said:?}");
+                    told += usize::from(said != other(&blanks));
+                }
+            }
+        }
+        // Some say no more than a number or a formula.
+        assert!(told > 29 * 5, "only {told} differ");
+    }
+}
+
+/// The figure in the other language.
+fn with_other(scene: &Scene, language: &str) -> kinegon::scene::Figure {
+    let mut figure = scene.figure.clone();
+    figure.language = match language {
+        "es" => LanguageName::English,
+        _ => LanguageName::Spanish,
+    };
+    figure
+}
+
+#[test]
+fn a_check_speaks_the_language_asked_for() {
+    let [scene, form] = ["figure-2", "paper-as-student"].map(|name| {
+        let path = files::path(&format!("examples/{name}.json"));
+        path.to_str().expect("a plain path").to_owned()
+    });
+    for (language, foreign) in [("es", ENGLISH), ("en", SPANISH)] {
+        let run = |more: &[&str]| {
+            let mut command = kinegon();
+            command.args([
+                "check",
+                &scene,
+                &form,
+                "--language",
+                language,
+                "--depth",
+                "1",
+            ]);
+            let output = command.args(more).output().expect("it runs");
+            assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+            String::from_utf8(output.stdout).expect("text")
+        };
+        for line in run(&["--decimal", "comma"]).lines() {
+            let found = words_of(foreign, line);
+            assert!(found.is_empty(), "{language}: {found:?} in {line:?}");
+            assert!(!has_decimals(line, '.'), "{line}");
+        }
+        let result: serde_json::Value = serde_json::from_str(&run(&["--json"])).expect("JSON");
+        let mistakes = result["diagnosis"]["mistakes"].as_array().expect("a list");
+        assert_eq!(mistakes.len(), 1);
+        for mistake in mistakes {
+            for key in ["done", "should_be"] {
+                let said = mistake[key].as_str().expect("a text");
+                let found = words_of(foreign, said);
+                assert!(found.is_empty(), "{language}: {found:?} in {said:?}");
+            }
+        }
+        let done = mistakes[0]["done"].as_str().expect("a text");
+        assert_eq!(done.contains("se midió"), language == "es", "{done}");
+    }
 }
 
 /// Whether a line has a digit, the mark and a digit.

@@ -263,20 +263,17 @@ impl Reader<'_> {
                 Some((message, rest)) => (message.to_owned(), Some(format!("did you mean{rest}"))),
                 None => (message, None),
             };
-            let message = match error {
-                QuantityError::Form(_) => format!("`{name}` is no quantity of this scene"),
-                _ => message,
+            let all = "`kinegon check SCENE --template` lists the names";
+            let names = self.order.keys().map(String::as_str);
+            let (message, near) = match error {
+                QuantityError::Form(_) => (
+                    format!("`{name}` is no quantity of this scene"),
+                    crate::scene::nearest(name, names),
+                ),
+                _ => (message, None),
             };
-            let near = || {
-                let names = self.order.keys();
-                let near = names
-                    .map(|n| (strsim::damerau_levenshtein(n, name), n))
-                    .min();
-                near.map_or_else(String::new, |(_, n)| format!("the nearest name is `{n}`; "))
-            };
-            let hint = own.unwrap_or_else(|| {
-                format!("{}`kinegon check SCENE --template` lists the names", near())
-            });
+            let near = near.map(|n| format!("the nearest name is `{n}`; {all}"));
+            let hint = own.or(near).unwrap_or_else(|| all.to_owned());
             CheckError::new(message, hint)
         };
         let reversed = self.reversed(name);

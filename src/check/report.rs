@@ -1,7 +1,7 @@
 //! The report as text, in the figure's language.
 
 use super::diagnosis::{Explanation, Finding};
-use super::mistakes::Mistake;
+use super::mistakes::{Candidate, Mistake};
 use super::verdict::{Checked, Drawn, Judged, Verdict};
 use crate::plan::shown_text;
 use crate::words::{CheckWords, Wording};
@@ -177,7 +177,7 @@ impl Page<'_> {
                 });
                 let told: Vec<String> = new
                     .map(|f| {
-                        let done = (f.candidate.mistake.words(self.own).done)(&f.candidate.blanks);
+                        let [done, _] = sentences(&f.candidate, self.words);
                         format!("{}: {done}", self.step(f))
                     })
                     .collect();
@@ -215,7 +215,7 @@ impl Page<'_> {
         let Finding {
             candidate, follows, ..
         } = finding;
-        let sentences = candidate.mistake.words(self.own);
+        let [done, should] = sentences(candidate, self.words);
         let steps = numbered_steps(self.drawn.construction);
         let step = steps.iter().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
@@ -225,17 +225,9 @@ impl Page<'_> {
             some => Some((self.own.follows)(&self.names(some))),
         };
         Told {
-            done: format!(
-                "{}: {}.",
-                self.step(finding),
-                (sentences.done)(&candidate.blanks)
-            ),
+            done: format!("{}: {done}.", self.step(finding)),
             caption: step.map(|s| shown_text(&s.step.caption, s.plan, self.words)),
-            should: format!(
-                "{}: {}.",
-                self.own.instead,
-                (sentences.should)(&candidate.blanks)
-            ),
+            should: format!("{}: {should}.", self.own.instead),
             follows,
         }
     }
@@ -246,6 +238,22 @@ impl Page<'_> {
             .map(|&i| self.checked.values[i].entry.asked.name());
         names.collect::<Vec<&str>>().join(", ")
     }
+}
+
+/// What was probably done in a mistake, and what it should be; numbers with the figure's decimal mark.
+pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
+    let blanks = candidate.blanks.iter().map(|blank| {
+        let is_number = blank.parse::<f64>().is_ok();
+        let blank = blank.clone();
+        if is_number {
+            words.number(blank)
+        } else {
+            blank
+        }
+    });
+    let blanks: Vec<String> = blanks.collect();
+    let own = candidate.mistake.words(words.language.check);
+    [(own.done)(&blanks), (own.should)(&blanks)]
 }
 
 /// A number with so many significant digits, without trailing zeros behind the point.

@@ -2,6 +2,7 @@
 
 use super::diagnosis::{Explanation, Finding};
 use super::marks::Awarded;
+use super::report::sentences;
 use super::verdict::{Checked, Drawn, Verdict};
 use crate::words::Wording;
 use schemars::JsonSchema;
@@ -129,12 +130,12 @@ pub fn check_result(
     });
     let mistake = |finding: &Finding| {
         let candidate = &finding.candidate;
-        let sentences = candidate.mistake.words(words.language.check);
+        let [done, should_be] = sentences(candidate, words);
         MistakeResult {
             mistake: candidate.mistake.id(),
             step: candidate.step,
-            done: (sentences.done)(&candidate.blanks),
-            should_be: (sentences.should)(&candidate.blanks),
+            done,
+            should_be,
             written: names(&finding.written),
             follows: names(&finding.follows),
         }

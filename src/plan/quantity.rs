@@ -387,14 +387,12 @@ fn unknown<'n>(
     name: &str,
     known: impl Iterator<Item = &'n str>,
 ) -> QuantityError {
-    let distance = |k: &str| strsim::damerau_levenshtein(&k.to_lowercase(), &name.to_lowercase());
-    let nearest = known.map(|k| (distance(k), k)).min();
-    let hint = nearest.filter(|(d, _)| *d <= 2);
+    let nearest = crate::scene::nearest_within(name, known, 2);
     QuantityError::Unknown {
         quantity: quantity.to_owned(),
         what,
         name: name.to_owned(),
-        hint: hint.map_or_else(String::new, |(_, k)| format!("; did you mean `{k}`?")),
+        hint: nearest.map_or_else(String::new, |k| format!("; did you mean `{k}`?")),
     }
 }
 

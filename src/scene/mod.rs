@@ -49,6 +49,7 @@ pub use units::{LengthUnit, TimeUnit, Units};
 pub(crate) use kind::FileKind;
 pub(crate) use read::read_as;
 pub(crate) use schema::schema_of;
+pub(crate) use words::{nearest, nearest_within};
 
 use indexmap::IndexMap;
 

@@ -38,8 +38,17 @@ pub(super) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     shown
 }
 
-/// The name closest to `word`, if one is close enough that a slip of the pen explains it.
-pub(super) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+/// The name closest to `word`, if one is close enough that a slip of the pen explains it: one letter in three wrong, or the rest left out.
+pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    nearest_within(word, names, 3)
+}
+
+/// The same where one letter in so many may be wrong: names of points have few.
+pub(crate) fn nearest_within<'a>(
+    word: &str,
+    names: impl IntoIterator<Item = &'a str>,
+    letters: usize,
+) -> Option<&'a str> {
     let word = shortened(&word.to_lowercase());
     let mut best: Option<(usize, &str)> = None;
     // A scene may hold a million names; comparing the first thousands is enough to be helpful.
@@ -51,7 +60,7 @@ pub(super) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) 
         } else {
             strsim::osa_distance(&word, &lower)
         };
-        let slips = lower.chars().count().max(word.chars().count()) / 3;
+        let slips = lower.chars().count().max(word.chars().count()) / letters;
         if (distance <= slips || begins) && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, name));
         }

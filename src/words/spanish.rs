@@ -188,7 +188,7 @@ pub(super) const SPANISH: Language = Language {
         too_old: "Este navegador es demasiado antiguo para desempaquetar los pasos y el movimiento; se muestra la figura terminada.",
     },
 
-    check: &super::check::ENGLISH,
+    check: &super::check::SPANISH,
     class: &super::class::SPANISH,
     exercise: &super::exercise::SPANISH,
 };

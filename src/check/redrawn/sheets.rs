@@ -338,7 +338,7 @@ impl<'a> Sheets<'a> {
         let right = self.right_place(sheet, name);
         let apart = right.map(|right| (self.at(sheet, place) - right).norm());
         // What is nowhere is not near.
-        apart.is_some_and(|apart| !(apart <= SEEN * self.per_mm(sheet)))
+        apart.is_some_and(|apart| apart.is_nan() || apart > SEEN * self.per_mm(sheet))
     }
 
     /// The point to which a vector leads, over further vectors where its own end has no name.

@@ -1,4 +1,4 @@
-use super::{CheckWords, MistakeWords, symbol};
+use super::{CheckWords, Line, MistakeWords, coriolis, normal, symbol};
 
 /// English.
 pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
@@ -76,8 +76,8 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
         },
     },
     wrong_lines: MistakeWords {
-        done: |b| format!("{} was marked on the line {}", b[0], b[1]),
-        should: |b| format!("{} lies on the line {}", b[0], b[2]),
+        done: |b| format!("{} was marked on {}", b[0], line(&b[1])),
+        should: |b| format!("{} lies on {}", b[0], line(&b[2])),
     },
     reversed_vector: MistakeWords {
         done: |b| format!("the vector from {} to {} was laid off reversed", b[0], b[1]),
@@ -91,11 +91,9 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
     normal_outward: MistakeWords {
         done: |b| {
             format!(
-                "the normal acceleration {}² {} on the way from {} to {} was laid off outward",
-                symbol(&b[2]),
-                symbol(&b[3]),
-                b[0],
-                b[1]
+                "the normal acceleration {} on the way {} was laid off outward",
+                normal(b),
+                way(b)
             )
         },
         should: |_| {
@@ -104,115 +102,83 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
     },
     omega_not_squared: MistakeWords {
         done: |b| {
+            let omega = symbol(&b[2]);
             format!(
-                "for the normal part from {} to {}, {} was taken in place of its square",
-                b[0],
-                b[1],
-                symbol(&b[2])
+                "for the normal part {}, {omega} was taken in place of its square",
+                way(b)
             )
         },
-        should: |b| format!("the normal part is {}² {}", symbol(&b[2]), symbol(&b[3])),
+        should: |b| format!("the normal part is {}", normal(b)),
     },
     diameter: MistakeWords {
         done: |b| {
             format!(
-                "the normal part {}² {} from {} to {} came out twice as large, as with the diameter",
-                symbol(&b[2]),
-                symbol(&b[3]),
-                b[0],
-                b[1]
+                "the normal part {} {} came out twice as large, as with the diameter",
+                normal(b),
+                way(b)
             )
         },
         should: |b| {
-            format!(
-                "the normal part is {}² times the radius {}",
-                symbol(&b[2]),
-                symbol(&b[3])
-            )
+            let [omega, radius] = [&b[2], &b[3]].map(|name| symbol(name));
+            format!("the normal part is {omega}² times the radius {radius}")
         },
     },
     normal_from_absolute: MistakeWords {
         done: |b| {
             format!(
-                "the normal part along {} from {} to {} was computed from the absolute velocity",
+                "the normal part along {} {} was computed from the absolute velocity",
                 symbol(&b[3]),
-                b[0],
-                b[1]
+                way(b)
             )
         },
-        should: |b| {
-            format!(
-                "it takes the relative velocity: {}² {}",
-                symbol(&b[2]),
-                symbol(&b[3])
-            )
-        },
+        should: |b| format!("it takes the relative velocity: {}", normal(b)),
     },
     normal_forgotten: MistakeWords {
         done: |b| {
             format!(
-                "the normal part {}² {} was forgotten on the way from {} to {}",
-                symbol(&b[2]),
-                symbol(&b[3]),
-                b[0],
-                b[1]
+                "the normal part {} was forgotten on the way {}",
+                normal(b),
+                way(b)
             )
         },
-        should: |b| {
-            format!(
-                "lay off {}² {} before the ray is drawn",
-                symbol(&b[2]),
-                symbol(&b[3])
-            )
-        },
+        should: |b| format!("lay off {} before the ray is drawn", normal(b)),
     },
     coriolis_forgotten: MistakeWords {
         done: |b| {
             format!(
-                "the Coriolis acceleration was forgotten on the way from {} to {}",
-                b[0], b[1]
+                "the Coriolis acceleration was forgotten on the way {}",
+                way(b)
             )
         },
-        should: |b| {
-            format!(
-                "lay off 2 {} {} normal to the guide",
-                symbol(&b[2]),
-                symbol(&b[3])
-            )
-        },
+        should: |b| format!("lay off {} normal to the guide", coriolis(b)),
     },
     coriolis_without_two: MistakeWords {
         done: |b| {
             format!(
-                "the Coriolis acceleration from {} to {} was taken without its 2",
-                b[0], b[1]
+                "the Coriolis acceleration {} was taken without its 2",
+                way(b)
             )
         },
-        should: |b| format!("it is 2 {} {}", symbol(&b[2]), symbol(&b[3])),
+        should: |b| format!("it is {}", coriolis(b)),
     },
     coriolis_turned: MistakeWords {
         done: |b| {
             format!(
-                "the Coriolis acceleration from {} to {} was laid off the wrong way",
-                b[0], b[1]
+                "the Coriolis acceleration {} was laid off the wrong way",
+                way(b)
             )
         },
         should: |b| {
-            format!(
-                "it has the direction of {} turned by 90° in the sense of {}",
-                symbol(&b[3]),
-                symbol(&b[2])
-            )
+            let [omega, velocity] = [&b[2], &b[3]].map(|name| symbol(name));
+            format!("it has the direction of {velocity} turned by 90° in the sense of {omega}")
         },
     },
     coriolis_where_none: MistakeWords {
         done: |b| {
             format!(
-                "a Coriolis acceleration was added to {}² {} on the way from {} to {}, where nothing slides",
-                symbol(&b[2]),
-                symbol(&b[3]),
-                b[0],
-                b[1]
+                "a Coriolis acceleration was added to {} on the way {}, where nothing slides",
+                normal(b),
+                way(b)
             )
         },
         should: |_| {
@@ -360,3 +326,17 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
         should: |b| format!("look at {} again", b[0]),
     },
 };
+
+/// On which way in a plan.
+fn way(blanks: &[String]) -> String {
+    format!("from {} to {}", blanks[0], blanks[1])
+}
+
+/// A line of the scheme.
+fn line(name: &str) -> String {
+    match Line::of(name) {
+        Line::Cut(special) => format!("the line that was drawn for {special}"),
+        Line::Guide(slider) => format!("the guide of {slider}"),
+        Line::Through(points) => format!("the line {points}"),
+    }
+}

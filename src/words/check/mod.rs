@@ -1,8 +1,10 @@
 //! The sentences of the report on a student's values, and of each mistake of the catalogue.
 
 mod english;
+mod spanish;
 
 pub(super) use english::ENGLISH;
+pub(super) use spanish::SPANISH;
 
 /// The sentences of a mistake, with its blanks in order.
 #[derive(Clone, Copy, Debug)]
@@ -143,4 +145,33 @@ fn symbol(name: &str) -> String {
         return format!("L_{}", ends.replace(',', ""));
     }
     name.to_owned()
+}
+
+/// ω² L, of a mistake whose blanks are two plan points, a rate and a length.
+fn normal(blanks: &[String]) -> String {
+    format!("{}² {}", symbol(&blanks[2]), symbol(&blanks[3]))
+}
+
+/// 2 ω v, of a mistake whose blanks are two plan points, a rate and a velocity.
+fn coriolis(blanks: &[String]) -> String {
+    format!("2 {} {}", symbol(&blanks[2]), symbol(&blanks[3]))
+}
+
+/// What a line of the scheme is: `S3` of the cut line of S3, `3/2` of the guide of 3/2, else two of its points.
+enum Line<'a> {
+    Cut(&'a str),
+    Guide(&'a str),
+    Through(&'a str),
+}
+
+impl Line<'_> {
+    fn of(name: &str) -> Line<'_> {
+        if let Some(special) = name.strip_prefix("cut line of ") {
+            Line::Cut(special)
+        } else if let Some(slider) = name.strip_prefix("guide of ") {
+            Line::Guide(slider)
+        } else {
+            Line::Through(name)
+        }
+    }
 }
