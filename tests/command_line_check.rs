@@ -41,6 +41,8 @@ fn right_values_pass_in_any_unit_scale_and_sense() {
         ("magnitudes.json", form(r#""values": { "omega(4)": 0.475, "a_r(3/2)": 58.4 }"#)),
         ("table.csv", "quantity,value,unit\nmu_v,0.5,\nL(B,S3),370.96,mm\n\"vplan(b,s3)/mu\",118.8,\nomega(4),-0.475,rad/s\n".to_owned()),
         ("comma.csv", "quantity;value\nL(B,S3);370,96\nomega(4);-0,475\n".to_owned()),
+        ("points.csv", "mu_v,1\nvelocity:p,10,20\nvelocity:b,44.2,114.0\nvelocity:s3,4.5,158.1\n".to_owned()),
+        ("points-comma.csv", "mu_v;1\nvelocity:p;10;20\nvelocity:b;44,2;114,0\nvelocity:s3;4,5;158,1\n".to_owned()),
         // Turned by 90° and shifted: b 100 mm from p at −20°.
         ("points.json", form(r#""mu_v": 1, "points": { "velocity": { "p": [10, 20], "b": [44.2, 114.0], "s3": [4.5, 158.1] } }"#)),
     ] {
@@ -65,6 +67,26 @@ fn a_wrong_value_fails_and_json_says_the_same() {
         .filter_map(|v| v["verdict"].as_str())
         .collect();
     assert_eq!(verdicts, ["right", "off"]);
+}
+
+#[test]
+fn a_mirrored_plan_is_told() {
+    // The points of the right plan, x the other way.
+    let places = r#""p": [90, 20], "b": [55.8, 114.0], "s3": [95.5, 158.1]"#;
+    let text = form(&format!(
+        r#""mu_v": 1, "points": {{ "velocity": {{ {places} }} }}"#
+    ));
+    let output = check("mirrored.json", &text, &[]);
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(
+        said.contains("velocity plan are the mirror image"),
+        "{said}"
+    );
+    let output = check("mirrored-json.json", &text, &["--json"]);
+    let result: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(result["mirrored"], serde_json::json!(["velocity"]));
+    assert_eq!(result["passed"], false);
 }
 
 #[test]
@@ -151,6 +173,11 @@ fn what_is_not_understood_is_said_clearly() {
             "twice.csv",
             "L(B,S3),370\nL(S3,B),248\n".to_owned(),
             vec!["line 2", "two values"],
+        ),
+        (
+            "coordinate.csv",
+            "mu_v,1\nvelocity:p,0,0\nvelocity:b,1,\n".to_owned(),
+            vec!["line 3", "no coordinate", "velocity:b,114,-2.7"],
         ),
         (
             "key.json",

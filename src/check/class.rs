@@ -2,6 +2,7 @@
 
 use super::diagnosis::Finding;
 use super::marks::{Awarded, Scheme};
+use super::report::sentences;
 use super::verdict::{Checked, Verdict};
 use crate::scene::schema_of;
 use crate::words::Wording;
@@ -100,8 +101,8 @@ impl ClassRow {
             mistake: finding.candidate.mistake.id(),
         };
         let done = findings.first().map(|finding| {
-            let sentences = finding.candidate.mistake.words(words.language.check);
-            (sentences.done)(&finding.candidate.blanks)
+            let [done, _] = sentences(&finding.candidate, words);
+            done
         });
         let unexplained = diagnosis.unexplained.iter();
         let unexplained = unexplained.map(|&i| checked.values[i].entry.asked.name().to_owned());

@@ -3,7 +3,7 @@
 use super::diagnosis::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
 use super::verdict::{Checked, Drawn, Judged, Verdict};
-use crate::plan::shown_text;
+use crate::plan::{PlanKind, shown_text};
 use crate::words::{CheckWords, Wording};
 
 use super::order::numbered_steps;
@@ -134,6 +134,7 @@ impl Page<'_> {
         let diagnosis = &self.checked.diagnosis;
         match diagnosis.best.findings.len() {
             0 if self.has_nothing_to_explain() => self.own.nothing,
+            0 if diagnosis.unexplained.is_empty() => self.own.probably,
             0 => self.own.none,
             1 => self.own.probably,
             _ => self.own.no_single,
@@ -163,6 +164,7 @@ impl Page<'_> {
             lines.push(self.sure(&diagnosis.best));
         }
         lines.extend(self.unexplained());
+        lines.extend(self.mirrored());
         if !diagnosis.others.is_empty() {
             lines.push(String::new());
             lines.push(self.own.others.to_owned());
@@ -190,6 +192,18 @@ impl Page<'_> {
             }
         }
         lines
+    }
+
+    /// What is said of plans that are mirrored.
+    pub(super) fn mirrored(&self) -> impl Iterator<Item = String> {
+        let language = self.words.language;
+        self.checked.mirrored.iter().map(|kind| {
+            let plan = match kind {
+                PlanKind::Velocity => language.velocity_plan,
+                PlanKind::Acceleration => language.acceleration_plan,
+            };
+            (self.own.mirrored)(&plan.to_lowercase())
+        })
     }
 
     /// The values without an explanation, where there are such.

@@ -4,6 +4,7 @@ use super::diagnosis::{Explanation, Finding};
 use super::marks::Awarded;
 use super::report::sentences;
 use super::verdict::{Checked, Drawn, Verdict};
+use crate::plan::PlanKind;
 use crate::words::Wording;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -16,7 +17,7 @@ pub struct CheckResult {
     /// Whose drawing it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// Whether no value is off.
+    /// Whether no value is off, and no plan mirrored.
     pub passed: bool,
     /// The values in the order of the construction.
     pub values: Vec<ValueResult>,
@@ -26,6 +27,9 @@ pub struct CheckResult {
     pub others: Vec<ExplanationResult>,
     /// Values that nothing explains.
     pub unexplained: Vec<String>,
+    /// Plans whose places on paper are the mirror image of the right ones: "velocity", "acceleration".
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub mirrored: Vec<&'static str>,
     /// The marks that the values earn, where a marking scheme is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<Awarded>,
@@ -145,6 +149,10 @@ pub fn check_result(
         probability: explanation.probability,
         indistinguishable: explanation.is_alike,
     };
+    let mirrored = checked.mirrored.iter().map(|kind| match kind {
+        PlanKind::Velocity => "velocity",
+        PlanKind::Acceleration => "acceleration",
+    });
     let diagnosis = &checked.diagnosis;
     CheckResult {
         kinegon_check: 1,
@@ -154,6 +162,7 @@ pub fn check_result(
         diagnosis: explanation(&diagnosis.best),
         others: diagnosis.others.iter().map(explanation).collect(),
         unexplained: names(&diagnosis.unexplained),
+        mirrored: mirrored.collect(),
         marks: None,
     }
 }

@@ -82,6 +82,7 @@ pub fn redrawn(
         said.push(format!("{number}. {}", sentences.join(" ")));
     }
     said.extend(page.unexplained());
+    said.extend(page.mirrored());
     for (sheet, degrees) in turns {
         if degrees.abs() > TURNED {
             let degrees = words.number(format!("{degrees:.0}").replace('-', "−"));

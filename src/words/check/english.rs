@@ -30,6 +30,11 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
     others: "It could also be",
     alike: "your values alone cannot tell this from the above",
     unexplained: |values| format!("Without an explanation: {values}."),
+    mirrored: |plan| {
+        format!(
+            "The points of your {plan} are the mirror image of the right ones: all senses are turned round. If you measured y downwards on the sheet, measure it upwards."
+        )
+    },
 
     key: [
         "as it should be",

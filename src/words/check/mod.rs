@@ -58,6 +58,8 @@ pub struct CheckWords {
     pub alike: &'static str,
     /// Values without an explanation.
     pub unexplained: fn(&str) -> String,
+    /// Plan whose places are the mirror image of the right ones.
+    pub mirrored: fn(&str) -> String,
 
     // The drawing over the right figure.
     /// What its lines are: as it should be, the student's, where it went wrong.

@@ -37,6 +37,11 @@ pub(in crate::words) const SPANISH: CheckWords = CheckWords {
     others: "También podría ser",
     alike: "los valores por sí solos no lo distinguen de lo anterior",
     unexplained: |values| format!("Sin explicación: {values}."),
+    mirrored: |plan| {
+        format!(
+            "Los puntos del {plan} son la imagen especular de los correctos: todos los sentidos quedan invertidos. Si midió y hacia abajo en la hoja, mídala hacia arriba."
+        )
+    },
 
     key: [
         "como debe ser",
