@@ -5,7 +5,7 @@ mod sheets;
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
 use super::order::numbered_steps;
-use super::report::Page;
+use super::report::{Page, sentences};
 use super::sheet::{CheckError, Measured};
 use super::verdict::{Checked, Drawn, Verdict};
 use crate::drafting::Sheet;
@@ -77,7 +77,10 @@ pub fn redrawn(
             few if few <= NAMED => told.follows,
             many => Some((own_words.follows_marked)(many, &format!("({number})"))),
         };
-        let sentences = [told.done, told.should].into_iter().chain(follows);
+        // Beside a figure there is no room to say twice what a slipped number should be.
+        let [done, should] = sentences(&finding.candidate, words);
+        let should = (!done.contains(&should)).then_some(told.should);
+        let sentences = [told.done].into_iter().chain(should).chain(follows);
         let sentences: Vec<String> = sentences.collect();
         said.push(format!("{number}. {}", sentences.join(" ")));
     }
