@@ -62,7 +62,7 @@ impl Overlay {
             let name = format!("student-line-{number}");
             canvas.draw_named(&name, pen, shape);
             if let Some(label) = &line.label {
-                let wanted = canvas.label(&name, label, a.midpoint(b), 1.0, None, 2);
+                let wanted = canvas.label(&name, label, a.midpoint(b), 1.5, None, 2);
                 wanted.request.text = RichText::plain(label);
                 wanted.pen = Pen::StudentPoint;
             }
