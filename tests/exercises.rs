@@ -231,6 +231,25 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
     assert_eq!(boxes.count(), key.values.len(), "{kind}");
 }
 
+/// Where a starting scene has a block on the line between two points of its guide, so have the exercises.
+#[test]
+fn blocks_stay_on_their_guides() {
+    for (kind, block, line) in [
+        ("dyad-rpr", "B", ["D", "C"]),
+        ("dyad-prp", "C", ["A", "B"]),
+        ("dyad-rpp", "B", ["C", "D"]),
+    ] {
+        let text = files::read(&format!("templates/{kind}.json"));
+        for seed in 0..5 {
+            let found = exercise(&text, seed);
+            let place = |name: &str| Point::from(found.scene.coordinates[name]);
+            let [from, to] = line.map(place);
+            let off = (to - from).normalize().perp(&(place(block) - from));
+            assert!(off.abs() < 1e-9, "{kind}: {off}");
+        }
+    }
+}
+
 #[test]
 fn a_seed_gives_the_same_exercises_and_others_give_others() {
     for (kind, text) in kinds() {

@@ -149,11 +149,11 @@ fn files_of(
 /// A drawing in all forms that are written.
 fn pictures(name: &str, drawing: &Drawing) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let svg = format::svg_with(drawing, Text::Letters).into_bytes();
-    let mut pictures = vec![(format!("{name}.svg"), svg)];
     #[cfg(feature = "pdf")]
-    pictures.push((
-        format!("{name}.pdf"),
-        format::pdf(drawing).map_err(|error| Failure::Misuse(error.to_string(), None))?,
-    ));
-    Ok(pictures)
+    let pdf = format::pdf(drawing).map_err(|error| Failure::Misuse(error.to_string(), None))?;
+    Ok(vec![
+        (format!("{name}.svg"), svg),
+        #[cfg(feature = "pdf")]
+        (format!("{name}.pdf"), pdf),
+    ])
 }
