@@ -3,7 +3,7 @@
 //!
 //! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `style` and `marks`, `kinegon draw`,
 //! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"`,
-//! `kinegon check examples/figure-2.json examples/paper-as-student.json --draw out/ --mu-l 5 --mu-v 2 --mu-a 2.5` and
+//! `kinegon check examples/figure-2.json examples/paper-as-student.json --draw out/ --mu-l 5 --mu-v 2.5 --mu-a 2.5` and
 //! `cargo run --release --example gallery` make them anew.
 
 mod files;
@@ -66,7 +66,7 @@ fn checked() -> [Drawing; 2] {
         redrawn(&measured, &drawn, &checked, &words).expect("scales are there")
     };
     let figure = &mut stages.scene.figure;
-    (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.0), Some(2.5));
+    (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.5), Some(2.5));
     let Stages {
         scene,
         mechanism,

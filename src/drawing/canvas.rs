@@ -172,7 +172,7 @@ impl<'a> Canvas<'a> {
         &self.drawing.marks[self.before..]
     }
 
-    /// Whether nothing has been drawn within a circle.
+    /// Whether nothing has been drawn within a circle, and none that shows a crowded place reaches into it.
     pub(super) fn is_free(&self, centre: Point, radius: f64) -> bool {
         let far = radius * radius;
         let lines = self.obstacles.lines.iter();
@@ -184,7 +184,10 @@ impl<'a> Canvas<'a> {
             );
             (nearest - centre).hypot2()
         });
-        lines.all(|distance| distance > far) && boxes.all(|distance| distance > far)
+        let mut closed = self.closed.iter();
+        lines.all(|distance| distance > far)
+            && boxes.all(|distance| distance > far)
+            && closed.all(|(other, own)| (*other - centre).hypot() > own + radius)
     }
 
     /// Keeps labels off a box.

@@ -15,8 +15,8 @@ use crate::position::Pose;
 use crate::scene::{Panel, Scene};
 use kurbo::Rect;
 
-/// The part of a page that words beside the panels take.
-const BESIDE: f64 = 0.23;
+/// The parts of a page that words beside the panels may take.
+const BESIDE: [f64; 5] = [0.23, 0.235, 0.24, 0.25, 0.28];
 /// White above the words of a column.
 const TOP: f64 = 2.0;
 /// Between words and the table below them.
@@ -120,11 +120,12 @@ fn lines_below(overlay: &Overlay, page: [f64; 2]) -> f64 {
 fn best_way(scene: &Scene, scheme: &Scheme<'_>, overlay: &Overlay) -> Way {
     let page = scene.figure.page.size_mm();
     let own = extents(scheme);
-    let column = BESIDE * page[0];
-    let narrow = overlay.lines(column - 2.0 * legend::PAD, true).len();
-    let narrow = TOP + legend::height_of_lines(overlay.key_lines(true) + narrow);
+    let height_beside = |column: f64| {
+        let narrow = overlay.lines(column - 2.0 * legend::PAD, true).len();
+        TOP + legend::height_of_lines(overlay.key_lines(true) + narrow)
+    };
     let ways_for = |extents: Vec<(Panel, Extent)>| {
-        let way = |place: Place| {
+        let way = |place: Place, column: f64| {
             let (below, aside) = match place {
                 Place::Below => (lines_below(overlay, page), Aside::Nothing),
                 Place::Beside => (0.0, Aside::Right(column)),
@@ -140,16 +141,19 @@ fn best_way(scene: &Scene, scheme: &Scheme<'_>, overlay: &Overlay) -> Way {
                 layout,
             }
         };
-        let mut words = way(Place::Below);
-        let beside = way(Place::Beside);
-        let has_room = beside
-            .layout
-            .table
-            .is_some_and(|area| area.height() >= narrow);
-        if has_room && beside.layout.worth > words.layout.worth {
-            words = beside;
+        let mut words = way(Place::Below, 0.0);
+        let beside = BESIDE.iter().filter_map(|part| {
+            let column = part * page[0];
+            let beside = way(Place::Beside, column);
+            let area = beside.layout.table?;
+            (area.height() >= height_beside(column)).then_some(beside)
+        });
+        for beside in beside {
+            if beside.layout.worth > words.layout.worth {
+                words = beside;
+            }
         }
-        [words, way(Place::Apart)]
+        [words, way(Place::Apart, 0.0)]
     };
     // Whether all panels have room, and how many show all of their contents.
     let shows = |way: &Way| [way.layout.worth[0], way.layout.worth[1]];
