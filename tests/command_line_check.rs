@@ -70,6 +70,16 @@ fn a_wrong_value_fails_and_json_says_the_same() {
 }
 
 #[test]
+fn scales_of_a_drawing_that_is_not_asked_for_are_refused() {
+    let text = form(r#""values": { "L(B,S3)": 370.96 }"#);
+    for more in [["--mu-v", "2"], ["--page", "a3"], ["--style", "print"]] {
+        let output = check("no-drawing.json", &text, &more);
+        assert_eq!(output.status.code(), Some(2), "{more:?}");
+        assert!(stderr(&output).contains("--draw out/"), "{more:?}");
+    }
+}
+
+#[test]
 fn a_mirrored_plan_is_told() {
     // The points of the right plan, x the other way.
     let places = r#""p": [90, 20], "b": [55.8, 114.0], "s3": [95.5, 158.1]"#;

@@ -77,6 +77,7 @@ impl Check {
         let Some(path) = &self.measured else {
             return self.print_template(&work);
         };
+        self.correction.refuse_useless(path.is_dir())?;
         let drawn = self.drawn(&work);
         let wording = Wording::of(&work.scene.figure);
         let scheme = self.scheme(&drawn)?;

@@ -24,6 +24,26 @@ pub(super) struct Correction {
 }
 
 impl Correction {
+    /// Refuses what only a drawing could obey where none is made: of a folder, or not asked for.
+    pub(super) fn refuse_useless(&self, folder: bool) -> Result<(), Failure> {
+        if self.draw.is_some() {
+            return match folder {
+                false => Ok(()),
+                true => Err(Failure::Misuse(
+                    "--draw draws one form, here is a folder".into(),
+                    Some("name one of its files".into()),
+                )),
+            };
+        }
+        if self.scales.is_given() || self.paper.is_given() || self.forms.has_style() {
+            return Err(Failure::Misuse(
+                "--mu-l, --mu-v, --mu-a, --page, --orientation and --style are of a drawing, which is not asked for".into(),
+                Some("add `--draw out/`; the scales of the student's own sheet stand in the form, as mu_l, mu_v, mu_a".into()),
+            ));
+        }
+        Ok(())
+    }
+
     /// Draws checked values, where that was asked for; `inputs` are the files of the scene and of the values, which are not written over.
     pub(super) fn write(
         &self,

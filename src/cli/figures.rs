@@ -33,6 +33,13 @@ pub(super) struct Forms {
     dpi: f64,
 }
 
+impl Forms {
+    /// Whether a style is asked for.
+    pub(super) fn has_style(&self) -> bool {
+        self.style.is_some()
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Form {
     Svg,

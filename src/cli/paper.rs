@@ -54,6 +54,13 @@ fn scale(text: &str) -> Result<f64, String> {
 }
 
 impl GivenScales {
+    /// Whether something is asked for.
+    pub(super) fn is_given(&self) -> bool {
+        [self.mu_l, self.mu_v, self.mu_a]
+            .iter()
+            .any(Option::is_some)
+    }
+
     /// Writes what was asked for into a scene's figure.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         figure.mu_l = self.mu_l.or(figure.mu_l);
