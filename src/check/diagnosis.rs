@@ -1,7 +1,7 @@
 //! What the explanations that were tried come to.
 
 use super::mistakes::Candidate;
-use super::search::{MARGIN, Search, Tried};
+use super::search::{MARGIN, Search, Tried, is_by_hand};
 use super::verdict::{Judged, Verdict};
 
 /// What explains the values.
@@ -38,6 +38,9 @@ pub struct Finding {
     pub written: Vec<usize>,
 }
 
+/// By how much mistakes must explain the values of a hand drawing better than no mistake, where none is off beyond its tolerance: fifty times likelier.
+const DOUBT: f64 = 7.8;
+
 /// Explanations less sure than this are not told.
 const LEAST: f64 = 0.02;
 
@@ -65,7 +68,8 @@ impl Search<'_> {
         let plain = plain.filter(|&p| {
             let mut data = tried[p].fit.outside.iter().zip(&self.scorer.data);
             let leaves = data.any(|(out, d)| *out && values[d.entry].verdict == Verdict::Off);
-            !leaves && tried[p].cost <= best.cost + MARGIN
+            let margin = if is_by_hand(&tried[p]) { DOUBT } else { MARGIN };
+            !leaves && tried[p].cost <= best.cost + margin
         });
         let chosen = plain.unwrap_or(0);
         let best = &tried[chosen];

@@ -265,7 +265,7 @@ impl<'a> Search<'a> {
 }
 
 /// Whether the hand is as good as hands are, and no better.
-fn is_by_hand(tried: &Tried) -> bool {
+pub(super) fn is_by_hand(tried: &Tried) -> bool {
     tried
         .fit
         .hand
