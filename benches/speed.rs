@@ -1,6 +1,7 @@
 //! Times of the stages: `cargo bench`. Times differ between machines; quote ratios of one run.
 
 use divan::{Bencher, black_box};
+use kinegon::check::{Drawn, Measured, check};
 use kinegon::cycle::{Drive, Path, Steps, Sweep, Walker};
 use kinegon::drafting::{SheetScales, Tolerance, drafting, pencil, readable_names};
 use kinegon::geometry::{MANY, Many};
@@ -286,4 +287,25 @@ fn step_sheets_to_svg(bencher: Bencher) {
         let sheets = (1..=all.steps.len()).map(|step| format::svg(&all.after_step(step)));
         sheets.map(|sheet| sheet.len()).sum::<usize>()
     });
+}
+
+/// The numbers that the paper prints, checked with the whole catalogue, so many mistakes at once looked for.
+#[divan::bench(args = [1, 2, 5])]
+fn check_a_drawing(bencher: Bencher, depth: usize) {
+    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
+    let plans = construction(&mechanism, &pose, &motion);
+    let values = include_str!("../examples/paper-as-student.json");
+    let measured = Measured::read_json(values).expect("a good form");
+    let drawn = Drawn {
+        units: scene.units,
+        near: &scene.near,
+        mechanism: &mechanism,
+        pose: &pose,
+        motion: &motion,
+        construction: &plans,
+        scales: drawing::scales(&scene, &mechanism, &pose, &plans),
+        tolerance: Tolerance::default(),
+        depth,
+    };
+    bencher.bench(|| check(black_box(&measured), &drawn));
 }
