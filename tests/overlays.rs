@@ -113,11 +113,11 @@ fn no_name_lies_on_another() {
     let mut all = vec![
         (
             "the paper".to_owned(),
-            drawn(stages("examples/figure-2.json"), &paper(), 3),
+            drawn(stages("examples/figure-2.json"), &paper(), 5),
         ),
         (
             "the paper with room".to_owned(),
-            drawn(figure_2(), &paper(), 3),
+            drawn(figure_2(), &paper(), 5),
         ),
     ];
     for (scene, mistake, way) in [
@@ -274,8 +274,8 @@ fn a_measured_component_is_drawn_and_slips_of_writing_are_not() {
         sheets,
         own,
         checked,
-    } = drawn(stages, &paper(), 3);
-    assert_eq!(checked.diagnosis.best.findings.len(), 3);
+    } = drawn(stages, &paper(), 5);
+    assert_eq!(checked.diagnosis.best.findings.len(), 4);
     let drawn: Vec<_> = own
         .lines
         .iter()
@@ -290,12 +290,12 @@ fn a_measured_component_is_drawn_and_slips_of_writing_are_not() {
     assert_eq!(line.label.as_deref(), Some("248.1 mm"));
     assert_eq!(line.panel, Panel::Scheme);
     assert!(own.points.is_empty());
-    // On paper: its length to scale, its right counterpart under it, the words of all three steps.
+    // On paper: its length to scale, its right counterpart under it, the words of all four steps.
     let Shape::Line(p, q) = mark(&sheets[0], "scheme-student-line-1").shape else {
         panic!("a line");
     };
     assert!(((q - p).hypot() - (s3.x - b.x).abs() / 5.0).abs() < 1e-9);
-    for (panel, step) in [("scheme", 2), ("velocity", 8)] {
+    for (panel, step) in [("scheme", 2), ("velocity", 8), ("acceleration", 40)] {
         let name = format!("{panel}-label-step-{step}");
         assert_eq!(text(&sheets[0], &name), format!("Step {step}"));
     }
@@ -307,7 +307,13 @@ fn a_measured_component_is_drawn_and_slips_of_writing_are_not() {
     let right = (s3 - b).norm() / 5.0;
     assert!(ends.into_iter().any(|size| (size - right).abs() < 1e-9));
     let said = own.words.join(" ");
-    for part in ["Step 2: for L(B,S3)", "Step 8", "Step 41", "−25.6695"] {
+    for part in [
+        "Step 2: for L(B,S3)",
+        "Step 8",
+        "137.7597 for 137.7579",
+        "Step 41",
+        "−25.6695",
+    ] {
         assert!(said.contains(part), "no {part} in {said}");
     }
     // The table has all values, those that are off in the accent colour.
