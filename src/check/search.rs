@@ -57,7 +57,7 @@ pub(super) fn diagnose(
     };
     let candidates = site.candidates();
     let scorer = Scorer::new(&models, &entries, drawn.tolerance);
-    let mut search = Search {
+    let search = Search {
         costs: costs(&candidates),
         all: (0..candidates.len()).collect(),
         candidates: &candidates,
@@ -119,7 +119,7 @@ fn costs(candidates: &[Candidate]) -> Vec<f64> {
 pub(super) struct Search<'a> {
     pub candidates: &'a [Candidate],
     costs: Vec<f64>,
-    /// Places of all candidates that values could show.
+    /// Places of all candidates.
     all: Vec<usize>,
     pub scorer: &'a Scorer<'a>,
 }
@@ -134,14 +134,9 @@ impl<'a> Search<'a> {
     }
 
     /// All explanations compared as a whole, the best first.
-    fn run(&mut self, depth: usize) -> Vec<Tried> {
+    fn run(&self, depth: usize) -> Vec<Tried> {
         let mut tried: Vec<Tried> = Vec::new();
         tried.extend(self.compared(vec![Vec::new()], 1));
-        // A pencil hides what a whole sheet's last digits would show.
-        if tried.first().is_some_and(is_by_hand) {
-            let hidden = |&i: &usize| self.candidates[i].mistake == Mistake::Truncated;
-            self.all.retain(|i| !hidden(i));
-        }
         let mut beam: Vec<Vec<usize>> = vec![Vec::new()];
         for _ in 0..depth {
             let best_before = tried.first().map_or(f64::INFINITY, |t| t.cost);
