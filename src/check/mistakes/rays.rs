@@ -2,7 +2,7 @@
 
 use super::{Candidate, Mistake, Site};
 use crate::check::model::line_made;
-use crate::drafting::{Deed, LineId, Sheet};
+use crate::drafting::{Act, Deed, LineId, Sheet};
 
 /// The points that a ray goes through and leads to, from what its act makes.
 fn ends(makes: &str) -> Option<(&str, &str)> {
@@ -10,30 +10,25 @@ fn ends(makes: &str) -> Option<(&str, &str)> {
 }
 
 pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
-    let rays = site.acts().filter_map(|(index, act)| {
-        let Deed::Draw {
-            line,
-            through,
-            reference,
-            quarter_turns,
-        } = act.deed
-        else {
-            return None;
-        };
+    turned_lines(site, Mistake::TurnedRay, |act, _| {
         let (from, to) = ends(&act.makes)?;
-        let deed = Deed::Draw {
-            line,
-            through,
-            reference,
-            quarter_turns: quarter_turns + 1,
-        };
-        let put = site.instead(index, deed);
-        Some(site.candidate(Mistake::TurnedRay, index, put, &[from, to]))
-    });
-    rays.collect()
+        Some([from.to_owned(), to.to_owned()])
+    })
 }
 
 pub(super) fn turned_cut_line(site: &Site<'_>) -> Vec<Candidate> {
+    turned_lines(site, Mistake::TurnedCutLine, |act, through| {
+        let special = act.makes.strip_prefix("cut line of ")?;
+        Some([through.to_owned(), special.to_owned()])
+    })
+}
+
+/// Lines drawn turned by 90°; `blanks` tells which are meant and what is said of them, from the act and the place that the line goes through.
+fn turned_lines(
+    site: &Site<'_>,
+    mistake: Mistake,
+    blanks: impl Fn(&Act, &str) -> Option<[String; 2]>,
+) -> Vec<Candidate> {
     let lines = site.acts().filter_map(|(index, act)| {
         let Deed::Draw {
             line,
@@ -44,7 +39,7 @@ pub(super) fn turned_cut_line(site: &Site<'_>) -> Vec<Candidate> {
         else {
             return None;
         };
-        let special = act.makes.strip_prefix("cut line of ")?;
+        let blanks = blanks(act, site.place_name(through))?;
         let deed = Deed::Draw {
             line,
             through,
@@ -52,8 +47,8 @@ pub(super) fn turned_cut_line(site: &Site<'_>) -> Vec<Candidate> {
             quarter_turns: quarter_turns + 1,
         };
         let put = site.instead(index, deed);
-        let through = site.place_name(through);
-        Some(site.candidate(Mistake::TurnedCutLine, index, put, &[through, special]))
+        let blanks = blanks.each_ref().map(String::as_str);
+        Some(site.candidate(mistake, index, put, &blanks))
     });
     lines.collect()
 }
