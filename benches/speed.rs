@@ -20,11 +20,7 @@ fn main() {
 }
 
 fn text(which: &str) -> &'static str {
-    if which == "figure-1" {
-        FIGURE_1
-    } else {
-        FIGURE_2
-    }
+    if which == "figure-1" { FIGURE_1 } else { FIGURE_2 }
 }
 
 fn solved(text: &str) -> (Scene, Mechanism, Pose, Motion) {
@@ -37,16 +33,8 @@ fn solved(text: &str) -> (Scene, Mechanism, Pose, Motion) {
 
 /// Mechanisms of which many positions are computed: scene, and a range of the crank.
 const MOVED: [(&str, &str, [f64; 2]); 3] = [
-    (
-        "four-bar",
-        include_str!("../templates/four-bar.json"),
-        [0.0, 360.0],
-    ),
-    (
-        "six-bar",
-        include_str!("../templates/watt-1.json"),
-        [0.0, 360.0],
-    ),
+    ("four-bar", include_str!("../templates/four-bar.json"), [0.0, 360.0]),
+    ("six-bar", include_str!("../templates/watt-1.json"), [0.0, 360.0]),
     ("paper", FIGURE_2, [-135.0, 135.0]),
 ];
 
@@ -72,9 +60,7 @@ fn thousand<const WHICH: usize>(bencher: Bencher, which: &str) {
     let (text, range) = moved(which);
     let (_, mechanism, pose, _) = solved(text);
     let path = path(&mechanism, &pose, range);
-    let values: Vec<[f64; 1]> = (0..1000)
-        .map(|i| [range[0] + (range[1] - range[0]) * f64::from(i) / 1000.0])
-        .collect();
+    let values: Vec<[f64; 1]> = (0..1000).map(|i| [range[0] + (range[1] - range[0]) * f64::from(i) / 1000.0]).collect();
     let mut walker = path.walker();
     bencher.bench_local(|| {
         for value in black_box(&values) {
@@ -103,14 +89,8 @@ fn batch<const WHICH: usize>(bencher: Bencher, which: &str, joints: bool) {
     let (text, range) = moved(which);
     let (_, mechanism, pose, _) = solved(text);
     let path = path(&mechanism, &pose, range);
-    let values: Vec<f64> = (0..32_000)
-        .map(|i| range[0] + (range[1] - range[0]) * f64::from(i) / 32_000.0)
-        .collect();
-    let mut walker = if joints {
-        path.many_walker()
-    } else {
-        path.many_walker_without_places()
-    };
+    let values: Vec<f64> = (0..32_000).map(|i| range[0] + (range[1] - range[0]) * f64::from(i) / 32_000.0).collect();
+    let mut walker = if joints { path.many_walker() } else { path.many_walker_without_places() };
     bencher.bench_local(|| walk::<WHICH>(&mut walker, black_box(&values)));
 }
 
@@ -160,9 +140,7 @@ fn sweep_100_000(bencher: Bencher) {
 #[cfg(feature = "parallel")]
 #[divan::bench]
 fn sweep_100_000_on_all_cores(bencher: Bencher) {
-    sweep(bencher, |sweep| {
-        sweep.rows_on_all_cores(0..sweep.steps().count())
-    });
+    sweep(bencher, |sweep| sweep.rows_on_all_cores(0..sweep.steps().count()));
 }
 
 fn sweep(bencher: Bencher, rows: impl Fn(&Sweep) -> kinegon::cycle::Numbers) {
@@ -200,9 +178,7 @@ fn replay_by_hand(bencher: Bencher) {
     let (_, mechanism, pose, motion) = solved(FIGURE_2);
     let plans = construction(&mechanism, &pose, &motion);
     let drafting = drafting(&mechanism, &pose, &motion, &plans);
-    let scales = SheetScales {
-        per_mm: [5.0, 1.0, 2.0],
-    };
+    let scales = SheetScales { per_mm: [5.0, 1.0, 2.0] };
     let mut values = drafting.replay(scales, &[]);
     bencher.bench_local(|| drafting.replay_from(0, black_box(&mut values), scales, &[]));
 }
@@ -214,9 +190,7 @@ fn bands_of_hand_drawings(bencher: Bencher) {
     let plans = construction(&mechanism, &pose, &motion);
     let scales = drawing::scales(&scene, &mechanism, &pose, &plans);
     let names = readable_names(&mechanism, &motion, &plans);
-    let asked = names
-        .iter()
-        .map(|n| Asked::new(n, &mechanism).expect("a name"));
+    let asked = names.iter().map(|n| Asked::new(n, &mechanism).expect("a name"));
     let asked: Vec<Asked> = asked.collect();
     let usual = Tolerance::default();
     bencher.bench(|| {

@@ -53,16 +53,8 @@ const KINDS: [(&str, &str, &str); 19] = [
         "templates/watt-1.json",
         "Two dyads, one after the other; the image of a ternary link is the link turned and scaled.",
     ),
-    (
-        "stephenson-3",
-        "templates/stephenson-3.json",
-        "A coupler point, found by its image, drives a second dyad.",
-    ),
-    (
-        "five-bar",
-        "templates/five-bar.json",
-        "Two degrees of freedom, two drives: a dyad between two moving pins.",
-    ),
+    ("stephenson-3", "templates/stephenson-3.json", "A coupler point, found by its image, drives a second dyad."),
+    ("five-bar", "templates/five-bar.json", "Two degrees of freedom, two drives: a dyad between two moving pins."),
     (
         "third-class",
         "templates/third-class.json",
@@ -73,36 +65,16 @@ const KINDS: [(&str, &str, &str); 19] = [
         "templates/fourth-class.json",
         "A closed contour of four links: special points of the two closure links open the group.",
     ),
-    (
-        "platform-3rrr",
-        "templates/platform-3rrr.json",
-        "Three drives move a third-class group by all its outer pins.",
-    ),
-    (
-        "dyad-rrr",
-        "templates/dyad-rrr.json",
-        "Three pins: both rays are normal to links, and both outer pins may move.",
-    ),
-    (
-        "dyad-rrp",
-        "templates/dyad-rrp.json",
-        "An outer slider: one ray is parallel to the guide.",
-    ),
+    ("platform-3rrr", "templates/platform-3rrr.json", "Three drives move a third-class group by all its outer pins."),
+    ("dyad-rrr", "templates/dyad-rrr.json", "Three pins: both rays are normal to links, and both outer pins may move."),
+    ("dyad-rrp", "templates/dyad-rrp.json", "An outer slider: one ray is parallel to the guide."),
     (
         "dyad-rpr",
         "templates/dyad-rpr.json",
         "An inner slider: the ray of relative velocity is parallel to the lever, and Coriolis acceleration is normal to it.",
     ),
-    (
-        "dyad-prp",
-        "templates/dyad-prp.json",
-        "Two outer sliders: both rays are parallel to guides, of which one moves.",
-    ),
-    (
-        "dyad-rpp",
-        "templates/dyad-rpp.json",
-        "A Scotch yoke: an inner and an outer slider, and no rotation at all.",
-    ),
+    ("dyad-prp", "templates/dyad-prp.json", "Two outer sliders: both rays are parallel to guides, of which one moves."),
+    ("dyad-rpp", "templates/dyad-rpp.json", "A Scotch yoke: an inner and an outer slider, and no rotation at all."),
     (
         "paper-figure-1",
         "examples/figure-1.json",
@@ -216,12 +188,7 @@ impl Work {
         let motion = motion(&mechanism, &pose, Order::Acceleration)?;
         let words = Wording::of(&scene.figure);
         let construction = construction_in(&mechanism, &pose, &motion, &words);
-        Ok(Work {
-            scene,
-            mechanism,
-            pose,
-            construction,
-        })
+        Ok(Work { scene, mechanism, pose, construction })
     }
 
     fn figure(&self) -> Drawing {
@@ -295,11 +262,7 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
             Kind::Curves(names) => Work::of(path, |_| ())?.curves(names)?,
             Kind::Hodographs(names) => Work::of(path, |_| ())?.hodographs(names)?,
         };
-        let _ = write!(
-            page,
-            "\n{purpose}\n\n`kinegon {command}`\n\n![{}](gallery/{name}.svg)\n",
-            drawing.description
-        );
+        let _ = write!(page, "\n{purpose}\n\n`kinegon {command}`\n\n![{}](gallery/{name}.svg)\n", drawing.description);
         pictures.push((format!("docs/gallery/{name}.svg"), svg(&drawing)));
     }
     pictures.insert(0, ("docs/gallery.md".to_owned(), page));

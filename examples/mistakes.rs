@@ -6,9 +6,7 @@
 //! lengths to 0.1 mm of paper, rates to four digits. A mistake that moves no value beyond its tolerance is none that anybody
 //! could find, and one that throws a point off a sheet of 594 mm is seen at once; both are drawn again elsewhere.
 
-use kinegon::check::{
-    Candidate, Drawn, Explanation, Given, Measured, Mistake, Student, Verdict, check,
-};
+use kinegon::check::{Candidate, Drawn, Explanation, Given, Measured, Mistake, Student, Verdict, check};
 use kinegon::drafting::Tolerance;
 use kinegon::drawing::scales;
 use kinegon::exercise::{Number, each_number};
@@ -75,23 +73,11 @@ impl Sheet {
             _ => None,
         });
         let is_good = sines.fold(1.0, f64::min) > 0.3;
-        (is_drawn && is_good).then_some(Sheet {
-            scene,
-            mechanism,
-            pose,
-            motion,
-            construction,
-        })
+        (is_drawn && is_good).then_some(Sheet { scene, mechanism, pose, motion, construction })
     }
 
     pub fn drawn(&self, depth: usize) -> Drawn<'_> {
-        let Sheet {
-            scene,
-            mechanism,
-            pose,
-            motion,
-            construction,
-        } = self;
+        let Sheet { scene, mechanism, pose, motion, construction } = self;
         Drawn {
             units: scene.units,
             near: &scene.near,
@@ -109,9 +95,7 @@ impl Sheet {
 /// Varies lengths, places and motions by up to an eighth, drives by up to 20°.
 fn vary(scene: &mut Value, random: &mut Random) {
     each_number(scene, &mut |number, x| match number {
-        Number::Length | Number::Motion | Number::Direction | Number::Turning => {
-            x * (1.0 + 0.125 * random.within())
-        }
+        Number::Length | Number::Motion | Number::Direction | Number::Turning => x * (1.0 + 0.125 * random.within()),
         Number::DriveAngle => x + 20.0 * random.within(),
         Number::DrivePosition | Number::DriveRate => x,
     });
@@ -128,12 +112,7 @@ struct Planted {
 }
 
 /// Draws with one mistake of a kind; none where the scene has no place for it.
-fn plant(
-    student: &Student<'_>,
-    mistake: Mistake,
-    hand: [f64; 2],
-    random: &mut Random,
-) -> Option<Planted> {
+fn plant(student: &Student<'_>, mistake: Mistake, hand: [f64; 2], random: &mut Random) -> Option<Planted> {
     let noise_seed = random.next();
     let draw = |mistakes: &[&Candidate], goes_on: &[(usize, f64)]| {
         let mut noise = Random(noise_seed);
@@ -164,10 +143,7 @@ fn plant(
         let name = |index: usize| right.values[index].name.trim_end_matches("/mu").to_owned();
         let blanks = match goes_on.as_slice() {
             [] => changed.iter().map(|(index, _)| name(*index)).collect(),
-            used => used
-                .iter()
-                .map(|(place, _)| student.names()[*place].clone())
-                .collect(),
+            used => used.iter().map(|(place, _)| student.names()[*place].clone()).collect(),
         };
         let mut measured = draw(&[], &goes_on);
         for (index, given) in changed {
@@ -182,18 +158,12 @@ fn plant(
     let way = &ways[random.below(ways.len())];
     let measured = draw(&[way], &[]);
     let is_whole = measured.values.len() == draw(&[], &[]).values.len();
-    (is_whole && stays_on_paper(&measured)).then(|| Planted {
-        measured,
-        blanks: way.blanks.clone(),
-    })
+    (is_whole && stays_on_paper(&measured)).then(|| Planted { measured, blanks: way.blanks.clone() })
 }
 
 /// Whether no length is longer than the largest sheets that people draw on, A2: rays that hardly cross do so far away, and everybody sees that.
 fn stays_on_paper(measured: &Measured) -> bool {
-    let on_paper = measured
-        .values
-        .iter()
-        .filter(|given| given.name.ends_with("/mu"));
+    let on_paper = measured.values.iter().filter(|given| given.name.ends_with("/mu"));
     let mut lengths = on_paper.filter_map(|given| given.text.parse::<f64>().ok());
     lengths.all(|mm| mm.abs() <= 594.0)
 }
@@ -216,10 +186,7 @@ fn slip(mistake: Mistake) -> Option<Slip> {
             let pair = pairs.get(random.below(pairs.len().max(1)))?;
             let mut changed = text.clone();
             changed.swap(pair[0], pair[1]);
-            Some(vec![(
-                i,
-                written(&right.values[i], changed.into_iter().collect()),
-            )])
+            Some(vec![(i, written(&right.values[i], changed.into_iter().collect()))])
         }),
         Mistake::Swapped => Some(|_, right, [i, j], _| {
             let kind = |k: usize| {
@@ -227,12 +194,7 @@ fn slip(mistake: Mistake) -> Option<Slip> {
                 (name.split('(').next(), name.ends_with("/mu"))
             };
             let [a, b] = [i, j].map(|k| &right.values[k]);
-            let both = || {
-                vec![
-                    (i, written(a, b.text.clone())),
-                    (j, written(b, a.text.clone())),
-                ]
-            };
+            let both = || vec![(i, written(a, b.text.clone())), (j, written(b, a.text.clone()))];
             (i < j && kind(i) == kind(j) && a.text != b.text).then(both)
         }),
         Mistake::WrongUnit => Some(|student, right, [i, j], _| {
@@ -241,27 +203,15 @@ fn slip(mistake: Mistake) -> Option<Slip> {
             let of_kind = UNITS.iter().find(|units| units.contains(&own.as_str()))?;
             let wrong = of_kind[j % of_kind.len()];
             let unit = Some(wrong.to_owned());
-            (wrong != own).then(|| {
-                vec![(
-                    i,
-                    Given {
-                        unit,
-                        ..given.clone()
-                    },
-                )]
-            })
+            (wrong != own).then(|| vec![(i, Given { unit, ..given.clone() })])
         }),
         Mistake::OtherUnit => Some(|student, right, [i, j], _| {
             let given = &right.values[i];
             let own = student.unit(given)?;
-            let is_metric =
-                |units: &&[&str]| units[0].starts_with('m') && units.contains(&own.as_str());
+            let is_metric = |units: &&[&str]| units[0].starts_with('m') && units.contains(&own.as_str());
             let of_kind = UNITS.into_iter().find(is_metric)?;
             let wrong = of_kind[j % of_kind.len()];
-            let factor = student.factor(&Given {
-                unit: Some(wrong.to_owned()),
-                ..given.clone()
-            })?;
+            let factor = student.factor(&Given { unit: Some(wrong.to_owned()), ..given.clone() })?;
             (wrong != own).then(|| times(given, 1.0 / factor).map(|given| vec![(i, given)]))?
         }),
         Mistake::Unknown => Some(|_, right, [i, _], random| {
@@ -282,26 +232,17 @@ const UNITS: [&[&str]; 5] = [
 ];
 
 fn written(given: &Given, text: String) -> Given {
-    Given {
-        text,
-        ..given.clone()
-    }
+    Given { text, ..given.clone() }
 }
 
 /// A value so many times as large, with as many significant digits.
 fn times(given: &Given, factor: f64) -> Option<Given> {
     let number: f64 = given.text.parse().ok()?;
-    let decimals = given
-        .text
-        .split_once('.')
-        .map_or(0, |(_, d)| d.len() as i32);
+    let decimals = given.text.split_once('.').map_or(0, |(_, d)| d.len() as i32);
     let decimals = decimals - power_of_ten(factor);
     let sign = if given.text.starts_with('+') { "+" } else { "" };
     let decimals = decimals.max(0) as usize;
-    Some(written(
-        given,
-        format!("{sign}{:.decimals$}", number * factor),
-    ))
+    Some(written(given, format!("{sign}{:.decimals$}", number * factor)))
 }
 
 /// The power of ten next to a factor.
@@ -333,17 +274,11 @@ pub struct Row {
 impl Row {
     /// Share named, share not told apart, what was named in its place.
     fn columns(&self) -> String {
-        let share =
-            |count: usize| format!("{:.1} %", 100.0 * count as f64 / self.planted.max(1) as f64);
+        let share = |count: usize| format!("{:.1} %", 100.0 * count as f64 / self.planted.max(1) as f64);
         let mut instead: Vec<_> = self.instead.iter().map(|(k, n)| (n, k)).collect();
         instead.sort_by(|a, b| b.cmp(a));
         let instead: Vec<String> = instead.iter().map(|(n, k)| format!("{k} {n}")).collect();
-        format!(
-            "{} | {} | {} |",
-            share(self.named),
-            share(self.alike),
-            instead.join(", ")
-        )
+        format!("{} | {} | {} |", share(self.named), share(self.alike), instead.join(", "))
     }
 }
 
@@ -497,12 +432,7 @@ fn main() {
         } else {
             row(mistake, count, [0.3; 2], 2).columns()
         };
-        println!(
-            "| {} | {} | {} {noisy}",
-            mistake.id(),
-            exact.planted,
-            exact.columns()
-        );
+        println!("| {} | {} | {} {noisy}", mistake.id(), exact.planted, exact.columns());
     }
     if is_asked("clean") {
         let [off, named] = clean(count * 4, [0.3; 2], 3);

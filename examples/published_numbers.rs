@@ -179,15 +179,7 @@ fn row(
     verdict: Verdict,
     note: &str,
 ) -> Row {
-    Row {
-        equation,
-        quantity,
-        printed,
-        drawn,
-        exact,
-        verdict,
-        note: note.to_owned(),
-    }
+    Row { equation, quantity, printed, drawn, exact, verdict, note: note.to_owned() }
 }
 
 /// A scene with all that is known of it.
@@ -205,37 +197,23 @@ impl Figure {
         let pose = pose(&mechanism, &scene.near)?;
         let motion = motion(&mechanism, &pose, Order::Acceleration)?;
         let construction = construction(&mechanism, &pose, &motion);
-        Ok(Self {
-            mechanism,
-            pose,
-            motion,
-            construction,
-        })
+        Ok(Self { mechanism, pose, motion, construction })
     }
 
     /// A named quantity; of a vector, its size.
     fn number(&self, name: &str) -> Result<f64, Box<dyn Error>> {
-        let Self {
-            mechanism,
-            pose,
-            motion,
-            construction,
-        } = self;
-        Ok(
-            match quantity(name, mechanism, pose, motion, construction, None)? {
-                Quantity::Number(number) => number,
-                Quantity::Vector(vector) => vector.norm(),
-            },
-        )
+        let Self { mechanism, pose, motion, construction } = self;
+        Ok(match quantity(name, mechanism, pose, motion, construction, None)? {
+            Quantity::Number(number) => number,
+            Quantity::Vector(vector) => vector.norm(),
+        })
     }
 
     fn place(&self, name: &str) -> Result<Point, Box<dyn Error>> {
         let special = self.construction.special_point(name);
         let special = special.and_then(|s| s.place.finite());
         let joint = || self.mechanism.point(name).map(|p| self.pose.point(p));
-        Ok(special
-            .or_else(joint)
-            .ok_or_else(|| format!("there is no point {name}"))?)
+        Ok(special.or_else(joint).ok_or_else(|| format!("there is no point {name}"))?)
     }
 
     /// The unit vector from one point to another.
@@ -310,14 +288,7 @@ impl Replay {
         let mut read = accelerations.map(four_decimals);
         read[3] = SWAPPED;
         let second_rates = lengths.solve(1.0, read)?;
-        Ok(Self {
-            lengths,
-            velocities,
-            rates,
-            normals,
-            accelerations,
-            second_rates,
-        })
+        Ok(Self { lengths, velocities, rates, normals, accelerations, second_rates })
     }
 }
 

@@ -10,10 +10,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .title("Four-bar linkage")
         .ground("A", [0.0, 0.0])
         .ground("D", [160.0, 0.0])
-        .link(
-            "1",
-            NewLink::points(["A", "B"]).length("AB", 60.0).drive(crank),
-        )
+        .link("1", NewLink::points(["A", "B"]).length("AB", 60.0).drive(crank))
         .link("2", NewLink::points(["B", "C"]).length("BC", 140.0))
         .link("3", NewLink::points(["D", "C"]).length("CD", 110.0))
         .near("C", [155.0, 110.0])
@@ -27,10 +24,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("link  omega in rad/s  alpha in rad/s²");
     for (id, link) in mechanism.links() {
         let rates = motion.body(id);
-        println!(
-            "{:4}  {:14.6}  {:15.6}",
-            link.name, rates.omega, rates.alpha
-        );
+        println!("{:4}  {:14.6}  {:15.6}", link.name, rates.omega, rates.alpha);
     }
 
     let quantity = |name| plan::quantity(name, &mechanism, &pose, &motion, &plans, None);

@@ -10,12 +10,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Builder::new(LengthUnit::Mm, TimeUnit::S)
         .ground("A", [0.0, 0.0])
         .ground("D", [160.0, 0.0])
-        .link(
-            "1",
-            NewLink::points(["A", "B"])
-                .length("AB", 60.0)
-                .drive(Turn::omega(10.0).angle(60.0)),
-        )
+        .link("1", NewLink::points(["A", "B"]).length("AB", 60.0).drive(Turn::omega(10.0).angle(60.0)))
         .link("2", NewLink::points(["B", "C"]).length("BC", 140.0))
         .link("3", NewLink::points(["D", "C"]).length("CD", 110.0))
         .near("C", [155.0, 110.0])
@@ -31,21 +26,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let names = ["angle(3)", "omega(3)", "alpha(3)", "v(C).size"].map(String::from);
     let sweep = Sweep::new(&path, Steps::new(0.0, 360.0, 30.0)?, Some(&names))?;
     let header = sweep.header();
-    println!(
-        "{}",
-        header
-            .iter()
-            .map(|name| format!("{name:>12}"))
-            .collect::<String>()
-    );
+    println!("{}", header.iter().map(|name| format!("{name:>12}")).collect::<String>());
     for row in sweep.rows(0..sweep.steps().count()).chunks(header.len()) {
-        let numbers = row
-            .iter()
-            .map(|x| x.map_or("-".into(), |x| format!("{x:.4}")));
-        println!(
-            "{}",
-            numbers.map(|x| format!("{x:>12}")).collect::<String>()
-        );
+        let numbers = row.iter().map(|x| x.map_or("-".into(), |x| format!("{x:.4}")));
+        println!("{}", numbers.map(|x| format!("{x:>12}")).collect::<String>());
     }
 
     // Limit and dead positions, to 1e-12 of a turn.

@@ -183,51 +183,31 @@ fn case((id, scene, expect): (&'static str, &str, &str)) -> Result<Case, Box<dyn
             None => libm::hypot(vector[0], vector[1]),
         })
     };
-    let rows = published
-        .into_iter()
-        .map(|p| -> Result<Row, Box<dyn Error>> {
-            let own = OWN_NAMES
-                .iter()
-                .find(|(case, name, ..)| id.starts_with(case) && *name == p.quantity);
-            let (name, made) = match (p.name, own) {
-                (Some(name), _) => (name, Made::Same),
-                (None, Some(&(_, _, name, made))) => (name.to_owned(), made),
-                (None, None) => return Err(format!("{id}: what is {}?", p.quantity).into()),
-            };
-            let value = number(&name)?;
-            let (computed, quantity) = match made {
-                Made::Same if p.magnitude_only => (value.abs(), format!("|{name}|")),
-                Made::Same => (value, name),
-                Made::Radians => (value.to_radians(), name),
-                Made::Turned(by) => {
-                    let sign = if by < 0.0 { '−' } else { '+' };
-                    (value + by, format!("{name} {sign} {}°", by.abs()))
-                }
-                Made::Opposite => (-value, format!("−{name}")),
-            };
-            let unit = match p.unit.as_str() {
-                "" => unit_of(
-                    &quantity,
-                    scene.units.length.as_str(),
-                    scene.units.time.as_str(),
-                ),
-                unit => unit.replace("^2", "²"),
-            };
-            Ok(Row {
-                quantity,
-                printed: p.printed,
-                unit,
-                computed,
-                exact: p.exact,
-                verdict: p.verdict,
-                note: p.note,
-            })
-        });
-    Ok(Case {
-        id,
-        source,
-        rows: rows.collect::<Result<_, _>>()?,
-    })
+    let rows = published.into_iter().map(|p| -> Result<Row, Box<dyn Error>> {
+        let own = OWN_NAMES.iter().find(|(case, name, ..)| id.starts_with(case) && *name == p.quantity);
+        let (name, made) = match (p.name, own) {
+            (Some(name), _) => (name, Made::Same),
+            (None, Some(&(_, _, name, made))) => (name.to_owned(), made),
+            (None, None) => return Err(format!("{id}: what is {}?", p.quantity).into()),
+        };
+        let value = number(&name)?;
+        let (computed, quantity) = match made {
+            Made::Same if p.magnitude_only => (value.abs(), format!("|{name}|")),
+            Made::Same => (value, name),
+            Made::Radians => (value.to_radians(), name),
+            Made::Turned(by) => {
+                let sign = if by < 0.0 { '−' } else { '+' };
+                (value + by, format!("{name} {sign} {}°", by.abs()))
+            }
+            Made::Opposite => (-value, format!("−{name}")),
+        };
+        let unit = match p.unit.as_str() {
+            "" => unit_of(&quantity, scene.units.length.as_str(), scene.units.time.as_str()),
+            unit => unit.replace("^2", "²"),
+        };
+        Ok(Row { quantity, printed: p.printed, unit, computed, exact: p.exact, verdict: p.verdict, note: p.note })
+    });
+    Ok(Case { id, source, rows: rows.collect::<Result<_, _>>()? })
 }
 
 /// The unit of a quantity, by its name.
@@ -280,11 +260,7 @@ pub fn plain(cases: &[Case]) -> String {
     for case in cases {
         let source = wrap(&case.source, COLUMNS).join("\n");
         let _ = write!(text, "\n{}\n{source}\n", case.id);
-        let _ = writeln!(
-            text,
-            "  {:<16}{:>21}  {:>15}  {:<8}verdict",
-            "quantity", "printed", "computed", "unit"
-        );
+        let _ = writeln!(text, "  {:<16}{:>21}  {:>15}  {:<8}verdict", "quantity", "printed", "computed", "unit");
         for row in &case.rows {
             let remark = wrap(&remark(row), COLUMNS - VERDICT);
             let _ = writeln!(

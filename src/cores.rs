@@ -2,10 +2,7 @@
 
 /// What `each` makes of the items, in their order.
 #[cfg(feature = "parallel")]
-pub(crate) fn on_all_cores<T: Sync, P: Send>(
-    items: &[T],
-    each: impl Fn(&T) -> P + Send + Sync,
-) -> Vec<P> {
+pub(crate) fn on_all_cores<T: Sync, P: Send>(items: &[T], each: impl Fn(&T) -> P + Send + Sync) -> Vec<P> {
     use rayon::prelude::*;
     items.par_iter().map(each).collect()
 }

@@ -94,12 +94,7 @@ fn errors_stay_below_the_claims_and_far_below_those_of_the_naive_procedure() {
     for family in Family::ALL {
         let mut sorted = [Vec::new(), Vec::new()];
         let mut last_digit: f64 = 0.0;
-        for Errors {
-            naive,
-            library,
-            roundings,
-        } in errors(family).into_iter().flat_map(|(_, errors)| errors)
-        {
+        for Errors { naive, library, roundings } in errors(family).into_iter().flat_map(|(_, errors)| errors) {
             last_digit = last_digit.max(roundings);
             let worst = library[0].max(library[1]);
             sorted[0].push(library[0]);
@@ -161,14 +156,7 @@ fn differs(number: &Precise, decimal: &str) -> f64 {
 #[test]
 fn the_reference_has_all_published_digits() {
     let mut compared = 0;
-    for set in [
-        "class4",
-        "class4_prismatic",
-        "dyads",
-        "triads",
-        "hard",
-        "hard_dyads_triads",
-    ] {
+    for set in ["class4", "class4_prismatic", "dyads", "triads", "hard", "hard_dyads_triads"] {
         for line in files::read(&format!("tests/reference/{set}.jsonl")).lines() {
             let case: Value = serde_json::from_str(line).expect("a line is JSON");
             let (name, expect) = (&case["name"], &case["expect"]);
@@ -193,10 +181,7 @@ fn the_reference_has_all_published_digits() {
                     let difference = differs(number, decimal).abs();
                     // 20 digits are written, and zeros of the truth are its rounding.
                     let allowed = 1e-19 * rounded(number).abs() + 1e-60;
-                    assert!(
-                        difference <= allowed,
-                        "{name}: {key}({link}) {difference:e}"
-                    );
+                    assert!(difference <= allowed, "{name}: {key}({link}) {difference:e}");
                     compared += 1;
                 }
             }
@@ -210,8 +195,5 @@ fn the_reference_has_all_published_digits() {
 fn the_page_is_current() {
     let page = files::read("docs/accuracy.md").replace("\r\n", "\n");
     let now = document::accuracy(&Survey::new());
-    assert!(
-        page.starts_with(&now),
-        "run cargo run --release --example speed_vs_error"
-    );
+    assert!(page.starts_with(&now), "run cargo run --release --example speed_vs_error");
 }

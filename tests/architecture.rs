@@ -88,10 +88,7 @@ fn bare(text: &str) -> String {
             (length, "\"\"")
         } else {
             // A word is taken whole, so that the r of `for` opens no raw string.
-            let word = rest
-                .find(|c: char| !c.is_alphanumeric() && c != '_')
-                .unwrap_or(rest.len())
-                .max(c.len_utf8());
+            let word = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len()).max(c.len_utf8());
             bare.push_str(&rest[..word]);
             rest = &rest[word..];
             continue;
@@ -105,8 +102,7 @@ fn bare(text: &str) -> String {
 
 fn opens_raw(rest: &str) -> bool {
     let rest = rest.strip_prefix('b').unwrap_or(rest);
-    rest.strip_prefix('r')
-        .is_some_and(|r| r.trim_start_matches('#').starts_with('"'))
+    rest.strip_prefix('r').is_some_and(|r| r.trim_start_matches('#').starts_with('"'))
 }
 
 /// Length of the text or character in quotes with which `rest` starts.
@@ -115,9 +111,7 @@ fn quoted(rest: &str) -> Option<usize> {
         let open = rest.find('"')?;
         let hashes = rest[..open].matches('#').count();
         let close = format!("\"{}", "#".repeat(hashes));
-        return rest[open + 1..]
-            .find(&close)
-            .map(|end| open + 1 + end + close.len());
+        return rest[open + 1..].find(&close).map(|end| open + 1 + end + close.len());
     }
     let mut chars = rest.char_indices();
     match chars.next()?.1 {
@@ -209,30 +203,20 @@ fn heads(group: &str) -> Vec<String> {
 }
 
 fn head(path: &str) -> String {
-    path.chars()
-        .take_while(|c| c.is_alphanumeric() || *c == '_')
-        .collect()
+    path.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
 }
 
 /// Paths that climb out of their folder with `super::` would go past the check.
 fn climbs_out(path: &Path, text: &str) -> bool {
-    let inside = path
-        .strip_prefix(source_folder())
-        .expect("it was found there");
+    let inside = path.strip_prefix(source_folder()).expect("it was found there");
     let depth = inside.components().count() - 1;
     // In a `mod.rs` one `super` less reaches the crate.
-    let levels = if path.ends_with("mod.rs") {
-        depth
-    } else {
-        depth + 1
-    };
+    let levels = if path.ends_with("mod.rs") { depth } else { depth + 1 };
     text.contains(&"super::".repeat(levels))
 }
 
 fn place(path: &Path, line: usize) -> String {
-    let inside = path
-        .strip_prefix(source_folder())
-        .expect("it was found there");
+    let inside = path.strip_prefix(source_folder()).expect("it was found there");
     format!("src/{}:{line}", inside.display())
 }
 
@@ -255,27 +239,15 @@ fn folders_use_earlier_folders_only() {
                 None if name == "Error" && folder == "cli" => {}
                 // Work on all cores, below all folders.
                 None if name == "cores" => {}
-                Some(_) => wrong.push(format!(
-                    "{}: {folder} uses {name}, which comes later",
-                    place(&path, line)
-                )),
-                None => wrong.push(format!(
-                    "{}: `{name}` is no folder of src",
-                    place(&path, line)
-                )),
+                Some(_) => wrong.push(format!("{}: {folder} uses {name}, which comes later", place(&path, line))),
+                None => wrong.push(format!("{}: `{name}` is no folder of src", place(&path, line))),
             }
         }
         if climbs_out(&path, &text) {
-            wrong.push(format!(
-                "{}: `super` leaves the folder; write `crate::`",
-                place(&path, 1)
-            ));
+            wrong.push(format!("{}: `super` leaves the folder; write `crate::`", place(&path, 1)));
         }
     }
-    assert!(
-        seen > 50,
-        "only {seen} references found: this test no longer sees the sources"
-    );
+    assert!(seen > 50, "only {seen} references found: this test no longer sees the sources");
     wrong.dedup();
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
@@ -290,18 +262,14 @@ fn the_library_neither_prints_nor_looks_around() {
         let text = bare(&text);
         for (number, line) in text.lines().enumerate() {
             for word in FORBIDDEN {
-                let preceded =
-                    |at: usize| line[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
+                let preceded = |at: usize| line[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
                 if line.match_indices(word).any(|(at, _)| !preceded(at)) {
                     wrong.push(format!("{}: {word}", place(&path, number + 1)));
                 }
             }
             // `use std::{fs, …}` is the same thing in other words.
             if let Some((_, group)) = line.split_once("std::{") {
-                for name in heads(group)
-                    .iter()
-                    .filter(|n| ["fs", "env", "process"].contains(&n.as_str()))
-                {
+                for name in heads(group).iter().filter(|n| ["fs", "env", "process"].contains(&n.as_str())) {
                     wrong.push(format!("{}: std::{name}", place(&path, number + 1)));
                 }
             }
@@ -318,10 +286,7 @@ fn every_folder_says_what_it_is() {
     for folder in &folders {
         let file = source_folder().join(folder).join("mod.rs");
         let text = std::fs::read_to_string(file).unwrap_or_default();
-        let said = text
-            .lines()
-            .take_while(|line| line.starts_with("//!"))
-            .count();
+        let said = text.lines().take_while(|line| line.starts_with("//!")).count();
         if said < 3 {
             wrong.push(format!("src/{folder}/mod.rs begins with {said} lines of `//!`; at least three say what comes in, what goes out and what is not done here"));
         }
@@ -347,18 +312,8 @@ fn i() { for_print!(); crate::format::svg() }
     let seen = bare(text);
     let mut found = references(&seen);
     found.sort();
-    let found: Vec<(usize, &str)> = found
-        .iter()
-        .map(|(line, name)| (*line, name.as_str()))
-        .collect();
-    let expected = [
-        (3, "geometry"),
-        (4, "motion"),
-        (4, "plan"),
-        (4, "scene"),
-        (5, "position"),
-        (8, "mechanism"),
-        (11, "format"),
-    ];
+    let found: Vec<(usize, &str)> = found.iter().map(|(line, name)| (*line, name.as_str())).collect();
+    let expected =
+        [(3, "geometry"), (4, "motion"), (4, "plan"), (4, "scene"), (5, "position"), (8, "mechanism"), (11, "format")];
     assert_eq!(found, expected, "{seen}");
 }

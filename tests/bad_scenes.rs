@@ -23,18 +23,10 @@ fn refused(folder: &str, least: usize, read: impl Fn(&str) -> Option<SceneError>
     let mut cases: Vec<_> = fs::read_dir(&folder)
         .expect("the folder of cases is there")
         .map(|entry| entry.expect("the folder can be listed").path())
-        .filter(|path| {
-            path.extension()
-                .is_some_and(|extension| extension == "json")
-        })
+        .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
         .collect();
     cases.sort();
-    assert!(
-        cases.len() >= least,
-        "only {} cases found in {}",
-        cases.len(),
-        folder.display()
-    );
+    assert!(cases.len() >= least, "only {} cases found in {}", cases.len(), folder.display());
 
     let mut wrong = Vec::new();
     for case in &cases {
@@ -44,28 +36,14 @@ fn refused(folder: &str, least: usize, read: impl Fn(&str) -> Option<SceneError>
             None => "read without an error".to_owned(),
             Some(error) => {
                 if let Some(place) = &error.place {
-                    assert!(
-                        text.get(place.span.clone()).is_some(),
-                        "{}: the span is not in the text",
-                        case.display()
-                    );
+                    assert!(text.get(place.span.clone()).is_some(), "{}: the span is not in the text", case.display());
                 }
                 error.to_string()
             }
         };
         if actual != expected.trim_end() {
-            wrong.push(format!(
-                "{}\n  expected: {}\n  actual:   {actual}",
-                case.display(),
-                expected.trim_end()
-            ));
+            wrong.push(format!("{}\n  expected: {}\n  actual:   {actual}", case.display(), expected.trim_end()));
         }
     }
-    assert!(
-        wrong.is_empty(),
-        "{} of {} cases:\n{}",
-        wrong.len(),
-        cases.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} of {} cases:\n{}", wrong.len(), cases.len(), wrong.join("\n"));
 }

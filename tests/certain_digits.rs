@@ -37,9 +37,7 @@ fn unit(text: &str) -> f64 {
     let (digits, power) = text.split_once('e').unwrap_or((text, "0"));
     let decimals = digits.split_once('.').map_or(0, |(_, low)| low.len());
     let power: i32 = power.parse().expect("a whole number");
-    format!("1e{}", power - decimals as i32)
-        .parse()
-        .expect("a number")
+    format!("1e{}", power - decimals as i32).parse().expect("a number")
 }
 
 /// What the reference says of a case, by the names of the table.
@@ -99,10 +97,7 @@ fn check(set: &str, every: usize, least: usize) {
             // The printed decimal itself is read with one rounding.
             let slack = 1e-16 * printed.abs();
             if error > allowed + slack {
-                wrong.push(format!(
-                    "{}: {name} = {value} ± {bound}, truly {truth}",
-                    case["name"]
-                ));
+                wrong.push(format!("{}: {name} = {value} ± {bound}, truly {truth}", case["name"]));
             }
             // Exact decimals say nothing of how tight a bound is.
             if bound != "0" && error > 0.0 {
@@ -110,19 +105,11 @@ fn check(set: &str, every: usize, least: usize) {
             }
         }
     }
-    assert!(
-        wrong.is_empty(),
-        "{} of {seen}:\n{}",
-        wrong.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} of {seen}:\n{}", wrong.len(), wrong.join("\n"));
     assert!(seen >= least, "{set}: only {seen} numbers compared");
     kept.sort_by(f64::total_cmp);
     let middle = kept[kept.len() / 2];
-    assert!(
-        middle < WASTEFUL,
-        "{set}: units of the last digit are {middle:.0} errors"
-    );
+    assert!(middle < WASTEFUL, "{set}: units of the last digit are {middle:.0} errors");
 }
 
 #[test]
@@ -202,10 +189,7 @@ fn goes_with_modes_and_says_what_it_leaves_out_of_a_want() {
     let scene = figure_2.replace("\"figure\"", want);
     let output = with_scene(&["solve", "--digits", "-"], scene.as_bytes());
     let message = stderr(&output);
-    assert!(
-        message.contains("`L(B,S3)` has no stated bound"),
-        "{message}"
-    );
+    assert!(message.contains("`L(B,S3)` has no stated bound"), "{message}");
     assert_eq!(message.matches("warning").count(), 1, "{message}");
     // Only velocities were asked for.
     let text = String::from_utf8(output.stdout).expect("UTF-8");

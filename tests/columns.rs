@@ -41,10 +41,7 @@ fn written() -> (Vec<String>, Vec<Option<f64>>, [Vec<RecordBatch>; 2]) {
     let parquet = ParquetRecordBatchReaderBuilder::try_new(bytes::Bytes::from(parquet));
     let parquet = parquet.and_then(|b| b.build()).expect("a Parquet file");
 
-    let batches = [
-        arrow.map(|b| b.expect("a batch")).collect(),
-        parquet.map(|b| b.expect("a batch")).collect(),
-    ];
+    let batches = [arrow.map(|b| b.expect("a batch")).collect(), parquet.map(|b| b.expect("a batch")).collect()];
     (sweep.header(), numbers, batches)
 }
 
@@ -57,24 +54,12 @@ fn both_forms_hold_the_table() {
     for batches in forms {
         let mut read = Vec::new();
         for batch in &batches {
-            let names: Vec<String> = batch
-                .schema()
-                .fields()
-                .iter()
-                .map(|f| f.name().clone())
-                .collect();
+            let names: Vec<String> = batch.schema().fields().iter().map(|f| f.name().clone()).collect();
             assert_eq!(names, header);
-            let columns: Vec<&Float64Array> = batch
-                .columns()
-                .iter()
-                .map(|c| c.as_any().downcast_ref().expect("numbers"))
-                .collect();
+            let columns: Vec<&Float64Array> =
+                batch.columns().iter().map(|c| c.as_any().downcast_ref().expect("numbers")).collect();
             for row in 0..batch.num_rows() {
-                read.extend(
-                    columns
-                        .iter()
-                        .map(|c| c.is_valid(row).then(|| c.value(row))),
-                );
+                read.extend(columns.iter().map(|c| c.is_valid(row).then(|| c.value(row))));
             }
         }
         assert_eq!(read, numbers);

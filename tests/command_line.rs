@@ -193,11 +193,7 @@ fn bad_scenes_get_one_message_and_the_right_exit_code() {
             };
             let output = with_scene(&arguments, &scene);
             let message = stderr(&output);
-            assert_eq!(
-                output.status.code(),
-                Some(code),
-                "{task}: {message}\n{shown}"
-            );
+            assert_eq!(output.status.code(), Some(code), "{task}: {message}\n{shown}");
             assert!(output.stdout.is_empty(), "{task}\n{shown}");
             assert!(!Path::new(out).exists(), "{task}\n{shown}");
             assert_eq!(message.matches("error").count(), 1, "{message}");
@@ -214,10 +210,7 @@ fn near_far_from_every_mode_gives_a_warning() {
     let output = with_scene(&["solve", "-"], scene.as_bytes());
     assert_eq!(output.status.code(), Some(0));
     let message = stderr(&output);
-    assert!(
-        message.contains("warning") && message.contains("`near`"),
-        "{message}"
-    );
+    assert!(message.contains("warning") && message.contains("`near`"), "{message}");
     assert!(message.contains("away"), "{message}");
     let calm = with_scene(&["solve", "-"], FIGURE_2.as_bytes());
     assert!(calm.stderr.is_empty(), "{}", stderr(&calm));
@@ -228,8 +221,7 @@ fn without_near_the_modes_are_listed() {
     let at = FIGURE_2.find("\"near\"").expect("the example has it");
     let end = FIGURE_2[at..].find("},").expect("it ends") + at + 2;
     // Without `near` the triangle's hand is open too, so it is given as a shape.
-    let shape =
-        r#""4": { "shape": { "G": [0, 0], "D": [300, 0], "F": [133.5, -68.39407869106799] } },"#;
+    let shape = r#""4": { "shape": { "G": [0, 0], "D": [300, 0], "F": [133.5, -68.39407869106799] } },"#;
     let scene = format!("{}{}", &FIGURE_2[..at], &FIGURE_2[end..]);
     let from = scene.find("\"4\"").expect("link 4");
     let to = scene.find("\"5\"").expect("link 5");
@@ -237,17 +229,13 @@ fn without_near_the_modes_are_listed() {
     let output = with_scene(&["solve", "-"], scene.as_bytes());
     let message = stderr(&output);
     assert_eq!(output.status.code(), Some(0), "{message}");
-    assert!(
-        message.contains("2 ways") && message.contains("mode 1"),
-        "{message}"
-    );
+    assert!(message.contains("2 ways") && message.contains("mode 1"), "{message}");
     assert!(message.contains("E (405.96, 428.33)"), "{message}");
 }
 
 #[test]
 fn solve_answers_want() {
-    let want =
-        r#""want": ["omega(2)", "vplan(b,s3)", "vplan(b,s3)/mu", "v(D)", "a_n(S3/B)"], "figure""#;
+    let want = r#""want": ["omega(2)", "vplan(b,s3)", "vplan(b,s3)/mu", "v(D)", "a_n(S3/B)"], "figure""#;
     let scene = FIGURE_2.replace("\"figure\"", want);
     let output = with_scene(&["solve", "-"], scene.as_bytes());
     let result: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
@@ -270,32 +258,18 @@ fn solve_answers_want() {
     let output = with_scene(&["solve", "-"], scene.as_bytes());
     let message = stderr(&output);
     assert_eq!(output.status.code(), Some(2));
-    assert!(
-        message.contains("did you mean `2`?") && message.contains("want"),
-        "{message}"
-    );
+    assert!(message.contains("did you mean `2`?") && message.contains("want"), "{message}");
 }
 
 #[test]
 fn draw_writes_both_paper_figures() {
     let folder = scratch("draw");
     let out = folder.join("new/folder");
-    let run = kinegon()
-        .arg("draw")
-        .arg("-o")
-        .arg(&out)
-        .arg("--format")
-        .arg("svg")
-        .output();
+    let run = kinegon().arg("draw").arg("-o").arg(&out).arg("--format").arg("svg").output();
     assert_eq!(run.expect("the program runs").status.code(), Some(0));
     let mut names: Vec<String> = std::fs::read_dir(&out)
         .expect("it was made")
-        .map(|e| {
-            e.expect("listed")
-                .file_name()
-                .to_string_lossy()
-                .into_owned()
-        })
+        .map(|e| e.expect("listed").file_name().to_string_lossy().into_owned())
         .collect();
     names.sort();
     assert_eq!(names, ["figure-1.svg", "figure-2.svg"]);
@@ -318,11 +292,7 @@ fn output_follows_the_ending_and_never_covers_the_scene() {
     assert_eq!(unknown.status.code(), Some(2));
     assert!(stderr(&unknown).contains("known endings: svg"));
     assert_eq!(run(&folder.join("figure.svg")).status.code(), Some(0));
-    assert!(
-        std::fs::read_to_string(folder.join("figure.svg"))
-            .expect("read")
-            .starts_with("<svg")
-    );
+    assert!(std::fs::read_to_string(folder.join("figure.svg")).expect("read").starts_with("<svg"));
     let stdout = run(Path::new("-"));
     assert!(stdout.stdout.starts_with(b"<svg"));
 }
@@ -343,45 +313,22 @@ fn draw_and_curves_write_all_formats() {
     for task in ["draw", "curves"] {
         let (mut formats, mut endings) = (String::new(), String::new());
         for (format, ending, start) in FORMATS {
-            let on_stdout = with_scene(
-                &[task, "-", "--format", format, "-o", "-"],
-                FIGURE_2.as_bytes(),
-            );
-            assert!(
-                on_stdout.stdout.starts_with(start),
-                "{task}: {}",
-                stderr(&on_stdout)
-            );
+            let on_stdout = with_scene(&[task, "-", "--format", format, "-o", "-"], FIGURE_2.as_bytes());
+            assert!(on_stdout.stdout.starts_with(start), "{task}: {}", stderr(&on_stdout));
             let file = folder.join(format!("{task}.{ending}"));
             let place = file.to_str().expect("a path in UTF-8");
             let to_file = with_scene(&[task, "-", "-o", place], FIGURE_2.as_bytes());
-            assert_eq!(
-                to_file.status.code(),
-                Some(0),
-                "{task}: {}",
-                stderr(&to_file)
-            );
+            assert_eq!(to_file.status.code(), Some(0), "{task}: {}", stderr(&to_file));
             // The file says the same as stdout did.
-            assert!(
-                std::fs::read(&file).expect("it was written") == on_stdout.stdout,
-                "{task}: {format}"
-            );
+            assert!(std::fs::read(&file).expect("it was written") == on_stdout.stdout, "{task}: {format}");
             let apart = if formats.is_empty() { "" } else { ", " };
             formats = formats + apart + format;
             endings = endings + apart + ending;
         }
         let unknown = with_scene(&[task, "-", "-o", "figure.bmp"], FIGURE_2.as_bytes());
-        assert!(
-            stderr(&unknown).contains(&format!("known endings: {endings}, html; ")),
-            "{}",
-            stderr(&unknown)
-        );
+        assert!(stderr(&unknown).contains(&format!("known endings: {endings}, html; ")), "{}", stderr(&unknown));
         let unknown = with_scene(&[task, "-", "--format", "bmp"], FIGURE_2.as_bytes());
-        assert!(
-            stderr(&unknown).contains(&format!("[possible values: {formats}, html]")),
-            "{}",
-            stderr(&unknown)
-        );
+        assert!(stderr(&unknown).contains(&format!("[possible values: {formats}, html]")), "{}", stderr(&unknown));
     }
 }
 
@@ -415,10 +362,7 @@ fn steps_are_numbered_and_measured_on_paper() {
 fn structure_is_written_as_a_formula() {
     let output = with_scene(&["structure", "-"], FIGURE_2.as_bytes());
     let text = String::from_utf8(output.stdout).expect("UTF-8");
-    assert!(
-        text.starts_with("I(1) → IV(2, 3, 4, 5; RRP-RRR)\n"),
-        "{text}"
-    );
+    assert!(text.starts_with("I(1) → IV(2, 3, 4, 5; RRP-RRR)\n"), "{text}");
     assert!(text.contains("degrees of freedom: 1"), "{text}");
     assert!(text.contains("special points S3, S5"), "{text}");
 }
@@ -432,8 +376,7 @@ fn a_cylinder_and_its_rod_are_one_link() {
     };
     let structure = output("structure");
     assert!(
-        structure
-            .starts_with("I(3/2) → II(2+3, 4; RRR)\ndegrees of freedom: 1, as many as drives\n"),
+        structure.starts_with("I(3/2) → II(2+3, 4; RRR)\ndegrees of freedom: 1, as many as drives\n"),
         "{structure}"
     );
     let modes = output("modes");
@@ -462,16 +405,8 @@ fn a_cylinder_and_its_rod_are_one_link() {
         let vector = [0, 1].map(|i| result["quantities"][name][i].as_f64().expect("a number"));
         libm::hypot(vector[0], vector[1])
     };
-    assert!(
-        (size("a_n(C/A)") - 12.808741305796).abs() < 1e-8,
-        "{}",
-        size("a_n(C/A)")
-    );
-    assert!(
-        (size("a_c(3/2)") - 15.584982739290568).abs() < 1e-12,
-        "{}",
-        size("a_c(3/2)")
-    );
+    assert!((size("a_n(C/A)") - 12.808741305796).abs() < 1e-8, "{}", size("a_n(C/A)"));
+    assert!((size("a_c(3/2)") - 15.584982739290568).abs() < 1e-12, "{}", size("a_c(3/2)"));
     assert_eq!(result["quantities"]["a_r(3/2)"], 30.0);
 }
 
@@ -489,11 +424,7 @@ fn modes_are_numbered_and_can_be_asked_for() {
     assert!((angle - -117.28350).abs() < 1e-5, "{angle}");
     let output = with_scene(&["solve", "-", "--mode", "3"], FIGURE_2.as_bytes());
     assert_eq!(output.status.code(), Some(1));
-    assert!(
-        stderr(&output).contains("there are 2"),
-        "{}",
-        stderr(&output)
-    );
+    assert!(stderr(&output).contains("there are 2"), "{}", stderr(&output));
 }
 
 #[test]
@@ -521,10 +452,7 @@ fn too_many_or_too_few_drives_name_the_links() {
     let output = with_scene(&["structure", "-"], scene.as_bytes());
     assert_eq!(output.status.code(), Some(2));
     let message = stderr(&output);
-    assert!(
-        message.contains("can still move (1 free motion left)"),
-        "{message}"
-    );
+    assert!(message.contains("can still move (1 free motion left)"), "{message}");
 }
 
 #[test]
@@ -543,10 +471,7 @@ fn a_pin_in_a_slot_moves_as_a_block_on_a_lever() {
         serde_json::from_slice(&output.stdout).expect("JSON")
     };
     let pin = solved(scene("", r#""pin": "B""#));
-    let block = solved(scene(
-        r#""2": { "points": ["B"] },"#,
-        r#""link": "2", "at": "B""#,
-    ));
+    let block = solved(scene(r#""2": { "points": ["B"] },"#, r#""link": "2", "at": "B""#));
     // The lever of a crank pin: ω_3 = ω_1 · AB · cos(angle between crank and lever) / OB.
     let (angle, distance) = (33.1627607686381_f64.to_radians(), 103.41234234701112);
     let omega = 4.0 * 30.0 * libm::cos(angle) / distance;
@@ -571,11 +496,7 @@ fn two_sliders_of_the_same_two_have_two_names() {
         "near": { "M": [-10, 40] }, "want": ["v_r(P/3)", "v_r(P/3#2)", "v_r(Q/3)"] }"#;
     let output = with_scene(&["solve", "-"], scene.as_bytes());
     let result: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
-    let keys: Vec<&String> = result["sliders"]
-        .as_object()
-        .expect("sliders")
-        .keys()
-        .collect();
+    let keys: Vec<&String> = result["sliders"].as_object().expect("sliders").keys().collect();
     assert_eq!(keys, ["P/3", "P/3#2", "Q/3"]);
     let near = |value: &serde_json::Value, want: f64| {
         let got = value.as_f64().expect("a number");
@@ -589,10 +510,7 @@ fn two_sliders_of_the_same_two_have_two_names() {
     near(&result["sliders"]["P/3"]["position"], 50.0);
     near(&result["sliders"]["P/3#2"]["position"], 10.0);
     near(&result["sliders"]["Q/3"]["position"], 50.0 + length);
-    near(
-        &result["links"]["3"]["omega"],
-        (x * v - y * u) / (length * length),
-    );
+    near(&result["links"]["3"]["omega"], (x * v - y * u) / (length * length));
     near(&result["quantities"]["v_r(P/3)"], 0.0);
     near(&result["quantities"]["v_r(P/3#2)"], 0.0);
     near(&result["quantities"]["v_r(Q/3)"], (x * u + y * v) / length);
@@ -608,17 +526,11 @@ fn new_writes_every_kind_it_lists_and_nothing_over_a_file() {
     assert_eq!(new(&["--list"]).stdout, listed.stdout);
     let listed = String::from_utf8(listed.stdout).expect("UTF-8");
     assert_eq!(listed.lines().count(), 19);
-    assert!(
-        listed.contains("four-bar        Four-bar linkage\n"),
-        "{listed}"
-    );
+    assert!(listed.contains("four-bar        Four-bar linkage\n"), "{listed}");
     for line in listed.lines() {
         let (kind, title) = line.split_once(' ').expect("a kind and its title");
         let scene = new(&[kind]).stdout;
-        assert!(
-            !String::from_utf8_lossy(&scene).contains("$schema"),
-            "{kind}"
-        );
+        assert!(!String::from_utf8_lossy(&scene).contains("$schema"), "{kind}");
         let written: serde_json::Value = serde_json::from_slice(&scene).expect("JSON");
         assert_eq!(written["title"], title.trim_start());
         let solved = with_scene(&["solve", "-"], &scene);
@@ -633,11 +545,7 @@ fn new_writes_every_kind_it_lists_and_nothing_over_a_file() {
     let first = std::fs::read(&file).expect("it was written");
     let again = new(&["watt-1", "-o", path]);
     assert_eq!(again.status.code(), Some(2));
-    assert!(
-        stderr(&again).contains("not overwritten"),
-        "{}",
-        stderr(&again)
-    );
+    assert!(stderr(&again).contains("not overwritten"), "{}", stderr(&again));
     assert_eq!(std::fs::read(&file).expect("it is still there"), first);
     // A folder takes a file of the kind's name.
     let path = folder.to_str().expect("a path in UTF-8");
@@ -646,11 +554,7 @@ fn new_writes_every_kind_it_lists_and_nothing_over_a_file() {
 
     let unknown = new(&["fourbar"]);
     assert_eq!(unknown.status.code(), Some(2));
-    assert!(
-        stderr(&unknown).contains("'four-bar'"),
-        "{}",
-        stderr(&unknown)
-    );
+    assert!(stderr(&unknown).contains("'four-bar'"), "{}", stderr(&unknown));
     assert_eq!(new(&["-o", path]).status.code(), Some(2));
 }
 
@@ -658,74 +562,22 @@ fn new_writes_every_kind_it_lists_and_nothing_over_a_file() {
 fn curves_that_cannot_be_drawn_get_one_message_and_nothing_is_written() {
     let drawn = include_str!("../examples/figure-1.json");
     let every_kind = "omega(2),alpha(2),angle(2),v(D),a(D)";
-    let coordinates = [
-        "x(D)", "y(D)", "x(E)", "y(E)", "x(F)", "y(F)", "x(B)", "y(B)",
-    ];
+    let coordinates = ["x(D)", "y(D)", "x(E)", "y(E)", "x(F)", "y(F)", "x(B)", "y(B)"];
     let special = ["x(S3)", "y(S3)", "x(S5)", "y(S5)", "position(3/2)"];
     let crowd = [&coordinates[..], &special[..]].concat().join(",");
     let cases: [(i32, &[&str], &[&str], &str); 12] = [
-        (
-            2,
-            &["--want", "omega(44)"],
-            &["no link `44`", "did you mean `4`?"],
-            FIGURE_2,
-        ),
-        (
-            2,
-            &["--want", "speed(4)"],
-            &["`speed(4)` is no quantity"],
-            FIGURE_2,
-        ),
-        (
-            2,
-            &["--want", "vplan(b,zz)"],
-            &["no plan point `zz`"],
-            FIGURE_2,
-        ),
-        (
-            2,
-            &["--want", "vplan(b,s3)/mu"],
-            &["length on paper", "without `/mu`"],
-            FIGURE_2,
-        ),
-        (
-            2,
-            &["--want", every_kind],
-            &["5 panels", "room for 4"],
-            FIGURE_2,
-        ),
-        (
-            2,
-            &["--want", &crowd],
-            &["13 curves in one panel"],
-            FIGURE_2,
-        ),
-        (
-            2,
-            &["--drive", "7"],
-            &["no drive `7`", "the drives are: 1"],
-            FIGURE_2,
-        ),
+        (2, &["--want", "omega(44)"], &["no link `44`", "did you mean `4`?"], FIGURE_2),
+        (2, &["--want", "speed(4)"], &["`speed(4)` is no quantity"], FIGURE_2),
+        (2, &["--want", "vplan(b,zz)"], &["no plan point `zz`"], FIGURE_2),
+        (2, &["--want", "vplan(b,s3)/mu"], &["length on paper", "without `/mu`"], FIGURE_2),
+        (2, &["--want", every_kind], &["5 panels", "room for 4"], FIGURE_2),
+        (2, &["--want", &crowd], &["13 curves in one panel"], FIGURE_2),
+        (2, &["--drive", "7"], &["no drive `7`", "the drives are: 1"], FIGURE_2),
         (2, &[], &["a drawn configuration cannot be moved"], drawn),
-        (
-            1,
-            &["--from", "150", "--to", "200"],
-            &["cannot be reached", "137.58"],
-            FIGURE_2,
-        ),
-        (
-            2,
-            &["--from", "70", "--to", "70"],
-            &["no room for a curve"],
-            FIGURE_2,
-        ),
+        (1, &["--from", "150", "--to", "200"], &["cannot be reached", "137.58"], FIGURE_2),
+        (2, &["--from", "70", "--to", "70"], &["no room for a curve"], FIGURE_2),
         (1, &["--mode", "9"], &["no assembly mode 9"], FIGURE_2),
-        (
-            2,
-            &["-o", "curves.bmp"],
-            &["no format", "known endings: svg"],
-            FIGURE_2,
-        ),
+        (2, &["-o", "curves.bmp"], &["no format", "known endings: svg"], FIGURE_2),
     ];
     for (code, arguments, words, scene) in cases {
         let folder = scratch("no-curves");
@@ -739,10 +591,7 @@ fn curves_that_cannot_be_drawn_get_one_message_and_nothing_is_written() {
         let output = with_scene(&all, scene.as_bytes());
         let message = stderr(&output);
         assert_eq!(output.status.code(), Some(code), "{arguments:?}: {message}");
-        assert!(
-            output.stdout.is_empty() && !Path::new(out).exists(),
-            "{arguments:?}"
-        );
+        assert!(output.stdout.is_empty() && !Path::new(out).exists(), "{arguments:?}");
         assert_eq!(message.matches("error").count(), 1, "{message}");
         for word in words {
             assert!(message.contains(word), "no `{word}` in: {message}");
@@ -759,15 +608,9 @@ fn curves_keep_what_can_be_reached() {
     let output = with_scene(&part, FIGURE_2.as_bytes());
     let message = stderr(&output);
     assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(
-        message.contains("only a part of the range from 100° to 150° can be reached"),
-        "{message}"
-    );
+    assert!(message.contains("only a part of the range from 100° to 150° can be reached"), "{message}");
     let drawing = std::fs::read_to_string(&out).expect("it was kept");
-    assert!(
-        drawing.contains("Over angle(1) from 100° to 137.582"),
-        "{drawing}"
-    );
+    assert!(drawing.contains("Over angle(1) from 100° to 137.582"), "{drawing}");
 
     // Into a folder under the scene's name, so that the scene's own figure stays.
     let scene = folder.join("mine.json");
@@ -798,10 +641,7 @@ fn curves_keep_what_can_be_reached() {
     assert!(!plain.contains("omega(1)"), "{plain}");
     let wanting = FIGURE_2.replace("\"figure\"", r#""want": ["alpha(4)"], "figure""#);
     let wanting = described(&wanting);
-    assert!(
-        wanting.contains("alpha(4)") && !wanting.contains("omega"),
-        "{wanting}"
-    );
+    assert!(wanting.contains("alpha(4)") && !wanting.contains("omega"), "{wanting}");
     // A full turn is drawn from 0° to 360° wherever the scene stands.
     let turn = described(include_str!("../templates/four-bar.json"));
     assert!(turn.starts_with("Over angle(1) from 0° to 360°:"), "{turn}");

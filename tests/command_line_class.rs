@@ -34,8 +34,7 @@ fn stdout(output: &Output) -> String {
 fn rows(text: &str) -> Vec<std::collections::BTreeMap<String, String>> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let rows = reader.deserialize();
-    rows.map(|row| row.expect("a row as wide as its head"))
-        .collect()
+    rows.map(|row| row.expect("a row as wide as its head")).collect()
 }
 
 fn form(measured: &Measured, name: &str) -> String {
@@ -61,12 +60,7 @@ fn class(name: &str) -> (PathBuf, [usize; 2]) {
         pose: &stages.pose,
         motion: &stages.motion,
         construction: &stages.construction,
-        scales: scales(
-            &stages.scene,
-            &stages.mechanism,
-            &stages.pose,
-            &stages.construction,
-        ),
+        scales: scales(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction),
         tolerance: Tolerance::default(),
         depth: 1,
     };
@@ -109,19 +103,13 @@ fn each_student_has_a_row_and_the_class_a_summary() {
         assert_eq!(row["done"].is_empty(), mistake.is_empty());
         assert_eq!(row["off"] == "0", mistake.is_empty());
         let count = |name: &str| row[name].parse::<usize>().expect("a number");
-        assert_eq!(
-            count("right") + count("within") + count("off"),
-            count("values")
-        );
+        assert_eq!(count("right") + count("within") + count("off"), count("values"));
         assert_eq!(row["message"], "");
         assert!(!row.contains_key("marks"));
     }
     let said = stderr(&output);
     let common = format!("3 of 9: step {}, the Coriolis acceleration", steps[0]);
-    assert!(
-        said.contains("9 files: 5 passed, 4 off, 0 not understood"),
-        "{said}"
-    );
+    assert!(said.contains("9 files: 5 passed, 4 off, 0 not understood"), "{said}");
     assert!(said.contains(&common), "{said}");
     assert!(!said.contains("1 of 9"), "{said}");
     let spanish = run(LEVER, &folder, &["--depth", "1", "--language", "es"]);
@@ -134,26 +122,14 @@ fn the_report_comes_in_three_forms_that_say_the_same() {
     let (folder, _) = class("class-forms");
     let out = scratch("class-forms-out");
     let read = |name: &str| {
-        let output = run(
-            LEVER,
-            &folder,
-            &[
-                "--depth",
-                "1",
-                "-o",
-                out.join(name).to_str().expect("UTF-8"),
-            ],
-        );
+        let output = run(LEVER, &folder, &["--depth", "1", "-o", out.join(name).to_str().expect("UTF-8")]);
         assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
         assert!(output.stdout.is_empty());
         std::fs::read_to_string(out.join(name)).expect("it is written")
     };
     let (csv, json, lines) = (read("r.csv"), read("r.json"), read("r.jsonl"));
     let whole: serde_json::Value = serde_json::from_str(&json).expect("JSON");
-    let lines: Vec<serde_json::Value> = lines
-        .lines()
-        .map(|l| serde_json::from_str(l).expect("JSON"))
-        .collect();
+    let lines: Vec<serde_json::Value> = lines.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
     assert_eq!(whole["rows"].as_array(), Some(&lines));
     assert_eq!(whole["kinegon_class"], 1);
     assert_eq!(whole["summary"]["passed"], 5);
@@ -162,17 +138,11 @@ fn the_report_comes_in_three_forms_that_say_the_same() {
         for key in ["values", "right", "within", "off", "passed"] {
             assert_eq!(row[key], json[key].to_string(), "{key}");
         }
-        assert_eq!(
-            row["mistake"],
-            json["first"]["mistake"].as_str().unwrap_or("")
-        );
+        assert_eq!(row["mistake"], json["first"]["mistake"].as_str().unwrap_or(""));
     }
     let shown = run(LEVER, &folder, &["--depth", "1", "--json"]);
     assert_eq!(stdout(&shown), json);
-    assert_eq!(
-        stdout(&run(LEVER, &folder, &["--depth", "1", "-o", "-"])),
-        csv
-    );
+    assert_eq!(stdout(&run(LEVER, &folder, &["--depth", "1", "-o", "-"])), csv);
     // What a check by itself says.
     let single = run(LEVER, &folder.join("4.json"), &["--depth", "1", "--json"]);
     let single: serde_json::Value = serde_json::from_slice(&single.stdout).expect("JSON");
@@ -196,13 +166,8 @@ fn broken_files_are_rows() {
     std::fs::create_dir(folder.join("d.csv")).expect("made");
     write("e.json", b"{ \"kinegon_measured\": 1, \"valus\": {} }");
     write("f.json", b"");
-    std::fs::File::create(folder.join("g.csv"))
-        .and_then(|file| file.set_len(100 << 20))
-        .expect("a hole of 100 MB");
-    write(
-        "h.json",
-        br#"{ "kinegon_measured": 1, "name": "=HYPERLINK(\"x\")", "values": { "vplan(p,b)": 600 } }"#,
-    );
+    std::fs::File::create(folder.join("g.csv")).and_then(|file| file.set_len(100 << 20)).expect("a hole of 100 MB");
+    write("h.json", br#"{ "kinegon_measured": 1, "name": "=HYPERLINK(\"x\")", "values": { "vplan(p,b)": 600 } }"#);
     let long = format!("quantity,value\n{}(3),1\n", "x".repeat(1 << 20));
     write("i.csv", long.as_bytes());
     // Of no concern: hidden, other endings, subfolders.
@@ -215,9 +180,7 @@ fn broken_files_are_rows() {
     let text = stdout(&output);
     let rows = rows(&text);
     let names: Vec<&str> = rows.iter().map(|row| row["file"].as_str()).collect();
-    let expected = [
-        "a.JSON", "b.csv", "c.csv", "d.csv", "e.json", "f.json", "g.csv", "h.json", "i.csv",
-    ];
+    let expected = ["a.JSON", "b.csv", "c.csv", "d.csv", "e.json", "f.json", "g.csv", "h.json", "i.csv"];
     assert_eq!(names, expected);
     for (index, part) in [
         (0, ""),
@@ -231,10 +194,7 @@ fn broken_files_are_rows() {
         (8, "is no quantity"),
     ] {
         let message = &rows[index]["message"];
-        assert!(
-            message.contains(part) || (index == 8 && message.ends_with('…')),
-            "{index}: {message}"
-        );
+        assert!(message.contains(part) || (index == 8 && message.ends_with('…')), "{index}: {message}");
         assert_eq!(message.is_empty(), [0, 7].contains(&index), "{message}");
         assert!(!message.contains("class-broken"), "{message}");
         assert!(message.chars().count() <= 301, "{message}");
@@ -249,9 +209,7 @@ fn broken_files_are_rows() {
 #[test]
 fn a_pipe_is_not_waited_for() {
     let folder = scratch("class-pipe");
-    let made = std::process::Command::new("mkfifo")
-        .arg(folder.join("x.json"))
-        .status();
+    let made = std::process::Command::new("mkfifo").arg(folder.join("x.json")).status();
     assert!(made.expect("mkfifo runs").success());
     let output = run(FOUR_BAR, &folder, &[]);
     assert_eq!(output.status.code(), Some(2));
@@ -264,11 +222,7 @@ fn a_class_of_good_drawings_passes_and_an_empty_folder_is_misuse() {
     let output = run(FOUR_BAR, &folder, &[]);
     assert_eq!(output.status.code(), Some(2));
     assert!(output.stdout.is_empty());
-    assert!(
-        stderr(&output).contains("has no forms to check"),
-        "{}",
-        stderr(&output)
-    );
+    assert!(stderr(&output).contains("has no forms to check"), "{}", stderr(&output));
     // With the scene itself in the folder.
     std::fs::write(folder.join("scene.json"), files::read(FOUR_BAR)).expect("written");
     std::fs::write(folder.join("x.csv"), "omega(2),-2.424\n").expect("written");
@@ -285,19 +239,13 @@ fn a_class_of_good_drawings_passes_and_an_empty_folder_is_misuse() {
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
         assert!(stderr(&output).contains("1 file: 1 passed"));
     }
-    for (name, part) in [
-        ("x.csv", "is not overwritten"),
-        ("scene.json", "is not overwritten"),
-        ("x.ods", "known endings"),
-    ] {
+    for (name, part) in
+        [("x.csv", "is not overwritten"), ("scene.json", "is not overwritten"), ("x.ods", "known endings")]
+    {
         let place = folder.join(name);
         let output = run(scene, &folder, &["-o", place.to_str().expect("UTF-8")]);
         assert_eq!(output.status.code(), Some(2), "{name}");
-        assert!(
-            stderr(&output).contains(part),
-            "{name}: {}",
-            stderr(&output)
-        );
+        assert!(stderr(&output).contains(part), "{name}: {}", stderr(&output));
     }
     let kept = std::fs::read_to_string(folder.join("x.csv")).expect("there");
     assert_eq!(kept, "omega(2),-2.424\n");
@@ -314,10 +262,7 @@ fn marks_follow_a_mistake_through() {
     let solved = |right: [f64; 2]| {
         let (p, q) = (turned(cb), turned(cd));
         let det = -p[0] * q[1] + q[0] * p[1];
-        [
-            (-right[0] * q[1] + q[0] * right[1]) / det,
-            (p[0] * right[1] - p[1] * right[0]) / det,
-        ]
+        [(-right[0] * q[1] + q[0] * right[1]) / det, (p[0] * right[1] - p[1] * right[0]) / det]
     };
     let v_b = turned(b).map(|x| 10.0 * x);
     let omega = solved(v_b.map(|x| -x));
@@ -346,11 +291,7 @@ fn marks_follow_a_mistake_through() {
         assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
         let rows = rows(&stdout(&output));
         assert_eq!(rows.len(), 1, "the marking scheme is no form");
-        let single = run(
-            FOUR_BAR,
-            &folder.join("x.csv"),
-            &[&marks[..], &["--json"]].concat(),
-        );
+        let single = run(FOUR_BAR, &folder.join("x.csv"), &[&marks[..], &["--json"]].concat());
         let single: serde_json::Value = serde_json::from_slice(&single.stdout).expect("JSON");
         let [earned, of] = ["earned", "of"].map(|key| single["marks"][key].as_f64());
         assert_eq!(rows[0]["marks"].parse().ok(), earned);
@@ -362,9 +303,7 @@ fn marks_follow_a_mistake_through() {
         [
             earned.expect("a number"),
             of.expect("a number"),
-            single["marks"]["follow_through"]
-                .as_f64()
-                .expect("a number"),
+            single["marks"]["follow_through"].as_f64().expect("a number"),
         ]
     };
     // omega(2) is right, 1; omega(3) is not there, 0; the normal part is the mistake itself, 0 of 2; a_C is off by 5 mm of paper and follows,
@@ -373,10 +312,7 @@ fn marks_follow_a_mistake_through() {
     let marks = |more: &str| awarded(&format!(r#"{{ "kinegon_marks": 1, {values}{more} }}"#));
     assert_eq!(marks(r#", "follow_through": 0.5"#), [8.5, 15.0, 3.5]);
     assert_eq!(marks(""), [12.0, 15.0, 7.0]);
-    assert_eq!(
-        marks(r#", "follow_through": 0, "missing": 0.25"#),
-        [5.25, 15.0, 0.0]
-    );
+    assert_eq!(marks(r#", "follow_through": 0, "missing": 0.25"#), [5.25, 15.0, 0.0]);
     // 14 quantities in the form; of the 7 given six are right, within, or follow.
     assert_eq!(awarded(r#"{ "kinegon_marks": 1 }"#), [6.0, 14.0, 2.0]);
     let both = r#"{ "kinegon_marks": 1, "each": 0.5, "values": { "omega(2)": 3 } }"#;
@@ -391,10 +327,7 @@ fn joints() -> [[f64; 2]; 2] {
     let along = (apart * apart + 140.0 * 140.0 - 110.0 * 110.0) / (2.0 * apart);
     let high = libm::sqrt(140.0 * 140.0 - along * along);
     let u = d.map(|x| x / apart);
-    let c = [
-        b[0] + along * u[0] - high * u[1],
-        b[1] + along * u[1] + high * u[0],
-    ];
+    let c = [b[0] + along * u[0] - high * u[1], b[1] + along * u[1] + high * u[0]];
     [b, c]
 }
 
@@ -403,34 +336,16 @@ fn wrong_marking_schemes_are_refused() {
     let folder = scratch("class-schemes");
     std::fs::write(folder.join("x.csv"), "omega(2),-2.424\n").expect("written");
     for (text, parts) in [
-        (
-            r#"{ "kinegon_marks": 1, "values": { "omga(2)": 1 } }"#,
-            ["values.omga(2)", "`omega(2)`"],
-        ),
-        (
-            r#"{ "kinegon_marks": 1, "values": { "omega(2)": -1 } }"#,
-            ["values.omega(2)", "no number of marks"],
-        ),
+        (r#"{ "kinegon_marks": 1, "values": { "omga(2)": 1 } }"#, ["values.omga(2)", "`omega(2)`"]),
+        (r#"{ "kinegon_marks": 1, "values": { "omega(2)": -1 } }"#, ["values.omega(2)", "no number of marks"]),
         (
             r#"{ "kinegon_marks": 1, "values": { "vplan(b,c)": 1, "vplan(c,b)": 1 } }"#,
             ["values.vplan(c,b)", "same quantity"],
         ),
-        (
-            r#"{ "kinegon_marks": 1, "follow_through": 2 }"#,
-            ["follow_through", "from 0"],
-        ),
-        (
-            r#"{ "kinegon_marks": 1, "each": 0 }"#,
-            ["no marks for anything", "each"],
-        ),
-        (
-            r#"{ "kinegon_marks": 1, "eech": 2 }"#,
-            ["unknown key `eech`", "each"],
-        ),
-        (
-            r#"{ "kinegon_mark": 1 }"#,
-            ["kinegon_marks", "marking scheme"],
-        ),
+        (r#"{ "kinegon_marks": 1, "follow_through": 2 }"#, ["follow_through", "from 0"]),
+        (r#"{ "kinegon_marks": 1, "each": 0 }"#, ["no marks for anything", "each"]),
+        (r#"{ "kinegon_marks": 1, "eech": 2 }"#, ["unknown key `eech`", "each"]),
+        (r#"{ "kinegon_mark": 1 }"#, ["kinegon_marks", "marking scheme"]),
     ] {
         let scheme = folder.join("scheme.txt");
         std::fs::write(&scheme, text).expect("written");
@@ -460,26 +375,17 @@ fn ctrl_c_leaves_no_report() {
     let mut command = kinegon();
     command.args(["check", LEVER]).arg(&folder);
     command.arg("-o").arg(out.join("report.csv"));
-    let mut child = command
-        .stderr(std::process::Stdio::piped())
-        .spawn()
-        .expect("it starts");
+    let mut child = command.stderr(std::process::Stdio::piped()).spawn().expect("it starts");
     let start = Instant::now();
-    let names = || {
-        std::fs::read_dir(&out)
-            .expect("a folder")
-            .filter_map(|e| Some(e.ok()?.file_name()))
-            .collect::<Vec<_>>()
-    };
+    let names =
+        || std::fs::read_dir(&out).expect("a folder").filter_map(|e| Some(e.ok()?.file_name())).collect::<Vec<_>>();
     while names().is_empty() {
         assert!(start.elapsed() < Duration::from_secs(60));
         std::thread::sleep(Duration::from_millis(20));
     }
     std::thread::sleep(Duration::from_millis(100));
     let id = child.id().to_string();
-    let kill = std::process::Command::new("kill")
-        .args(["-INT", &id])
-        .status();
+    let kill = std::process::Command::new("kill").args(["-INT", &id]).status();
     assert!(kill.expect("kill runs").success());
     let status = child.wait().expect("it ends");
     assert_eq!(status.code(), Some(130));

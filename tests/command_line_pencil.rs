@@ -22,8 +22,7 @@ fn pencil(arguments: &[&str], scene: &str) -> Value {
 
 fn band(pencil: &Value, name: &str) -> f64 {
     let band = &pencil["bands"][name]["band"];
-    band.as_f64()
-        .unwrap_or_else(|| panic!("no {name} in {pencil}"))
+    band.as_f64().unwrap_or_else(|| panic!("no {name} in {pencil}"))
 }
 
 /// 2.1 standard deviations where so many errors of a limit come together.
@@ -48,14 +47,8 @@ fn bands_of_single_acts() {
     let across = (0.3_f64 / 100.0).to_degrees();
     assert!(across < crank);
     // A and B across the crank, 20 mm on paper; the direction read.
-    near(
-        band(&own, "angle(1)"),
-        2.1 * ((2.0 * crank * crank + 0.09) / 3.0).sqrt(),
-    );
-    near(
-        band(&own, "v(B).angle"),
-        2.1 * ((2.0 * crank * crank + 2.0 * 0.09) / 3.0).sqrt(),
-    );
+    near(band(&own, "angle(1)"), 2.1 * ((2.0 * crank * crank + 0.09) / 3.0).sqrt());
+    near(band(&own, "v(B).angle"), 2.1 * ((2.0 * crank * crank + 2.0 * 0.09) / 3.0).sqrt());
     // At the scale of accelerations a millimetre is twice as much.
     near(band(&own, "a(B).size"), 2.0 * spread(0.3, 2.0));
     // Given rates have none.
@@ -79,13 +72,7 @@ fn bands_follow_the_scales_of_the_figure() {
     assert_ne!(scene, FIGURE_2);
     let large = pencil(&arguments, &scene);
     assert_eq!(large["mu_l"], 2.5);
-    for name in [
-        "L(B,S3)",
-        "vplan(b,s3)",
-        "omega(4)",
-        "alpha(4)",
-        "a(D).size",
-    ] {
+    for name in ["L(B,S3)", "vplan(b,s3)", "omega(4)", "alpha(4)", "a(D).size"] {
         let ratio = band(&own, name) / band(&large, name);
         assert!((ratio - 2.0).abs() < 0.05, "{name}: {ratio}");
     }
@@ -97,20 +84,12 @@ fn wanted_names_have_bands_and_those_without_say_why() {
     let scene = FIGURE_2.replace("\"figure\"", want);
     let own = pencil(&["solve", "--pencil", "-"], &scene);
     assert_eq!(own["bands"]["vplan(b,s3)/mu"]["unit"], "mm");
-    for name in [
-        "a_n(D/G).size",
-        "a_n(D/G).angle",
-        "v(D/B).size",
-        "a_c(3/2).size",
-        "x(D)",
-    ] {
+    for name in ["a_n(D/G).size", "a_n(D/G).angle", "v(D/B).size", "a_c(3/2).size", "x(D)"] {
         assert!(band(&own, name) > 0.0);
     }
     // Only what the sheet shows can be read from it.
-    let scheme = FIGURE_2.replace(
-        r#""panels": ["scheme", "velocity", "acceleration"]"#,
-        r#""panels": ["scheme", "velocity"]"#,
-    );
+    let scheme =
+        FIGURE_2.replace(r#""panels": ["scheme", "velocity", "acceleration"]"#, r#""panels": ["scheme", "velocity"]"#);
     assert_ne!(scheme, FIGURE_2);
     let own = pencil(&["solve", "--pencil", "-"], &scheme);
     assert!(band(&own, "omega(4)") > 0.0);
@@ -142,26 +121,12 @@ fn steps_carry_their_bands() {
     ] {
         assert!(steps.contains(words), "no `{words}` in\n{steps}");
     }
-    for name in [
-        "L_BS3 = ",
-        "b s3 = ",
-        "omega(4) = ",
-        "a_r(3/2) = ",
-        "n_g3 s3 = ",
-    ] {
-        let line = steps
-            .lines()
-            .find(|line| line.trim_start().starts_with(name));
-        assert!(
-            line.is_some_and(|line| line.contains("; ± ")),
-            "{name}{line:?}"
-        );
+    for name in ["L_BS3 = ", "b s3 = ", "omega(4) = ", "a_r(3/2) = ", "n_g3 s3 = "] {
+        let line = steps.lines().find(|line| line.trim_start().starts_with(name));
+        assert!(line.is_some_and(|line| line.contains("; ± ")), "{name}{line:?}");
     }
     let coarse = text(&["steps", "--pencil-mm", "1", "-"], FIGURE_2);
-    assert!(
-        coarse.contains("(±1 mm, ±0.3°)") && coarse.contains("; ± 1.7 mm/s (1.71 mm)"),
-        "{coarse}"
-    );
+    assert!(coarse.contains("(±1 mm, ±0.3°)") && coarse.contains("; ± 1.7 mm/s (1.71 mm)"), "{coarse}");
 }
 
 /// However bad the hand, no number leaves that is none.
@@ -179,33 +144,14 @@ fn errors_that_take_the_construction_apart_say_so() {
 #[test]
 fn misuse_is_told() {
     for (arguments, words) in [
-        (
-            vec!["solve", "--pencil-mm", "-1", "-"],
-            "not a number from 0 to 10",
-        ),
-        (
-            vec!["steps", "--pencil-mm", "nan", "-"],
-            "not a number from 0 to 10",
-        ),
-        (
-            vec!["steps", "--pencil-degrees", "90", "-"],
-            "not a number from 0 to 10",
-        ),
-        (
-            vec!["solve", "--digits", "--pencil", "-"],
-            "cannot be used with",
-        ),
-        (
-            vec!["solve", "--digits", "--pencil-mm", "1", "-"],
-            "cannot be used with",
-        ),
+        (vec!["solve", "--pencil-mm", "-1", "-"], "not a number from 0 to 10"),
+        (vec!["steps", "--pencil-mm", "nan", "-"], "not a number from 0 to 10"),
+        (vec!["steps", "--pencil-degrees", "90", "-"], "not a number from 0 to 10"),
+        (vec!["solve", "--digits", "--pencil", "-"], "cannot be used with"),
+        (vec!["solve", "--digits", "--pencil-mm", "1", "-"], "cannot be used with"),
     ] {
         let output = with_scene(&arguments, FIGURE_2.as_bytes());
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(
-            output.stdout.is_empty() && stderr(&output).contains(words),
-            "{}",
-            stderr(&output)
-        );
+        assert!(output.stdout.is_empty() && stderr(&output).contains(words), "{}", stderr(&output));
     }
 }

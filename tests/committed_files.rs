@@ -28,10 +28,7 @@ fn same(path: &str, now: &str) {
     if there.replace("\r\n", "\n") != now {
         let left = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(path.replace('/', "-"));
         std::fs::write(&left, now).expect("the test's folder can be written");
-        panic!(
-            "{path} is not what the program makes now: see {}",
-            left.display()
-        );
+        panic!("{path} is not what the program makes now: see {}", left.display());
     }
 }
 
@@ -67,13 +64,7 @@ fn checked() -> [Drawing; 2] {
     };
     let figure = &mut stages.scene.figure;
     (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.5), Some(2.5));
-    let Stages {
-        scene,
-        mechanism,
-        pose,
-        construction,
-        ..
-    } = &stages;
+    let Stages { scene, mechanism, pose, construction, .. } = &stages;
     let sheets = drawing::overlay(scene, mechanism, pose, construction, &own);
     sheets.try_into().expect("a figure and a table")
 }
@@ -92,22 +83,10 @@ fn figures() -> [(&'static str, Drawing); 5] {
 
 #[test]
 fn schemas_are_current() {
-    same(
-        "templates/scene.schema.json",
-        &format::json(&Scene::schema()),
-    );
-    same(
-        "templates/result.schema.json",
-        &format::json(&format::result_schema()),
-    );
-    same(
-        "templates/style.schema.json",
-        &format::json(&Style::schema()),
-    );
-    same(
-        "templates/marks.schema.json",
-        &format::json(&Marks::schema()),
-    );
+    same("templates/scene.schema.json", &format::json(&Scene::schema()));
+    same("templates/result.schema.json", &format::json(&format::result_schema()));
+    same("templates/style.schema.json", &format::json(&Style::schema()));
+    same("templates/marks.schema.json", &format::json(&Marks::schema()));
 }
 
 #[test]
@@ -115,10 +94,7 @@ fn examples_name_the_schema_and_fit_it() {
     // The schema's own rules are those of the reader; here only that every example reads and points to it.
     let mut seen = 0;
     for (name, text) in files::scenes("examples") {
-        assert!(
-            text.contains("\"$schema\": \"../templates/scene.schema.json\""),
-            "{name}"
-        );
+        assert!(text.contains("\"$schema\": \"../templates/scene.schema.json\""), "{name}");
         Scene::read(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
         seen += 1;
     }
@@ -143,10 +119,7 @@ fn the_gallery_is_current_and_complete() {
         made.iter().any(|(path, _)| *path == picture)
     };
     for (name, _) in files::templates() {
-        assert!(
-            is_shown(&format!("{name}.svg")),
-            "{name} is not in the gallery"
-        );
+        assert!(is_shown(&format!("{name}.svg")), "{name} is not in the gallery");
     }
     for name in files::list("docs/gallery") {
         assert!(is_shown(&name), "{name} is not made any more");
@@ -157,9 +130,7 @@ fn the_gallery_is_current_and_complete() {
 #[test]
 fn pictures_are_redrawn_within_one_level_per_channel() {
     fn pixels(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
-        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
-            .read_info()
-            .expect("a PNG");
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
         let size = reader.output_buffer_size().expect("a size that fits");
         let mut data = vec![0; size];
         let info = reader.next_frame(&mut data).expect("a frame");
@@ -174,10 +145,7 @@ fn pictures_are_redrawn_within_one_level_per_channel() {
         if worst > Some(1) {
             let left = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.png"));
             std::fs::write(&left, &now).expect("the test's folder can be written");
-            panic!(
-                "out/{name}.png differs by up to {worst:?} levels: see {}",
-                left.display()
-            );
+            panic!("out/{name}.png differs by up to {worst:?} levels: see {}", left.display());
         }
     }
 }

@@ -13,12 +13,7 @@ use std::path::Path as FilePath;
 const MOST_BYTES: usize = 60_000;
 
 /// What the curves of a scene look like over a range; without one once around or from limit to limit.
-fn sampled<T>(
-    scene: &str,
-    range: Option<[f64; 2]>,
-    want: &str,
-    look: impl FnOnce(&Scene, &Curves) -> T,
-) -> T {
+fn sampled<T>(scene: &str, range: Option<[f64; 2]>, want: &str, look: impl FnOnce(&Scene, &Curves) -> T) -> T {
     let scene = Scene::read(scene).unwrap_or_else(|error| panic!("{error}"));
     let mechanism = mechanism(&scene).unwrap_or_else(|error| panic!("{error}"));
     let pose = pose(&mechanism, &scene.near).unwrap_or_else(|error| panic!("{error}"));
@@ -81,10 +76,7 @@ fn extreme(curves: &Curves, name: &str, greatest: bool) -> (f64, Vec<f64>) {
     let extremes = &curve(curves, name).extremes;
     let same = extremes.iter().filter(|e| e.greatest == greatest);
     let value = same.clone().next().map(|e| e.value);
-    (
-        value.unwrap_or_else(|| panic!("{name} has no such extreme")),
-        same.map(|e| e.at).collect(),
-    )
+    (value.unwrap_or_else(|| panic!("{name} has no such extreme")), same.map(|e| e.at).collect())
 }
 
 fn close(got: f64, truth: f64, relative: f64, what: &str) {
@@ -146,11 +138,7 @@ fn a_curve_reaches_its_value_in_the_limit_position() {
             let truth = libm::atan2(60.0 * sine, 60.0 * cosine - 100.0).to_degrees();
             let pieces = &curve(curves, "angle(3)").pieces;
             assert_eq!(pieces.len(), 1);
-            let end = if side == 0 {
-                pieces[0].first()
-            } else {
-                pieces[0].last()
-            };
+            let end = if side == 0 { pieces[0].first() } else { pieces[0].last() };
             let end = end.expect("it has samples");
             assert_eq!(end[0], curves.range[side]);
             let turns = (end[1] - truth) / 360.0;
@@ -159,11 +147,7 @@ fn a_curve_reaches_its_value_in_the_limit_position() {
         // Its angular velocity grows beyond all bounds in both.
         let omega = curve(curves, "omega(3)");
         assert!(omega.extremes.len() <= 1, "{:?}", omega.extremes);
-        assert!(
-            omega.window[1] - omega.window[0] < 200.0,
-            "{:?}",
-            omega.window
-        );
+        assert!(omega.window[1] - omega.window[0] < 200.0, "{:?}", omega.window);
         let even = curve(curves, "omega(1)").constant;
         close(even.expect("it is constant"), 10.0, 1e-9, "crank");
     });
@@ -174,55 +158,40 @@ fn curves_go_smoothly_through_change_positions() {
     // Crossed, the linkage rolls one ellipse on another: from −(d + r)/(d − r) to its inverse, both in change positions.
     let crossed = four_bar([40.0, 100.0, 40.0], 60.0, [80.0, -35.0]);
     let range = Some([0.0, 360.0]);
-    sampled(
-        &crossed,
-        range,
-        "omega(3) alpha(3) angle(3)",
-        |_, curves| {
-            let (least, at) = extreme(curves, "omega(3)", false);
-            close(least, -10.0 * 140.0 / 60.0, 1e-6, "the quickest");
-            assert!(at[0].abs() < 0.01, "{at:?}");
-            let (most, at) = extreme(curves, "omega(3)", true);
-            close(most, -10.0 * 60.0 / 140.0, 1e-6, "the slowest");
-            close(at[0], 180.0, 1e-3, "its place");
-            for curve in &curves.curves {
-                assert_eq!(curve.pieces.len(), 1);
-            }
-            let (least, _) = extreme(curves, "angle(3)", false);
-            close(least, -360.0, 1e-9, "a turn back");
-        },
-    );
+    sampled(&crossed, range, "omega(3) alpha(3) angle(3)", |_, curves| {
+        let (least, at) = extreme(curves, "omega(3)", false);
+        close(least, -10.0 * 140.0 / 60.0, 1e-6, "the quickest");
+        assert!(at[0].abs() < 0.01, "{at:?}");
+        let (most, at) = extreme(curves, "omega(3)", true);
+        close(most, -10.0 * 60.0 / 140.0, 1e-6, "the slowest");
+        close(at[0], 180.0, 1e-3, "its place");
+        for curve in &curves.curves {
+            assert_eq!(curve.pieces.len(), 1);
+        }
+        let (least, _) = extreme(curves, "angle(3)", false);
+        close(least, -360.0, 1e-9, "a turn back");
+    });
     // The parallelogram moves evenly, whatever rounding says near its change positions.
     let parallel = four_bar([40.0, 100.0, 40.0], 60.0, [120.0, 35.0]);
-    sampled(
-        &parallel,
-        range,
-        "omega(3) alpha(3) omega(2)",
-        |_, curves| {
-            let omega = curve(curves, "omega(3)").constant;
-            close(omega.expect("it is constant"), 10.0, 1e-9, "rocker");
-            assert_eq!(curve(curves, "alpha(3)").constant, Some(0.0));
-            assert_eq!(curve(curves, "omega(2)").constant, Some(0.0));
-        },
-    );
+    sampled(&parallel, range, "omega(3) alpha(3) omega(2)", |_, curves| {
+        let omega = curve(curves, "omega(3)").constant;
+        close(omega.expect("it is constant"), 10.0, 1e-9, "rocker");
+        assert_eq!(curve(curves, "alpha(3)").constant, Some(0.0));
+        assert_eq!(curve(curves, "omega(2)").constant, Some(0.0));
+    });
 }
 
 #[test]
 fn angles_go_on_over_several_turns() {
     let whitworth = file("templates/whitworth.json");
-    sampled(
-        &whitworth,
-        Some([-100.0, 980.0]),
-        "angle(3)",
-        |_, curves| {
-            let pieces = &curve(curves, "angle(3)").pieces;
-            assert_eq!(pieces.len(), 1);
-            let rise = pieces[0][pieces[0].len() - 1][1] - pieces[0][0][1];
-            close(rise, 1080.0, 1e-9, "three turns");
-            let steps = pieces[0].windows(2).map(|w| w[1][1] - w[0][1]);
-            assert!(steps.fold(0.0_f64, |a, b| a.max(b.abs())) < 30.0);
-        },
-    );
+    sampled(&whitworth, Some([-100.0, 980.0]), "angle(3)", |_, curves| {
+        let pieces = &curve(curves, "angle(3)").pieces;
+        assert_eq!(pieces.len(), 1);
+        let rise = pieces[0][pieces[0].len() - 1][1] - pieces[0][0][1];
+        close(rise, 1080.0, 1e-9, "three turns");
+        let steps = pieces[0].windows(2).map(|w| w[1][1] - w[0][1]);
+        assert!(steps.fold(0.0_f64, |a, b| a.max(b.abs())) < 30.0);
+    });
 }
 
 #[test]
@@ -240,19 +209,10 @@ fn a_pole_within_the_range_is_cut_off() {
 fn equal_curves_are_drawn_once() {
     let lever = file("templates/slotted-lever.json");
     let drawing = drawn(&lever, None, "omega(2) omega(3) v_r(2/3)");
-    let lines = |mark: &&Mark| {
-        mark.id
-            .as_deref()
-            .is_some_and(|id| id.starts_with("omega-curve"))
-    };
+    let lines = |mark: &&Mark| mark.id.as_deref().is_some_and(|id| id.starts_with("omega-curve"));
     assert_eq!(drawing.marks.iter().filter(lines).count(), 1);
     let names = texts(&drawing).map(|(_, text)| text);
-    assert_eq!(
-        names
-            .filter(|text| text.replace(' ', "") == "ω2=ω3")
-            .count(),
-        1
-    );
+    assert_eq!(names.filter(|text| text.replace(' ', "") == "ω2=ω3").count(), 1);
 }
 
 fn texts(drawing: &Drawing) -> impl Iterator<Item = (&Mark, String)> {
@@ -284,9 +244,7 @@ fn scale(drawing: &Drawing, panel: Rect, upright: bool) -> impl Fn(f64) -> f64 {
             } else {
                 centre.y > panel.y1 && (centre.x - place).abs() < 1.0
             };
-            beside
-                .then(|| text.replace('−', "-").parse().ok())
-                .flatten()
+            beside.then(|| text.replace('−', "-").parse().ok()).flatten()
         });
         numbers.last()
     };
@@ -312,10 +270,7 @@ fn distance(p: Point, chain: &[Point]) -> f64 {
 fn lines_and_dots_on_paper_are_where_the_grid_says() {
     let drawing = drawn(SLIDER_CRANK, Some([0.0, 360.0]), "x(C) v(C)");
     let panels = frames(&drawing);
-    let bottom = Rect {
-        y0: panels[0].y0,
-        ..panels[1]
-    };
+    let bottom = Rect { y0: panels[0].y0, ..panels[1] };
     let across = scale(&drawing, bottom, false);
     let (r, l) = (50.0, 150.0);
     let place = |degrees: f64| {
@@ -333,10 +288,7 @@ fn lines_and_dots_on_paper_are_where_the_grid_says() {
         let mut chain: Vec<Point> = Vec::new();
         let mut dots = Vec::new();
         for mark in &drawing.marks {
-            let own = mark
-                .id
-                .as_deref()
-                .is_some_and(|id| id.starts_with(&format!("{name}-curve")));
+            let own = mark.id.as_deref().is_some_and(|id| id.starts_with(&format!("{name}-curve")));
             match &mark.shape {
                 Shape::Polyline(points) if own => chain.extend(points),
                 Shape::Circle { center, .. } if matches!(mark.pen, Pen::Curve) => {
@@ -398,23 +350,15 @@ fn faults(drawing: &Drawing, curves: &[Curve]) -> Vec<String> {
         }
     }
     let is_name = |id: &str| id.contains("-label-");
-    let names = texts
-        .iter()
-        .filter(|(m, _)| m.id.as_deref().is_some_and(is_name));
+    let names = texts.iter().filter(|(m, _)| m.id.as_deref().is_some_and(is_name));
     if names.count() != curves.len() {
-        faults.push(format!(
-            "not every one of {} curves has a name",
-            curves.len()
-        ));
+        faults.push(format!("not every one of {} curves has a name", curves.len()));
     }
     let is_value = |id: &str| id.contains("-greatest-") || id.contains("-least-");
-    let values = texts
-        .iter()
-        .filter(|(m, _)| m.id.as_deref().is_some_and(is_value));
+    let values = texts.iter().filter(|(m, _)| m.id.as_deref().is_some_and(is_value));
     let reached = |c: &Curve| {
         let both = [false, true].into_iter();
-        both.filter(|g| c.extremes.iter().any(|e| e.greatest == *g))
-            .count()
+        both.filter(|g| c.extremes.iter().any(|e| e.greatest == *g)).count()
     };
     if values.count() != curves.iter().map(reached).sum::<usize>() {
         faults.push("not every extreme has its value".to_owned());
@@ -429,17 +373,12 @@ fn faults(drawing: &Drawing, curves: &[Curve]) -> Vec<String> {
 fn wishes(scene: &str) -> Vec<String> {
     let scene = Scene::read(scene).expect("a good scene");
     let mechanism = mechanism(&scene).expect("a mechanism");
-    let links: Vec<&str> = mechanism
-        .links()
-        .map(|(_, body)| body.name.as_str())
-        .collect();
+    let links: Vec<&str> = mechanism.links().map(|(_, body)| body.name.as_str()).collect();
     let points: Vec<&str> = mechanism.points.iter().map(String::as_str).collect();
     let sliders = (0..mechanism.sliders.len()).map(kinegon::mechanism::SliderId);
     let sliders: Vec<String> = sliders.map(|s| mechanism.slider_name(s)).collect();
     let each = |heads: &[&str], names: &[&str]| {
-        let all = heads
-            .iter()
-            .flat_map(|head| names.iter().map(move |n| format!("{head}({n})")));
+        let all = heads.iter().flat_map(|head| names.iter().map(move |n| format!("{head}({n})")));
         all.collect::<Vec<_>>().join(" ")
     };
     let sliders: Vec<&str> = sliders.iter().map(String::as_str).collect();
@@ -460,13 +399,7 @@ fn nothing_covers_a_label_and_nothing_leaves_its_panel() {
     let folder = FilePath::new(env!("CARGO_MANIFEST_DIR")).join("templates");
     let files = std::fs::read_dir(folder).expect("the folder is there");
     let mut names: Vec<String> = files
-        .map(|entry| {
-            entry
-                .expect("listed")
-                .file_name()
-                .to_string_lossy()
-                .into_owned()
-        })
+        .map(|entry| entry.expect("listed").file_name().to_string_lossy().into_owned())
         .filter(|name| name.ends_with(".json") && !name.ends_with(".schema.json"))
         .map(|name| format!("templates/{name}"))
         .collect();
@@ -487,20 +420,11 @@ fn nothing_covers_a_label_and_nothing_leaves_its_panel() {
                 faults(&drawing, &sampled.curves)
             });
             tried += 1;
-            wrong.extend(
-                found
-                    .into_iter()
-                    .map(|fault| format!("{name} [{want}]: {fault}")),
-            );
+            wrong.extend(found.into_iter().map(|fault| format!("{name} [{want}]: {fault}")));
         }
     }
     assert!(tried >= 40, "only {tried} figures");
-    assert!(
-        wrong.is_empty(),
-        "{} faults\n{}",
-        wrong.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
 }
 
 #[test]
@@ -514,26 +438,18 @@ fn the_papers_mechanism_is_drawn_from_limit_to_limit() {
     let shown = texts(&drawing).map(|(_, text)| text.replace(' ', ""));
     let shown: Vec<String> = shown.collect();
     for words in ["limit−137.58°", "limit137.58°", "scene70°"] {
-        assert!(
-            shown.iter().any(|text| text == words),
-            "no {words}: {shown:?}"
-        );
+        assert!(shown.iter().any(|text| text == words), "no {words}: {shown:?}");
     }
     let count = |pen: Pen| drawing.marks.iter().filter(|m| m.pen == pen).count();
     assert_eq!((count(Pen::Limit), count(Pen::Stand)), (6, 3));
     // Curves that grow without bound run out through the border.
     let frames = frames(&drawing);
-    for (panel, ends) in frames
-        .iter()
-        .zip([[true, false], [true, true], [false, true]])
-    {
+    for (panel, ends) in frames.iter().zip([[true, false], [true, true], [false, true]]) {
         let lines = drawing.marks.iter().filter_map(|mark| match &mark.shape {
             Shape::Polyline(points) if matches!(mark.pen, Pen::Curve) => Some(points),
             _ => None,
         });
-        let own: Vec<&Vec<Point>> = lines
-            .filter(|points| panel.inflate(0.1, 0.1).contains(points[0]))
-            .collect();
+        let own: Vec<&Vec<Point>> = lines.filter(|points| panel.inflate(0.1, 0.1).contains(points[0])).collect();
         assert_eq!(own.len(), 1);
         let edge = |up: bool| if up { panel.y0 } else { panel.y1 };
         let (first, last) = (own[0][0], own[0][own[0].len() - 1]);

@@ -33,13 +33,10 @@ fn example(number: u8) -> Drawing {
 fn turned() -> Vec<(String, Drawing)> {
     let text = read("examples/figure-2.json");
     let at = |angle: i32, near: &[(String, [f64; 2])]| {
-        let mut scene: serde_json::Value =
-            serde_json::from_str(&text).expect("the example is JSON");
+        let mut scene: serde_json::Value = serde_json::from_str(&text).expect("the example is JSON");
         scene["links"]["1"]["drive"]["angle"] = angle.into();
         if !near.is_empty() {
-            let near = near
-                .iter()
-                .filter(|(name, _)| ["D", "E", "F"].contains(&name.as_str()));
+            let near = near.iter().filter(|(name, _)| ["D", "E", "F"].contains(&name.as_str()));
             let near = near.map(|(name, place)| (name.clone(), serde_json::json!(place)));
             scene["near"] = serde_json::Value::Object(near.collect());
         }
@@ -72,9 +69,7 @@ fn scenes(folder: &str) -> Vec<(String, Drawing)> {
 }
 
 fn drawings() -> Vec<(String, Drawing)> {
-    let mut all: Vec<(String, Drawing)> = [1, 2]
-        .map(|number| (format!("figure {number}"), example(number)))
-        .into();
+    let mut all: Vec<(String, Drawing)> = [1, 2].map(|number| (format!("figure {number}"), example(number))).into();
     all.extend(turned());
     all.extend(scenes("templates"));
     all.extend(scenes("tests/driven_sliders"));
@@ -99,13 +94,8 @@ fn worded() -> Vec<(String, Drawing)> {
         "templates/whitworth.json",
     ] {
         for notation in NotationName::ALL.map(NotationName::as_str) {
-            let mut scene: serde_json::Value =
-                serde_json::from_str(&read(path)).expect("a scene is JSON");
-            for (key, value) in [
-                ("notation", notation),
-                ("language", "es"),
-                ("decimal", "comma"),
-            ] {
+            let mut scene: serde_json::Value = serde_json::from_str(&read(path)).expect("a scene is JSON");
+            for (key, value) in [("notation", notation), ("language", "es"), ("decimal", "comma")] {
                 scene["figure"][key] = value.into();
             }
             let (drawing, _) = drawn(&scene.to_string()).expect("it can be drawn");
@@ -126,12 +116,7 @@ fn nothing_covers_a_label_and_nothing_leaves_its_panel() {
             wrong.push(format!("{name}: {fault}"));
         }
     }
-    assert!(
-        wrong.is_empty(),
-        "{} faults\n{}",
-        wrong.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
 }
 
 /// The value of an attribute in the element of an id.
@@ -141,9 +126,7 @@ fn attribute(file: &str, id: &str, name: &str) -> f64 {
     let element = &rest[..rest.find('>').expect("the element ends")];
     let name = format!(" {name}=\"");
     let value = &element[element.find(&name).expect("the attribute is there") + name.len()..];
-    value[..value.find('"').expect("the value ends")]
-        .parse()
-        .expect("it is a number")
+    value[..value.find('"').expect("the value ends")].parse().expect("it is a number")
 }
 
 #[test]
@@ -159,11 +142,7 @@ fn a_ruler_on_paper_reads_the_velocity() {
         let size = format!("width=\"{width}mm\" height=\"{height}mm\"");
         let view = format!("viewBox=\"0 0 {width} {height}\"");
         let root = &file[..file.find('>').expect("the root ends")];
-        let has = |attributes: &str| {
-            attributes
-                .split("\" ")
-                .all(|part| root.contains(part.trim_end_matches('"')))
-        };
+        let has = |attributes: &str| attributes.split("\" ").all(|part| root.contains(part.trim_end_matches('"')));
         assert!(has(&size) && has(&view), "{root}");
     }
 }
@@ -182,9 +161,7 @@ fn labels<'a>(drawing: &'a Drawing, panel: &str) -> Vec<(&'a str, String)> {
 fn shows(drawing: &Drawing, panel: &str, names: &str) {
     let labels = labels(drawing, panel);
     for name in names.split(' ') {
-        let found = labels
-            .iter()
-            .any(|(_, shown)| shown.split(',').any(|one| one.trim() == name));
+        let found = labels.iter().any(|(_, shown)| shown.split(',').any(|one| one.trim() == name));
         assert!(found, "no label {name} in the {panel} panel: {labels:?}");
     }
 }
@@ -199,13 +176,10 @@ fn draws(drawing: &Drawing, pen: Pen, ids: &str) {
 
 #[test]
 fn a_title_is_taken_letter_by_letter() {
-    let text =
-        read("examples/figure-2.json").replace("Quintero et al. (2011), Figure 2", "four_bar^2");
+    let text = read("examples/figure-2.json").replace("Quintero et al. (2011), Figure 2", "four_bar^2");
     let (drawing, _) = drawn(&text).expect("it can be drawn");
     let heading = drawing.marks.iter().find(|mark| mark.pen == Pen::Heading);
-    let Some(Shape::Text(heading)) = heading.map(|mark| &mark.shape) else {
-        panic!("no heading")
-    };
+    let Some(Shape::Text(heading)) = heading.map(|mark| &mark.shape) else { panic!("no heading") };
     assert_eq!(heading.text.content(), "four_bar^2");
 }
 
@@ -215,11 +189,7 @@ fn figure_1_shows_all_its_names() {
     shows(&drawing, "scheme", "B C D E F G S3 S5 1 2 3 4 5 6");
     for name in ["BC", "ED", "BG", "EF"] {
         let (start, special) = (&name[..1], if "BC ED".contains(name) { "S3" } else { "S5" });
-        draws(
-            &drawing,
-            Pen::Construction,
-            &format!("scheme-cut-{special}-{start}"),
-        );
+        draws(&drawing, Pen::Construction, &format!("scheme-cut-{special}-{start}"));
     }
     shows(&drawing, "velocity", "p b e s3 s5 c d g f");
     draws(
@@ -251,10 +221,7 @@ fn figure_2_shows_all_its_names() {
         })
         .collect();
     for scale in ["μl", "μv", "μa"] {
-        assert!(
-            written.iter().any(|text| text == scale),
-            "no {scale}: {written:?}"
-        );
+        assert!(written.iter().any(|text| text == scale), "no {scale}: {written:?}");
     }
 }
 
@@ -274,10 +241,7 @@ fn names_in_the_scheme_keep_off_links() {
                     Shape::Line(a, b) => covers(&[*a, *b], ink),
                     Shape::Polygon(corners) => {
                         let next = corners.iter().cycle().skip(1);
-                        corners
-                            .iter()
-                            .zip(next)
-                            .any(|(a, b)| covers(&[*a, *b], ink))
+                        corners.iter().zip(next).any(|(a, b)| covers(&[*a, *b], ink))
                     }
                     _ => false,
                 };
@@ -295,19 +259,13 @@ fn long_names_of_links_are_set_apart_in_special_points() {
     let renamed = |text: &str, names: &[&str]| {
         let mut scene: serde_json::Value = serde_json::from_str(text).expect("a template is JSON");
         let links = scene["links"].as_object_mut().expect("links by name");
-        let values: Vec<_> = std::mem::take(links)
-            .into_iter()
-            .map(|(_, link)| link)
-            .collect();
+        let values: Vec<_> = std::mem::take(links).into_iter().map(|(_, link)| link).collect();
         links.extend(names.iter().map(|name| name.to_string()).zip(values));
         drawn(&scene.to_string()).expect("it can be drawn").0
     };
     let says = |drawing: &Drawing, panel: &str, name: &str| {
         let labels = labels(drawing, panel);
-        assert!(
-            labels.iter().any(|(_, shown)| shown == name),
-            "no {name} in {labels:?}"
-        );
+        assert!(labels.iter().any(|(_, shown)| shown == name), "no {name} in {labels:?}");
     };
     let text = read("templates/third-class.json");
     let third = renamed(&text, &["crank", "rod", "plate", "arm", "leg"]);
@@ -329,28 +287,17 @@ fn a_cylinder_shows_what_its_drive_adds() {
     shows(&drawing, "velocity", "p a o c ra3");
     shows(&drawing, "acceleration", "π a o c ra3 ka3 naC noC");
     draws(&drawing, Pen::Slider, "scheme-slider-3");
-    draws(
-        &drawing,
-        Pen::Vector,
-        "velocity-vector-a-r_a3 acceleration-vector-a-r_a3",
-    );
+    draws(&drawing, Pen::Vector, "velocity-vector-a-r_a3 acceleration-vector-a-r_a3");
     draws(&drawing, Pen::Coriolis, "acceleration-vector-r_a3-k_a3");
     draws(&drawing, Pen::Normal, "acceleration-vector-k_a3-n_aC");
-    draws(
-        &drawing,
-        Pen::Ray,
-        "velocity-ray-r_a3-c acceleration-ray-n_aC-c",
-    );
+    draws(&drawing, Pen::Ray, "velocity-ray-r_a3-c acceleration-ray-n_aC-c");
     // The arrow beside the block points the way it is pushed: from A to B, or back.
     let arrow = |drawing: &Drawing| {
         let found = drawing.marks.iter().find(|m| id(m) == "scheme-speed-3u2f2");
-        let Some(Shape::Arrow { from, to }) = found.map(|m| m.shape.clone()) else {
-            panic!("no arrow")
-        };
+        let Some(Shape::Arrow { from, to }) = found.map(|m| m.shape.clone()) else { panic!("no arrow") };
         to - from
     };
-    let (back, _) =
-        drawn(&text.replace("\"speed\": 80", "\"speed\": -80")).expect("it can be drawn");
+    let (back, _) = drawn(&text.replace("\"speed\": 80", "\"speed\": -80")).expect("it can be drawn");
     let (angle, length) = (68.457_610_487_18_f64.to_radians(), 10.0);
     // The sheet's y runs down.
     let (x, y) = (length * libm::cos(angle), -length * libm::sin(angle));

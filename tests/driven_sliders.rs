@@ -78,13 +78,7 @@ fn solved(name: &str, scene: &Value) -> Solution {
             motion: &motion,
             construction: &construction,
         });
-        Ok(Solution {
-            mechanism,
-            pose,
-            motion,
-            construction,
-            result,
-        })
+        Ok(Solution { mechanism, pose, motion, construction, result })
     };
     work().unwrap_or_else(|error| panic!("{name}: {error}\n{scene}"))
 }
@@ -132,8 +126,7 @@ fn drawn(case: &Case) -> Value {
                     json!([direction.x, direction.y])
                 }
             };
-            let mut drawn =
-                json!({ "link": slider["link"], "at": slider["at"], "on": on, "along": along });
+            let mut drawn = json!({ "link": slider["link"], "at": slider["at"], "on": on, "along": along });
             if let Some(drive) = slider.get("drive") {
                 let mut drive = drive.clone();
                 drive.as_object_mut().expect("keys").remove("position");
@@ -150,11 +143,7 @@ fn demand_truth(name: &str, case: &Case, result: &ResultFile, places: bool) {
     let mut expect = case.expect.clone();
     if !places {
         // As drawn a slider's position counts from elsewhere, and a link with one point has its guide for axis.
-        for slider in expect["sliders"]
-            .as_object_mut()
-            .expect("sliders")
-            .values_mut()
-        {
+        for slider in expect["sliders"].as_object_mut().expect("sliders").values_mut() {
             slider.as_object_mut().expect("keys").remove("position");
         }
         for link in expect["links"].as_object_mut().expect("links").values_mut() {
@@ -167,16 +156,9 @@ fn demand_truth(name: &str, case: &Case, result: &ResultFile, places: bool) {
     assert!(comparison.errors.len() > 20, "{name}");
     let bound = BOUND * condition(result);
     for (error, what) in &comparison.errors {
-        assert!(
-            !exceeds(*error, bound),
-            "{name}: {what} is wrong by {error:e}, allowed is {bound:e}"
-        );
+        assert!(!exceeds(*error, bound), "{name}: {what} is wrong by {error:e}, allowed is {bound:e}");
     }
-    assert!(
-        result.warnings.is_empty() || HIGHER.contains(&case.name.as_str()),
-        "{name}: {:?}",
-        result.warnings
-    );
+    assert!(result.warnings.is_empty() || HIGHER.contains(&case.name.as_str()), "{name}: {:?}", result.warnings);
 }
 
 #[test]
@@ -188,11 +170,7 @@ fn numbers_are_true_from_lengths_and_as_drawn() {
         if !HIGHER.contains(&case.name.as_str()) {
             let modes = |group: &Value| group["modes"].as_u64();
             let truth = case.expect["groups"].as_array().into_iter().flatten();
-            let found: Vec<_> = result
-                .groups
-                .iter()
-                .map(|g| g.modes.map(|m| m as u64))
-                .collect();
+            let found: Vec<_> = result.groups.iter().map(|g| g.modes.map(|m| m as u64)).collect();
             assert_eq!(found, truth.map(modes).collect::<Vec<_>>(), "{}", case.name);
         }
         let name = format!("{} as drawn", case.name);
@@ -203,19 +181,12 @@ fn numbers_are_true_from_lengths_and_as_drawn() {
         for (group, truth) in result.groups.iter().zip(truth) {
             let mut links = group.links.clone();
             links.sort();
-            let mut expected: Vec<&str> = truth["links"]
-                .as_array()
-                .into_iter()
-                .flatten()
-                .filter_map(Value::as_str)
-                .collect();
+            let mut expected: Vec<&str> =
+                truth["links"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
             expected.sort_unstable();
             assert_eq!(
                 (links, truth["class"].as_str()),
-                (
-                    expected.iter().map(|&l| l.to_owned()).collect(),
-                    Some(group.class)
-                ),
+                (expected.iter().map(|&l| l.to_owned()).collect(), Some(group.class)),
                 "{name}"
             );
         }
@@ -227,23 +198,13 @@ fn both_routes_agree() {
     for case in cases() {
         let scene = drawn(&case);
         for group in solved(&case.name, &scene).result.groups {
-            let (Some(difference), Some(allowed)) =
-                (group.disagreement, group.disagreement_allowed)
-            else {
+            let (Some(difference), Some(allowed)) = (group.disagreement, group.disagreement_allowed) else {
                 assert_eq!(group.class, "higher", "{}: {:?}", case.name, group.links);
                 continue;
             };
-            assert!(
-                !exceeds(difference, allowed),
-                "{}: {difference:e} > {allowed:e}",
-                case.name
-            );
+            assert!(!exceeds(difference, allowed), "{}: {difference:e} > {allowed:e}", case.name);
             // The allowance says something.
-            assert!(
-                allowed < 1e-11 * group.condition,
-                "{}: {allowed:e}",
-                case.name
-            );
+            assert!(allowed < 1e-11 * group.condition, "{}: {allowed:e}", case.name);
         }
     }
 }
@@ -251,16 +212,12 @@ fn both_routes_agree() {
 /// Checks that every step starts where the plan has come, that each ray leads to its crossing, and that the images of the
 /// mechanism's points are their velocities or accelerations by the loop equations.
 fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
-    let size = plan
-        .points
-        .values()
-        .fold(0.0, |m: f64, p| m.max(p.vector.norm()));
+    let size = plan.points.values().fold(0.0, |m: f64, p| m.max(p.vector.norm()));
     let bound = CLOSED * condition(&solution.result) * size;
     let mut reached: Vec<&str> = Vec::new();
     // The image of a point at rest under a slider is there from the beginning.
-    let is_there = |reached: &[&str], point: &str| {
-        reached.contains(&point) || plan.points[point].vector == Vector::zeros()
-    };
+    let is_there =
+        |reached: &[&str], point: &str| reached.contains(&point) || plan.points[point].vector == Vector::zeros();
     for step in &plan.steps {
         match &step.action {
             Action::Pole { images } => {
@@ -275,10 +232,7 @@ fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
                 let start = plan.points[&ray.through].vector;
                 assert!(is_there(&reached, &ray.through), "{name}: {ray:?}");
                 let miss = cross(ray.direction, plan.points[&ray.to].vector - start);
-                assert!(
-                    !exceeds(miss.abs(), bound),
-                    "{name}: {ray:?} misses by {miss:e}"
-                );
+                assert!(!exceeds(miss.abs(), bound), "{name}: {ray:?} misses by {miss:e}");
             }
             Action::Cross { point, .. } => reached.push(point),
             _ => {}
@@ -297,10 +251,7 @@ fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
                 PlanKind::Acceleration => motion.acceleration_at(at),
             };
             let off = (image.vector - truth).norm();
-            assert!(
-                !exceeds(off, bound),
-                "{name}: the image of {point} is {off:e} off"
-            );
+            assert!(!exceeds(off, bound), "{name}: the image of {point} is {off:e} off");
         }
     }
 }
@@ -319,8 +270,7 @@ fn plans_close_and_show_what_drives_add() {
             let has = |part: Part, length: f64| {
                 let arrows = plan.arrows().filter(|arrow| arrow.part == part);
                 let mut lengths = arrows.filter_map(|a| Some(plan.segment(&a.from, &a.to)?.norm()));
-                let close =
-                    |l: f64| (l - length).abs() <= 1e-13 * condition(&solution.result) * length;
+                let close = |l: f64| (l - length).abs() <= 1e-13 * condition(&solution.result) * length;
                 assert!(
                     length == 0.0 || lengths.any(close),
                     "{name}: no {part:?} vector of {length} in the {:?} plan",

@@ -59,29 +59,20 @@ impl Seen {
         self.mechanisms += 1;
         for (id, body) in mechanism.links() {
             if matches!(body.role, Role::Member | Role::Pushed { .. }) {
-                let (got, bounds, truth) =
-                    (motion.body(id), motion.errors[id.0], &truth.bodies[id.0]);
+                let (got, bounds, truth) = (motion.body(id), motion.errors[id.0], &truth.bodies[id.0]);
                 let link = &body.name;
-                self.number(error(got.omega, &truth.omega), bounds.omega, || {
-                    format!("{name}: omega({link})")
-                });
-                self.number(error(got.alpha, &truth.alpha), bounds.alpha, || {
-                    format!("{name}: alpha({link})")
-                });
+                self.number(error(got.omega, &truth.omega), bounds.omega, || format!("{name}: omega({link})"));
+                self.number(error(got.alpha, &truth.alpha), bounds.alpha, || format!("{name}: alpha({link})"));
             }
         }
         for (index, slide) in motion.slides.iter().enumerate() {
             let [velocity, acceleration] = &truth.slides[index];
-            self.number(
-                error(slide.velocity, velocity),
-                slide.velocity_error,
-                || format!("{name}: v_r of slider {index}"),
-            );
-            self.number(
-                error(slide.acceleration, acceleration),
-                slide.acceleration_error,
-                || format!("{name}: a_r of slider {index}"),
-            );
+            self.number(error(slide.velocity, velocity), slide.velocity_error, || {
+                format!("{name}: v_r of slider {index}")
+            });
+            self.number(error(slide.acceleration, acceleration), slide.acceleration_error, || {
+                format!("{name}: a_r of slider {index}")
+            });
         }
     }
 
@@ -93,8 +84,7 @@ impl Seen {
         let share = error / bound;
         self.shares.push(share);
         if share.is_nan() || share > 1.0 {
-            self.failures
-                .push(format!("{}: error {error:e}, stated {bound:e}", name()));
+            self.failures.push(format!("{}: error {error:e}, stated {bound:e}", name()));
         }
     }
 
@@ -120,11 +110,7 @@ impl Seen {
         );
         let failures = self.failures.len();
         self.failures.truncate(10);
-        assert!(
-            failures == 0,
-            "{what}: {failures} failures\n{}",
-            self.failures.join("\n")
-        );
+        assert!(failures == 0, "{what}: {failures} failures\n{}", self.failures.join("\n"));
         assert!(median * WASTEFUL > 1.0, "{what}: the bounds say too little");
         assert!(10 * self.mechanisms > self.refused, "{what}");
     }
@@ -214,25 +200,11 @@ fn groups_on_groups_and_driven_sliders() {
 #[test]
 fn a_long_link_costs_no_digits() {
     let [long, base] = [1e5, 8.3125];
-    let moving = |velocity, acceleration| Base {
-        velocity,
-        acceleration,
-        spin: None,
-    };
+    let moving = |velocity, acceleration| Base { velocity, acceleration, spin: None };
     let group = Group {
-        places: [
-            [15.75, base],
-            [7.875, 9.4375],
-            [long, 0.99 * long],
-            [0.0, 0.0],
-            [1.2 * long, 0.0],
-            [13.5, base],
-        ],
+        places: [[15.75, base], [7.875, 9.4375], [long, 0.99 * long], [0.0, 0.0], [1.2 * long, 0.0], [13.5, base]],
         guides: [None; 6],
-        bases: [
-            moving([0.75, -4.0], [1.3125, -3.25]),
-            moving([-7.0625, 0.0], [7.8125, 1.25]),
-        ],
+        bases: [moving([0.75, -4.0], [1.3125, -3.25]), moving([-7.0625, 0.0], [7.8125, 1.25])],
     };
     let mut seen = Seen::default();
     let scene = Scene::read(&group.scene().to_string()).expect("a good scene");
@@ -248,21 +220,13 @@ fn a_long_link_costs_no_digits() {
 
 /// A scene from lengths with its cranks turned by up to `turn` degrees and at any rates.
 fn see_scene(name: &str, text: &str, turn: f64, dice: &mut Random, seen: &mut Seen) {
-    let Ok(scene) = Scene::read(text) else {
-        panic!("{name} is no scene")
-    };
+    let Ok(scene) = Scene::read(text) else { panic!("{name} is no scene") };
     let Ok(mut mechanism) = mechanism(&scene) else {
         seen.refused += 1;
         return;
     };
     for body in &mut mechanism.bodies {
-        if let Role::Driver {
-            angle,
-            omega,
-            alpha,
-            ..
-        } = &mut body.role
-        {
+        if let Role::Driver { angle, omega, alpha, .. } = &mut body.role {
             *angle = angle.map(|a| a + dice.within(turn));
             (*omega, *alpha) = (dice.within(8.0), dice.within(8.0));
         }

@@ -84,11 +84,7 @@ fn numbers_are_round(kind: &str, text: &str) {
                 continue;
             };
             let written = format!("{length:e}");
-            let digits = written
-                .split('e')
-                .next()
-                .unwrap_or_default()
-                .replace('.', "");
+            let digits = written.split('e').next().unwrap_or_default().replace('.', "");
             assert!(digits.len() <= 3, "{kind}: {key} {length}");
         }
         for angle in [&link["drive"]["angle"], &link["angle"]] {
@@ -107,11 +103,8 @@ fn lines_cross_well(kind: &str, stages: &Stages) {
             match &step.action {
                 Action::Ray(ray) => rays.push((&ray.to, ray.direction)),
                 Action::Cross { point, .. } => {
-                    let own: Vec<Vector> = rays
-                        .iter()
-                        .filter(|(to, _)| to == point)
-                        .map(|(_, direction)| *direction)
-                        .collect();
+                    let own: Vec<Vector> =
+                        rays.iter().filter(|(to, _)| to == point).map(|(_, direction)| *direction).collect();
                     let [.., a, b] = own.as_slice() else {
                         panic!("{kind}: {point} has no two lines");
                     };
@@ -153,16 +146,14 @@ fn segments_are_long(kind: &str, stages: &Stages) {
 /// Joints on the student's sheet lie as in the scheme at its scale; special points, which are not drawn, have room in the same panel.
 fn special_points_are_on_the_sheet(kind: &str, exercise: &Exercise) {
     let marks = &exercise.sheet.marks;
-    let circles = marks
-        .iter()
-        .filter_map(|mark| match (&mark.id, &mark.shape) {
-            (Some(id), Shape::Circle { center, .. }) => {
-                let name = id.strip_prefix("scheme-point-")?;
-                let point = exercise.mechanism.point(name)?;
-                Some((exercise.pose.point(point), *center))
-            }
-            _ => None,
-        });
+    let circles = marks.iter().filter_map(|mark| match (&mark.id, &mark.shape) {
+        (Some(id), Shape::Circle { center, .. }) => {
+            let name = id.strip_prefix("scheme-point-")?;
+            let point = exercise.mechanism.point(name)?;
+            Some((exercise.pose.point(point), *center))
+        }
+        _ => None,
+    });
     let circles: Vec<(Point, kinegon::drawing::Point)> = circles.collect();
     let mu = exercise.scales.length.expect("a scale");
     let (origin, centre) = circles[0];
@@ -195,10 +186,7 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
         unit: Some(value.unit.clone()),
         place: name.clone(),
     });
-    let measured = Measured {
-        values: values.collect(),
-        ..Measured::default()
-    };
+    let measured = Measured { values: values.collect(), ..Measured::default() };
     let checked = check(&measured, &drawn).unwrap_or_else(|e| panic!("{kind}: {e}"));
     assert_eq!(checked.values.len(), key.values.len(), "{kind}");
     for value in &checked.values {
@@ -206,10 +194,7 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
         let own = &key.values[name];
         assert_eq!(value.entry.step, own.step, "{kind}: {name}");
         let near = value.difference.abs() <= 1e-12 * value.entry.expected.abs();
-        assert!(
-            value.verdict == Verdict::Right || near,
-            "{kind}: {name} {value:?}"
-        );
+        assert!(value.verdict == Verdict::Right || near, "{kind}: {name} {value:?}");
         let allowed = own.allowed.zip(value.tolerance);
         let (allowed, judged) = allowed.unwrap_or((0.0, 0.0));
         assert!((allowed - judged).abs() <= 1e-6 * judged, "{kind}: {name}");
@@ -234,11 +219,9 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
 /// Where a starting scene has a block on the line between two points of its guide, so have the exercises.
 #[test]
 fn blocks_stay_on_their_guides() {
-    for (kind, block, line) in [
-        ("dyad-rpr", "B", ["D", "C"]),
-        ("dyad-prp", "C", ["A", "B"]),
-        ("dyad-rpp", "B", ["C", "D"]),
-    ] {
+    for (kind, block, line) in
+        [("dyad-rpr", "B", ["D", "C"]), ("dyad-prp", "C", ["A", "B"]), ("dyad-rpp", "B", ["C", "D"])]
+    {
         let text = files::read(&format!("templates/{kind}.json"));
         for seed in 0..5 {
             let found = exercise(&text, seed);
@@ -282,24 +265,11 @@ fn what_cannot_be_drawn_is_given_up_with_the_reason() {
     let text = files::read("templates/four-bar.json");
     let base = Stages::of(&text).expect("a good scene");
     // A plan of some hundredths of a millimetre.
-    let figure = Figure {
-        mu_v: Some(1e5),
-        ..base.scene.figure.clone()
-    };
+    let figure = Figure { mu_v: Some(1e5), ..base.scene.figure.clone() };
     let page = Some(Page::default());
     let mut small = Exercises::new(&text, &figure, page, &base.construction, 1).expect("varies");
     let error = small.next().expect_err("too small");
-    assert!(
-        matches!(
-            error,
-            ExerciseError::GaveUp {
-                most: Refusal::Short,
-                percent: 50..,
-                ..
-            }
-        ),
-        "{error}"
-    );
+    assert!(matches!(error, ExerciseError::GaveUp { most: Refusal::Short, percent: 50.., .. }), "{error}");
     assert!(error.to_string().contains("shorter than 5 mm"), "{error}");
     // BC and ED parallel: the special point of link 3 lies at infinity.
     let parallel = files::read("examples/figure-1.json")
@@ -313,11 +283,7 @@ fn what_cannot_be_drawn_is_given_up_with_the_reason() {
 
 fn run(arguments: &[&str], folder: &Path) -> std::process::Output {
     let mut command = kinegon();
-    command
-        .arg("exercise")
-        .args(arguments)
-        .arg("-o")
-        .arg(folder);
+    command.arg("exercise").args(arguments).arg("-o").arg(folder);
     command.output().expect("the program starts")
 }
 
@@ -339,16 +305,8 @@ fn files_hold_together() {
             .map(|e| e.expect("listed").file_name().into_string().expect("plain"))
             .collect();
         names.sort();
-        let mut expected = vec![
-            "form.csv",
-            "form.json",
-            "key.json",
-            "key.pdf",
-            "key.svg",
-            "scene.json",
-            "sheet.pdf",
-            "sheet.svg",
-        ];
+        let mut expected =
+            vec!["form.csv", "form.json", "key.json", "key.pdf", "key.svg", "scene.json", "sheet.pdf", "sheet.svg"];
         if !cfg!(feature = "pdf") {
             expected.retain(|name| !name.ends_with("pdf"));
         }
@@ -371,10 +329,7 @@ fn files_hold_together() {
                 number => number.as_f64().unwrap_or_else(|| panic!("{name}")),
             };
             let own = value["value"].as_f64().expect("a number");
-            assert!(
-                (own - exact).abs() <= 1e-9 * exact.abs().max(1e-6),
-                "{name}"
-            );
+            assert!((own - exact).abs() <= 1e-9 * exact.abs().max(1e-6), "{name}");
         }
         // Filled in with the key's values the form passes; empty it is refused.
         let scene = own.join("scene.json");
@@ -400,24 +355,12 @@ fn files_hold_together() {
 #[test]
 fn the_same_bytes_again_and_nothing_is_written_over() {
     let (first, second) = (scratch("exercises-first"), scratch("exercises-second"));
-    let arguments = [
-        "four-bar",
-        "--seed",
-        "2",
-        "--language",
-        "es",
-        "--decimal",
-        "comma",
-        "--page",
-        "a4",
-    ];
+    let arguments = ["four-bar", "--seed", "2", "--language", "es", "--decimal", "comma", "--page", "a4"];
     for folder in [&first, &second] {
         let output = run(&arguments, folder);
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     }
-    let read = |folder: &Path, name: &str| {
-        std::fs::read(folder.join("four-bar-2-1").join(name)).expect("written")
-    };
+    let read = |folder: &Path, name: &str| std::fs::read(folder.join("four-bar-2-1").join(name)).expect("written");
     for name in ["scene.json", "sheet.svg", "key.svg", "key.json", "form.csv"] {
         assert!(read(&first, name) == read(&second, name), "{name}");
     }
@@ -431,11 +374,7 @@ fn the_same_bytes_again_and_nothing_is_written_over() {
     let before = read(&first, "scene.json");
     let again = run(&arguments, &first);
     assert_eq!(again.status.code(), Some(2));
-    assert!(
-        stderr(&again).contains("is not overwritten"),
-        "{}",
-        stderr(&again)
-    );
+    assert!(stderr(&again).contains("is not overwritten"), "{}", stderr(&again));
     assert!(before == read(&first, "scene.json"));
     // A scene of one's own, by its path.
     let own = run(&["templates/five-bar.json", "--seed", "2"], &first);
@@ -462,15 +401,9 @@ fn sheets_are_large_enough() {
     }
     let text = files::read("templates/four-bar.json");
     let base = Stages::of(&text).expect("a good scene");
-    let page = Page {
-        size: PageSize::A3,
-        landscape: false,
-    };
+    let page = Page { size: PageSize::A3, landscape: false };
     let figure = &base.scene.figure;
     let exercises = Exercises::new(&text, figure, Some(page), &base.construction, 1);
     let exercise = exercises.expect("varies").next().expect("found");
-    assert_eq!(
-        [exercise.sheet.width, exercise.sheet.height],
-        [297.0, 420.0]
-    );
+    assert_eq!([exercise.sheet.width, exercise.sheet.height], [297.0, 420.0]);
 }

@@ -32,13 +32,8 @@ fn figures() -> Vec<(String, Drawing, Construction)> {
     let folders = ["templates", "tests/driven_sliders"];
     let scenes = folders.into_iter().flat_map(files::scenes);
     for (name, text) in scenes.chain(examples) {
-        let Stages {
-            scene,
-            mechanism,
-            pose,
-            construction,
-            ..
-        } = Stages::of(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let Stages { scene, mechanism, pose, construction, .. } =
+            Stages::of(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
         let words = Wording::of(&scene.figure);
         let film = Film::new(&mechanism, (&pose, &construction), &words, None, POSITIONS);
         let film = film.unwrap_or_else(|error| panic!("{name}: {error}"));
@@ -57,22 +52,16 @@ fn names_of(plan: &Plan) -> usize {
     let vanished = |name: &str| {
         let own = &plan.points[name];
         let mut others = plan.points.values();
-        own.role == PointRole::Normal
-            && others.any(|p| p.role != PointRole::Normal && p.vector == own.vector)
+        own.role == PointRole::Normal && others.any(|p| p.role != PointRole::Normal && p.vector == own.vector)
     };
     let names = plan.points.keys();
-    names
-        .filter(|name| !is_pole(name) && !vanished(name))
-        .count()
+    names.filter(|name| !is_pole(name) && !vanished(name)).count()
 }
 
 /// How many names the labels of a panel show, alone or several in one.
 fn names_in(drawing: &Drawing, panel: &str) -> usize {
     let prefix = format!("{panel}-label-");
-    let labels = drawing
-        .marks
-        .iter()
-        .filter(|mark| id(mark).starts_with(&prefix));
+    let labels = drawing.marks.iter().filter(|mark| id(mark).starts_with(&prefix));
     let names = labels.map(|mark| match &mark.shape {
         Shape::Text(text) => text.text.content().split(',').count(),
         _ => 0,
@@ -88,11 +77,7 @@ fn figures_are_readable_in_every_position() {
     let mut wrong = Vec::new();
     for (name, drawing, construction) in &figures {
         let before = wrong.len();
-        wrong.extend(
-            faults(drawing)
-                .iter()
-                .map(|fault| format!("{name}: {fault}")),
-        );
+        wrong.extend(faults(drawing).iter().map(|fault| format!("{name}: {fault}")));
         for plan in construction.plans() {
             let panel = match plan.kind {
                 PlanKind::Velocity => "velocity",
@@ -100,9 +85,7 @@ fn figures_are_readable_in_every_position() {
             };
             let (shown, wanted) = (names_in(drawing, panel), names_of(plan));
             if shown != wanted {
-                wrong.push(format!(
-                    "{name}: {shown} of {wanted} names in the {panel} plan"
-                ));
+                wrong.push(format!("{name}: {shown} of {wanted} names in the {panel} plan"));
             }
         }
         let mut styled = drawing.clone();
@@ -119,11 +102,5 @@ fn figures_are_readable_in_every_position() {
             std::fs::write(path, svg(drawing)).expect("the test's folder can be written");
         }
     }
-    assert!(
-        wrong.is_empty(),
-        "{} faults in {} figures\n{}",
-        wrong.len(),
-        figures.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} faults in {} figures\n{}", wrong.len(), figures.len(), wrong.join("\n"));
 }

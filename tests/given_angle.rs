@@ -88,10 +88,7 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
             match solved(&scene) {
                 Ok((scene, again, pose)) => {
                     back += 1;
-                    let fastest = rates
-                        .bodies
-                        .iter()
-                        .fold(1.0, |m: f64, b| m.max(b.omega.abs()));
+                    let fastest = rates.bodies.iter().fold(1.0, |m: f64, b| m.max(b.omega.abs()));
                     let bound = BOUND * fastest / omega;
                     for (p, place) in places() {
                         let off = (pose.points[p] - place).norm() / size;
@@ -122,11 +119,7 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
     }
     println!("{back} angles, {constant} links that do not turn");
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    let left_out = if cfg!(debug_assertions) {
-        SEARCHED.len()
-    } else {
-        0
-    };
+    let left_out = if cfg!(debug_assertions) { SEARCHED.len() } else { 0 };
     assert_eq!((back + left_out, constant), (30, 3));
 }
 
@@ -148,37 +141,22 @@ fn angles_that_do_not_count_out_get_a_message() {
         let error = result.map(|_| ()).expect_err(text);
         error.to_string()
     };
-    let (turned, open) = (
-        r#", "drive": { "angle": 70, "omega": 1 }"#,
-        r#", "drive": { "omega": 1 }"#,
-    );
+    let (turned, open) = (r#", "drive": { "angle": 70, "omega": 1 }"#, r#", "drive": { "omega": 1 }"#);
     let angle = r#", "angle": 30"#;
     let cases = [
         (
             four_bar(turned, "", angle),
             "links.3.angle: link 3 gives an angle, but the drive of link 1 gives its angle already",
         ),
-        (
-            four_bar(open, "", ""),
-            "links.1.drive: the drive of link 1 gives no `angle`",
-        ),
-        (
-            four_bar(open, angle, angle),
-            "links.3.angle: links 2 and 3 both give an angle",
-        ),
-        (
-            four_bar("", "", angle),
-            "links.3.angle: link 3 gives an angle, but no link has a drive",
-        ),
+        (four_bar(open, "", ""), "links.1.drive: the drive of link 1 gives no `angle`"),
+        (four_bar(open, angle, angle), "links.3.angle: links 2 and 3 both give an angle"),
+        (four_bar("", "", angle), "links.3.angle: link 3 gives an angle, but no link has a drive"),
         (
             four_bar(open, "", open).replace(r#"BC": 90 }"#, r#"BC": 90 }, "angle": 30"#),
             "links.3.drive: the drives of link 1 and link 3 do not say where they stand",
         ),
         // CD turned so far that B cannot come round.
-        (
-            four_bar(open, "", r#", "angle": 180"#),
-            "cannot be assembled at angle(3) = 180°",
-        ),
+        (four_bar(open, "", r#", "angle": 180"#), "cannot be assembled at angle(3) = 180°"),
     ];
     for (text, words) in &cases {
         let message = message(text);

@@ -28,11 +28,7 @@ fn joints(random: &mut Random) -> Vec<(usize, usize)> {
     let mut joints: Vec<(usize, usize)> = Vec::new();
     while joints.len() < 9 {
         let a = random.below(6);
-        let b = if joints.len() < outer {
-            KNOWN
-        } else {
-            random.below(6)
-        };
+        let b = if joints.len() < outer { KNOWN } else { random.below(6) };
         let again = b != KNOWN && (joints.contains(&(a, b)) || joints.contains(&(b, a)));
         if a != b && !again {
             joints.push((a, b));
@@ -147,11 +143,7 @@ fn velocities_are_derivatives_of_positions() {
         };
         // Richardson's extrapolation takes the error of second order away.
         let (fine, coarse) = (difference(step), difference(2.0 * step));
-        let velocities: Vec<Vector> = fine
-            .iter()
-            .zip(&coarse)
-            .map(|(f, c)| (f * 4.0 - c) / 3.0)
-            .collect();
+        let velocities: Vec<Vector> = fine.iter().zip(&coarse).map(|(f, c)| (f * 4.0 - c) / 3.0).collect();
         let largest = velocities.iter().fold(0.0, |m: f64, v| m.max(v.norm()));
         for body in 0..mechanism.bodies.len() {
             for &point in &mechanism.bodies[body].points {
@@ -170,19 +162,13 @@ fn what_is_not_found_is_said_so() {
     let mut text: Value = serde_json::from_str(&planted.scene()).expect("JSON");
     // A link cannot reach anything a thousand sizes away.
     let ground = text["ground"].as_object_mut().expect("points");
-    let (_, far) = ground
-        .iter_mut()
-        .next_back()
-        .expect("a joint on the ground");
+    let (_, far) = ground.iter_mut().next_back().expect("a joint on the ground");
     *far = json!([2000.0 * planted.scale, 0]);
     let scene = Scene::read(&text.to_string()).expect("a scene");
     let error = pose(&mechanism(&scene).expect("a mechanism"), &scene.near).unwrap_err();
     assert!(matches!(error, AssemblyError::NotFound { .. }), "{error}");
     let message = error.to_string();
-    assert!(
-        message.contains("starts closes") && message.contains("`near`"),
-        "{message}"
-    );
+    assert!(message.contains("starts closes") && message.contains("`near`"), "{message}");
 }
 
 /// A crank with a fourth-class group and one of its links doubled in place of a drive: the group can move, so it has as many modes as
@@ -221,21 +207,9 @@ fn three_bars_move_as_one_link() {
         scene
     };
     let rocker = ("r", json!(["C", "D"]));
-    let (link, _, one) = moved(&drawn(&[
-        ("2", json!(["B", "J", "K", "L", "C"])),
-        rocker.clone(),
-    ]));
-    let [a, b, c] = [
-        ("a", json!(["B", "J", "K"])),
-        ("b", json!(["K", "L"])),
-        ("c", json!(["L", "J", "C"])),
-    ];
-    for links in [
-        [&a, &b, &c, &rocker],
-        [&rocker, &c, &a, &b],
-        [&b, &rocker, &c, &a],
-        [&c, &b, &a, &rocker],
-    ] {
+    let (link, _, one) = moved(&drawn(&[("2", json!(["B", "J", "K", "L", "C"])), rocker.clone()]));
+    let [a, b, c] = [("a", json!(["B", "J", "K"])), ("b", json!(["K", "L"])), ("c", json!(["L", "J", "C"]))];
+    for links in [[&a, &b, &c, &rocker], [&rocker, &c, &a, &b], [&b, &rocker, &c, &a], [&c, &b, &a, &rocker]] {
         let (mechanism, pose, three) = moved(&drawn(&links.map(Clone::clone)));
         assert_eq!(mechanism.groups.len(), 1);
         let whole = one.body(link.link("2").expect("the coupler"));
@@ -246,10 +220,7 @@ fn three_bars_move_as_one_link() {
             for point in ["B", "C", "J", "K", "L"] {
                 let place = pose.point(mechanism.point(point).expect("a point"));
                 let (got, want) = (bar.acceleration_at(place), whole.acceleration_at(place));
-                assert!(
-                    (got - want).norm() < 1e-9,
-                    "{point} of {name}: {got} {want}"
-                );
+                assert!((got - want).norm() < 1e-9, "{point} of {name}: {got} {want}");
             }
         }
     }

@@ -18,11 +18,7 @@ const SLIDER_CRANK: &str = r#"{ "kinegon": 1, "units": { "length": "mm", "time":
                "2": { "points": ["B", "C"], "lengths": { "BC": 150 } }, "3": { "points": ["C"] } },
     "sliders": [{ "link": "3", "at": "C", "on": "ground", "along": "AE" }], "near": { "C": [190, 0] } }"#;
 
-fn sampled<T>(
-    text: &str,
-    want: &str,
-    look: impl FnOnce(&Scene, Result<Hodographs, String>) -> T,
-) -> T {
+fn sampled<T>(text: &str, want: &str, look: impl FnOnce(&Scene, Result<Hodographs, String>) -> T) -> T {
     let scene = Scene::read(text).unwrap_or_else(|error| panic!("{error}"));
     let mechanism = mechanism(&scene).unwrap_or_else(|error| panic!("{error}"));
     let pose = pose(&mechanism, &scene.near).unwrap_or_else(|error| panic!("{error}"));
@@ -42,10 +38,7 @@ fn drawn(text: &str, want: &str) -> Drawing {
 }
 
 fn near(got: f64, truth: f64, size: f64, what: &str) {
-    assert!(
-        (got - truth).abs() <= 1e-9 * size,
-        "{what}: {got} instead of {truth}"
-    );
+    assert!((got - truth).abs() <= 1e-9 * size, "{what}: {got} instead of {truth}");
 }
 
 /// How far the chords of a way lie inside the way, at most, where that is a circle about the pole.
@@ -82,12 +75,7 @@ fn the_way_of_a_crank_pin_is_a_circle() {
             near((ends.0 - ends.1).norm(), 0.0, size, "it closes");
             assert_eq!(one.marks.len(), 12);
             for (k, (value, tip)) in one.marks.iter().enumerate() {
-                near(
-                    (value - 30.0 * k as f64).rem_euclid(360.0) % 30.0,
-                    0.0,
-                    1.0,
-                    "a round angle",
-                );
+                near((value - 30.0 * k as f64).rem_euclid(360.0) % 30.0, 0.0, 1.0, "a round angle");
                 check(*value, tip.x, tip.y);
             }
             let own = one.own.expect("the scene's position is in a whole turn");
@@ -120,12 +108,7 @@ fn the_way_of_a_slider_is_a_straight_line_with_known_ends() {
                 if one.asked.name() == "v(C)" {
                     let (sine, cosine) = libm::sincos(value * PI / 180.0);
                     let root = (l * l - r * r * sine * sine).sqrt();
-                    near(
-                        tip.x,
-                        -omega * r * sine * (1.0 + r * cosine / root),
-                        size,
-                        "speed",
-                    );
+                    near(tip.x, -omega * r * sine * (1.0 + r * cosine / root), size, "speed");
                 }
             }
         }
@@ -135,40 +118,25 @@ fn the_way_of_a_slider_is_a_straight_line_with_known_ends() {
 #[test]
 fn on_paper_both_directions_have_one_scale() {
     for page in ["a4", "a4-portrait", "a3"] {
-        let text = SLIDER_CRANK.replacen(
-            '{',
-            &format!("{{ \"figure\": {{ \"page\": \"{page}\" }},"),
-            1,
-        );
+        let text = SLIDER_CRANK.replacen('{', &format!("{{ \"figure\": {{ \"page\": \"{page}\" }},"), 1);
         let drawing = drawn(&text, "v(B) v(C)");
         let find = |wanted: &str| {
             let found = drawing.marks.iter().find(|mark| id(mark) == wanted);
             &found.unwrap_or_else(|| panic!("no {wanted}")).shape
         };
-        let Shape::Circle { center: pole, .. } = *find("hodograph-a-pole") else {
-            panic!("the pole is a circle")
-        };
-        let Shape::Arrow { from, to } = *find("hodograph-a-own") else {
-            panic!("the vector is an arrow")
-        };
+        let Shape::Circle { center: pole, .. } = *find("hodograph-a-pole") else { panic!("the pole is a circle") };
+        let Shape::Arrow { from, to } = *find("hodograph-a-own") else { panic!("the vector is an arrow") };
         assert!((from - pole).hypot() < 1e-9);
         let radius = (to - from).hypot();
         // Counted to a round scale.
         let mu = 5000.0 / radius;
         let decade = libm::pow(10.0, libm::floor(libm::log10(mu) + 1e-9));
-        assert!(
-            [1.0, 2.0, 2.5, 5.0]
-                .iter()
-                .any(|s| (mu / decade - s).abs() < 1e-9),
-            "{mu}"
-        );
+        assert!([1.0, 2.0, 2.5, 5.0].iter().any(|s| (mu / decade - s).abs() < 1e-9), "{mu}");
         // At 40° the velocity of the pin points to 130°; the sheet's y runs down.
         let (sine, cosine) = libm::sincos(130.0 * PI / 180.0);
         let tip = Point::new(pole.x + radius * cosine, pole.y - radius * sine);
         assert!((to - tip).hypot() < 1e-6);
-        let Shape::Polyline(way) = find("hodograph-a-way-0") else {
-            panic!("the way is a line")
-        };
+        let Shape::Polyline(way) = find("hodograph-a-way-0") else { panic!("the way is a line") };
         for point in way {
             assert!(((*point - pole).hypot() - radius).abs() < 0.02);
         }
@@ -190,10 +158,7 @@ fn limits_are_marked_where_the_way_runs_off() {
             let found = drawing.marks.iter().find(|mark| id(mark) == wanted);
             match found.map(|mark| &mark.shape) {
                 Some(Shape::Text(text)) => {
-                    assert_eq!(
-                        text.text.content().replace(' ', ""),
-                        format!("limit{value}")
-                    );
+                    assert_eq!(text.text.content().replace(' ', ""), format!("limit{value}"));
                 }
                 _ => panic!("no {wanted}"),
             }
@@ -237,11 +202,7 @@ fn nothing_covers_a_name() {
         }
         let links = scene["links"].as_object().expect("links").iter();
         let points = links.flat_map(|(_, link)| match link["points"].as_array() {
-            Some(points) => points
-                .iter()
-                .filter_map(|p| p.as_str())
-                .map(str::to_owned)
-                .collect(),
+            Some(points) => points.iter().filter_map(|p| p.as_str()).map(str::to_owned).collect(),
             None => Vec::new(),
         });
         let mut points: Vec<String> = points.collect();
@@ -254,19 +215,10 @@ fn nothing_covers_a_name() {
             let want: Vec<String> = pair.iter().map(|p| format!("v({p}) a({p})")).collect();
             let drawing = drawn(&scene.to_string(), &want.join(" "));
             let found = faults(&drawing);
-            wrong.extend(
-                found
-                    .iter()
-                    .map(|fault| format!("{name} {pair:?}: {fault}")),
-            );
+            wrong.extend(found.iter().map(|fault| format!("{name} {pair:?}: {fault}")));
             count += 1;
         }
     }
     assert!(count > 20, "{count}");
-    assert!(
-        wrong.is_empty(),
-        "{} faults in {count}\n{}",
-        wrong.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} faults in {count}\n{}", wrong.len(), wrong.join("\n"));
 }

@@ -50,10 +50,7 @@ fn truth(pivot: [f64; 2], angle: f64) -> (f64, f64) {
 fn assert_near(got: (f64, f64), want: (f64, f64), what: &str) {
     let turned = libm::remainder(got.0 - want.0, 360.0);
     let off = (got.1 - want.1) / CRANK;
-    assert!(
-        turned.abs() < BOUND && off.abs() < BOUND,
-        "{what}: {got:?} in place of {want:?}"
-    );
+    assert!(turned.abs() < BOUND && off.abs() < BOUND, "{what}: {got:?} in place of {want:?}");
 }
 
 const PIVOTS: [[f64; 2]; 4] = [[0.0, -120.0], [0.0, 120.0], [-35.0, 20.0], [7.0, -9.0]];

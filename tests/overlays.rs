@@ -7,9 +7,7 @@ mod stages;
 
 use faults::{faults, id};
 use kinegon::check::{self, Checked, Measured, Mistake, PointsOf, Student};
-use kinegon::drawing::{
-    Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay,
-};
+use kinegon::drawing::{Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay};
 use kinegon::plan::PlanKind;
 use kinegon::scene::{PageSize, Panel};
 use kinegon::words::Wording;
@@ -41,18 +39,8 @@ fn drawn(mut stages: Stages, measured: &Measured, depth: usize) -> Drawings {
     figure.mu_l = figure.mu_l.or(mu_l);
     figure.mu_v = figure.mu_v.or(mu_v);
     figure.mu_a = figure.mu_a.or(mu_a);
-    let sheets = overlay(
-        &stages.scene,
-        &stages.mechanism,
-        &stages.pose,
-        &stages.construction,
-        &own,
-    );
-    Drawings {
-        sheets,
-        own,
-        checked,
-    }
+    let sheets = overlay(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction, &own);
+    Drawings { sheets, own, checked }
 }
 
 /// The values of somebody who makes one mistake in one of its ways and is exact elsewhere but for what a ruler shows.
@@ -96,29 +84,16 @@ fn points(stages: &Stages, moved: [f64; 2]) -> Measured {
             let turned = [30.0 + cos * x - sin * y, 50.0 + sin * x + cos * y];
             (name.to_owned(), turned)
         });
-        PointsOf {
-            kind: plan.kind,
-            places: places.into_iter().collect(),
-        }
+        PointsOf { kind: plan.kind, places: places.into_iter().collect() }
     });
-    Measured {
-        mu,
-        points: points.collect(),
-        ..Measured::default()
-    }
+    Measured { mu, points: points.collect(), ..Measured::default() }
 }
 
 #[test]
 fn no_name_lies_on_another() {
     let mut all = vec![
-        (
-            "the paper".to_owned(),
-            drawn(stages("examples/figure-2.json"), &paper(), 5),
-        ),
-        (
-            "the paper with room".to_owned(),
-            drawn(figure_2(), &paper(), 5),
-        ),
+        ("the paper".to_owned(), drawn(stages("examples/figure-2.json"), &paper(), 5)),
+        ("the paper with room".to_owned(), drawn(figure_2(), &paper(), 5)),
     ];
     for (scene, mistake, way) in [
         ("four-bar", Mistake::TurnedRay, 0),
@@ -248,12 +223,7 @@ fn points_from_paper_lie_over_the_right_ones() {
     let measured = points(&base, moved);
     let mu = measured.mu[1].expect("a scale");
     let wrong = drawn(stages(FOUR_BAR), &measured, 1);
-    for point in wrong
-        .own
-        .points
-        .iter()
-        .filter(|p| p.panel == Panel::Velocity)
-    {
+    for point in wrong.own.points.iter().filter(|p| p.panel == Panel::Velocity) {
         let apart = (point.at.coords - right(&base, PlanKind::Velocity, &point.name)) / mu;
         let is_c = point.name == "c";
         assert_eq!(point.is_named, is_c, "{point:?}");
@@ -270,17 +240,9 @@ fn a_measured_component_is_drawn_and_slips_of_writing_are_not() {
     let special = stages.construction.special_point("S3").expect("S3");
     let s3 = special.place.finite().expect("it is near");
     let b = stages.pose.point(stages.mechanism.point("B").expect("B"));
-    let Drawings {
-        sheets,
-        own,
-        checked,
-    } = drawn(stages, &paper(), 5);
+    let Drawings { sheets, own, checked } = drawn(stages, &paper(), 5);
     assert_eq!(checked.diagnosis.best.findings.len(), 4);
-    let drawn: Vec<_> = own
-        .lines
-        .iter()
-        .filter(|l| l.kind != OwnKind::Helper)
-        .collect();
+    let drawn: Vec<_> = own.lines.iter().filter(|l| l.kind != OwnKind::Helper).collect();
     let [line] = drawn.as_slice() else {
         panic!("{drawn:?}");
     };
@@ -307,13 +269,7 @@ fn a_measured_component_is_drawn_and_slips_of_writing_are_not() {
     let right = (s3 - b).norm() / 5.0;
     assert!(ends.into_iter().any(|size| (size - right).abs() < 1e-9));
     let said = own.words.join(" ");
-    for part in [
-        "Step 2: for L(B,S3)",
-        "Step 8",
-        "137.7597 for 137.7579",
-        "Step 41",
-        "−25.6695",
-    ] {
+    for part in ["Step 2: for L(B,S3)", "Step 8", "137.7597 for 137.7579", "Step 41", "−25.6695"] {
         assert!(said.contains(part), "no {part} in {said}");
     }
     // The table has all values, those that are off in the accent colour.
@@ -347,14 +303,8 @@ fn the_program_writes_sheets_and_keeps_its_inputs() {
     assert!(written("mine-check.tex").contains("tikzpicture"));
     for (more, says) in [
         (&["--draw", "-"][..], "the report is on stdout"),
-        (
-            &["--draw", to, "--format", "html"],
-            "no page to step through",
-        ),
-        (
-            &["--draw", form.to_str().expect("a plain path")],
-            "no format for files",
-        ),
+        (&["--draw", to, "--format", "html"], "no page to step through"),
+        (&["--draw", form.to_str().expect("a plain path")], "no format for files"),
     ] {
         let output = run(more);
         assert_eq!(output.status.code(), Some(2), "{more:?}");

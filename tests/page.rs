@@ -73,28 +73,14 @@ fn a_page_needs_nothing_else_and_shows_what_the_svg_shows() {
         // The finished figure of the scene's own position is drawn by marks that the page has too, but for the scales of its panels.
         let own = film["own"].as_u64().expect("an index") as usize;
         let shown = lines(&film, own);
-        let count = stages.construction.scheme.len()
-            + stages
-                .construction
-                .plans()
-                .map(|p| p.steps.len())
-                .sum::<usize>();
-        assert_eq!(
-            film["steps"].as_array().expect("steps").len(),
-            count,
-            "{name}"
-        );
+        let count =
+            stages.construction.scheme.len() + stages.construction.plans().map(|p| p.steps.len()).sum::<usize>();
+        assert_eq!(film["steps"].as_array().expect("steps").len(), count, "{name}");
         let ids = |text: &str| -> BTreeSet<String> {
             let ids = text.split(" id=\"").skip(1);
-            ids.map(|rest| rest[..rest.find('"').expect("its end")].to_owned())
-                .collect()
+            ids.map(|rest| rest[..rest.find('"').expect("its end")].to_owned()).collect()
         };
-        let all = stepwise(
-            &stages.scene,
-            &stages.mechanism,
-            &stages.pose,
-            &stages.construction,
-        );
+        let all = stepwise(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction);
         let finished = ids(&svg(&all.after_step(count + 1)));
         let on_page: BTreeSet<String> = shown.iter().flat_map(|line| ids(line)).collect();
         // At another scale points may share a name.
@@ -154,16 +140,11 @@ fn it_works_in_a_browser() {
     browser.click("forward");
     assert_eq!(browser.value("by('step').textContent"), "8 / 41");
     let said = browser.value("by('caption').textContent");
-    assert_eq!(
-        said,
-        "Lay off the velocity of B, normal to AB, in the sense of ω_1."
-    );
+    assert_eq!(said, "Lay off the velocity of B, normal to AB, in the sense of ω_1.");
     let arrow = "document.getElementById('velocity-vector-p-b')";
     assert_eq!(browser.value(&format!("{arrow} !== null")), true);
     assert_eq!(
-        browser.value(&format!(
-            "getComputedStyle({arrow}.querySelector('path')).stroke"
-        )),
+        browser.value(&format!("getComputedStyle({arrow}.querySelector('path')).stroke")),
         "rgb(194, 65, 12)",
         "what comes with a step has the accent colour"
     );
@@ -171,10 +152,7 @@ fn it_works_in_a_browser() {
     assert_eq!(browser.value(&format!("{arrow} !== null")), false);
     browser.click("last");
     assert_eq!(browser.value("state.step"), count + 1);
-    assert_eq!(
-        browser.value("document.querySelectorAll('.old, .new').length"),
-        0
-    );
+    assert_eq!(browser.value("document.querySelectorAll('.old, .new').length"), 0);
 
     // The crank by the mouse: the link's end follows.
     let end = "document.getElementById('scheme-link-1').getAttribute('d')";
@@ -183,20 +161,12 @@ fn it_works_in_a_browser() {
     let share = browser.value("state.frame / (film.frames.length - 1)");
     let handle = x + (share.as_f64().expect("a number") - 0.5) * (width - 16.0);
     browser.drag([handle, y], [x - 0.3 * width, y]);
-    assert_ne!(
-        browser.value("state.frame"),
-        frame,
-        "the slider was dragged"
-    );
+    assert_ne!(browser.value("state.frame"), frame, "the slider was dragged");
     assert_ne!(browser.value(end), before);
     let shown = browser.value("film.values[state.frame] === by('value').textContent");
     assert_eq!(shown, true);
     browser.click("home");
-    assert_eq!(
-        browser.value(end),
-        before,
-        "back in the scene's own position"
-    );
+    assert_eq!(browser.value(end), before, "back in the scene's own position");
 
     // Panels, dark and light, printing.
     browser.value("document.querySelectorAll('#panels button')[2].click()");
@@ -227,9 +197,7 @@ fn it_works_in_a_browser() {
          times.push(performance.now() - from); } return times.sort((a, b) => a - b)[30]; })()",
     );
     let [pictures, work] = [counted, work].map(|v| v.as_f64().expect("a number"));
-    println!(
-        "{pictures:.0} pictures a second in software rendering, {work:.1} ms of script for each"
-    );
+    println!("{pictures:.0} pictures a second in software rendering, {work:.1} ms of script for each");
     assert!(pictures > 5.0, "it moves");
     assert_eq!(browser.errors, Vec::<String>::new());
 }
@@ -242,8 +210,7 @@ fn it_fits_a_telephone() {
     let Some(mut browser) = Browser::start(&folder.join("profile"), [500, 900]) else {
         return;
     };
-    let metrics =
-        serde_json::json!({ "width": 390, "height": 844, "deviceScaleFactor": 2, "mobile": true });
+    let metrics = serde_json::json!({ "width": 390, "height": 844, "deviceScaleFactor": 2, "mobile": true });
     browser.call("Emulation.setDeviceMetricsOverride", metrics);
     browser.open(&file, "document.documentElement?.dataset.ready === 'yes'");
     assert_eq!(browser.value("document.documentElement.scrollWidth"), 390);
@@ -251,11 +218,9 @@ fn it_fits_a_telephone() {
         "[...document.querySelectorAll('nav button')].filter((b) => b.getBoundingClientRect().height < 40).length",
     );
     assert_eq!(small, 0);
-    assert_eq!(
-        browser.value("by('caption').getBoundingClientRect().height > 20"),
-        true
-    );
-    let inside = "by('sheet').getBoundingClientRect().right <= 390 && by('print').getBoundingClientRect().bottom <= 844";
+    assert_eq!(browser.value("by('caption').getBoundingClientRect().height > 20"), true);
+    let inside =
+        "by('sheet').getBoundingClientRect().right <= 390 && by('print').getBoundingClientRect().bottom <= 844";
     assert_eq!(browser.value(inside), true);
     assert_eq!(browser.errors, Vec::<String>::new());
 }

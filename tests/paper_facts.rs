@@ -4,10 +4,7 @@
 //! The paper gives no coordinates for Figure 1; this instance has every sign that the paper prints. Its Figure 2 is fixed by its lengths;
 //! the exact values differ from several printed ones, which come from a drawing and intermediate rounding.
 
-#![expect(
-    clippy::excessive_precision,
-    reason = "facts stand here with all digits in which they are known"
-)]
+#![expect(clippy::excessive_precision, reason = "facts stand here with all digits in which they are known")]
 
 mod stages;
 
@@ -42,10 +39,7 @@ const FIGURE_2: &str = r#"{ "kinegon": 1,
 const AS_PRINTED: &str = r#"{ "D": [263, 300], "E": [406, 428], "F": [338, 136] }"#;
 
 fn figure_2(angle: f64, omega: f64, near: &str) -> Stages {
-    let text = FIGURE_2
-        .replace("ANGLE", &angle.to_string())
-        .replace("OMEGA", &omega.to_string())
-        .replace("NEAR", near);
+    let text = FIGURE_2.replace("ANGLE", &angle.to_string()).replace("OMEGA", &omega.to_string()).replace("NEAR", near);
     board(&text)
 }
 
@@ -55,15 +49,8 @@ fn board(text: &str) -> Stages {
 
 impl Stages {
     fn quantity(&self, name: &str) -> Quantity {
-        quantity(
-            name,
-            &self.mechanism,
-            &self.pose,
-            &self.motion,
-            &self.construction,
-            None,
-        )
-        .unwrap_or_else(|error| panic!("{error}"))
+        quantity(name, &self.mechanism, &self.pose, &self.motion, &self.construction, None)
+            .unwrap_or_else(|error| panic!("{error}"))
     }
 
     fn number(&self, name: &str) -> f64 {
@@ -81,19 +68,12 @@ impl Stages {
     }
 
     fn place(&self, name: &str) -> [f64; 2] {
-        self.result().points[name]
-            .position
-            .expect("it is not at infinity")
+        self.result().points[name].position.expect("it is not at infinity")
     }
 
     /// A plan segment counted clockwise-positive about `about`, where the special point lies at `to`: positive where the
     /// segment is `to − about` turned clockwise. So the paper prints its four equations.
-    fn clockwise(
-        &self,
-        plan: &Plan,
-        (from, to): (&str, &str),
-        (about, special): (&str, &str),
-    ) -> f64 {
+    fn clockwise(&self, plan: &Plan, (from, to): (&str, &str), (about, special): (&str, &str)) -> f64 {
         let segment = plan.segment(from, to).expect("the plan has both points");
         let (a, s) = (self.place(about), self.place(special));
         let arm = [s[0] - a[0], s[1] - a[1]];
@@ -103,28 +83,20 @@ impl Stages {
 
 /// That `got` rounds to the decimal number `want`; a tie may go either way.
 fn to_the_digits_given(what: &str, got: f64, want: &str) {
-    let decimals = want
-        .split_once('.')
-        .map_or(0, |(_, fraction)| fraction.len());
+    let decimals = want.split_once('.').map_or(0, |(_, fraction)| fraction.len());
     let want: f64 = want.parse().expect("a decimal number");
     let half = 0.501 * 10_f64.powi(-i32::try_from(decimals).expect("a few digits"));
     assert!((got - want).abs() <= half, "{what} is {got}, not {want}");
 }
 
 fn within(relative: f64, what: &str, got: f64, want: f64) {
-    assert!(
-        (got - want).abs() <= relative * want.abs(),
-        "{what} is {got:.17}, not {want:.17}"
-    );
+    assert!((got - want).abs() <= relative * want.abs(), "{what} is {got:.17}, not {want:.17}");
 }
 
 #[test]
 fn figure_1_positions_and_rates() {
     let board = board(FIGURE_1);
-    for (name, x, y) in [
-        ("S3", "146.81208", "314.59732"),
-        ("S5", "181.74274", "-257.46888"),
-    ] {
+    for (name, x, y) in [("S3", "146.81208", "314.59732"), ("S5", "181.74274", "-257.46888")] {
         let place = board.place(name);
         to_the_digits_given(name, place[0], x);
         to_the_digits_given(name, place[1], y);
@@ -154,10 +126,7 @@ fn figure_1_positions_and_rates() {
         to_the_digits_given(name, got[1], y);
     }
     let condition = board.result().groups[0].condition;
-    assert!(
-        (1.0..50.0).contains(&condition),
-        "this instance is a tame one, condition {condition}"
-    );
+    assert!((1.0..50.0).contains(&condition), "this instance is a tame one, condition {condition}");
 }
 
 #[test]
@@ -171,34 +140,10 @@ fn figure_1_measured_segments() {
         ("Eq. 8", velocity, ("e", "s3"), ("E", "S3"), "414.978286"),
         ("Eq. 15", velocity, ("b", "s5"), ("B", "S5"), "428.244542"),
         ("Eq. 16", velocity, ("e", "s5"), ("E", "S5"), "453.313560"),
-        (
-            "Eq. 22",
-            acceleration,
-            ("n_b3", "s3"),
-            ("B", "S3"),
-            "488.462638",
-        ),
-        (
-            "Eq. 23",
-            acceleration,
-            ("n_e3", "s3"),
-            ("E", "S3"),
-            "-620.424457",
-        ),
-        (
-            "Eq. 29",
-            acceleration,
-            ("n_b5", "s5"),
-            ("B", "S5"),
-            "-539.865422",
-        ),
-        (
-            "Eq. 30",
-            acceleration,
-            ("n_e5", "s5"),
-            ("E", "S5"),
-            "576.930370",
-        ),
+        ("Eq. 22", acceleration, ("n_b3", "s3"), ("B", "S3"), "488.462638"),
+        ("Eq. 23", acceleration, ("n_e3", "s3"), ("E", "S3"), "-620.424457"),
+        ("Eq. 29", acceleration, ("n_b5", "s5"), ("B", "S5"), "-539.865422"),
+        ("Eq. 30", acceleration, ("n_e5", "s5"), ("E", "S5"), "576.930370"),
     ];
     for (what, plan, segment, line, want) in segments {
         to_the_digits_given(what, board.clockwise(plan, segment, line), want);
@@ -225,32 +170,12 @@ fn figure_2_positions() {
         within(1e-12, name, place[0], x);
         within(1e-12, name, place[1], y);
     }
-    within(
-        1e-12,
-        "angle(2)",
-        board.number("angle(2)"),
-        41.968_269_535_585_577_47,
-    );
-    within(
-        1e-12,
-        "angle(4)",
-        board.number("angle(4)"),
-        92.290_367_535_881_389_22,
-    );
+    within(1e-12, "angle(2)", board.number("angle(2)"), 41.968_269_535_585_577_47);
+    within(1e-12, "angle(4)", board.number("angle(4)"), 92.290_367_535_881_389_22);
     // The angle is FE's; link 5's axis runs from its first point, E.
-    within(
-        1e-12,
-        "angle(5)",
-        board.number("angle(5)"),
-        76.907_845_701_155_889_02 - 180.0,
-    );
+    within(1e-12, "angle(5)", board.number("angle(5)"), 76.907_845_701_155_889_02 - 180.0);
     let slider = &board.result().sliders["3/2"];
-    within(
-        1e-12,
-        "BD",
-        slider.position.expect("from lengths"),
-        307.739_262_481_637_983_7,
-    );
+    within(1e-12, "BD", slider.position.expect("from lengths"), 307.739_262_481_637_983_7);
     let lengths = [
         ("L(B,D)", 307.739_262_481_637_983_7),
         ("L(B,S3)", 370.964_757_433_167_051_0),
@@ -290,78 +215,39 @@ fn figure_2_rates() {
     ];
     for (name, want, last) in facts {
         let got = board.number(name);
-        assert!(
-            (got - want).abs() <= last + 1e-12 * want.abs(),
-            "{name} is {got:.17}, not {want:.17}"
-        );
+        assert!((got - want).abs() <= last + 1e-12 * want.abs(), "{name} is {got:.17}, not {want:.17}");
     }
 }
 
 #[test]
 fn figure_2_accelerations_do_not_depend_on_the_sense() {
-    let (clockwise, counter) = (
-        figure_2(70.0, -1.0, AS_PRINTED),
-        figure_2(70.0, 1.0, AS_PRINTED),
-    );
+    let (clockwise, counter) = (figure_2(70.0, -1.0, AS_PRINTED), figure_2(70.0, 1.0, AS_PRINTED));
     for link in ["2", "3", "4", "5"] {
         let [omega, alpha] = ["omega", "alpha"].map(|q| format!("{q}({link})"));
-        within(
-            1e-13,
-            &omega,
-            counter.number(&omega),
-            -clockwise.number(&omega),
-        );
-        within(
-            1e-13,
-            &alpha,
-            counter.number(&alpha),
-            clockwise.number(&alpha),
-        );
+        within(1e-13, &omega, counter.number(&omega), -clockwise.number(&omega));
+        within(1e-13, &alpha, counter.number(&alpha), clockwise.number(&alpha));
     }
-    within(
-        1e-13,
-        "v_r(3/2)",
-        counter.number("v_r(3/2)"),
-        -clockwise.number("v_r(3/2)"),
-    );
-    within(
-        1e-13,
-        "a_r(3/2)",
-        counter.number("a_r(3/2)"),
-        clockwise.number("a_r(3/2)"),
-    );
+    within(1e-13, "v_r(3/2)", counter.number("v_r(3/2)"), -clockwise.number("v_r(3/2)"));
+    within(1e-13, "a_r(3/2)", counter.number("a_r(3/2)"), clockwise.number("a_r(3/2)"));
 }
 
 /// Mode and number of modes of the only group.
 fn mode(board: &Stages) -> (usize, usize) {
     let group = &board.result().groups[0];
-    (
-        group.mode.expect("from lengths"),
-        group.modes.expect("from lengths"),
-    )
+    (group.mode.expect("from lengths"), group.modes.expect("from lengths"))
 }
 
 #[test]
 fn figure_2_has_two_assembly_modes_at_70_degrees() {
     let printed = figure_2(70.0, -1.0, AS_PRINTED);
     // F keeps the hand of the triangle; E and D ask for the other mode.
-    let other = figure_2(
-        70.0,
-        -1.0,
-        r#"{ "D": [138, -267], "E": [172, -387], "F": [338, 136], "angle(2)": -74 }"#,
-    );
+    let other = figure_2(70.0, -1.0, r#"{ "D": [138, -267], "E": [172, -387], "F": [338, 136], "angle(2)": -74 }"#);
     let ((a, of), (b, of_too)) = (mode(&printed), mode(&other));
     assert_eq!((of, of_too), (2, 2));
     assert_ne!(a, b);
     to_the_digits_given("angle(2)", other.number("angle(2)"), "-74.01744");
     to_the_digits_given("angle(4)", other.number("angle(4)"), "-117.28350");
-    to_the_digits_given(
-        "s",
-        other.result().sliders["3/2"]
-            .position
-            .expect("from lengths"),
-        "375.09307",
-    );
+    to_the_digits_given("s", other.result().sliders["3/2"].position.expect("from lengths"), "375.09307");
     // It is a mode of the same mechanism: all lengths hold.
     let lengths = [
         ("L(A,B)", 100.0),
@@ -396,11 +282,7 @@ fn figure_2_has_four_modes_before_the_limit_and_two_beyond() {
         (179.0, 2),
     ];
     for (angle, modes) in cases {
-        assert_eq!(
-            mode(&figure_2(angle, -1.0, AS_PRINTED)).1,
-            modes,
-            "at {angle}°"
-        );
+        assert_eq!(mode(&figure_2(angle, -1.0, AS_PRINTED)).1, modes, "at {angle}°");
     }
 }
 
@@ -410,12 +292,7 @@ fn figure_2_approaches_its_limit_as_the_square_root() {
     let at = |delta: f64| {
         let board = figure_2(LIMIT - delta.to_degrees(), -1.0, near_limit);
         let angle = |name| board.number(name).to_radians();
-        [
-            board.number("L(B,D)"),
-            angle("angle(2)"),
-            angle("angle(4)"),
-            board.number("L(B,G)"),
-        ]
+        [board.number("L(B,D)"), angle("angle(2)"), angle("angle(4)"), board.number("L(B,G)")]
     };
     let (close, closer) = (at(4e-10), at(1e-10));
     let root = 1e-5;
@@ -424,32 +301,12 @@ fn figure_2_approaches_its_limit_as_the_square_root() {
     let side = (close[0] - closer[0]).signum();
     let slopes = [0, 1, 2].map(|i| side * (close[i] - closer[i]) / root);
     within(1e-3, "slope of s", slopes[0], 146.364_838_782_531_668);
-    within(
-        1e-3,
-        "slope of angle(2)",
-        slopes[1],
-        0.208_316_168_621_543_869,
-    );
-    within(
-        1e-3,
-        "slope of angle(4)",
-        slopes[2],
-        -0.497_530_652_798_679_283,
-    );
+    within(1e-3, "slope of angle(2)", slopes[1], 0.208_316_168_621_543_869);
+    within(1e-3, "slope of angle(4)", slopes[2], -0.497_530_652_798_679_283);
     // Taken back by its slope, the closer one stands at the limit.
-    within(
-        1e-8,
-        "s at the limit",
-        closer[0] - side * slopes[0] * root,
-        140.418_051_921_643_335_9,
-    );
+    within(1e-8, "s at the limit", closer[0] - side * slopes[0] * root, 140.418_051_921_643_335_9);
     let limit = 44.950_994_173_611_545_6_f64.to_radians();
-    within(
-        1e-8,
-        "angle(2) at the limit",
-        closer[1] - side * slopes[1] * root,
-        limit,
-    );
+    within(1e-8, "angle(2) at the limit", closer[1] - side * slopes[1] * root, limit);
 }
 
 /// The crossing of two circles that lies clockwise of the way from the first center to the second, or the other one.

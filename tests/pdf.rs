@@ -18,9 +18,7 @@ fn drawings() -> &'static [(String, Drawing)] {
 }
 
 fn drawn() -> Vec<(String, Drawing)> {
-    let scenes = files::templates()
-        .into_iter()
-        .chain(files::scenes("examples"));
+    let scenes = files::templates().into_iter().chain(files::scenes("examples"));
     let drawn = scenes.map(|(name, text)| {
         let stages = Stages::of(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
         (name, stages.drawing())
@@ -44,9 +42,7 @@ fn texts(drawing: &Drawing) -> Vec<String> {
 }
 
 fn stripped(text: &str) -> String {
-    text.chars()
-        .filter(|letter| !letter.is_whitespace())
-        .collect()
+    text.chars().filter(|letter| !letter.is_whitespace()).collect()
 }
 
 /// A sheet with one text on it.
@@ -61,29 +57,16 @@ fn sheet(text: RichText) -> Drawing {
 fn page(document: &Document) -> &Dictionary {
     let pages = document.get_pages();
     assert_eq!(pages.len(), 1);
-    document
-        .get_dictionary(pages[&1])
-        .expect("the page is there")
+    document.get_dictionary(pages[&1]).expect("the page is there")
 }
 
 #[test]
 fn a_page_is_as_large_as_its_sheet() {
     for (name, drawing) in drawings() {
         let (_, document) = written(drawing);
-        let sides = page(&document)
-            .get(b"MediaBox")
-            .and_then(Object::as_array)
-            .expect("a page has a size");
-        let sides: Vec<f64> = sides
-            .iter()
-            .map(|side| f64::from(side.as_float().expect("a number")))
-            .collect();
-        let expected = [
-            0.0,
-            0.0,
-            drawing.width * 72.0 / 25.4,
-            drawing.height * 72.0 / 25.4,
-        ];
+        let sides = page(&document).get(b"MediaBox").and_then(Object::as_array).expect("a page has a size");
+        let sides: Vec<f64> = sides.iter().map(|side| f64::from(side.as_float().expect("a number"))).collect();
+        let expected = [0.0, 0.0, drawing.width * 72.0 / 25.4, drawing.height * 72.0 / 25.4];
         for (side, expected) in sides.iter().zip(expected) {
             // 0.1 micrometres.
             assert!((side - expected).abs() < 3e-4, "{name}: {sides:?}");
@@ -96,11 +79,7 @@ fn a_page_is_as_large_as_its_sheet() {
 fn every_text_stands_there_once() {
     for (name, drawing) in drawings() {
         let (_, document) = written(drawing);
-        let found = stripped(
-            &document
-                .extract_text(&[1])
-                .expect("its fonts say what their glyphs mean"),
-        );
+        let found = stripped(&document.extract_text(&[1]).expect("its fonts say what their glyphs mean"));
         assert_eq!(found, texts(drawing).concat(), "{name}");
     }
 }
@@ -125,10 +104,7 @@ fn names_are_found_by_another_program() {
                 let runs = text.text.runs();
                 if runs.len() == 2 && !runs[1].scripts.is_empty() {
                     let name = text.text.content();
-                    assert!(
-                        words.contains(&name.as_str()),
-                        "{name} is no word of {words:?}"
-                    );
+                    assert!(words.contains(&name.as_str()), "{name} is no word of {words:?}");
                 }
             }
         }
@@ -147,9 +123,7 @@ fn letters_of_all_kinds_are_found() {
         ("first 漢字 ▒", "first 漢字 ▒"),
     ] {
         let (bytes, document) = written(&sheet(RichText::math(source)));
-        let text = document
-            .extract_text(&[1])
-            .expect("its fonts say what their glyphs mean");
+        let text = document.extract_text(&[1]).expect("its fonts say what their glyphs mean");
         // A letter that the font lacks has no glyph of its own; the file says beside it what it is.
         if !source.contains('漢') {
             assert_eq!(stripped(&text), stripped(reads), "{source}");
@@ -168,10 +142,7 @@ fn the_same_drawing_gives_the_same_bytes() {
         let (first, second) = (written(drawing).0, written(&drawing.clone()).0);
         assert!(first == second, "{name}");
         let has = |word: &[u8]| first.windows(word.len()).any(|part| part == word);
-        assert!(
-            !has(b"CreationDate") && !has(b"ModDate") && !has(b"CreateDate"),
-            "{name}"
-        );
+        assert!(!has(b"CreationDate") && !has(b"ModDate") && !has(b"CreateDate"), "{name}");
     }
 }
 
@@ -184,13 +155,8 @@ fn fonts_come_with_the_file_and_only_the_letters_that_it_uses() {
             let Ok(font) = object.as_dict() else { continue };
             if font.has_type(b"FontDescriptor") {
                 let program = font.get(b"FontFile3").and_then(Object::as_reference);
-                let program = document
-                    .get_object(program.expect("it is in the file"))
-                    .and_then(Object::as_stream);
-                assert!(
-                    program.expect("it is a stream").content.len() < 12_000,
-                    "{name}"
-                );
+                let program = document.get_object(program.expect("it is in the file")).and_then(Object::as_stream);
+                assert!(program.expect("it is a stream").content.len() < 12_000, "{name}");
                 fonts += 1;
             }
         }
@@ -206,62 +172,31 @@ fn title_language_and_description_are_written_in() {
     drawing.title = "Großer Träger: α & (b) \\ %".into();
     drawing.description = "Panels: none.".into();
     let (_, document) = written(&drawing);
-    let about = document
-        .trailer
-        .get(b"Info")
-        .and_then(Object::as_reference)
-        .expect("it is there");
+    let about = document.trailer.get(b"Info").and_then(Object::as_reference).expect("it is there");
     let about = document.get_dictionary(about).expect("it is a dictionary");
-    let said = |key: &[u8]| {
-        lopdf::decode_text_string(about.get(key).expect("it is said")).expect("a text")
-    };
+    let said = |key: &[u8]| lopdf::decode_text_string(about.get(key).expect("it is said")).expect("a text");
     assert_eq!(said(b"Title"), drawing.title);
     assert_eq!(said(b"Subject"), drawing.description);
     let catalog = document.catalog().expect("it has one");
-    assert_eq!(
-        lopdf::decode_text_string(catalog.get(b"Lang").expect("it is said")).expect("a text"),
-        "en"
-    );
+    assert_eq!(lopdf::decode_text_string(catalog.get(b"Lang").expect("it is said")).expect("a text"), "en");
     // For readers who cannot see it, the description stands for the whole figure.
-    let figure = document
-        .objects
-        .values()
-        .filter_map(|object| object.as_dict().ok());
-    let mut figure = figure.filter(|element| {
-        element
-            .get(b"S")
-            .and_then(Object::as_name)
-            .is_ok_and(|name| name == b"Figure")
-    });
-    let stands = figure
-        .next()
-        .and_then(|figure| figure.get(b"Alt").ok())
-        .expect("it is there");
-    assert_eq!(
-        lopdf::decode_text_string(stands).expect("a text"),
-        drawing.description
-    );
+    let figure = document.objects.values().filter_map(|object| object.as_dict().ok());
+    let mut figure =
+        figure.filter(|element| element.get(b"S").and_then(Object::as_name).is_ok_and(|name| name == b"Figure"));
+    let stands = figure.next().and_then(|figure| figure.get(b"Alt").ok()).expect("it is there");
+    assert_eq!(lopdf::decode_text_string(stands).expect("a text"), drawing.description);
 }
 
 #[test]
 fn what_cannot_be_a_page_is_refused() {
-    for (width, height) in [
-        (f64::NAN, 10.0),
-        (0.0, 10.0),
-        (10.0, -1.0),
-        (10.0, f64::INFINITY),
-        (6000.0, 10.0),
-    ] {
+    for (width, height) in [(f64::NAN, 10.0), (0.0, 10.0), (10.0, -1.0), (10.0, f64::INFINITY), (6000.0, 10.0)] {
         let error = pdf(&Drawing::new(width, height)).expect_err("it has no size");
         assert!(matches!(error, PdfError::Size { .. }), "{error}");
     }
     assert!(
-        PdfError::Size {
-            width: 0.0,
-            height: 10.0
-        }
-        .to_string()
-        .starts_with("a sheet of 0 x 10 mm: a page of PDF has sides")
+        PdfError::Size { width: 0.0, height: 10.0 }
+            .to_string()
+            .starts_with("a sheet of 0 x 10 mm: a page of PDF has sides")
     );
 }
 
@@ -280,8 +215,5 @@ fn numbers_that_are_not_finite_are_left_out() {
     assert_eq!(document.extract_text(&[1]).expect("text").trim(), "stays");
     let content = document.get_page_content(document.get_pages()[&1]);
     let content = String::from_utf8_lossy(&content);
-    assert!(
-        !content.contains("NaN") && !content.contains("inf"),
-        "{content}"
-    );
+    assert!(!content.contains("NaN") && !content.contains("inf"), "{content}");
 }

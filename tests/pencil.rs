@@ -8,8 +8,8 @@ mod stages;
 
 use exact::exceeds;
 use kinegon::drafting::{
-    Act, Band, Change, Deed, Disturbance, Drafting, Error, Reading, Sheet, SheetScales, Tolerance,
-    Unread, drafting_with, readable_names,
+    Act, Band, Change, Deed, Disturbance, Drafting, Error, Reading, Sheet, SheetScales, Tolerance, Unread,
+    drafting_with, readable_names,
 };
 use kinegon::drawing::scales;
 use kinegon::plan::{Asked, Quantity, step_names};
@@ -34,57 +34,28 @@ struct Sheets {
 impl Sheets {
     fn of(text: &str) -> Sheets {
         let stages = Stages::of(text).expect("a good scene");
-        let Stages {
-            mechanism,
-            pose,
-            motion,
-            construction,
-            ..
-        } = &stages;
+        let Stages { mechanism, pose, motion, construction, .. } = &stages;
         let mut names = readable_names(mechanism, motion, construction);
         let own = step_names(construction).into_iter();
         let own: Vec<String> = own.filter(|name| !names.contains(name)).collect();
         names.extend(own);
         let points = mechanism.points.clone();
-        names.extend(
-            points
-                .iter()
-                .flat_map(|p| [format!("x({p})"), format!("y({p})")]),
-        );
+        names.extend(points.iter().flat_map(|p| [format!("x({p})"), format!("y({p})")]));
         let asked = names.iter().map(|name| Asked::new(name, mechanism));
         let asked: Vec<Asked> = asked.map(|a| a.expect("a known name")).collect();
         let (drafting, readings) = drafting_with(mechanism, pose, motion, construction, &asked);
-        Sheets {
-            asked,
-            drafting,
-            readings,
-            stages,
-        }
+        Sheets { asked, drafting, readings, stages }
     }
 
     fn scales(&self) -> SheetScales {
-        let Stages {
-            scene,
-            mechanism,
-            pose,
-            construction,
-            ..
-        } = &self.stages;
+        let Stages { scene, mechanism, pose, construction, .. } = &self.stages;
         let scales = scales(scene, mechanism, pose, construction);
         let given = [scales.length, scales.velocity, scales.acceleration];
-        SheetScales {
-            per_mm: given.map(|s| s.expect("all three panels")),
-        }
+        SheetScales { per_mm: given.map(|s| s.expect("all three panels")) }
     }
 
     fn truth(&self, asked: &Asked) -> f64 {
-        let Stages {
-            mechanism,
-            pose,
-            motion,
-            construction,
-            ..
-        } = &self.stages;
+        let Stages { mechanism, pose, motion, construction, .. } = &self.stages;
         let name = asked.name();
         let value = kinegon::plan::quantity(name, mechanism, pose, motion, construction, None);
         match value.unwrap_or_else(|error| panic!("{error}")) {
@@ -178,11 +149,7 @@ fn compare(scene: &str, sheets: &Sheets, within: f64, wrong: &mut Vec<String>) -
         } else {
             reading.difference(&values, truth)
         };
-        let scale = if reading.is_angle {
-            180.0
-        } else {
-            sheets.largest(asked)
-        };
+        let scale = if reading.is_angle { 180.0 } else { sheets.largest(asked) };
         compared += 1;
         if exceeds(off.abs(), within * scale) {
             let value = reading.value(&values);
@@ -220,9 +187,8 @@ fn honest_drawings_keep_to_the_bands() {
         let sheets = Sheets::of(&text);
         let scales = sheets.scales();
         let there = sheets.asked.iter().zip(&sheets.readings);
-        let there: Vec<(&Asked, Reading)> = there
-            .filter_map(|(asked, reading)| Some((asked, *reading.as_ref().ok()?)))
-            .collect();
+        let there: Vec<(&Asked, Reading)> =
+            there.filter_map(|(asked, reading)| Some((asked, *reading.as_ref().ok()?))).collect();
         let readings: Vec<Reading> = there.iter().map(|t| t.1).collect();
         let bands = sheets.drafting.bands(scales, &tolerance, &readings);
         let exact = sheets.drafting.replay(scales, &[]);
@@ -253,11 +219,7 @@ fn honest_drawings_keep_to_the_bands() {
             }
         }
         for (((asked, _), band), mut off) in there.iter().zip(&bands).zip(off) {
-            let Band {
-                value,
-                band,
-                is_rough,
-            } = *band;
+            let Band { value, band, is_rough } = *band;
             off.sort_by(f64::total_cmp);
             let inside = off.partition_point(|x| *x <= band) as f64 / DRAWINGS as f64;
             let quantile = off[DRAWINGS * 95 / 100];
@@ -278,12 +240,7 @@ fn honest_drawings_keep_to_the_bands() {
     }
     assert!(liars > 0, "nothing here needs to be called rough");
     assert!(20 * rough < firm, "{rough} rough bands beside {firm}");
-    assert!(
-        wrong.is_empty(),
-        "{} of {firm} ({rough} rough):\n{}",
-        wrong.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} of {firm} ({rough} rough):\n{}", wrong.len(), wrong.join("\n"));
 }
 
 /// The one given velocity laid off the wrong way round turns every velocity and every ω round; what is squared stays.
@@ -299,25 +256,15 @@ fn a_vector_laid_off_backwards_propagates() {
     if let Deed::LayOff { quarter_turns, .. } = &mut backwards.deed {
         *quarter_turns += 2;
     }
-    let mistake = Disturbance {
-        act,
-        change: Change::Instead(&backwards),
-    };
+    let mistake = Disturbance { act, change: Change::Instead(&backwards) };
     let right = drafting.replay(scales, &[]);
     let wrong = drafting.replay(scales, &[mistake]);
-    for (name, sign) in [
-        ("omega(2)", -1.0),
-        ("omega(4)", -1.0),
-        ("v_r(3/2)", -1.0),
-        ("alpha(4)", 1.0),
-        ("a_r(3/2)", 1.0),
-    ] {
+    for (name, sign) in
+        [("omega(2)", -1.0), ("omega(4)", -1.0), ("v_r(3/2)", -1.0), ("alpha(4)", 1.0), ("a_r(3/2)", 1.0)]
+    {
         let number = drafting.number(name).expect("it is solved for");
         let [right, wrong] = [&right, &wrong].map(|values| values.number(number));
-        assert!(
-            (wrong - sign * right).abs() < 1e-9 * right.abs(),
-            "{name}: {wrong}, not {right}"
-        );
+        assert!((wrong - sign * right).abs() < 1e-9 * right.abs(), "{name}: {wrong}, not {right}");
     }
 }
 
@@ -331,33 +278,18 @@ fn a_forgotten_coriolis_part_propagates() {
         Deed::Compute { sum, .. } => sum.iter().any(|p| p.factor.abs() == 2.0),
         _ => false,
     };
-    let act = drafting
-        .acts
-        .iter()
-        .position(twice)
-        .expect("2 ω v_r is computed");
+    let act = drafting.acts.iter().position(twice).expect("2 ω v_r is computed");
     let mut forgotten = drafting.acts[act].clone();
     if let Deed::Compute { sum, .. } = &mut forgotten.deed {
         sum.retain(|p| p.factor.abs() != 2.0);
     }
-    let mistake = Disturbance {
-        act,
-        change: Change::Instead(&forgotten),
-    };
+    let mistake = Disturbance { act, change: Change::Instead(&forgotten) };
     let alpha = drafting.number("alpha(3)").expect("it is solved for");
     let [right, wrong] = [vec![], vec![mistake]].map(|m| drafting.replay(scales, &m).number(alpha));
-    let Stages {
-        mechanism,
-        pose,
-        motion,
-        ..
-    } = &sheets.stages;
+    let Stages { mechanism, pose, motion, .. } = &sheets.stages;
     let lever = mechanism.link("3").expect("the lever");
     let [b, d] = ["B", "D"].map(|p| mechanism.point(p).expect("a joint"));
     let slide = motion.slides[0].velocity;
     let missing = 2.0 * motion.body(lever).omega * slide / pose.arm(d, b).norm();
-    assert!(
-        ((wrong - right).abs() / missing.abs() - 1.0).abs() < 1e-9,
-        "{right} {wrong} {missing}"
-    );
+    assert!(((wrong - right).abs() / missing.abs() - 1.0).abs() < 1e-9, "{right} {wrong} {missing}");
 }

@@ -124,23 +124,14 @@ fn moves(planted: &Planted, mechanism: &Mechanism, pose: &Pose) -> Result<(), St
     let links = planted.bodies.len() - 3;
     let scale = (0..links).fold(1.0, |m: f64, link| m.max(rates[3 * link + 2].abs()));
     for link in 0..links {
-        let body = mechanism
-            .link(&format!("b{}", link + 2))
-            .ok_or("a link is missing")?;
+        let body = mechanism.link(&format!("b{}", link + 2)).ok_or("a link is missing")?;
         let (omega, truth) = (motion.body(body).omega, rates[3 * link + 2]);
         let off = (omega - truth).abs() / scale;
         if off.is_nan() || off > BOUND {
-            return Err(format!(
-                "b{} turns with {omega} in place of {truth}",
-                link + 2
-            ));
+            return Err(format!("b{} turns with {omega} in place of {truth}", link + 2));
         }
     }
-    for agreement in construction(mechanism, pose, &motion)
-        .agreement
-        .iter()
-        .flatten()
-    {
+    for agreement in construction(mechanism, pose, &motion).agreement.iter().flatten() {
         if agreement.difference > agreement.allowed {
             return Err(format!("the routes differ: {agreement:?}"));
         }

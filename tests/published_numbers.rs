@@ -11,14 +11,7 @@ use published_numbers::Verdict::{self, Drafting, DraftingAndRounding, Right, Wro
 use published_numbers::{Row, table};
 
 /// Symbol, equation, digits as printed, digits from the paper's own drawing, exact value with all digits that are sure, verdict.
-type Expected = (
-    &'static str,
-    &'static str,
-    &'static str,
-    &'static str,
-    &'static str,
-    Verdict,
-);
+type Expected = (&'static str, &'static str, &'static str, &'static str, &'static str, Verdict);
 
 #[rustfmt::skip] // a row a line
 const EXPECTED: [Expected; 30] = [
@@ -77,20 +70,14 @@ fn every_number_comes_out_as_listed() {
     let rows = rows();
     assert_eq!(rows.len(), EXPECTED.len());
     for (row, (quantity, equation, printed, drawn, exact, verdict)) in rows.iter().zip(EXPECTED) {
-        assert_eq!(
-            (row.quantity, row.equation, row.printed, row.verdict),
-            (quantity, equation, printed, verdict)
-        );
+        assert_eq!((row.quantity, row.equation, row.printed, row.verdict), (quantity, equation, printed, verdict));
         let value = row.drawn;
         assert!(rounds_to(drawn, value), "{quantity}: {value}, not {drawn}");
         let known: f64 = exact.parse().expect("digits");
         let half_a_unit = 0.5 * 0.1_f64.powi(decimals(exact) as i32);
         let allowed = half_a_unit.max(ROUNDING * known.abs());
         let value = row.exact;
-        assert!(
-            (value - known).abs() <= allowed,
-            "{quantity}: {value}, not {exact}"
-        );
+        assert!((value - known).abs() <= allowed, "{quantity}: {value}, not {exact}");
     }
 }
 
@@ -154,10 +141,7 @@ fn the_drawing_has_the_papers_lengths_but_misses_its_guide() {
     assert!((degrees_of(arm("B", "E")) - 41.96791045).abs() < 1e-12);
     let guide = arm("B", "E").normalize();
     let off = cross(guide, arm("B", "D"));
-    assert!(
-        rounds_to("-0.00933", off),
-        "D is {off} mm left of the guide"
-    );
+    assert!(rounds_to("-0.00933", off), "D is {off} mm left of the guide");
     // F clockwise of D, seen from G.
     assert!(cross(arm("G", "D"), arm("G", "F")) < 0.0);
 }

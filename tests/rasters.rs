@@ -37,9 +37,7 @@ const SCENES: [&str; 5] = [
 
 fn drawing(scene: &str) -> Drawing {
     let stages = Stages::of(&files::read(&format!("{scene}.json")));
-    stages
-        .unwrap_or_else(|error| panic!("{scene}: {error}"))
-        .drawing()
+    stages.unwrap_or_else(|error| panic!("{scene}: {error}")).drawing()
 }
 
 /// Red, green and blue of pixels, row by row.
@@ -61,10 +59,7 @@ impl Picture {
         Picture {
             width: info.width as usize,
             rows: info.height as usize,
-            pixels: data
-                .chunks_exact(colours)
-                .map(|pixel| [pixel[0], pixel[1], pixel[2]])
-                .collect(),
+            pixels: data.chunks_exact(colours).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect(),
         }
     }
 
@@ -74,29 +69,17 @@ impl Picture {
         for face in [REGULAR, ITALIC] {
             fonts.load_font_source(Source::Binary(Arc::new(face)));
         }
-        let options = Options {
-            fontdb: Arc::new(fonts),
-            ..Options::default()
-        };
+        let options = Options { fontdb: Arc::new(fonts), ..Options::default() };
         let tree = Tree::from_str(svg, &options).expect("it is SVG");
         let scale = DPI as f32 / 96.0;
         let pixels = |side: f32| (side * scale).ceil() as u32;
-        let mut pixmap = Pixmap::new(pixels(tree.size().width()), pixels(tree.size().height()))
-            .expect("it has a size");
+        let mut pixmap = Pixmap::new(pixels(tree.size().width()), pixels(tree.size().height())).expect("it has a size");
         pixmap.fill(Color::WHITE);
-        resvg::render(
-            &tree,
-            Transform::from_scale(scale, scale),
-            &mut pixmap.as_mut(),
-        );
+        resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
         Picture {
             width: pixmap.width() as usize,
             rows: pixmap.height() as usize,
-            pixels: pixmap
-                .data()
-                .chunks_exact(4)
-                .map(|pixel| [pixel[0], pixel[1], pixel[2]])
-                .collect(),
+            pixels: pixmap.data().chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect(),
         }
     }
 
@@ -109,41 +92,29 @@ impl Picture {
             let own = a.pixels[y * a.width + x];
             let unlike = |x: usize, y: usize| {
                 let there = b.pixels[y * b.width + x];
-                own.iter()
-                    .zip(there)
-                    .any(|(own, there)| own.abs_diff(there) > UNLIKE)
+                own.iter().zip(there).any(|(own, there)| own.abs_diff(there) > UNLIKE)
             };
-            let near =
-                |at: usize, end: usize| at.saturating_sub(distance)..(at + distance + 1).min(end);
+            let near = |at: usize, end: usize| at.saturating_sub(distance)..(at + distance + 1).min(end);
             // Nearly all pixels are white in both.
             unlike(x, y) && near(y, rows).all(|y| near(x, width).all(|x| unlike(x, y)))
         };
         let places = (0..rows).flat_map(|y| (0..width).map(move |x| (x, y)));
-        places
-            .filter(|&(x, y)| is_astray(self, other, x, y) || is_astray(other, self, x, y))
-            .count()
+        places.filter(|&(x, y)| is_astray(self, other, x, y) || is_astray(other, self, x, y)).count()
     }
 }
 
 /// Keeps a picture for a look where it has pixels astray.
 fn assert_alike(what: &str, expected: &Picture, made: &Path, distance: usize) {
-    let bytes =
-        std::fs::read(made).unwrap_or_else(|error| panic!("{what}: {}: {error}", made.display()));
+    let bytes = std::fs::read(made).unwrap_or_else(|error| panic!("{what}: {}: {error}", made.display()));
     let astray = expected.astray(&Picture::read(&bytes), distance);
-    assert!(
-        astray <= SPECK,
-        "{what}: {astray} pixels astray, see {}",
-        made.display()
-    );
+    assert!(astray <= SPECK, "{what}: {astray} pixels astray, see {}", made.display());
     std::fs::remove_file(made).expect("it was there");
 }
 
 /// A label of a drawing by its name.
 fn label<'a>(drawing: &'a mut Drawing, id: &str) -> &'a mut Mark {
     let mut marks = drawing.marks.iter_mut();
-    marks
-        .find(|mark| mark.id.as_deref() == Some(id))
-        .expect("it is there")
+    marks.find(|mark| mark.id.as_deref() == Some(id)).expect("it is there")
 }
 
 /// The measure sees what a reader would miss, and nothing else.
@@ -159,22 +130,15 @@ fn the_measure_sees_small_changes() {
         ("velocity-label-s3-", Vec2::new(-0.5, 0.0)),
     ] {
         let mut moved = drawing.clone();
-        let Shape::Text(text) = &mut label(&mut moved, id).shape else {
-            panic!("{id} is a text")
-        };
+        let Shape::Text(text) = &mut label(&mut moved, id).shape else { panic!("{id} is a text") };
         text.origin += by;
         let astray = picture.astray(&Picture::of(&svg(&moved)), 1);
         assert!(astray > 2 * SPECK, "{id}: {astray}");
     }
-    let start = before
-        .find("id=\"velocity-label-s3-\"")
-        .expect("it is there");
+    let start = before.find("id=\"velocity-label-s3-\"").expect("it is there");
     let (head, tail) = before.split_at(start);
     for (what, after) in [
-        (
-            "a subscript",
-            format!("{head}{}", tail.replacen(">3</tspan>", "></tspan>", 1)),
-        ),
+        ("a subscript", format!("{head}{}", tail.replacen(">3</tspan>", "></tspan>", 1))),
         ("a Greek letter", before.replacen(">ω<", "><", 1)),
         ("a comma", before.replacen(">,<", "><", 1)),
         // A prime after the name A.
@@ -186,10 +150,7 @@ fn the_measure_sees_small_changes() {
                 1,
             ),
         ),
-        (
-            "the dash of a line",
-            before.replacen(" stroke-dasharray=\"3.6 0.9 0.5 0.9\"", "", 1),
-        ),
+        ("the dash of a line", before.replacen(" stroke-dasharray=\"3.6 0.9 0.5 0.9\"", "", 1)),
     ] {
         assert_ne!(before, after, "{what}");
         let astray = picture.astray(&Picture::of(&after), 1);
@@ -209,19 +170,13 @@ fn with_fonts(program: &Path, name: &str) -> (Command, PathBuf) {
     );
     std::fs::write(folder.join("fonts.conf"), fonts).expect("the test's folder can be written");
     let mut command = Command::new(program);
-    command
-        .env("FONTCONFIG_FILE", folder.join("fonts.conf"))
-        .current_dir(&folder);
+    command.env("FONTCONFIG_FILE", folder.join("fonts.conf")).current_dir(&folder);
     (command, folder)
 }
 
 fn done(mut command: Command) {
     let output = command.output().expect("the program starts");
-    assert!(
-        output.status.success(),
-        "{command:?}\n{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert!(output.status.success(), "{command:?}\n{}", String::from_utf8_lossy(&output.stderr));
 }
 
 #[test]
@@ -234,15 +189,7 @@ fn librsvg_draws_the_same() {
         let (mut command, folder) = with_fonts(&program, "librsvg");
         std::fs::write(folder.join("figure.svg"), &svg).expect("the test's folder can be written");
         let dpi = DPI.to_string();
-        command.args([
-            "--dpi-x",
-            &dpi,
-            "--dpi-y",
-            &dpi,
-            "figure.svg",
-            "-o",
-            "figure.png",
-        ]);
+        command.args(["--dpi-x", &dpi, "--dpi-y", &dpi, "figure.svg", "-o", "figure.png"]);
         done(command);
         assert_alike(scene, &Picture::of(&svg), &folder.join("figure.png"), 1);
     }
@@ -257,14 +204,11 @@ fn chromium_draws_the_same() {
     for scene in SCENES {
         let whole = drawing(scene);
         let mut labels = whole.clone();
-        labels
-            .marks
-            .retain(|mark| !matches!(mark.pen, Pen::Caption | Pen::Heading));
+        labels.marks.retain(|mark| !matches!(mark.pen, Pen::Caption | Pen::Heading));
         for (drawing, distance) in [(whole, 2), (labels, 1)] {
             let svg = svg(&drawing);
             let (mut command, folder) = with_fonts(&program, "chromium");
-            std::fs::write(folder.join("figure.svg"), &svg)
-                .expect("the test's folder can be written");
+            std::fs::write(folder.join("figure.svg"), &svg).expect("the test's folder can be written");
             let pixels = |mm: f64| (mm * 96.0 / 25.4).ceil();
             command
                 .args("--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking".split(' '))
@@ -275,12 +219,7 @@ fn chromium_draws_the_same() {
                 .arg(format!("--user-data-dir={}", folder.join("profile").display()))
                 .arg(format!("file://{}", folder.join("figure.svg").display()));
             done(command);
-            assert_alike(
-                scene,
-                &Picture::of(&svg),
-                &folder.join("figure.png"),
-                distance,
-            );
+            assert_alike(scene, &Picture::of(&svg), &folder.join("figure.png"), distance);
         }
     }
 }
@@ -295,20 +234,8 @@ fn poppler_draws_the_pdf_as_resvg_draws_the_svg() {
         let (mut command, folder) = with_fonts(&program, "poppler");
         let file = pdf(&drawing).expect("the sheet has a size");
         std::fs::write(folder.join("figure.pdf"), file).expect("the test's folder can be written");
-        command.args([
-            "-r",
-            &DPI.to_string(),
-            "-png",
-            "-singlefile",
-            "figure.pdf",
-            "figure",
-        ]);
+        command.args(["-r", &DPI.to_string(), "-png", "-singlefile", "figure.pdf", "figure"]);
         done(command);
-        assert_alike(
-            scene,
-            &Picture::of(&svg(&drawing)),
-            &folder.join("figure.png"),
-            1,
-        );
+        assert_alike(scene, &Picture::of(&svg(&drawing)), &folder.join("figure.png"), 1);
     }
 }

@@ -115,9 +115,7 @@ fn assembly_modes() {
         };
         let expect = &case["expect"];
         // The group in question: the one that the scene is about is the last to be assembled.
-        let [.., Some(assembly)] = pose.assemblies[..] else {
-            panic!("{name} has a group with modes")
-        };
+        let [.., Some(assembly)] = pose.assemblies[..] else { panic!("{name} has a group with modes") };
         if Some(assembly.modes as u64) != expect["modes"].as_u64() {
             let (got, want) = (assembly.modes, &expect["modes"]);
             failures.push(format!("{name}: {got} modes in place of {want}"));
@@ -221,22 +219,12 @@ impl Report {
         self.bound_ratios.sort_by(f64::total_cmp);
         if let [least, ..] = self.bound_ratios.as_slice() {
             let middle = self.bound_ratios[self.bound_ratios.len() / 2];
-            assert!(
-                middle < WASTEFUL,
-                "the stated bounds say too little: {middle:.0}"
-            );
-            println!(
-                "{}: stated bound / error: median {middle:.1}, least {least:.2}",
-                self.set
-            );
+            assert!(middle < WASTEFUL, "the stated bounds say too little: {middle:.0}");
+            println!("{}: stated bound / error: median {middle:.1}, least {least:.2}", self.set);
         }
         let count = self.failures.len();
         self.failures.truncate(20);
-        assert!(
-            count == 0,
-            "{count} failures:\n{}",
-            self.failures.join("\n")
-        );
+        assert!(count == 0, "{count} failures:\n{}", self.failures.join("\n"));
         assert_eq!((self.cases, self.singular), (cases, singular));
     }
 
@@ -249,20 +237,14 @@ impl Report {
             self.singular += 1;
             if !matches!(solved, Err(Error::Motion(MotionError::Singular { .. }))) {
                 let what = solved.map(|_| "solved");
-                self.failures
-                    .push(format!("{name}: singular, but {what:?}"));
+                self.failures.push(format!("{name}: singular, but {what:?}"));
             }
             return;
         }
-        let condition = case["cond"]
-            .as_f64()
-            .expect("a case has a condition")
-            .max(1.0);
+        let condition = case["cond"].as_f64().expect("a case has a condition").max(1.0);
         let result = match solved {
             Ok(result) => result,
-            Err(Error::Motion(MotionError::Singular { .. }))
-                if condition > self.may_be_refused() =>
-            {
+            Err(Error::Motion(MotionError::Singular { .. })) if condition > self.may_be_refused() => {
                 self.refused += 1;
                 return;
             }
@@ -284,8 +266,7 @@ impl Report {
         for (error, what) in comparison.errors {
             let error = error / (U * condition);
             if exceeds(error, bound) {
-                self.failures
-                    .push(format!("{name}: {what} is wrong by {error:.3e} u·cond"));
+                self.failures.push(format!("{name}: {what} is wrong by {error:.3e} u·cond"));
             }
             if exceeds(error, self.worst.0) {
                 self.worst = (error, format!("{name}: {what}"));
@@ -310,8 +291,7 @@ impl Report {
             }
         }
         if holds_null(&json) {
-            self.failures
-                .push(format!("{name}: a NaN or an infinity in {json}"));
+            self.failures.push(format!("{name}: a NaN or an infinity in {json}"));
         }
     }
 
@@ -320,9 +300,7 @@ impl Report {
             let error = minus(value, decimal(truth)).abs();
             let published = PUBLISHED * value.abs();
             if exceeds(error, bound + published) {
-                self.failures.push(format!(
-                    "{name}: {what} is wrong by {error:e}, stated is {bound:e}"
-                ));
+                self.failures.push(format!("{name}: {what} is wrong by {error:e}, stated is {bound:e}"));
             }
             if error > published {
                 self.bound_ratios.push(bound / error);
@@ -330,62 +308,34 @@ impl Report {
         };
         for (link, truth) in entries(&expect["links"]) {
             let got = &result.links[link];
-            check(
-                format!("omega({link})"),
-                got.omega,
-                &truth["omega"],
-                got.omega_error,
-            );
-            let (alpha, bound) = (
-                got.alpha.expect("asked for"),
-                got.alpha_error.expect("asked for"),
-            );
+            check(format!("omega({link})"), got.omega, &truth["omega"], got.omega_error);
+            let (alpha, bound) = (got.alpha.expect("asked for"), got.alpha_error.expect("asked for"));
             check(format!("alpha({link})"), alpha, &truth["alpha"], bound);
         }
         for (link, truth) in entries(&expect["sliders"]) {
             let name = slider_name(link, truth);
             let got = &result.sliders[&name];
-            check(
-                format!("v_r({name})"),
-                got.velocity,
-                &truth["velocity"],
-                got.velocity_error,
-            );
-            let (second, bound) = (
-                got.acceleration.expect("asked for"),
-                got.acceleration_error.expect("asked for"),
-            );
-            check(
-                format!("a_r({name})"),
-                second,
-                &truth["acceleration"],
-                bound,
-            );
+            check(format!("v_r({name})"), got.velocity, &truth["velocity"], got.velocity_error);
+            let (second, bound) = (got.acceleration.expect("asked for"), got.acceleration_error.expect("asked for"));
+            check(format!("a_r({name})"), second, &truth["acceleration"], bound);
         }
     }
 
     fn disagreement(&mut self, name: &str, result: &ResultFile) {
         for group in &result.groups {
-            let at_infinity = group
-                .special_points
-                .iter()
-                .any(|s| result.points[s].at_infinity.is_some());
+            let at_infinity = group.special_points.iter().any(|s| result.points[s].at_infinity.is_some());
             match (group.disagreement, group.disagreement_allowed) {
                 (Some(difference), Some(allowed)) => {
-                    self.largest_disagreement = self
-                        .largest_disagreement
-                        .max(difference / allowed.max(f64::MIN_POSITIVE));
+                    self.largest_disagreement =
+                        self.largest_disagreement.max(difference / allowed.max(f64::MIN_POSITIVE));
                     self.two_routes += 1;
                     if exceeds(difference, allowed) {
-                        self.failures.push(format!(
-                            "{name}: the routes differ by {difference:e}, allowed is {allowed:e}"
-                        ));
+                        self.failures
+                            .push(format!("{name}: the routes differ by {difference:e}, allowed is {allowed:e}"));
                     }
                 }
                 (None, None) if at_infinity => {}
-                other => self
-                    .failures
-                    .push(format!("{name}: the second route says {other:?}")),
+                other => self.failures.push(format!("{name}: the second route says {other:?}")),
             }
         }
     }

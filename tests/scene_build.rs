@@ -3,9 +3,8 @@
 mod files;
 
 use kinegon::scene::{
-    Builder, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink,
-    NotationName, Page, PageSize, Panel, PointMotion, Push, Scene, StyleName, TimeUnit, Turn,
-    polar,
+    Builder, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink, NotationName, Page, PageSize,
+    Panel, PointMotion, Push, Scene, StyleName, TimeUnit, Turn, polar,
 };
 
 /// The scene in a file of the repository.
@@ -15,34 +14,17 @@ fn file(path: &str) -> Scene {
 
 /// Everything that a scene says, in words; its text is another matter.
 fn said(scene: &Scene) -> String {
-    let Scene {
-        title,
-        units,
-        form,
-        ground,
-        coordinates,
-        known,
-        links,
-        sliders,
-        near,
-        figure,
-        want,
-        ..
-    } = scene;
+    let Scene { title, units, form, ground, coordinates, known, links, sliders, near, figure, want, .. } = scene;
     format!(
         "{title:?} {units:?} {form:?} {ground:?} {known:#?} {links:#?} {sliders:#?} {near:#?} {figure:#?} {want:?} {:#?}",
         // The order of points is not said by a frame's coordinates and a drawing's together.
-        coordinates
-            .iter()
-            .collect::<std::collections::BTreeMap<_, _>>()
+        coordinates.iter().collect::<std::collections::BTreeMap<_, _>>()
     )
 }
 
 /// Checks that the builder says what the scene says, and that its text, saved and read, does too.
 fn is_the_same(builder: &Builder, scene: &Scene) {
-    let built = builder
-        .build()
-        .unwrap_or_else(|error| panic!("{error}\n{}", builder.text()));
+    let built = builder.build().unwrap_or_else(|error| panic!("{error}\n{}", builder.text()));
     assert_eq!(said(&built), said(scene));
     let again = Scene::read(&builder.text()).expect("it was read before");
     assert_eq!(built, again);
@@ -76,17 +58,10 @@ fn slider_crank_whose_guide_passes_through_a_place() {
     let builder = mm()
         .title("Offset slider-crank")
         .ground("A", [0.0, 0.0])
-        .link(
-            "1",
-            bar(["A", "B"], "AB", 50.0).drive(Turn::omega(10.0).angle(60.0)),
-        )
+        .link("1", bar(["A", "B"], "AB", 50.0).drive(Turn::omega(10.0).angle(60.0)))
         .link("2", bar(["B", "C"], "BC", 150.0))
         .link("3", NewLink::points(["C"]))
-        .slider(
-            "3",
-            "C",
-            Guide::on("ground").through([0.0, -20.0]).along(0.0),
-        )
+        .slider("3", "C", Guide::on("ground").through([0.0, -20.0]).along(0.0))
         .near("C", [160.0, -20.0]);
     is_the_same(&builder, &file("templates/slider-crank.json"));
 }
@@ -97,10 +72,7 @@ fn whitworth_quick_return_whose_guides_pass_through_points() {
         .title("Whitworth quick return")
         .ground("A", [0.0, 0.0])
         .ground("D", [0.0, -40.0])
-        .link(
-            "1",
-            bar(["A", "B"], "AB", 100.0).drive(Turn::omega(10.0).angle(60.0)),
-        )
+        .link("1", bar(["A", "B"], "AB", 100.0).drive(Turn::omega(10.0).angle(60.0)))
         .link("2", NewLink::points(["B"]))
         .link("3", bar(["E", "D"], "DE", 60.0))
         .link("4", bar(["E", "F"], "EF", 220.0))
@@ -115,27 +87,16 @@ fn whitworth_quick_return_whose_guides_pass_through_points() {
 #[test]
 fn platform_with_three_drives_and_long_names() {
     let drive = |angle, omega, alpha| Turn::omega(omega).angle(angle).alpha(alpha);
-    let platform = NewLink::points(["C1", "C2", "C3"])
-        .length("C1-C2", 90.0)
-        .length("C2-C3", 90.0)
-        .length("C1-C3", 90.0);
+    let platform =
+        NewLink::points(["C1", "C2", "C3"]).length("C1-C2", 90.0).length("C2-C3", 90.0).length("C1-C3", 90.0);
     let builder = mm()
         .title("3-RRR platform")
         .ground("A1", [0.0, 0.0])
         .ground("A2", [320.0, 0.0])
         .ground("A3", [160.0, 280.0])
-        .link(
-            "1",
-            bar(["A1", "B1"], "A1-B1", 60.0).drive(drive(50.0, 2.0, 3.0)),
-        )
-        .link(
-            "2",
-            bar(["A2", "B2"], "A2-B2", 60.0).drive(drive(170.0, 1.0, -2.0)),
-        )
-        .link(
-            "3",
-            bar(["A3", "B3"], "A3-B3", 60.0).drive(drive(-70.0, -1.0, 4.0)),
-        )
+        .link("1", bar(["A1", "B1"], "A1-B1", 60.0).drive(drive(50.0, 2.0, 3.0)))
+        .link("2", bar(["A2", "B2"], "A2-B2", 60.0).drive(drive(170.0, 1.0, -2.0)))
+        .link("3", bar(["A3", "B3"], "A3-B3", 60.0).drive(drive(-70.0, -1.0, 4.0)))
         .link("4", bar(["B1", "C1"], "B1-C1", 130.0))
         .link("5", bar(["B2", "C2"], "B2-C2", 130.0))
         .link("6", bar(["B3", "C3"], "B3-C3", 130.0))
@@ -148,25 +109,13 @@ fn platform_with_three_drives_and_long_names() {
 
 #[test]
 fn the_papers_mechanism_with_labels_of_its_own() {
-    let labels = [
-        ("ground", "6"),
-        ("n_b3", "n_{s3b}"),
-        ("n_g3", "n_{s3g}"),
-        ("n_b5", "n_{s5b}"),
-        ("n_g5", "n_{s5g}"),
-    ];
-    let link_4 = NewLink::points(["G", "D", "F"])
-        .length("GD", 300.0)
-        .length("FG", 150.0)
-        .length("FD", 180.0);
+    let labels = [("ground", "6"), ("n_b3", "n_{s3b}"), ("n_g3", "n_{s3g}"), ("n_b5", "n_{s5b}"), ("n_g5", "n_{s5g}")];
+    let link_4 = NewLink::points(["G", "D", "F"]).length("GD", 300.0).length("FG", 150.0).length("FD", 180.0);
     let builder = mm()
         .title("Quintero et al. (2011), Figure 2")
         .ground("A", [0.0, 0.0])
         .ground("G", [275.0, 0.0])
-        .link(
-            "1",
-            bar(["A", "B"], "AB", 100.0).drive(Turn::omega(-1.0).angle(70.0)),
-        )
+        .link("1", bar(["A", "B"], "AB", 100.0).drive(Turn::omega(-1.0).angle(70.0)))
         .link("2", bar(["B", "E"], "BE", 500.0))
         .link("3", NewLink::points(["D"]))
         .link("4", link_4)
@@ -176,9 +125,7 @@ fn the_papers_mechanism_with_labels_of_its_own() {
         .near("E", [406.0, 428.0])
         .near("F", [338.0, 136.0])
         .figure(Figure {
-            labels: labels
-                .map(|(name, label)| (name.to_owned(), label.to_owned()))
-                .into(),
+            labels: labels.map(|(name, label)| (name.to_owned(), label.to_owned())).into(),
             ..Figure::default()
         });
     is_the_same(&builder, &file("examples/figure-2.json"));
@@ -253,27 +200,11 @@ fn every_other_key() {
     let builder = Builder::new(LengthUnit::Ft, TimeUnit::Min)
         .ground("A", [0.0, 0.0])
         .ground("H", [-30.0, 0.1])
-        .link(
-            "1",
-            bar(["A", "B"], "AB", 1e-7)
-                .drive(Turn::rpm(90.0))
-                .angle(45.0),
-        )
-        .link(
-            "2",
-            NewLink::shape([("D", [0.0, 0.0]), ("E", [25.0, 0.0]), ("F", [10.0, -40.5])]),
-        )
+        .link("1", bar(["A", "B"], "AB", 1e-7).drive(Turn::rpm(90.0)).angle(45.0))
+        .link("2", NewLink::shape([("D", [0.0, 0.0]), ("E", [25.0, 0.0]), ("F", [10.0, -40.5])]))
         .link("3", NewLink::points(["F"]))
         .pin("B", Guide::on("2").through([5.0, 0.0]).along([1.0, 2.0]))
-        .slider(
-            "3",
-            "F",
-            Guide::on("ground")
-                .through("H")
-                .along(90.0)
-                .turned(-15.0)
-                .drive(push),
-        )
+        .slider("3", "F", Guide::on("ground").through("H").along(90.0).turned(-15.0).drive(push))
         .near("E", [1.0, 2.0])
         .near_angle("2", 12.5)
         .figure(Figure {
@@ -281,10 +212,7 @@ fn every_other_key() {
             mu_l: Some(1.0),
             mu_v: Some(2.5),
             mu_a: Some(0.1),
-            page: Page {
-                size: PageSize::Letter,
-                landscape: false,
-            },
+            page: Page { size: PageSize::Letter, landscape: false },
             style: StyleName::Board,
             notation: NotationName::German,
             language: LanguageName::Spanish,
@@ -309,33 +237,13 @@ fn mistakes_are_told_as_in_a_file() {
             start().link("1", crank()).link("1", crank()),
             "7:5: links.1: key `1` stands twice: first at line 6; hint: keep one of them",
         ),
-        (
-            start().link("1", crank().drive(Turn::rpm(3.0))),
-            "key `drive` stands twice",
-        ),
-        (
-            start().link(
-                "1",
-                bar(["A", "B"], "AB", f64::NAN).drive(Turn::omega(1.0).angle(0.0)),
-            ),
-            "NaN is not a number",
-        ),
-        (
-            start()
-                .link("1", crank())
-                .near("C", [f64::NEG_INFINITY, 0.0]),
-            "8:20: inf is not a number",
-        ),
-        (
-            start().link("1", bar(["A", "B"], "AC", 60.0)),
-            "links.1.lengths.AC: ",
-        ),
+        (start().link("1", crank().drive(Turn::rpm(3.0))), "key `drive` stands twice"),
+        (start().link("1", bar(["A", "B"], "AB", f64::NAN).drive(Turn::omega(1.0).angle(0.0))), "NaN is not a number"),
+        (start().link("1", crank()).near("C", [f64::NEG_INFINITY, 0.0]), "8:20: inf is not a number"),
+        (start().link("1", bar(["A", "B"], "AC", 60.0)), "links.1.lengths.AC: "),
         (start(), "links: a mechanism has at least one link"),
         (
-            start()
-                .title("quotes \" and \\ and\nlines")
-                .link("1", crank())
-                .near("C", [0.0, 0.0]),
+            start().title("quotes \" and \\ and\nlines").link("1", crank()).near("C", [0.0, 0.0]),
             "9:13: near.C: there is no point C",
         ),
     ] {

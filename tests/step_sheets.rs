@@ -18,12 +18,7 @@ const LEAN: f64 = 0.3;
 /// The steps of a scene and all of them drawn.
 fn drawn(text: &str) -> (Stages, Drawing) {
     let stages = Stages::of(text).expect("a good scene");
-    let all = stepwise(
-        &stages.scene,
-        &stages.mechanism,
-        &stages.pose,
-        &stages.construction,
-    );
+    let all = stepwise(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction);
     (stages, all)
 }
 
@@ -42,10 +37,7 @@ fn scenes() -> Vec<(String, String)> {
 
 /// The same mark whatever its emphasis.
 fn plain(mark: &Mark) -> Mark {
-    Mark {
-        emphasis: Emphasis::Plain,
-        ..mark.clone()
-    }
+    Mark { emphasis: Emphasis::Plain, ..mark.clone() }
 }
 
 #[test]
@@ -54,25 +46,13 @@ fn sheets_grow_and_nothing_moves() {
         let (stages, all) = drawn(&text);
         let count = all.steps.len();
         let construction = &stages.construction;
-        let told = construction.scheme.len()
-            + construction
-                .plans()
-                .map(|plan| plan.steps.len())
-                .sum::<usize>();
+        let told = construction.scheme.len() + construction.plans().map(|plan| plan.steps.len()).sum::<usize>();
         assert_eq!(count, told, "{name}");
         let mut before: Vec<Mark> = Vec::new();
         for step in 1..=count {
             let sheet = all.after_step(step);
-            let lasting: Vec<Mark> = sheet
-                .marks
-                .iter()
-                .filter(|m| !m.passing)
-                .map(plain)
-                .collect();
-            assert!(
-                before.iter().all(|mark| lasting.contains(mark)),
-                "{name}, step {step} drops something"
-            );
+            let lasting: Vec<Mark> = sheet.marks.iter().filter(|m| !m.passing).map(plain).collect();
+            assert!(before.iter().all(|mark| lasting.contains(mark)), "{name}, step {step} drops something");
             let is_new = |mark: &Mark| usize::from(mark.since) == step;
             for mark in &sheet.marks {
                 let want = match (mark.since, is_new(mark)) {
@@ -85,11 +65,7 @@ fn sheets_grow_and_nothing_moves() {
             before = lasting;
         }
         let lasting = all.marks.iter().filter(|m| !m.passing).count();
-        assert_eq!(
-            before.len(),
-            lasting,
-            "{name}: the last sheet is not complete"
-        );
+        assert_eq!(before.len(), lasting, "{name}: the last sheet is not complete");
     }
 }
 
@@ -108,22 +84,13 @@ fn each_step_draws_what_it_does() {
                 has(&ends)
             };
             let (kind, good) = match &step.action {
-                Action::Pole { .. } => (
-                    "pole",
-                    named("point-p") || named("point-pi") || has(&|m| m.pen == Pen::Pole),
-                ),
-                Action::SpecialPoint { point, .. } => (
-                    "special point",
-                    named(&format!("point-{point}")) && named(&format!("label-{point}")),
-                ),
-                Action::Ray(ray) => ("ray", named(&format!("ray-{}-{}", ray.through, ray.to))),
-                Action::Measure { .. } | Action::MeasureLength { .. } => {
-                    ("measuring", has(&|m| m.pen == Pen::Hint))
+                Action::Pole { .. } => ("pole", named("point-p") || named("point-pi") || has(&|m| m.pen == Pen::Pole)),
+                Action::SpecialPoint { point, .. } => {
+                    ("special point", named(&format!("point-{point}")) && named(&format!("label-{point}")))
                 }
-                Action::Cross { .. } => (
-                    "crossing",
-                    has(&|m| matches!(m.shape, Shape::Arrow { .. }) && !m.passing),
-                ),
+                Action::Ray(ray) => ("ray", named(&format!("ray-{}-{}", ray.through, ray.to))),
+                Action::Measure { .. } | Action::MeasureLength { .. } => ("measuring", has(&|m| m.pen == Pen::Hint)),
+                Action::Cross { .. } => ("crossing", has(&|m| matches!(m.shape, Shape::Arrow { .. }) && !m.passing)),
                 _ => continue,
             };
             seen.insert(kind);
@@ -132,19 +99,13 @@ fn each_step_draws_what_it_does() {
             let whole = match &step.action {
                 Action::Ray(ray) => spelt(&ray.through) && spelt(&ray.to),
                 Action::Measure { value, .. } | Action::MeasureLength { value, .. } => *value > 1.0,
-                Action::Cross { point, .. } => construction.plans().all(|plan| {
-                    plan.points
-                        .get(point)
-                        .is_none_or(|p| p.vector.norm() > 1e-6)
-                }),
+                Action::Cross { point, .. } => {
+                    construction.plans().all(|plan| plan.points.get(point).is_none_or(|p| p.vector.norm() > 1e-6))
+                }
                 Action::SpecialPoint { point, .. } => spelt(point),
                 _ => true,
             };
-            assert!(
-                good || !whole,
-                "{name}, step {number} ({kind}): {}",
-                step.caption
-            );
+            assert!(good || !whole, "{name}, step {number} ({kind}): {}", step.caption);
         }
     }
     assert_eq!(seen.len(), 5, "{seen:?}");
@@ -165,15 +126,9 @@ fn words_keep_to_their_box() {
             assert!(!texts.is_empty(), "{name}: step {step} says nothing");
             let page = Rect::new(8.0, 8.0, sheet.width - 8.0, sheet.height - 8.0);
             let least = texts.iter().map(|t| t.height()).fold(0.0, f64::max);
-            assert!(
-                least > 2.0,
-                "{name}: the words of step {step} are {least} mm high"
-            );
+            assert!(least > 2.0, "{name}: the words of step {step} are {least} mm high");
             for (index, one) in texts.iter().enumerate() {
-                assert!(
-                    page.union(*one) == page,
-                    "{name}: words of step {step} leave the sheet at {one:?}"
-                );
+                assert!(page.union(*one) == page, "{name}: words of step {step} leave the sheet at {one:?}");
                 for other in &texts[..index] {
                     let both = one.intersect(*other);
                     assert!(
@@ -205,12 +160,7 @@ fn layers_make_up_the_finished_figure() {
             lines
         };
         assert_eq!(elements(&flat), elements(&layered), "{name}");
-        let steps: BTreeSet<u16> = drawing
-            .marks
-            .iter()
-            .map(|mark| mark.since)
-            .filter(|&since| since > 0)
-            .collect();
+        let steps: BTreeSet<u16> = drawing.marks.iter().map(|mark| mark.since).filter(|&since| since > 0).collect();
         for step in steps {
             let id = format!("id=\"step-{step:02}");
             assert!(layered.contains(&id), "{name}: no {id}");
@@ -266,8 +216,7 @@ fn crowded_places_are_shown_larger_beside_the_plan() {
     let drawing = Stages::of(&text).expect("a good scene").drawing();
     let place = |id: &str| {
         let mark = drawing.marks.iter().find(|m| m.id.as_deref() == Some(id));
-        mark.map(|mark| mark.shape.bounds().center())
-            .expect("it is drawn")
+        mark.map(|mark| mark.shape.bounds().center()).expect("it is drawn")
     };
     let factor = drawing.marks.iter().find_map(|mark| match &mark.shape {
         Shape::Text(text) => text.text.content().strip_suffix(": 1").map(str::to_owned),
@@ -277,10 +226,7 @@ fn crowded_places_are_shown_larger_beside_the_plan() {
     assert!(factor >= 2.0);
     // b and the ends of its normal parts, in the plan and in the circle.
     let names = ["b", "n_b3", "n_b5"].map(|name| place(&format!("acceleration-point-{name}")));
-    let dots = drawing
-        .marks
-        .iter()
-        .filter(|m| m.pen == Pen::ImagePoint && m.id.is_none());
+    let dots = drawing.marks.iter().filter(|m| m.pen == Pen::ImagePoint && m.id.is_none());
     let dots: Vec<_> = dots.map(|mark| mark.shape.bounds().center()).collect();
     assert_eq!(dots.len(), 3, "{dots:?}");
     for (k, l) in [(0, 1), (1, 2), (2, 0)] {

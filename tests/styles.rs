@@ -37,8 +37,7 @@ fn looks(name: StyleName) -> Vec<(Pen, Look)> {
     let others = [Pen::Grid, Pen::Zero, Pen::Limit, Pen::Change, Pen::Stand].map(|pen| (pen, None));
     let student = [Pen::Student, Pen::StudentPoint].map(|pen| (pen, None));
     let all = marks.chain(curves).chain(others).chain(student);
-    all.map(|(pen, number)| (pen, style.look(pen, number)))
-        .collect()
+    all.map(|(pen, number)| (pen, style.look(pen, number))).collect()
 }
 
 #[test]
@@ -75,10 +74,7 @@ fn styles_of_the_program_are_read_as_strictly_as_others() {
         let object = value.as_object().expect("an object");
         object.keys().filter(|k| *k != "note").cloned().collect()
     };
-    assert_eq!(
-        keys(&paper["pens"]),
-        keys(&schema["properties"]["pens"]["properties"])
-    );
+    assert_eq!(keys(&paper["pens"]), keys(&schema["properties"]["pens"]["properties"]));
     let mut all = keys(&schema["properties"]);
     all.remove("based_on");
     assert_eq!(keys(&paper), all);
@@ -87,10 +83,7 @@ fn styles_of_the_program_are_read_as_strictly_as_others() {
 #[test]
 fn print_is_black_and_grey() {
     for (pen, look) in looks(StyleName::Print) {
-        for colour in [look.stroke, look.fill, Some(look.ink)]
-            .into_iter()
-            .flatten()
-        {
+        for colour in [look.stroke, look.fill, Some(look.ink)].into_iter().flatten() {
             let Colour { red, green, blue } = colour;
             assert!(red == green && green == blue, "{pen:?}: {colour}");
         }
@@ -101,15 +94,7 @@ fn print_is_black_and_grey() {
     }
     // What colours tell apart elsewhere, widths and dashes do here.
     let style = Style::named(StyleName::Print);
-    let kinds = [
-        Pen::Velocity,
-        Pen::Normal,
-        Pen::Tangential,
-        Pen::Coriolis,
-        Pen::Ray,
-        Pen::Construction,
-        Pen::Image,
-    ];
+    let kinds = [Pen::Velocity, Pen::Normal, Pen::Tangential, Pen::Coriolis, Pen::Ray, Pen::Construction, Pen::Image];
     let lines: BTreeSet<String> = kinds
         .iter()
         .map(|&pen| {
@@ -124,11 +109,7 @@ fn print_is_black_and_grey() {
 fn light(colour: Colour) -> [f64; 3] {
     [colour.red, colour.green, colour.blue].map(|part| {
         let share = f64::from(part) / 255.0;
-        if share <= 0.04045 {
-            share / 12.92
-        } else {
-            libm::pow((share + 0.055) / 1.055, 2.4)
-        }
+        if share <= 0.04045 { share / 12.92 } else { libm::pow((share + 0.055) / 1.055, 2.4) }
     })
 }
 
@@ -137,11 +118,8 @@ fn times(matrix: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
 }
 
 /// CIE XYZ of light of sRGB's primaries, its white D65 at Y = 1 (IEC 61966-2-1).
-const TO_XYZ: [[f64; 3]; 3] = [
-    [0.4124564, 0.3575761, 0.1804375],
-    [0.2126729, 0.7151522, 0.0721750],
-    [0.0193339, 0.1191920, 0.9503041],
-];
+const TO_XYZ: [[f64; 3]; 3] =
+    [[0.4124564, 0.3575761, 0.1804375], [0.2126729, 0.7151522, 0.0721750], [0.0193339, 0.1191920, 0.9503041]];
 
 /// Contrast of two colours (WCAG 2.1, "contrast ratio"): 1 for the same, 21 for black on white.
 fn contrast(a: Colour, b: Colour) -> f64 {
@@ -166,11 +144,7 @@ fn letters_stand_out_from_what_they_stand_on() {
         for ink in inks {
             for ground in &grounds {
                 let contrast = contrast(ink, *ground);
-                assert!(
-                    contrast >= 4.5,
-                    "{}: {ink} on {ground}: {contrast}",
-                    name.as_str()
-                );
+                assert!(contrast >= 4.5, "{}: {ink} on {ground}: {contrast}", name.as_str());
             }
         }
         // On sheets of single steps names are in the accent colour, or paler.
@@ -178,16 +152,9 @@ fn letters_stand_out_from_what_they_stand_on() {
         drawing.style = style.clone();
         for emphasis in [Emphasis::New, Emphasis::Earlier] {
             let outline = Shape::Polygon(Vec::new());
-            let mark = Mark {
-                emphasis,
-                ..Mark::new(Pen::Label, outline)
-            };
+            let mark = Mark { emphasis, ..Mark::new(Pen::Label, outline) };
             let contrast = contrast(drawing.look(&mark).ink, style.background());
-            assert!(
-                contrast >= 4.5,
-                "{}: {emphasis:?}: {contrast}",
-                name.as_str()
-            );
+            assert!(contrast >= 4.5, "{}: {emphasis:?}: {contrast}", name.as_str());
         }
         // Names and values of curves and of a student's points stand on the background; so do lines, for which 3 is enough (WCAG 2.1, 1.4.11).
         for (pen, look) in &looks {
@@ -199,11 +166,7 @@ fn letters_stand_out_from_what_they_stand_on() {
             };
             let stroke = look.stroke.unwrap_or(look.ink);
             let contrast = contrast(stroke, style.background());
-            assert!(
-                contrast >= least,
-                "{}: {pen:?} {stroke}: {contrast}",
-                name.as_str()
-            );
+            assert!(contrast >= least, "{}: {pen:?} {stroke}: {contrast}", name.as_str());
         }
     }
 }
@@ -212,38 +175,19 @@ fn letters_stand_out_from_what_they_stand_on() {
 /// simulation of color vision deficiency", IEEE Trans. Vis. Comput. Graphics 15 (2009) 1291–1298, table for severity 1.0: protanomaly, deuteranomaly,
 /// tritanomaly.
 const DICHROMATS: [[[f64; 3]; 3]; 3] = [
-    [
-        [0.152286, 1.052583, -0.204868],
-        [0.114503, 0.786281, 0.099216],
-        [-0.003882, -0.048116, 1.051998],
-    ],
-    [
-        [0.367322, 0.860646, -0.227968],
-        [0.280085, 0.672501, 0.047413],
-        [-0.011820, 0.042940, 0.968881],
-    ],
-    [
-        [1.255528, -0.076749, -0.178779],
-        [-0.078411, 0.930809, 0.147602],
-        [0.004733, 0.691367, 0.303900],
-    ],
+    [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+    [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
+    [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
 ];
 const SAME: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// CIE L*a*b* of a colour as seen through such a matrix (CIE 15:2004).
 fn lab(colour: Colour, seen: [[f64; 3]; 3]) -> [f64; 3] {
     let xyz = |light: [f64; 3]| times(TO_XYZ, light);
-    let (own, white) = (
-        xyz(times(seen, light(colour)).map(|x| x.clamp(0.0, 1.0))),
-        xyz([1.0; 3]),
-    );
+    let (own, white) = (xyz(times(seen, light(colour)).map(|x| x.clamp(0.0, 1.0))), xyz([1.0; 3]));
     let [x, y, z] = std::array::from_fn(|i| {
         let share = own[i] / white[i];
-        if share > 216.0 / 24389.0 {
-            libm::cbrt(share)
-        } else {
-            (24389.0 / 27.0 * share + 16.0) / 116.0
-        }
+        if share > 216.0 / 24389.0 { libm::cbrt(share) } else { (24389.0 / 27.0 * share + 16.0) / 116.0 }
     });
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
@@ -283,19 +227,13 @@ fn a_student_s_lines_are_told_from_the_right_ones() {
         let mut drawing = Drawing::new(100.0, 100.0);
         drawing.style = Style::named(name);
         let look = |pen, emphasis| {
-            let mark = Mark {
-                emphasis,
-                ..Mark::new(pen, Shape::Polygon(Vec::new()))
-            };
+            let mark = Mark { emphasis, ..Mark::new(pen, Shape::Polygon(Vec::new())) };
             drawing.look(&mark)
         };
         let own = look(Pen::Student, Emphasis::Plain);
         assert!(!own.dash.is_empty());
         let right = [Pen::Velocity, Pen::Acceleration, Pen::Link, Pen::Image];
-        for (pen, emphasis) in right
-            .map(|pen| [(pen, Emphasis::Earlier), (pen, Emphasis::New)])
-            .concat()
-        {
+        for (pen, emphasis) in right.map(|pen| [(pen, Emphasis::Earlier), (pen, Emphasis::New)]).concat() {
             let other = look(pen, emphasis);
             // On any photocopy.
             assert!(own.dash != other.dash, "{}: {pen:?}", name.as_str());
@@ -351,19 +289,15 @@ fn a_link_has_one_colour_everywhere() {
         let strokes = found.filter_map(|mark| drawing.look(mark).stroke);
         strokes.map(|c| c.to_string()).collect::<BTreeSet<_>>()
     };
-    let of = |numbers: &[usize]| -> BTreeSet<String> {
-        numbers.iter().map(|&i| links[i].to_string()).collect()
-    };
+    let of = |numbers: &[usize]| -> BTreeSet<String> { numbers.iter().map(|&i| links[i].to_string()).collect() };
     assert_eq!(image(3), of(&[1, 3]));
     assert_eq!(image(2), of(&[0, 4]));
     // In the standard style no link has a colour of its own.
     drawing.style = Style::default();
     let link = |mark: &&Mark| mark.pen == Pen::Link;
     let strokes = drawing.marks.iter().filter(link);
-    let strokes: BTreeSet<String> = strokes
-        .filter_map(|mark| drawing.look(mark).stroke)
-        .map(|colour| colour.to_string())
-        .collect();
+    let strokes: BTreeSet<String> =
+        strokes.filter_map(|mark| drawing.look(mark).stroke).map(|colour| colour.to_string()).collect();
     assert_eq!(strokes.len(), 1);
 }
 
@@ -396,13 +330,7 @@ fn halos_are_of_the_background() {
 /// The figure of `examples/figure-2.json` as the program draws it with these arguments.
 fn drawn(arguments: &[&str]) -> String {
     let scene = files::path("examples/figure-2.json");
-    let output = kinegon()
-        .arg("draw")
-        .arg(scene)
-        .args(["-o", "-"])
-        .args(arguments)
-        .output()
-        .expect("it runs");
+    let output = kinegon().arg("draw").arg(scene).args(["-o", "-"]).args(arguments).output().expect("it runs");
     assert!(output.status.success(), "{}", stderr(&output));
     String::from_utf8(output.stdout).expect("text")
 }
@@ -429,15 +357,11 @@ fn a_file_of_five_lines_changes_what_it_says() {
     std::fs::write(&path, text).expect("it can be written");
     let path = path.to_str().expect("a plain path");
     let (own, paper) = (drawn(&["--style", path]), drawn(&[]));
-    let ray = |colour, width, dash| {
-        format!("<g stroke=\"{colour}\" stroke-width=\"{width}\" stroke-dasharray=\"{dash}\"")
-    };
+    let ray =
+        |colour, width, dash| format!("<g stroke=\"{colour}\" stroke-width=\"{width}\" stroke-dasharray=\"{dash}\"");
     let before = ray("#b5361c", "0.18", "3.6 0.9 0.5 0.9");
     assert!(paper.contains(&before));
-    assert_eq!(
-        paper.replace(&before, &ray("#008000", "0.4", "3.6 0.9")),
-        own
-    );
+    assert_eq!(paper.replace(&before, &ray("#008000", "0.4", "3.6 0.9")), own);
 }
 
 #[test]
@@ -466,21 +390,15 @@ fn the_command_line_goes_before_the_scene_and_reaches_curves() {
     let text = with_style(&files::read("templates/four-bar.json"), StyleName::Board);
     std::fs::write(&scene, text).expect("it can be written");
     let ground = |arguments: &[&str]| {
-        let output = kinegon()
-            .arg(arguments[0])
-            .arg(&scene)
-            .args(["-o", "-"])
-            .args(&arguments[1..])
-            .output()
-            .expect("it runs");
+        let output =
+            kinegon().arg(arguments[0]).arg(&scene).args(["-o", "-"]).args(&arguments[1..]).output().expect("it runs");
         assert!(output.status.success(), "{}", stderr(&output));
         let svg = String::from_utf8(output.stdout).expect("text");
         let ground = svg.split("<rect").nth(1).expect("a background");
         let (_, colour) = ground.split_once("fill=\"").expect("it has a colour");
         colour[..7].to_owned()
     };
-    let [board, white] =
-        [StyleName::Board, StyleName::Print].map(|n| Style::named(n).background().to_string());
+    let [board, white] = [StyleName::Board, StyleName::Print].map(|n| Style::named(n).background().to_string());
     assert_eq!(ground(&["draw"]), board);
     assert_eq!(ground(&["draw", "--style", "print"]), white);
     assert_eq!(ground(&["curves"]), board);
@@ -495,27 +413,11 @@ fn wrong_styles_are_told_where_and_what() {
     std::fs::write(&path, text).expect("it can be written");
     let path = path.to_str().expect("a plain path");
     for (style, says) in [
-        (
-            "lectur",
-            &["there is no style `lectur`", "paper, print, lecture, board"][..],
-        ),
-        (
-            "nowhere.json",
-            &["nowhere.json cannot be read", "a style file"],
-        ),
-        (
-            path,
-            &[
-                "unknown key `rays`",
-                "mine.json:2:13",
-                "did you mean `ray`?",
-            ],
-        ),
+        ("lectur", &["there is no style `lectur`", "paper, print, lecture, board"][..]),
+        ("nowhere.json", &["nowhere.json cannot be read", "a style file"]),
+        (path, &["unknown key `rays`", "mine.json:2:13", "did you mean `ray`?"]),
     ] {
-        let output = kinegon()
-            .args(["draw", "--style", style, "-o", "-"])
-            .output()
-            .expect("it runs");
+        let output = kinegon().args(["draw", "--style", style, "-o", "-"]).output().expect("it runs");
         assert_eq!(output.status.code(), Some(2));
         assert!(output.stdout.is_empty());
         for word in says {

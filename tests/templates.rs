@@ -49,10 +49,7 @@ fn every_template_has_a_title_and_solves_without_a_warning() {
     for (name, text) in templates() {
         let stages = stages(&name, &text);
         assert!(stages.scene.title.is_some(), "{name}");
-        assert!(
-            text.contains("\"$schema\": \"scene.schema.json\""),
-            "{name}"
-        );
+        assert!(text.contains("\"$schema\": \"scene.schema.json\""), "{name}");
         let result = stages.result();
         assert!(result.warnings.is_empty(), "{name}: {:?}", result.warnings);
     }
@@ -62,9 +59,7 @@ fn every_template_has_a_title_and_solves_without_a_warning() {
 fn both_routes_agree() {
     for (name, text) in templates() {
         for group in solved(&name, &text).groups {
-            let (Some(difference), Some(allowed)) =
-                (group.disagreement, group.disagreement_allowed)
-            else {
+            let (Some(difference), Some(allowed)) = (group.disagreement, group.disagreement_allowed) else {
                 panic!("{name}: the links {:?} have no second route", group.links);
             };
             assert!(
@@ -163,10 +158,7 @@ fn numbers_are_true() {
             errors.number("acceleration", acceleration, &truth["acceleration"]);
         }
         for (kind, (error, scale)) in &errors.of {
-            assert!(
-                !exceeds(*error, MOST * scale),
-                "{name}: {kind} is wrong by {error:e} of {scale}"
-            );
+            assert!(!exceeds(*error, MOST * scale), "{name}: {kind} is wrong by {error:e} of {scale}");
         }
         groups_are(&name, &result, &truth["groups"]);
     }
@@ -179,18 +171,12 @@ fn groups_are(name: &str, result: &ResultFile, truth: &Value) {
     assert_eq!(result.groups.len(), truth.len(), "{name}");
     for expected in truth {
         let links = expected["links"].as_array().expect("a list");
-        let is_it = |has: &[String]| {
-            has.len() == links.len() && links.iter().all(|l| has.iter().any(|h| l == h))
-        };
+        let is_it = |has: &[String]| has.len() == links.len() && links.iter().all(|l| has.iter().any(|h| l == h));
         let group = result.groups.iter().find(|group| is_it(&group.links));
         let group = group.unwrap_or_else(|| panic!("{name}: no group of the links {links:?}"));
         assert_eq!(expected["class"], *group.class, "{name}");
         if let Some(modes) = expected.get("modes") {
-            assert_eq!(
-                modes.as_u64(),
-                group.modes.map(|modes| modes as u64),
-                "{name}"
-            );
+            assert_eq!(modes.as_u64(), group.modes.map(|modes| modes as u64), "{name}");
         }
     }
 }
@@ -198,10 +184,7 @@ fn groups_are(name: &str, result: &ResultFile, truth: &Value) {
 /// A crank pin's place follows from the drive, so it need not stand in `near` to settle a triangle's hand.
 #[test]
 fn a_driven_point_settles_a_triangles_hand() {
-    for (kind, place) in [
-        ("stephenson-3", r#""B": [20, 35], "#),
-        ("watt-1", r#""B": [25, 45], "#),
-    ] {
+    for (kind, place) in [("stephenson-3", r#""B": [20, 35], "#), ("watt-1", r#""B": [25, 45], "#)] {
         let text = read(&format!("templates/{kind}.json"));
         let less = text.replace(place, "");
         assert_ne!(text, less, "{kind}");
@@ -209,10 +192,7 @@ fn a_driven_point_settles_a_triangles_hand() {
         assert!(result.warnings.is_empty(), "{kind}: {:?}", result.warnings);
         let all = solved(kind, &text);
         for (point, there) in &all.points {
-            assert_eq!(
-                result.points[point].position, there.position,
-                "{kind}: {point}"
-            );
+            assert_eq!(result.points[point].position, there.position, "{kind}: {point}");
         }
     }
 }

@@ -21,9 +21,7 @@ fn drawings() -> &'static [(String, Drawing)] {
 }
 
 fn drawn() -> Vec<(String, Drawing)> {
-    let scenes = files::templates()
-        .into_iter()
-        .chain(files::scenes("examples"));
+    let scenes = files::templates().into_iter().chain(files::scenes("examples"));
     let drawn = scenes.map(|(name, text)| {
         let stages = Stages::of(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
         (name, stages.drawing())
@@ -48,10 +46,9 @@ fn latex(text: RichText) -> String {
     let text = PlacedText::new(text, 4.0, Point::new(10.0, 20.0));
     drawing.draw(Pen::Caption, Shape::Text(text));
     let file = tikz(&drawing);
-    let node = file.lines().find_map(|line| {
-        line.split_once("\\kinegontext{")
-            .filter(|(before, _)| before.starts_with("\\node"))
-    });
+    let node = file
+        .lines()
+        .find_map(|line| line.split_once("\\kinegontext{").filter(|(before, _)| before.starts_with("\\node")));
     let Some((_, node)) = node else {
         assert!(file.contains("\\fill[kinegon-caption]\n"), "{file}");
         return "outlines".to_owned();
@@ -94,10 +91,7 @@ fn labels_are_formulas() {
 fn prose_is_text() {
     for (source, expected) in [
         ("(b) Velocity plan", "(b) Velocity plan"),
-        (
-            "= 2 (mm/s²)/mm, 8·10^{−14}",
-            "= 2 (mm/s$^{2}$)/mm, 8$\\cdot$10$^{-14}$",
-        ),
+        ("= 2 (mm/s²)/mm, 8·10^{−14}", "= 2 (mm/s$^{2}$)/mm, 8$\\cdot$10$^{-14}$"),
         ("mm × μ, 5°", "mm $\\times$ $\\mu$, 5$^{\\circ}$"),
         ("Angle φ_1 of", "Angle $\\varphi_{1}$ of"),
         ("v_{max}", "v$_{\\mathrm{max}}$"),
@@ -109,22 +103,10 @@ fn prose_is_text() {
 
 /// Letters with a meaning for LaTeX, and letters that it lacks.
 const HOSTILE: [(&str, &str); 6] = [
-    (
-        "100 % & #1 _ $x$ ~ ^",
-        "100 \\% \\& \\#1 \\_ \\$x\\$ \\textasciitilde{} \\textasciicircum{}",
-    ),
-    (
-        "\\input{/etc/passwd}",
-        "\\textbackslash{}input\\{/etc/passwd\\}",
-    ),
-    (
-        "\"a\" <b> |c| `d` e--f ''",
-        "''a'' $<$b$>$ $|$c$|$ \\`{}d\\`{} e-{}-f '{}'",
-    ),
-    (
-        "]]; \\end{document}",
-        "]]; \\textbackslash{}end\\{document\\}",
-    ),
+    ("100 % & #1 _ $x$ ~ ^", "100 \\% \\& \\#1 \\_ \\$x\\$ \\textasciitilde{} \\textasciicircum{}"),
+    ("\\input{/etc/passwd}", "\\textbackslash{}input\\{/etc/passwd\\}"),
+    ("\"a\" <b> |c| `d` e--f ''", "''a'' $<$b$>$ $|$c$|$ \\`{}d\\`{} e-{}-f '{}'"),
+    ("]]; \\end{document}", "]]; \\textbackslash{}end\\{document\\}"),
     ("Скорость 漢", "outlines"),
     ("Đą", "outlines"),
 ];
@@ -136,11 +118,7 @@ fn titles_are_no_commands() {
     }
     let mut drawing = Drawing::new(10.0, 10.0);
     drawing.title = "first\n\\input{x}\r\u{85}".into();
-    drawing.draw_named(
-        "a\nb",
-        Pen::Link,
-        Shape::Line(Point::ORIGIN, Point::new(1.0, 1.0)),
-    );
+    drawing.draw_named("a\nb", Pen::Link, Shape::Line(Point::ORIGIN, Point::new(1.0, 1.0)));
     let file = tikz(&drawing);
     assert!(file.starts_with("% first \\input{x}  \n"), "{file}");
     assert!(file.contains("; % a b\n"), "{file}");
@@ -151,9 +129,7 @@ fn marks_keep_their_places_and_styles() {
     for (name, drawing) in drawings() {
         let file = tikz(drawing);
         // Every style and colour that is used has been given before.
-        let (styles, picture) = file
-            .split_once("\\begin{tikzpicture}")
-            .expect("there is a picture");
+        let (styles, picture) = file.split_once("\\begin{tikzpicture}").expect("there is a picture");
         for line in picture.lines().filter(|line| line.contains("[kinegon")) {
             let (_, rest) = line.split_once("[kinegon").expect("it is there");
             let used = &rest[1..rest.find([',', ']']).expect("options end")];
@@ -197,10 +173,8 @@ fn numbers_that_tex_cannot_take_are_left_out() {
         let text = PlacedText::new(RichText::math("S_3"), 4.0, center);
         drawing.draw(Pen::Label, Shape::Text(text));
     }
-    let (_, picture) = tikz(&drawing)
-        .split_once("(297,210);\n")
-        .map(|(a, b)| (a.to_owned(), b.to_owned()))
-        .expect("its size");
+    let (_, picture) =
+        tikz(&drawing).split_once("(297,210);\n").map(|(a, b)| (a.to_owned(), b.to_owned())).expect("its size");
     assert_eq!(picture, "\\end{tikzpicture}%\n\\kinegonend\n");
 }
 
@@ -217,26 +191,13 @@ fn compile(folder: &str, files: &[(&str, &str)]) -> Option<(PathBuf, String)> {
         std::fs::write(folder.join(name), text).expect("the test's folder can be written");
     }
     let (last, _) = files.last()?;
-    let said = tools::run_in(
-        &folder,
-        &program,
-        ["-interaction=nonstopmode", "-halt-on-error", last],
-    );
-    Some((
-        folder.join(last).with_extension("pdf"),
-        String::from_utf8_lossy(&said).into_owned(),
-    ))
+    let said = tools::run_in(&folder, &program, ["-interaction=nonstopmode", "-halt-on-error", last]);
+    Some((folder.join(last).with_extension("pdf"), String::from_utf8_lossy(&said).into_owned()))
 }
 
 /// Nothing sticks out, and LaTeX has every letter.
 fn assert_clean(name: &str, said: &str) {
-    for trouble in [
-        "Warning",
-        "Overfull",
-        "Underfull",
-        "Missing character",
-        "undefined",
-    ] {
+    for trouble in ["Warning", "Overfull", "Underfull", "Missing character", "undefined"] {
         assert!(!said.contains(trouble), "{name}: {said}");
     }
     assert!(said.contains("(1 page"), "{name}: {said}");
@@ -245,19 +206,13 @@ fn assert_clean(name: &str, said: &str) {
 #[test]
 fn every_figure_compiles_alone() {
     for (name, drawing) in drawings() {
-        let Some((file, said)) = compile("tikz-alone", &[(&format!("{name}.tex"), &tikz(drawing))])
-        else {
+        let Some((file, said)) = compile("tikz-alone", &[(&format!("{name}.tex"), &tikz(drawing))]) else {
             return;
         };
         assert_clean(name, &said);
         let document = lopdf::Document::load(&file).expect("it is PDF");
-        let page = document
-            .get_dictionary(document.get_pages()[&1])
-            .expect("the page is there");
-        let sides = page
-            .get(b"MediaBox")
-            .and_then(lopdf::Object::as_array)
-            .expect("a page has a size");
+        let page = document.get_dictionary(document.get_pages()[&1]).expect("the page is there");
+        let sides = page.get(b"MediaBox").and_then(lopdf::Object::as_array).expect("a page has a size");
         for (side, mm) in sides[2..].iter().zip([drawing.width, drawing.height]) {
             let side = f64::from(side.as_float().expect("a number"));
             assert!((side * 25.4 / 72.0 - mm).abs() < 1e-3, "{name}: {sides:?}");
@@ -269,9 +224,7 @@ fn every_figure_compiles_alone() {
 fn every_letter_that_is_no_outline_compiles() {
     let latin = ('!'..='~').chain('¡'..='ɏ');
     let others = "′″−×·±÷°²³¹⊥∥∠≈≠≤≥→←↔√∞∈¬“”‘’–—…".chars().chain('Ͱ'..='Ͽ');
-    let set = latin
-        .chain(others)
-        .filter(|letter| latex(RichText::verbatim(&letter.to_string())) != "outlines");
+    let set = latin.chain(others).filter(|letter| latex(RichText::verbatim(&letter.to_string())) != "outlines");
     let letters: Vec<char> = set.collect();
     assert!(letters.len() > 300, "{}", letters.len());
     let mut drawing = Drawing::new(297.0, 420.0);
@@ -279,13 +232,10 @@ fn every_letter_that_is_no_outline_compiles() {
     let rows = letters.chunks(12).map(|letters| letters.iter().collect());
     let texts: Vec<String> = texts.chain(rows).collect();
     for (row, source) in texts.iter().enumerate() {
-        for (column, text) in [
-            RichText::verbatim(source),
-            RichText::math(source),
-            RichText::plain(&format!("a_{{{source}}}")),
-        ]
-        .into_iter()
-        .enumerate()
+        for (column, text) in
+            [RichText::verbatim(source), RichText::math(source), RichText::plain(&format!("a_{{{source}}}"))]
+                .into_iter()
+                .enumerate()
         {
             let at = Point::new(10.0 + 95.0 * column as f64, 10.0 + 7.0 * row as f64);
             drawing.draw(Pen::Caption, Shape::Text(PlacedText::new(text, 4.0, at)));
@@ -301,10 +251,7 @@ fn every_letter_that_is_no_outline_compiles() {
 /// A document takes the picture alone, with the looks that it has set before.
 #[test]
 fn a_document_takes_the_picture_in() {
-    let (_, drawing) = drawings()
-        .iter()
-        .find(|(name, _)| name == "figure-2")
-        .expect("it is there");
+    let (_, drawing) = drawings().iter().find(|(name, _)| name == "figure-2").expect("it is there");
     let document = r"\documentclass[a4paper,landscape]{article}
 \usepackage{tikz}
 \definecolor{kinegon-velocity}{HTML}{00FF00}
@@ -314,36 +261,21 @@ before\begin{figure}[h]\centering\resizebox{10cm}{!}{\input{picture}}\caption{A 
 \setbox0\hbox{\input{picture}}\typeout{It is \the\wd0; \the\ht0; large.}
 \end{document}
 ";
-    let Some((file, said)) = compile(
-        "tikz-input",
-        &[("picture.tex", &tikz(drawing)), ("document.tex", document)],
-    ) else {
+    let Some((file, said)) = compile("tikz-input", &[("picture.tex", &tikz(drawing)), ("document.tex", document)])
+    else {
         return;
     };
     assert_clean("document", &said);
     // 297 mm and 210 mm in TeX's points; nothing but the picture, not even a space.
-    let size = said
-        .split_once("It is ")
-        .and_then(|(_, rest)| rest.split_once("; large."))
-        .expect("it is said")
-        .0;
-    let size: Vec<f64> = size
-        .split("; ")
-        .map(|part| part.trim_end_matches("pt").parse().expect("a number"))
-        .collect();
+    let size = said.split_once("It is ").and_then(|(_, rest)| rest.split_once("; large.")).expect("it is said").0;
+    let size: Vec<f64> = size.split("; ").map(|part| part.trim_end_matches("pt").parse().expect("a number")).collect();
     for (size, mm) in size.iter().zip([297.0, 210.0]) {
         assert!((size * 25.4 / 72.27 - mm).abs() < 0.01, "{size}");
     }
     let pdf = lopdf::Document::load(&file).expect("it is PDF");
     let content = String::from_utf8_lossy(&pdf.get_page_content(pdf.get_pages()[&1])).into_owned();
-    assert!(
-        content.contains("0 1 0 rg") || content.contains("0 1 0 RG"),
-        "the document's green is not there"
-    );
-    assert!(
-        !content.contains("0.04314 0.3098 0.54118"),
-        "the drawing's blue is there"
-    );
+    assert!(content.contains("0 1 0 rg") || content.contains("0 1 0 RG"), "the document's green is not there");
+    assert!(!content.contains("0.04314 0.3098 0.54118"), "the drawing's blue is there");
     let text = pdf.extract_text(&[1]).expect("text");
     assert!(text.contains("before") && text.contains("after"), "{text}");
 }

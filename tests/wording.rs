@@ -41,20 +41,10 @@ fn steps(stages: &Stages) -> String {
     let (mechanism, pose, motion) = (&stages.mechanism, &stages.pose, &stages.motion);
     let construction = &stages.construction;
     let names = step_names(construction);
-    let asked = names
-        .iter()
-        .map(|name| Asked::new(name, mechanism).expect("known"));
+    let asked = names.iter().map(|name| Asked::new(name, mechanism).expect("known"));
     let scales = scales(&stages.scene, mechanism, pose, construction);
     let tolerance = Tolerance::default();
-    let pencil = pencil(
-        mechanism,
-        pose,
-        motion,
-        construction,
-        &scales,
-        tolerance,
-        asked.collect(),
-    );
+    let pencil = pencil(mechanism, pose, motion, construction, &scales, tolerance, asked.collect());
     format::steps(&stages.scene, construction, &pencil)
 }
 
@@ -72,12 +62,7 @@ fn said(drawing: &Drawing) -> Vec<String> {
 fn all_said(name: &str, text: &str) -> Vec<String> {
     let stages = Stages::of(text).unwrap_or_else(|error| panic!("{name}: {error}"));
     let mut lines = said(&stages.drawing());
-    lines.extend(said(&stepwise(
-        &stages.scene,
-        &stages.mechanism,
-        &stages.pose,
-        &stages.construction,
-    )));
+    lines.extend(said(&stepwise(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction)));
     lines.extend(steps(&stages).lines().map(str::to_owned));
     lines.extend(said_of_curves(&stages));
     lines
@@ -95,8 +80,7 @@ fn said_of_curves(stages: &Stages) -> Vec<String> {
         return Vec::new();
     };
     let links = stages.mechanism.links();
-    let names =
-        links.flat_map(|(_, body)| ["omega", "angle"].map(|q| format!("{q}({})", body.name)));
+    let names = links.flat_map(|(_, body)| ["omega", "angle"].map(|q| format!("{q}({})", body.name)));
     let names: Vec<String> = names.take(6).collect();
     let Ok(sampled) = Curves::new(&path, range, Some(&names)) else {
         return Vec::new();
@@ -113,7 +97,8 @@ const ENGLISH: &str = "the of and or to on by in is are it its where from throug
     length drive limit change scene dead curves panels groups class mechanism two cross stops come alone figure so depends higher";
 
 /// Words of the Spanish sentences that English ones do not have.
-const SPANISH: &str = "el la los las del de polo escala plano velocidad velocidades aceleraciones eslabón trazar medir marcar recta";
+const SPANISH: &str =
+    "el la los las del de polo escala plano velocidad velocidades aceleraciones eslabón trazar medir marcar recta";
 
 /// The words of a list that a line has, apart from names of quantities such as `angle(2)`.
 fn words_of<'a>(list: &'a str, line: &str) -> Vec<&'a str> {
@@ -129,9 +114,7 @@ fn words_of<'a>(list: &'a str, line: &str) -> Vec<&'a str> {
         }
         rest = &rest[end..];
     }
-    list.split_whitespace()
-        .filter(|word| own.contains(word))
-        .collect()
+    list.split_whitespace().filter(|word| own.contains(word)).collect()
 }
 
 #[test]
@@ -146,10 +129,7 @@ fn every_sentence_is_in_the_language_asked_for() {
                     continue;
                 }
                 let found = words_of(foreign, &line);
-                assert!(
-                    found.is_empty(),
-                    "{name} in {language}: {found:?} in {line:?}"
-                );
+                assert!(found.is_empty(), "{name} in {language}: {found:?} in {line:?}");
                 sentences += usize::from(line.ends_with('.'));
             }
         }
@@ -160,10 +140,7 @@ fn every_sentence_is_in_the_language_asked_for() {
 #[test]
 fn every_mistake_is_told_in_the_language_asked_for() {
     for (language, foreign) in [("es", ENGLISH), ("en", SPANISH)] {
-        let scene = with(
-            &files::read("examples/figure-2.json"),
-            &[("language", language)],
-        );
+        let scene = with(&files::read("examples/figure-2.json"), &[("language", language)]);
         let scene = Stages::of(&scene).expect("a good scene").scene;
         let words = Wording::of(&scene.figure).language.check;
         let other = Wording::of(&with_other(&scene, language)).language.check;
@@ -175,11 +152,7 @@ fn every_mistake_is_told_in_the_language_asked_for() {
                 Mistake::WrongLines => ["S3", "cut line of S5", "guide of 3/2", ""],
                 _ => ["S3", "S5", "omega(3)", "v_r(3/2)"],
             };
-            for blanks in [
-                ["p", "b", "omega(2)", "L(B,S3)"],
-                lines,
-                ["", "", "mm", "m"],
-            ] {
+            for blanks in [["p", "b", "omega(2)", "L(B,S3)"], lines, ["", "", "mm", "m"]] {
                 let blanks = blanks.map(str::to_owned);
                 for (say, other) in [(own.done, foreigner.done), (own.should, foreigner.should)] {
                     let said = say(&blanks);
@@ -213,15 +186,7 @@ fn a_check_speaks_the_language_asked_for() {
     for (language, foreign) in [("es", ENGLISH), ("en", SPANISH)] {
         let run = |more: &[&str]| {
             let mut command = kinegon();
-            command.args([
-                "check",
-                &scene,
-                &form,
-                "--language",
-                language,
-                "--depth",
-                "1",
-            ]);
+            command.args(["check", &scene, &form, "--language", language, "--depth", "1"]);
             let output = command.args(more).output().expect("it runs");
             assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
             String::from_utf8(output.stdout).expect("text")
@@ -250,9 +215,7 @@ fn a_check_speaks_the_language_asked_for() {
 fn has_decimals(line: &str, mark: char) -> bool {
     let letters: Vec<char> = line.chars().collect();
     let digit = |c: char| c.is_ascii_digit();
-    letters
-        .windows(3)
-        .any(|w| digit(w[0]) && w[1] == mark && digit(w[2]))
+    letters.windows(3).any(|w| digit(w[0]) && w[1] == mark && digit(w[2]))
 }
 
 #[test]
@@ -277,21 +240,10 @@ fn results_do_not_depend_on_the_wording() {
             let stages = Stages::of(text).unwrap_or_else(|error| panic!("{name}: {error}"));
             let plans = stages.construction.plans();
             let points: Vec<_> = plans.map(|plan| plan.points.clone()).collect();
-            (
-                format::json(&stages.result()),
-                points,
-                stages.construction.warnings,
-            )
+            (format::json(&stages.result()), points, stages.construction.warnings)
         };
         for notation in NotationName::ALL {
-            let worded = with(
-                &text,
-                &[
-                    ("notation", notation.as_str()),
-                    ("language", "es"),
-                    ("decimal", "comma"),
-                ],
-            );
+            let worded = with(&text, &[("notation", notation.as_str()), ("language", "es"), ("decimal", "comma")]);
             assert!(result(&worded) == result(&plain), "{name}");
         }
     }
@@ -308,51 +260,16 @@ fn notations_write_what_their_schools_write() {
     for (notation, has, has_not) in [
         (
             "paper",
-            &[
-                "the pole p and",
-                "the pole π and",
-                "π b = ",
-                "b n_b3 = ",
-                "a^t_S3G",
-                "a^c_S3B",
-            ][..],
+            &["the pole p and", "the pole π and", "π b = ", "b n_b3 = ", "a^t_S3G", "a^c_S3B"][..],
             &["′", "P_v", "τ"][..],
         ),
         (
             "english",
-            &[
-                "the pole o and",
-                "the pole o′ and",
-                "o b = ",
-                "o′ b′ = ",
-                "b′ n_b3 = ",
-                "o′ s′3 = ",
-                "a^t_S3G",
-            ][..],
+            &["the pole o and", "the pole o′ and", "o b = ", "o′ b′ = ", "b′ n_b3 = ", "o′ s′3 = ", "a^t_S3G"][..],
             &["π", "P_v"][..],
         ),
-        (
-            "russian",
-            &[
-                "the pole p and",
-                "the pole π and",
-                "a^τ_S3G",
-                "a^k_S3B",
-                "a^n_S3G",
-            ][..],
-            &["a^t", "a^c"][..],
-        ),
-        (
-            "german",
-            &[
-                "the pole P_v and",
-                "the pole P_a and",
-                "P_v b = ",
-                "P_a s3 = ",
-                "a^t_S3G",
-            ][..],
-            &["π", "′"][..],
-        ),
+        ("russian", &["the pole p and", "the pole π and", "a^τ_S3G", "a^k_S3B", "a^n_S3G"][..], &["a^t", "a^c"][..]),
+        ("german", &["the pole P_v and", "the pole P_a and", "P_v b = ", "P_a s3 = ", "a^t_S3G"][..], &["π", "′"][..]),
     ] {
         let text = figure_2_in(notation);
         for word in has {
@@ -371,28 +288,19 @@ fn notations_write_what_their_schools_write() {
 #[test]
 fn a_pole_shares_its_letter_with_nothing_that_moves() {
     // The fixed point O has its image at the pole; the moving point O of the other scene has not.
-    let fixed = with(
-        &files::read("templates/hydraulic-boom.json"),
-        &[("notation", "english")],
-    );
+    let fixed = with(&files::read("templates/hydraulic-boom.json"), &[("notation", "english")]);
     let moving = files::read("templates/four-bar.json").replace("\"C\"", "\"O\"");
-    let moving = moving
-        .replace("\"BC\"", "\"BO\"")
-        .replace("\"CD\"", "\"OD\"");
+    let moving = moving.replace("\"BC\"", "\"BO\"").replace("\"CD\"", "\"OD\"");
     let moving = moving.replace("\"DC\"", "\"DO\"");
     let moving = with(&moving, &[("notation", "english")]);
     let labels = |text: &str, panel: &str| -> Vec<String> {
         let drawing = Stages::of(text).expect("a good scene").drawing();
         let prefix = format!("{panel}-label-");
         let of_plan = drawing.marks.iter().filter_map(|mark| match &mark.shape {
-            Shape::Text(text) if mark.id.as_deref()?.starts_with(&prefix) => {
-                Some(text.text.content())
-            }
+            Shape::Text(text) if mark.id.as_deref()?.starts_with(&prefix) => Some(text.text.content()),
             _ => None,
         });
-        of_plan
-            .flat_map(|label| label.split(", ").map(str::to_owned).collect::<Vec<_>>())
-            .collect()
+        of_plan.flat_map(|label| label.split(", ").map(str::to_owned).collect::<Vec<_>>()).collect()
     };
     for panel in ["velocity", "acceleration"] {
         for text in [&fixed, &moving] {
@@ -407,45 +315,21 @@ fn a_pole_shares_its_letter_with_nothing_that_moves() {
 
 #[test]
 fn the_command_line_goes_before_the_scene() {
-    let scene = with(
-        &files::read("examples/figure-2.json"),
-        &[("language", "es"), ("notation", "german")],
-    );
+    let scene = with(&files::read("examples/figure-2.json"), &[("language", "es"), ("notation", "german")]);
     let run = |arguments: &[&str]| {
         let output = program::with_scene(arguments, scene.as_bytes());
         assert!(output.status.success(), "{}", stderr(&output));
         String::from_utf8(output.stdout).expect("text")
     };
     let own = run(&["steps", "-"]);
-    assert!(
-        own.contains("Elegir el polo P_v") && own.contains("39.68°"),
-        "{own}"
-    );
-    let other = [
-        "steps",
-        "-",
-        "--language",
-        "en",
-        "--notation",
-        "paper",
-        "--decimal",
-        "comma",
-    ];
+    assert!(own.contains("Elegir el polo P_v") && own.contains("39.68°"), "{own}");
+    let other = ["steps", "-", "--language", "en", "--notation", "paper", "--decimal", "comma"];
     let other = run(&other);
-    assert!(
-        other.contains("Choose the pole p") && other.contains("39,68°"),
-        "{other}"
-    );
+    assert!(other.contains("Choose the pole p") && other.contains("39,68°"), "{other}");
     let drawn = run(&["draw", "-", "-o", "-", "--language", "en"]);
-    assert!(
-        drawn.contains("Velocity plan") && drawn.contains(">P</tspan>"),
-        "{drawn}"
-    );
+    assert!(drawn.contains("Velocity plan") && drawn.contains(">P</tspan>"), "{drawn}");
     let curves = run(&["curves", "-", "-o", "-", "--decimal", "comma"]);
-    assert!(
-        curves.contains("Velocidad angular") && curves.contains(">0,5<"),
-        "{curves}"
-    );
+    assert!(curves.contains("Velocidad angular") && curves.contains(">0,5<"), "{curves}");
     // Results have no words, and no options for them.
     assert_eq!(run(&["solve", "-"]), run(&["solve", "-"]));
     let refused = kinegon().args(["steps", "-", "--language", "fr"]).output();

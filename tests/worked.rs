@@ -23,8 +23,7 @@ fn every_case_moves_as_it_must() {
     let (mut worst, mut seen, mut failures) = ((0.0, String::new()), 0, Vec::new());
     for case in folders() {
         let expect: Value =
-            serde_json::from_str(&files::read(&format!("tests/worked/{case}/expect.json")))
-                .expect("JSON");
+            serde_json::from_str(&files::read(&format!("tests/worked/{case}/expect.json"))).expect("JSON");
         for file in ["scene.json", "drawn.json"] {
             seen += 1;
             let text = files::read(&format!("tests/worked/{case}/{file}"));
@@ -57,10 +56,7 @@ fn printed_answers_deserve_their_verdicts() {
     let cases = cases().expect("the cases are solved");
     let mut rows = 0;
     let mut failures = Vec::new();
-    for (case, row) in cases
-        .iter()
-        .flat_map(|c| c.rows.iter().map(move |r| (c, r)))
-    {
+    for (case, row) in cases.iter().flat_map(|c| c.rows.iter().map(move |r| (c, r))) {
         rows += 1;
         let what = format!("{}: {} printed {}", case.id, row.quantity, row.printed);
         let size = row.exact.abs().max(1e-3);
@@ -74,19 +70,14 @@ fn printed_answers_deserve_their_verdicts() {
             // A small component carries the rounding of its vector.
             "agrees to machine precision" => part < 1e-13 || difference < 1e-14,
             // A last digit may be a slip of rounding; five digits of one hand value are.
-            "agrees to the printed digits" => {
-                difference <= 1.01 * last_digit(&row.printed) || part < 1e-4
-            }
+            "agrees to the printed digits" => difference <= 1.01 * last_digit(&row.printed) || part < 1e-4,
             v if v.starts_with("agrees") => part < 1e-3,
             v if v.starts_with("graphical") => part <= 0.03,
             v if v.starts_with("coarse graphical") => part > 0.03 && part < 0.065,
             _ => false,
         };
         if !fair {
-            failures.push(format!(
-                "{what}, computed {}: not \"{}\"",
-                row.computed, row.verdict
-            ));
+            failures.push(format!("{what}, computed {}: not \"{}\"", row.computed, row.verdict));
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
@@ -105,10 +96,7 @@ fn every_folder_is_in_the_table_once() {
 fn the_table_fits_100_columns_and_the_page_is_current() {
     let cases = cases().expect("the cases are solved");
     for line in plain(&cases).lines() {
-        assert!(
-            line.chars().count() <= 100 && line.trim_end() == line,
-            "{line:?}"
-        );
+        assert!(line.chars().count() <= 100 && line.trim_end() == line, "{line:?}");
     }
     let there = files::read("docs/textbook-cases.md");
     assert!(

@@ -11,14 +11,7 @@ use kinegon::plan::{Asked, Quantity, Scales, measured_names, quantity};
 use stages::Stages;
 
 /// Every way to lay a sheet.
-const PAGES: [&str; 6] = [
-    "a4",
-    "a4-portrait",
-    "a3",
-    "a3-portrait",
-    "letter",
-    "letter-portrait",
-];
+const PAGES: [&str; 6] = ["a4", "a4-portrait", "a3", "a3-portrait", "letter", "letter-portrait"];
 
 /// A scene's text with these keys in its figure.
 fn with_figure(text: &str, keys: serde_json::Value) -> String {
@@ -32,10 +25,7 @@ fn with_figure(text: &str, keys: serde_json::Value) -> String {
 fn scenes() -> Vec<(String, String)> {
     let mut all = files::scenes("templates");
     for name in ["figure-1", "figure-2"] {
-        all.push((
-            name.to_owned(),
-            files::read(&format!("examples/{name}.json")),
-        ));
+        all.push((name.to_owned(), files::read(&format!("examples/{name}.json"))));
     }
     all
 }
@@ -74,21 +64,13 @@ fn printed_lengths_are_the_results() {
     for (name, text) in scenes() {
         for decimal in ["point", "comma"] {
             let (stages, drawing) = worksheet(&text, serde_json::json!({ "decimal": decimal }));
-            let Stages {
-                scene,
-                mechanism,
-                pose,
-                motion,
-                construction,
-            } = &stages;
+            let Stages { scene, mechanism, pose, motion, construction } = &stages;
             let used: Scales = scales(scene, mechanism, pose, construction);
             let names = measured_names(construction);
             for (index, asked) in names.iter().enumerate() {
                 let cell = |which: &str| said(&drawing, &format!("measured-{}-{which}", index + 1));
                 let value = quantity(asked, mechanism, pose, motion, construction, None);
-                let Ok(Quantity::Number(value)) = value else {
-                    panic!("{name}: {asked} has no value")
-                };
+                let Ok(Quantity::Number(value)) = value else { panic!("{name}: {asked} has no value") };
                 let mu = match asked.as_bytes()[0] {
                     b'L' => used.length,
                     b'v' => used.velocity,
@@ -103,33 +85,16 @@ fn printed_lengths_are_the_results() {
                 let ((mm, half_mm), (printed, half)) = (read(&mm), read(&printed));
                 let value = value.abs();
                 // A digit more for rounding to even where the result is exactly half way.
-                assert!(
-                    (printed - value).abs() <= half * (1.0 + 1e-9),
-                    "{name}: {asked} {printed} {value}"
-                );
-                assert!(
-                    (mm - value / mu).abs() <= half_mm * (1.0 + 1e-9),
-                    "{name}: {asked} {mm}"
-                );
+                assert!((printed - value).abs() <= half * (1.0 + 1e-9), "{name}: {asked} {printed} {value}");
+                assert!((mm - value / mu).abs() <= half_mm * (1.0 + 1e-9), "{name}: {asked} {mm}");
                 assert_eq!(half_mm, 0.005);
-                assert!(
-                    (mm * mu - printed).abs() <= half_mm * mu + half,
-                    "{name}: {asked}"
-                );
-                let unit = Asked::new(asked, mechanism)
-                    .expect("it is known")
-                    .kind()
-                    .unit(scene.units);
+                assert!((mm * mu - printed).abs() <= half_mm * mu + half, "{name}: {asked}");
+                let unit = Asked::new(asked, mechanism).expect("it is known").kind().unit(scene.units);
                 assert_eq!(cell("unit"), unit);
                 rows += 1;
             }
             let beyond = format!("measured-{}-mm", names.len() + 1);
-            assert!(
-                drawing
-                    .marks
-                    .iter()
-                    .all(|mark| mark.id.as_deref() != Some(&beyond))
-            );
+            assert!(drawing.marks.iter().all(|mark| mark.id.as_deref() != Some(&beyond)));
         }
     }
     assert!(rows > 200, "{rows}");
@@ -143,10 +108,7 @@ fn names_follow_the_notation_and_hidden_points_have_no_rows() {
     assert_eq!(name(1), "B S3");
     assert_eq!(name(5), "b s3");
     assert_eq!(name(9), "ns3bs′3");
-    let (_, drawing) = worksheet(
-        &text,
-        serde_json::json!({ "labels": { "S3": "Q" }, "panels": ["scheme"] }),
-    );
+    let (_, drawing) = worksheet(&text, serde_json::json!({ "labels": { "S3": "Q" }, "panels": ["scheme"] }));
     assert_eq!(said(&drawing, "measured-1-name"), "B Q");
     assert!(!svg(&drawing).contains("measured-5-"));
     let (_, drawing) = worksheet(&text, serde_json::json!({ "special_points": false }));
@@ -169,15 +131,10 @@ fn the_ruler_has_fifty_millimetres() {
             assert!(root.contains(&size), "{root}");
         }
         let ends = |id: &str| -> Vec<f64> {
-            let start = file
-                .find(&format!("<path id=\"{id}\" d=\"M"))
-                .expect("it is drawn");
+            let start = file.find(&format!("<path id=\"{id}\" d=\"M")).expect("it is drawn");
             let data = file[start..].split('"').nth(3).expect("path data");
             let numbers = data.split(|c: char| !c.is_ascii_digit() && c != '.');
-            numbers
-                .filter(|n| !n.is_empty())
-                .map(|n| n.parse().expect("a number"))
-                .collect()
+            numbers.filter(|n| !n.is_empty()).map(|n| n.parse().expect("a number")).collect()
         };
         let line = ends("ruler");
         assert_eq!(format!("{:.2}", line[2] - line[0]), "50.00", "{page}");
@@ -213,39 +170,24 @@ fn nothing_overlaps_on_any_page() {
                 if language == "es" && page != "a4-portrait" {
                     continue;
                 }
-                let keys =
-                    serde_json::json!({ "page": page, "language": language, "decimal": "comma" });
+                let keys = serde_json::json!({ "page": page, "language": language, "decimal": "comma" });
                 let (_, drawing) = worksheet(&text, keys);
                 let found = faults(&drawing);
-                wrong.extend(
-                    found
-                        .iter()
-                        .map(|fault| format!("{name} on {page}: {fault}")),
-                );
+                wrong.extend(found.iter().map(|fault| format!("{name} on {page}: {fault}")));
                 // Panels, table, legend.
                 assert_eq!(panels(&drawing).len(), drawing.panels.len() + 2, "{name}");
             }
         }
     }
-    assert!(
-        wrong.is_empty(),
-        "{} faults\n{}",
-        wrong.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
 }
 
 /// Four groups on one crank, with 48 measured lengths: the table stands in more columns, on small sheets in smaller letters, and keeps to itself.
 #[test]
 fn long_tables_stand_in_columns() {
-    let mut scene: serde_json::Value =
-        serde_json::from_str(&files::read("templates/third-class.json")).expect("JSON");
+    let mut scene: serde_json::Value = serde_json::from_str(&files::read("templates/third-class.json")).expect("JSON");
     // More groups of the same kind on the same crank pin, with names of their own.
-    let (links, ground, near) = (
-        scene["links"].clone(),
-        scene["ground"].clone(),
-        scene["near"].clone(),
-    );
+    let (links, ground, near) = (scene["links"].clone(), scene["ground"].clone(), scene["near"].clone());
     for copy in 1..4 {
         let renamed = |value: &serde_json::Value| {
             let mut text = value.to_string();

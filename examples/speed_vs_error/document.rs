@@ -49,13 +49,7 @@ differences first.
 /// The part of the page that is the same in every run.
 pub fn accuracy(survey: &Survey) -> String {
     let mut text = String::from(INTRODUCTION);
-    let columns = [
-        Method::Naive,
-        Method::Lu,
-        Method::Qr,
-        Method::Library,
-        Method::Single,
-    ];
+    let columns = [Method::Naive, Method::Lu, Method::Qr, Method::Library, Method::Single];
     text.push_str("\n## Largest error in units of u·condition\n\n| family |");
     for method in columns {
         let _ = write!(text, " {} |", method.name());
@@ -121,11 +115,7 @@ pub fn speed(times: &[f64], machine: &str) -> String {
         let (name, says) = (method.name(), method.says());
         let _ = writeln!(text, "| {name} | {} | {says} |", duration(*time));
     }
-    let _ = writeln!(
-        text,
-        "| by hand | {} | taken, not measured |",
-        duration(hand::TIME)
-    );
+    let _ = writeln!(text, "| by hand | {} | taken, not measured |", duration(hand::TIME));
     text
 }
 
@@ -161,9 +151,8 @@ pub fn table(survey: &Survey, times: &[f64]) -> String {
 /// All numbers; one that is infinite is written as null.
 pub fn numbers(survey: &Survey, times: &[f64], machine: &str) -> Value {
     let methods = Method::ALL.into_iter().zip(times);
-    let methods = methods.map(
-        |(method, time)| json!({ "name": method.name(), "is": method.says(), "nanoseconds": time }),
-    );
+    let methods =
+        methods.map(|(method, time)| json!({ "name": method.name(), "is": method.says(), "nanoseconds": time }));
     let rows = survey.rows.iter().map(|row| {
         json!({
             "family": row.family.name(),

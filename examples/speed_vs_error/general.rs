@@ -18,12 +18,7 @@ pub enum Solver {
 }
 
 /// Velocities and accelerations; infinite where the solver finds the equations singular.
-pub fn rates(
-    equations: &JointEquations,
-    given: &Given<f64>,
-    pins: &Pins,
-    solver: Solver,
-) -> Rates<f64> {
+pub fn rates(equations: &JointEquations, given: &Given<f64>, pins: &Pins, solver: Solver) -> Rates<f64> {
     let mut matrix = SMatrix::<f64, SIZE, SIZE>::zeros();
     equations.matrix(given, |row, column, value| matrix[(row, column)] += value);
     type Side = SVector<f64, SIZE>;

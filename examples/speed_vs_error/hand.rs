@@ -41,21 +41,14 @@ impl Pencil for Shaky<'_> {
 
 /// What is read off a drawing in which every point is `pencil` mm beside its place, in a direction by lot; `None` where a special point
 /// lies off the table. `truth` only sets the scales of the plans.
-pub fn rates(
-    pins: &Pins,
-    truth: &Rates<f64>,
-    pencil: f64,
-    dice: &mut Random,
-) -> Option<Rates<f64>> {
+pub fn rates(pins: &Pins, truth: &Rates<f64>, pencil: f64, dice: &mut Random) -> Option<Rates<f64>> {
     let side = |axis: usize| {
         let places = pins.places.iter().map(|p| p[axis]);
         let (low, high) = places.fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
         [low, high]
     };
     let sides = [side(0), side(1)];
-    let size = sides
-        .iter()
-        .fold(0.0_f64, |s, [low, high]| s.max(high - low));
+    let size = sides.iter().fold(0.0_f64, |s, [low, high]| s.max(high - low));
     let largest = |outer: &[[f64; 2]], inner: &[[f64; 2]]| {
         let all = outer.iter().chain(inner);
         all.fold(0.0_f64, |s, [x, y]| s.max(libm::hypot(*x, *y)))

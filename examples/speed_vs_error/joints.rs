@@ -9,9 +9,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use kinegon::mechanism::{BodyId, JointKind, Mechanism, Role};
 
 /// What the equations calculate with: f64 or more digits.
-pub trait Real:
-    Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
-{
+pub trait Real: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
     /// The same number.
     fn exactly(number: f64) -> Self;
 
@@ -114,33 +112,19 @@ impl<T: Real> Given<T> {
         let known = mechanism.bodies.iter().map(|body| {
             let pair = |v: &kinegon::geometry::Vector| exactly([v.x, v.y]);
             match &body.role {
-                Role::Driver {
-                    pivot,
-                    omega,
-                    alpha,
-                    ..
-                } => State {
+                Role::Driver { pivot, omega, alpha, .. } => State {
                     omega: T::exactly(*omega),
                     alpha: T::exactly(*alpha),
                     ..State::rest(points[pivot.0].clone())
                 },
-                Role::Moving {
-                    at,
-                    velocity,
-                    acceleration,
-                    omega,
-                    alpha,
-                } => State {
+                Role::Moving { at, velocity, acceleration, omega, alpha } => State {
                     at: exactly([at.x, at.y]),
                     velocity: pair(velocity),
                     acceleration: pair(acceleration),
                     omega: T::exactly(*omega),
                     alpha: T::exactly(*alpha),
                 },
-                Role::Carrier {
-                    velocity,
-                    acceleration,
-                } => State {
+                Role::Carrier { velocity, acceleration } => State {
                     velocity: pair(velocity),
                     acceleration: pair(acceleration),
                     ..State::rest(points[body.points[0].0].clone())
@@ -148,11 +132,7 @@ impl<T: Real> Given<T> {
                 _ => State::rest(exactly([0.0; 2])),
             }
         });
-        Given {
-            known: known.collect(),
-            guides: guides.iter().map(|g| exactly(*g)).collect(),
-            points,
-        }
+        Given { known: known.collect(), guides: guides.iter().map(|g| exactly(*g)).collect(), points }
     }
 }
 
@@ -221,19 +201,10 @@ impl JointEquations {
             row += 2 + usize::from(drive.is_some());
         }
         let home = |link: usize| {
-            let on = |joint: &&Joint| {
-                joint
-                    .sides
-                    .iter()
-                    .any(|s| matches!(s, Side::Link(l) if *l == link))
-            };
+            let on = |joint: &&Joint| joint.sides.iter().any(|s| matches!(s, Side::Link(l) if *l == link));
             joints.iter().find(on).expect("a link has joints").point
         };
-        JointEquations {
-            homes: (0..count).map(home).collect(),
-            joints,
-            links,
-        }
+        JointEquations { homes: (0..count).map(home).collect(), joints, links }
     }
 
     /// How many equations and unknowns there are.
@@ -320,10 +291,9 @@ impl JointEquations {
             }
             if let Some(slider) = joint.slider {
                 // Coriolis: a_link − a_on has 2 ω ṡ across the guide; here it stands as a_on − a_link.
-                let [on, link] = joint.sides.map(|side| {
-                    self.state(given, side, first)
-                        .velocity_at(given.points[joint.point].clone())
-                });
+                let [on, link] = joint
+                    .sides
+                    .map(|side| self.state(given, side, first).velocity_at(given.points[joint.point].clone()));
                 let omega = self.state(given, joint.sides[0], first).omega;
                 let guide = given.guides[slider].clone();
                 // Guide and normal have the length |u|: across counts 2 ω ṡ |u|, and ṡ |u| is this.

@@ -37,10 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let drawing = picture::picture(&survey, &times);
     fs::write(out.join("speed-vs-error.svg"), format::svg(&drawing))?;
     #[cfg(feature = "png")]
-    fs::write(
-        out.join("speed-vs-error.png"),
-        format::png(&drawing, 200.0)?,
-    )?;
+    fs::write(out.join("speed-vs-error.png"), format::png(&drawing, 200.0)?)?;
     let numbers = document::numbers(&survey, &times, &machine);
     fs::write(out.join("speed-vs-error.json"), format::json(&numbers))?;
     let page = document::accuracy(&survey) + &document::speed(&times, &machine);
@@ -53,6 +50,5 @@ fn machine() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let mut lines = info.lines().filter_map(|line| line.split_once(':'));
     let name = lines.find(|(key, _)| key.trim() == "model name");
-    name.map_or("an unknown processor", |(_, name)| name.trim())
-        .to_owned()
+    name.map_or("an unknown processor", |(_, name)| name.trim()).to_owned()
 }

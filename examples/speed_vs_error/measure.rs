@@ -52,12 +52,7 @@ impl<T> Rates<T> {
 
 impl Rates<f64> {
     /// Motions of the inner joints from the rates of the links, where the joints stand at these places.
-    pub fn from_links(
-        pins: &Pins,
-        places: [[f64; 2]; 6],
-        omega: [f64; 4],
-        alpha: [f64; 4],
-    ) -> Rates<f64> {
+    pub fn from_links(pins: &Pins, places: [[f64; 2]; 6], omega: [f64; 4], alpha: [f64; 4]) -> Rates<f64> {
         // Outer joint and its place among the joints, drag link, inner joint.
         let joints = [(0, 0, 0, 1), (1, 3, 2, 2), (1, 3, 2, 4), (0, 0, 0, 5)];
         let arm = |outer: usize, joint: usize| {
@@ -138,9 +133,7 @@ impl Case {
         let rates = rates.map(without_rounding);
         Some(Case {
             sizes: Sizes::new(&pins, &rates),
-            condition: motion(&mechanism, &pose, Order::Velocity)
-                .ok()
-                .map(|motion| motion.groups[0].condition),
+            condition: motion(&mechanism, &pose, Order::Velocity).ok().map(|motion| motion.groups[0].condition),
             truth: rates,
             pins,
             mechanism,
@@ -163,12 +156,7 @@ impl Case {
     pub fn units(&self, rates: &Rates<f64>) -> Option<[f64; 2]> {
         let errors = self.errors(rates);
         let [_, _, v, a] = errors.kinds;
-        let Sizes {
-            kinds,
-            relative_velocity: first,
-            relative_acceleration: second,
-            ..
-        } = self.sizes;
+        let Sizes { kinds, relative_velocity: first, relative_acceleration: second, .. } = self.sizes;
         // Nothing is no error, even where there is nothing to compare it with.
         let share = |error: f64, size: f64| if error == 0.0 { 0.0 } else { error / size };
         let largest = [
@@ -185,11 +173,7 @@ impl Case {
         let got = rates.omega.into_iter().chain(rates.alpha);
         let errors = got.zip(truth).map(|(got, truth)| {
             let error = error(got, truth);
-            if error == 0.0 {
-                0.0
-            } else {
-                error / (U * rounded(truth).abs())
-            }
+            if error == 0.0 { 0.0 } else { error / (U * rounded(truth).abs()) }
         });
         errors.fold(0.0, f64::max)
     }
@@ -201,9 +185,7 @@ impl Case {
 
     fn errors(&self, rates: &Rates<f64>) -> Errors {
         let truth = &self.truth;
-        let numbers = |got: [f64; 4], truth: &[Precise; 4]| {
-            std::array::from_fn(|link| error(got[link], &truth[link]))
-        };
+        let numbers = |got: [f64; 4], truth: &[Precise; 4]| std::array::from_fn(|link| error(got[link], &truth[link]));
         let pairs = |got: [[f64; 2]; 4], truth: &[[Precise; 2]; 4]| {
             let errors = got.iter().zip(truth).map(|(x, t)| error_of_pair(*x, t));
             errors.fold(0.0, f64::max)
@@ -228,10 +210,7 @@ impl Case {
         let at = |link: usize, joint: usize| {
             let [x, y] = self.pins.places[joint];
             let place = kinegon::geometry::Point::new(x, y);
-            let (v, a) = (
-                bodies[link].velocity_at(place),
-                bodies[link].acceleration_at(place),
-            );
+            let (v, a) = (bodies[link].velocity_at(place), bodies[link].acceleration_at(place));
             ([v.x, v.y], [a.x, a.y])
         };
         let joints = [at(0, 1), at(2, 2), at(2, 4), at(0, 5)];
@@ -261,12 +240,7 @@ impl Sizes {
         };
         // Links 2 with B, C, G; 3 with C, D; 4 with E, D, F; 5 with G, F.
         let ternary = |a, b, c| distance(a, b).max(distance(b, c)).max(distance(c, a));
-        let links = [
-            ternary(0, 1, 5),
-            distance(1, 2),
-            ternary(3, 2, 4),
-            distance(5, 4),
-        ];
+        let links = [ternary(0, 1, 5), distance(1, 2), ternary(3, 2, 4), distance(5, 4)];
         let [omegas, alphas] = [&truth.omega, &truth.alpha].map(|r| r.each_ref().map(rounded));
         let inner = |pairs: &[[Precise; 2]; 4]| largest(pairs.iter().flatten().map(rounded));
         let outer = |pairs: &[[f64; 2]; 2]| largest(pairs.iter().flatten().copied());

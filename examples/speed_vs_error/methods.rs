@@ -29,14 +29,8 @@ pub enum Method {
 }
 
 impl Method {
-    pub const ALL: [Method; 6] = [
-        Method::Naive,
-        Method::Lu,
-        Method::Qr,
-        Method::Library,
-        Method::Kernel,
-        Method::Single,
-    ];
+    pub const ALL: [Method; 6] =
+        [Method::Naive, Method::Lu, Method::Qr, Method::Library, Method::Kernel, Method::Single];
 
     /// A short name.
     pub fn name(self) -> &'static str {
@@ -67,9 +61,7 @@ impl Method {
             Method::Kernel => {
                 "the loop equations alone, reduced to two by `geometry::Reduced`, as tables and curves of a cycle use them"
             }
-            Method::Single => {
-                "the same code with numbers of 24 bits; positions are subtracted in f64"
-            }
+            Method::Single => "the same code with numbers of 24 bits; positions are subtracted in f64",
         }
     }
 }

@@ -55,21 +55,14 @@ pub fn rates(pins: &Pins, pencil: &mut impl Pencil) -> Option<Rates<f64>> {
     let mut special = |first: [Vector; 2], second: [Vector; 2]| {
         let [u, w] = [first, second].map(|[from, to]| unit(minus(to, from)));
         let place = crossing(first[0], u, second[0], w);
-        pencil
-            .reaches(place)
-            .then(|| pencil.mark(Sheet::Scheme, place))
+        pencil.reaches(place).then(|| pencil.mark(Sheet::Scheme, place))
     };
     let s3 = special([b, c], [e, d])?;
     let s5 = special([b, g], [e, f])?;
     let leg = |outer: usize, ends: [Vector; 2], s: Vector, links| {
         let along = unit(minus(ends[1], ends[0]));
         let measured = |from: Vector, to: Vector| dot(minus(to, from), along);
-        Leg {
-            outer,
-            along,
-            lengths: [measured(ends[0], ends[1]), measured(ends[1], s)],
-            links,
-        }
+        Leg { outer, along, lengths: [measured(ends[0], ends[1]), measured(ends[1], s)], links }
     };
     let legs = [
         leg(0, [b, c], s3, [0, 1]),
@@ -103,10 +96,7 @@ pub fn rates(pins: &Pins, pencil: &mut impl Pencil) -> Option<Rates<f64>> {
         let leg: &Leg = &legs[row];
         let squares = leg.links.map(|link| omega[link] * omega[link]);
         let normal = squares[0] * leg.lengths[0] + squares[1] * leg.lengths[1];
-        minus(
-            pins.acceleration[leg.outer],
-            [normal * leg.along[0], normal * leg.along[1]],
-        )
+        minus(pins.acceleration[leg.outer], [normal * leg.along[0], normal * leg.along[1]])
     });
     let alpha = solve(Sheet::Acceleration, starts).unwrap_or([f64::INFINITY; 4]);
     Some(Rates::from_links(pins, [b, c, d, e, f, g], omega, alpha))

@@ -60,9 +60,10 @@ fn height_of(units: f64) -> f64 {
 pub fn picture(survey: &Survey, times: &[f64]) -> Drawing {
     let mut drawing = Drawing::new(SHEET[0], SHEET[1]);
     drawing.title = "Error against time".to_owned();
-    drawing.description = "Errors of velocities and accelerations of fourth-class groups against the time that they take, \
+    drawing.description =
+        "Errors of velocities and accelerations of fourth-class groups against the time that they take, \
          both logarithmic: a mark for each method and each family of hard groups."
-        .to_owned();
+            .to_owned();
     axes(&mut drawing);
     for (method, time) in Method::ALL.into_iter().zip(times) {
         let x = across(*time);
@@ -85,10 +86,7 @@ fn axes(drawing: &mut Drawing) {
     let mut decade = 0.0;
     while decade <= ERRORS[1] {
         let y = height(decade);
-        drawing.draw(
-            Pen::Grid,
-            Shape::Line(Point::new(left, y), Point::new(right, y)),
-        );
+        drawing.draw(Pen::Grid, Shape::Line(Point::new(left, y), Point::new(right, y)));
         let number = match decade as i32 {
             0 => "1".to_owned(),
             power => format!("10^{{{power}}}"),
@@ -97,15 +95,8 @@ fn axes(drawing: &mut Drawing) {
         decade += 4.0;
     }
     let y = height(NO_NUMBER);
-    drawing.draw(
-        Pen::Construction,
-        Shape::Line(Point::new(left, y), Point::new(right, y)),
-    );
-    ending(
-        drawing,
-        "no number",
-        Point::new(left - 1.5, y + 0.33 * TEXT),
-    );
+    drawing.draw(Pen::Construction, Shape::Line(Point::new(left, y), Point::new(right, y)));
+    ending(drawing, "no number", Point::new(left - 1.5, y + 0.33 * TEXT));
     for power in TIMES[0] as i32..=TIMES[1] as i32 {
         let time = libm::exp10(f64::from(power));
         tick(drawing, across(time), &duration_tick(power));
@@ -119,7 +110,8 @@ fn axes(drawing: &mut Drawing) {
             drawing.draw(Pen::Zero, Shape::Line(a, b));
         }
     }
-    let heading = "Largest error in units of u·condition, against the time for velocities and accelerations of one group";
+    let heading =
+        "Largest error in units of u·condition, against the time for velocities and accelerations of one group";
     text(drawing, Pen::Heading, heading, Point::new(left - 24.0, 5.6));
 }
 
@@ -130,33 +122,21 @@ fn duration_tick(power: i32) -> String {
 
 fn corners() -> Vec<Point> {
     let Rect { x0, y0, x1, y1 } = FRAME;
-    [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
-        .map(Point::from)
-        .to_vec()
+    [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(Point::from).to_vec()
 }
 
 fn tick(drawing: &mut Drawing, x: f64, label: &str) {
     let bottom = FRAME.y1;
-    drawing.draw(
-        Pen::Frame,
-        Shape::Line(Point::new(x, bottom), Point::new(x, bottom + 1.2)),
-    );
+    drawing.draw(Pen::Frame, Shape::Line(Point::new(x, bottom), Point::new(x, bottom + 1.2)));
     let label = RichText::plain(label);
     let origin = Point::new(x - 0.5 * label.width(TEXT), bottom + 2.0 + TEXT);
-    drawing.draw(
-        Pen::Caption,
-        Shape::Text(PlacedText::new(label, TEXT, origin)),
-    );
+    drawing.draw(Pen::Caption, Shape::Text(PlacedText::new(label, TEXT, origin)));
 }
 
 /// The marks of a method: hollow for hard families, full for random groups, which stand on top.
 fn marks(drawing: &mut Drawing, style: usize, x: f64, errors: &[(Family, f64)]) {
-    let hard = errors
-        .iter()
-        .filter(|(family, _)| *family != Family::Random);
-    let random = errors
-        .iter()
-        .filter(|(family, _)| *family == Family::Random);
+    let hard = errors.iter().filter(|(family, _)| *family != Family::Random);
+    let random = errors.iter().filter(|(family, _)| *family == Family::Random);
     for (family, units) in hard.chain(random).filter(|(_, units)| !units.is_nan()) {
         let center = Point::new(x, height_of(*units));
         let (pen, radius) = match family {
@@ -192,21 +172,14 @@ fn remarks(drawing: &mut Drawing, survey: &Survey, times: &[f64]) {
 
 fn legend(drawing: &mut Drawing, times: &[f64]) {
     let time = |method: Method| duration(times[method as usize]);
-    let kinegon = format!(
-        "Kinegon: {}; with condition and bounds: {}",
-        time(Method::Kernel),
-        time(Method::Library)
-    );
+    let kinegon = format!("Kinegon: {}; with condition and bounds: {}", time(Method::Kernel), time(Method::Library));
     let named = |method: Method| format!("{}: {}", method.name(), time(method));
     let entries = [
         (style(Method::Kernel), kinegon),
         (style(Method::Naive), named(Method::Naive)),
         (style(Method::Single), named(Method::Single)),
         (style(Method::Lu), named(Method::Lu)),
-        (
-            HAND_STYLE,
-            format!("by hand, 0.25 mm: {}", duration(hand::TIME)),
-        ),
+        (HAND_STYLE, format!("by hand, 0.25 mm: {}", duration(hand::TIME))),
         (style(Method::Qr), named(Method::Qr)),
     ];
     for (index, (style, says)) in entries.into_iter().enumerate() {

@@ -102,9 +102,7 @@ impl Survey {
             let parameters = family.parameters().into_iter();
             parameters.map(move |parameter| Row::new(family, parameter))
         };
-        Survey {
-            rows: Family::ALL.into_iter().flat_map(rows).collect(),
-        }
+        Survey { rows: Family::ALL.into_iter().flat_map(rows).collect() }
     }
 
     pub fn of(&self, family: Family) -> impl Iterator<Item = &Row> {
@@ -121,9 +119,7 @@ impl Survey {
     pub fn worst_of_all(&self, method: Method) -> (f64, Family) {
         let hard = Family::ALL.into_iter().filter(|f| *f != Family::Random);
         let all = hard.map(|family| (self.worst(family, method), family));
-        all.fold((0.0, Family::Random), |worst, one| {
-            if one.0 > worst.0 { one } else { worst }
-        })
+        all.fold((0.0, Family::Random), |worst, one| if one.0 > worst.0 { one } else { worst })
     }
 }
 

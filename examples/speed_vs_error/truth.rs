@@ -55,21 +55,11 @@ impl Truth {
             let [on, link] = [slider.on, slider.link].map(|b| &bodies[b.0]);
             let along = |a: [Precise; 2], b| dot(guide.clone(), minus(a, b)) / length.clone();
             [
-                along(
-                    link.velocity_at(place.clone()),
-                    on.velocity_at(place.clone()),
-                ),
-                along(
-                    link.acceleration_at(place.clone()),
-                    on.acceleration_at(place),
-                ),
+                along(link.velocity_at(place.clone()), on.velocity_at(place.clone())),
+                along(link.acceleration_at(place.clone()), on.acceleration_at(place)),
             ]
         });
-        Some(Truth {
-            slides: slides.collect(),
-            bodies,
-            given,
-        })
+        Some(Truth { slides: slides.collect(), bodies, given })
     }
 
     /// Velocity and acceleration of a point of a body.

@@ -86,10 +86,7 @@ impl Bounds<'_> {
         let acceleration = motion.acceleration.norm() + turning;
         // What the place's own motion took to compute, and what leads from there to `p`.
         let rounding = 8.0 * UNIT_ROUNDOFF;
-        [
-            errors.velocity + rounding * velocity,
-            errors.acceleration + rounding * acceleration,
-        ]
+        [errors.velocity + rounding * velocity, errors.acceleration + rounding * acceleration]
     }
 
     /// The same for a special point of a construction, whose place is where its cut lines cross; `None` at infinity.
@@ -111,10 +108,7 @@ impl Bounds<'_> {
         let motion = self.motion.body(special.link);
         let omega = motion.omega.abs();
         let [velocity, acceleration] = self.motion_at(special.link, place);
-        Some([
-            velocity + omega * moved,
-            acceleration + (motion.alpha.abs() + omega * omega) * moved,
-        ])
+        Some([velocity + omega * moved, acceleration + (motion.alpha.abs() + omega * omega) * moved])
     }
 
     /// Bound of the error, in each component, of a slider's Coriolis acceleration 2 ω ẑ × v_r.

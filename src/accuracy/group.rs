@@ -23,10 +23,7 @@ pub(super) fn carry_group(bounds: &mut Bounds<'_>, group: &Group) {
         errors.collect::<Vec<f64>>()
     };
     let turns = known(bounds, |b| b.turn);
-    let spread = Spread {
-        equations: &equations,
-        system: &system,
-    };
+    let spread = Spread { equations: &equations, system: &system };
     let places = spread.places(bounds, &turns);
     let turn = |spin: Spin| of_spin(spin, &places, &turns);
     let omegas = known(bounds, |b| b.omega);
@@ -81,9 +78,7 @@ impl Spread<'_> {
 
     /// How uncertain the unknown angles and slides are as found from lengths; not at all as drawn.
     fn places(&self, bounds: &Bounds<'_>, turns: &[f64]) -> Numbers {
-        let Bounds {
-            mechanism, pose, ..
-        } = bounds;
+        let Bounds { mechanism, pose, .. } = bounds;
         let largest = pose.points.iter().flat_map(|p| [p.x.abs(), p.y.abs()]);
         let size = largest.fold(0.0, f64::max);
         let open = match mechanism.form {
@@ -92,8 +87,7 @@ impl Spread<'_> {
         };
         self.to_unknowns(self.equations.loops.iter().map(|terms| {
             let ends = terms.ends.map_or(0.0, |[start, end]| {
-                bounds.at(start, pose.point(terms.first)).position
-                    + bounds.at(end, pose.point(terms.last)).position
+                bounds.at(start, pose.point(terms.first)).position + bounds.at(end, pose.point(terms.last)).position
             });
             let arms = terms.arms.iter().map(|arm| match arm.spin {
                 Spin::Unknown(_) => 0.0,
@@ -104,17 +98,11 @@ impl Spread<'_> {
     }
 
     /// What inexact places and outer motions add to the errors of the rates.
-    fn velocities(
-        &self,
-        bounds: &Bounds<'_>,
-        turn: &dyn Fn(Spin) -> f64,
-        omegas: &[f64],
-    ) -> Numbers {
+    fn velocities(&self, bounds: &Bounds<'_>, turn: &dyn Fn(Spin) -> f64, omegas: &[f64]) -> Numbers {
         let Bounds { pose, motion, .. } = bounds;
         self.to_unknowns(self.equations.loops.iter().map(|terms| {
             let ends = terms.ends.map_or(0.0, |[start, end]| {
-                bounds.at(start, pose.point(terms.first)).velocity
-                    + bounds.at(end, pose.point(terms.last)).velocity
+                bounds.at(start, pose.point(terms.first)).velocity + bounds.at(end, pose.point(terms.last)).velocity
             });
             let arms = terms.arms.iter().map(|arm| {
                 let omega = self.rate(bounds, arm.spin)[0].abs();

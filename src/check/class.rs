@@ -96,10 +96,8 @@ impl ClassRow {
         };
         let diagnosis = &checked.diagnosis;
         let findings = &diagnosis.best.findings;
-        let mistake = |finding: &Finding| ClassMistake {
-            step: finding.candidate.step,
-            mistake: finding.candidate.mistake.id(),
-        };
+        let mistake =
+            |finding: &Finding| ClassMistake { step: finding.candidate.step, mistake: finding.candidate.mistake.id() };
         let done = findings.first().map(|finding| {
             let [done, _] = sentences(&finding.candidate, words);
             done
@@ -129,13 +127,7 @@ impl ClassRow {
     /// The row of a file that was not understood.
     #[must_use]
     pub fn broken(file: String, message: &str) -> ClassRow {
-        ClassRow {
-            file,
-            name: None,
-            passed: false,
-            found: None,
-            message: Some(shortened(message)),
-        }
+        ClassRow { file, name: None, passed: false, found: None, message: Some(shortened(message)) }
     }
 
     /// The line with the names of the columns of a table, with those of marks or without.
@@ -152,18 +144,14 @@ impl ClassRow {
     pub fn csv(&self, with_marks: bool) -> String {
         let text = |text: Option<&str>| spreadsheet_text(text.unwrap_or(""));
         let found = self.found.as_ref();
-        let number = |of: fn(&ClassFound) -> usize| {
-            found.map_or_else(String::new, |found| of(found).to_string())
-        };
+        let number = |of: fn(&ClassFound) -> usize| found.map_or_else(String::new, |found| of(found).to_string());
         let first = found.and_then(|f| f.first.as_ref());
         let further = found.map_or(&[][..], |f| &f.further);
         let further = further.iter();
         let further = further.map(|m| format!("{} (step {})", m.mistake, m.step));
         let probability = found.and_then(|f| f.probability);
         let marks = found.and_then(|f| f.marks);
-        let marks = |of: fn(&Awarded) -> f64| {
-            marks.map_or_else(String::new, |marks| Awarded::written(of(&marks)))
-        };
+        let marks = |of: fn(&Awarded) -> f64| marks.map_or_else(String::new, |marks| Awarded::written(of(&marks)));
         let mut cells = vec![
             text(Some(&self.file)),
             text(self.name.as_deref()),
@@ -186,20 +174,14 @@ impl ClassRow {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let written = writer.write_record(&cells);
         written.expect("writing to memory does not fail");
-        let bytes = writer
-            .into_inner()
-            .expect("writing to memory does not fail");
+        let bytes = writer.into_inner().expect("writing to memory does not fail");
         String::from_utf8(bytes).expect("cells are text")
     }
 }
 
 /// A spreadsheet takes a cell that begins like a formula for one, and forms come from anybody.
 fn spreadsheet_text(text: &str) -> String {
-    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
-        format!("'{text}")
-    } else {
-        text.to_owned()
-    }
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("'{text}") } else { text.to_owned() }
 }
 
 /// A text on one line, not too long for a row.
@@ -270,12 +252,7 @@ impl ClassSummary {
     pub fn finished(mut self) -> ClassSummary {
         let counted = core::mem::take(&mut self.firsts).into_iter();
         let more = counted.filter(|(_, count)| *count > 1);
-        let all = more.map(|((step, mistake, done), count)| Common {
-            count,
-            step,
-            mistake,
-            done,
-        });
+        let all = more.map(|((step, mistake, done), count)| Common { count, step, mistake, done });
         self.commonest = all.collect();
         // Those made equally often stay in the order of the construction.
         self.commonest.sort_by_key(|c| core::cmp::Reverse(c.count));

@@ -29,20 +29,12 @@ impl Datum {
             return off;
         }
         let reversed = -self.value - predicted;
-        if (reversed - expected).abs() < (off - expected).abs() {
-            reversed
-        } else {
-            off
-        }
+        if (reversed - expected).abs() < (off - expected).abs() { reversed } else { off }
     }
 
     /// A difference, of angles the shorter way round.
     pub fn turned(&self, difference: f64) -> f64 {
-        if self.is_angle {
-            difference - 360.0 * libm::round(difference / 360.0)
-        } else {
-            difference
-        }
+        if self.is_angle { difference - 360.0 * libm::round(difference / 360.0) } else { difference }
     }
 }
 
@@ -55,10 +47,7 @@ pub(super) struct Cost {
 }
 
 impl Cost {
-    pub const ZERO: Cost = Cost {
-        sum: 0.0,
-        product: 1.0,
-    };
+    pub const ZERO: Cost = Cost { sum: 0.0, product: 1.0 };
 
     pub fn add(&mut self, cost: f64) {
         self.sum += cost;
@@ -100,9 +89,6 @@ impl Datum {
     /// What it costs if nothing explains it.
     pub fn without(&self) -> Without {
         let cost = self.range - libm::log(self.variance());
-        Without {
-            cost: cost + UNEXPLAINED,
-            widest: libm::exp(cost),
-        }
+        Without { cost: cost + UNEXPLAINED, widest: libm::exp(cost) }
     }
 }

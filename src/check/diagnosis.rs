@@ -52,15 +52,9 @@ impl Search<'_> {
     pub fn diagnosis(&self, tried: Vec<Tried>, values: &[Judged]) -> Diagnosis {
         let Some(best) = tried.first() else {
             return Diagnosis {
-                best: Explanation {
-                    findings: Vec::new(),
-                    probability: 0.0,
-                    is_alike: false,
-                },
+                best: Explanation { findings: Vec::new(), probability: 0.0, is_alike: false },
                 others: Vec::new(),
-                unexplained: (0..values.len())
-                    .filter(|&i| values[i].verdict == Verdict::Off)
-                    .collect(),
+                unexplained: (0..values.len()).filter(|&i| values[i].verdict == Verdict::Off).collect(),
             };
         };
         // Without mistakes where they hardly explain more.
@@ -77,10 +71,7 @@ impl Search<'_> {
         let total: f64 = tried.iter().map(weight).sum();
         // Explanations that are told in the same words are one; those that leave out one of the best's mistakes say nothing else.
         let is_told = |set: &[usize], other: &[usize]| {
-            let told = |i: &usize| {
-                set.iter()
-                    .any(|j| self.candidates[*i].is_told_like(&self.candidates[*j]))
-            };
+            let told = |i: &usize| set.iter().any(|j| self.candidates[*i].is_told_like(&self.candidates[*j]));
             other.iter().all(told)
         };
         let probability = |of: &Tried| {
@@ -90,35 +81,26 @@ impl Search<'_> {
         let own_set = self.set(&best.set);
         let mut others: Vec<&Tried> = Vec::new();
         for (index, other) in tried.iter().enumerate() {
-            let is_new = !is_told(&best.set, &other.set)
-                && !others.iter().any(|o| is_told(&o.set, &other.set));
+            let is_new = !is_told(&best.set, &other.set) && !others.iter().any(|o| is_told(&o.set, &other.set));
             if index != chosen && !best.set.is_empty() && is_new {
                 others.push(other);
             }
         }
         let others = others.into_iter().filter_map(|other| {
             let is_alike = other.set.len() == best.set.len()
-                && self
-                    .scorer
-                    .are_alike(&best.fit, &other.fit, [&own_set, &self.set(&other.set)]);
+                && self.scorer.are_alike(&best.fit, &other.fit, [&own_set, &self.set(&other.set)]);
             let probability = probability(other);
-            (is_alike || probability >= LEAST)
-                .then(|| self.explanation(other, probability, is_alike))
+            (is_alike || probability >= LEAST).then(|| self.explanation(other, probability, is_alike))
         });
         let others: Vec<Explanation> = others.take(OTHERS).collect();
         // What a hand may be off by needs no explanation.
         let is_outside = |entry: usize| {
             let mut data = best.fit.outside.iter().zip(&self.scorer.data);
-            data.find(|(_, datum)| datum.entry == entry)
-                .is_none_or(|(outside, _)| *outside)
+            data.find(|(_, datum)| datum.entry == entry).is_none_or(|(outside, _)| *outside)
         };
         let off = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off);
         let unexplained: Vec<usize> = off.filter(|&entry| is_outside(entry)).collect();
-        Diagnosis {
-            best: self.explanation(best, probability(best), false),
-            others,
-            unexplained,
-        }
+        Diagnosis { best: self.explanation(best, probability(best), false), others, unexplained }
     }
 
     /// The values that a mistake touches itself: written otherwise than meant, or read where it was made.
@@ -139,8 +121,7 @@ impl Search<'_> {
             .set
             .iter()
             .map(|&index| {
-                let without: Vec<usize> =
-                    tried.set.iter().copied().filter(|&i| i != index).collect();
+                let without: Vec<usize> = tried.set.iter().copied().filter(|&i| i != index).collect();
                 let before = self.scorer.predicted(&self.set(&without));
                 let candidate = self.candidates[index].clone();
                 let written = self.written(&candidate);
@@ -151,18 +132,10 @@ impl Search<'_> {
                     let consistent = !tried.fit.outside[place] && !written.contains(&datum.entry);
                     (moved.abs() > seen && consistent).then_some(datum.entry)
                 });
-                Finding {
-                    follows: follows.collect(),
-                    written,
-                    candidate,
-                }
+                Finding { follows: follows.collect(), written, candidate }
             })
             .collect();
         findings.sort_by_key(|f| f.candidate.step);
-        Explanation {
-            findings,
-            probability,
-            is_alike,
-        }
+        Explanation { findings, probability, is_alike }
     }
 }

@@ -53,11 +53,7 @@ pub fn entries(measured: &Measured, drawn: &Drawn<'_>) -> Result<Vec<Entry>, Che
             ));
         }
     }
-    let reader = Reader {
-        measured,
-        drawn,
-        order: order(drawn),
-    };
+    let reader = Reader { measured, drawn, order: order(drawn) };
     let mut entries: Vec<Entry> = Vec::new();
     for given in &measured.values {
         let entry = reader.entry(given).map_err(|e| e.at(&given.place))?;
@@ -65,10 +61,7 @@ pub fn entries(measured: &Measured, drawn: &Drawn<'_>) -> Result<Vec<Entry>, Che
         if let Some(other) = entries.iter().find(same) {
             let apart = (other.value - entry.value).abs();
             if apart > (other.rounding + entry.rounding) * 1.001 {
-                let message = format!(
-                    "`{}` has two values here: {} and {}",
-                    given.name, other.text, entry.text
-                );
+                let message = format!("`{}` has two values here: {} and {}", given.name, other.text, entry.text);
                 let error = CheckError::new(message, "keep the one that you mean");
                 return Err(error.at(&given.place));
             }
@@ -107,9 +100,8 @@ fn find_precisions(entries: &mut [Entry]) {
         if entry.text.is_empty() {
             continue;
         }
-        let same = entries.iter().filter(|other| {
-            other.asked.kind() == entry.asked.kind() && other.on_paper == entry.on_paper
-        });
+        let same =
+            entries.iter().filter(|other| other.asked.kind() == entry.asked.kind() && other.on_paper == entry.on_paper);
         let precision = Precision::of(same.map(|e| e.text.as_str()));
         let entry = &mut entries[index];
         entry.precision = precision;
@@ -137,10 +129,7 @@ impl Reader<'_> {
         })?;
         if !(number.is_finite() && number.abs() <= 1e100) {
             let hint = "is a digit or an exponent wrong?";
-            return Err(CheckError::new(
-                format!("`{}` is too large", given.text),
-                hint,
-            ));
+            return Err(CheckError::new(format!("`{}` is too large", given.text), hint));
         }
         let compact: String = given.name.chars().filter(|c| !c.is_whitespace()).collect();
         let (name, marked) = match compact.strip_suffix("/mu") {
@@ -160,9 +149,8 @@ impl Reader<'_> {
                 | What::SlidePosition(_)
                 | What::Coordinate(..)
         ) && kind != Kind::Angle;
-        let on_paper = marked
-            || (self.measured.in_mm
-                && matches!(asked.what(), What::Segment { .. } | What::Length(..)));
+        let on_paper =
+            marked || (self.measured.in_mm && matches!(asked.what(), What::Segment { .. } | What::Length(..)));
         let scales = self.scales();
         let own = self.measured.mu[sheet as usize];
         if marked && !has_length {
@@ -176,11 +164,7 @@ impl Reader<'_> {
             own.ok_or_else(|| {
                 CheckError::new(
                     format!("`{name}` is in millimetres of paper, but your scale {mu} is missing"),
-                    format!(
-                        "add {mu}: how many {} are 1 mm of your {}",
-                        kind.unit(self.drawn.units),
-                        sheet.name()
-                    ),
+                    format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(self.drawn.units), sheet.name()),
                 )
             })?
         } else {
@@ -198,10 +182,7 @@ impl Reader<'_> {
             Some(unit) => unit::factor(unit, kind, self.drawn.units)?,
             None => 1.0 * factor_without_unit,
         };
-        let turns = matches!(
-            asked.what(),
-            What::Omega(_) | What::Alpha(_) | What::Angle(_)
-        ) || kind == Kind::Angle;
+        let turns = matches!(asked.what(), What::Omega(_) | What::Alpha(_) | What::Angle(_)) || kind == Kind::Angle;
         let flips = turns && self.measured.positive == Some(Positive::Clockwise);
         let factor = if flips { -factor } else { factor };
         let signed = given.text.starts_with(['-', '+']);
@@ -217,18 +198,10 @@ impl Reader<'_> {
             precision,
             is_magnitude: has_sense && !signed && !(turns && self.measured.positive.is_some()),
             factor,
-            factor_without_unit: if flips {
-                -factor_without_unit
-            } else {
-                factor_without_unit
-            },
+            factor_without_unit: if flips { -factor_without_unit } else { factor_without_unit },
             unit: given.unit.clone(),
             on_paper,
-            per_mm: if has_length {
-                scales[sheet as usize]
-            } else {
-                None
-            },
+            per_mm: if has_length { scales[sheet as usize] } else { None },
             sheet,
             step,
             expected,
@@ -250,13 +223,7 @@ impl Reader<'_> {
 
     /// What a name stands for: the quantity, its exact value, its sheet, the number of its step.
     pub fn quantity(&self, name: &str) -> Result<(Asked, f64, Sheet, usize), CheckError> {
-        let Drawn {
-            mechanism,
-            pose,
-            motion,
-            construction,
-            ..
-        } = self.drawn;
+        let Drawn { mechanism, pose, motion, construction, .. } = self.drawn;
         let wrong = |error: QuantityError| {
             let message = error.to_string();
             let (message, own) = match message.split_once("; did you mean") {
@@ -266,10 +233,9 @@ impl Reader<'_> {
             let all = "`kinegon check SCENE --template` lists the names";
             let names = self.order.keys().map(String::as_str);
             let (message, near) = match error {
-                QuantityError::Form(_) => (
-                    format!("`{name}` is no quantity of this scene"),
-                    crate::scene::nearest(name, names),
-                ),
+                QuantityError::Form(_) => {
+                    (format!("`{name}` is no quantity of this scene"), crate::scene::nearest(name, names))
+                }
                 _ => (message, None),
             };
             let near = near.map(|n| format!("the nearest name is `{n}`; {all}"));
@@ -316,11 +282,7 @@ impl Reader<'_> {
         let mut steps = self.order.iter();
         let found = steps.find(|(name, _)| name.starts_with(head) && name.ends_with(&own));
         let sheets = numbered_steps(self.drawn.construction);
-        let last = sheets
-            .iter()
-            .filter(|s| s.sheet <= sheet)
-            .map(|s| s.number)
-            .max();
+        let last = sheets.iter().filter(|s| s.sheet <= sheet).map(|s| s.number).max();
         match found {
             Some((_, &step)) if sheet != Sheet::Scheme => step,
             _ if sheet == Sheet::Scheme => 0,

@@ -8,17 +8,10 @@ use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::fmt;
 
-const MEASURED: FileKind = FileKind {
-    what: "form of measured values",
-    key: "kinegon_measured",
-    version: 1,
-};
+const MEASURED: FileKind = FileKind { what: "form of measured values", key: "kinegon_measured", version: 1 };
 
 #[derive(Debug, Deserialize)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"a form of measured values as { "kinegon_measured": 1, … }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"a form of measured values as { "kinegon_measured": 1, … }"#)]
 struct MeasuredFile {
     #[serde(rename = "kinegon_measured")]
     _version: u64,
@@ -106,10 +99,7 @@ impl<'de> Deserialize<'de> for Value {
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Value, A::Error> {
                 let form = serde::de::value::MapAccessDeserializer::new(map);
                 let WithUnit { value, unit } = WithUnit::deserialize(form)?;
-                Ok(Value {
-                    text: value.text,
-                    unit: Some(unit),
-                })
+                Ok(Value { text: value.text, unit: Some(unit) })
             }
         }
         deserializer.deserialize_any(Forms)

@@ -47,9 +47,7 @@ impl Hands<'_, '_> {
     /// Tries a hand; whether it is the best so far.
     fn consider(&mut self, hand: Hand) -> bool {
         self.walk.begin(&self.covariances, &hand);
-        let cost = self
-            .walk
-            .run(self.scorer, &self.meant, &self.predicted, None);
+        let cost = self.walk.run(self.scorer, &self.meant, &self.predicted, None);
         // A kind of errors that there is not is no better hand.
         let better = hand.errors.iter().filter(|s| **s > 0.0);
         let cost = cost.total() - better.map(|s| BETTER_HAND * libm::log10(*s)).sum::<f64>();
@@ -75,10 +73,7 @@ impl Hands<'_, '_> {
     /// Looks for the best whose errors are all alike.
     fn search_alike(&mut self) {
         for (index, &size) in HANDS.iter().enumerate() {
-            let mut hand = Hand {
-                errors: [size; GROUPS],
-                habit: Habit::Mixed,
-            };
+            let mut hand = Hand { errors: [size; GROUPS], habit: Habit::Mixed };
             hand.errors[TOGETHER] = 0.0;
             if self.consider(hand) {
                 self.level = index;
@@ -94,10 +89,7 @@ impl Hands<'_, '_> {
         if self.level <= 1 {
             return;
         }
-        let mut program = Hand {
-            errors: [HANDS[HANDS.len() - 1]; GROUPS],
-            habit: Habit::Mixed,
-        };
+        let mut program = Hand { errors: [HANDS[HANDS.len() - 1]; GROUPS], habit: Habit::Mixed };
         program.errors[TOGETHER] = HANDS[self.level];
         program.errors[VELOCITY] = HANDS[self.level];
         self.consider(program);
@@ -117,12 +109,7 @@ impl Hands<'_, '_> {
 
 impl From<Hands<'_, '_>> for Fit {
     fn from(hands: Hands<'_, '_>) -> Fit {
-        Fit {
-            cost: hands.cost,
-            predicted: hands.predicted,
-            outside: hands.outside,
-            hand: hands.hand,
-        }
+        Fit { cost: hands.cost, predicted: hands.predicted, outside: hands.outside, hand: hands.hand }
     }
 }
 
@@ -141,10 +128,7 @@ impl Scorer<'_> {
             walk: Walk::new(self.data.len()),
             cost: f64::INFINITY,
             outside: Vec::new(),
-            hand: Hand {
-                errors: [1.0; GROUPS],
-                habit: Habit::Mixed,
-            },
+            hand: Hand { errors: [1.0; GROUPS], habit: Habit::Mixed },
             level: 0,
         };
         hands.search_alike();
@@ -189,12 +173,8 @@ impl Scorer<'_> {
             let meant = self.meant(&all);
             let mut both = meant.iter().zip(&fit.predicted).enumerate();
             let could_be = both.all(|(index, (datum, predicted))| {
-                let touched = slip
-                    .stands
-                    .iter()
-                    .any(|s| s.entry == self.data[index].entry);
-                let near =
-                    |d: &Datum| d.off(*predicted, 0.0).abs() <= 4.0 * self.quick[index].sqrt();
+                let touched = slip.stands.iter().any(|s| s.entry == self.data[index].entry);
+                let near = |d: &Datum| d.off(*predicted, 0.0).abs() <= 4.0 * self.quick[index].sqrt();
                 !touched || datum.as_ref().is_none_or(near)
             });
             for hand in hands.iter().filter(|_| could_be) {
@@ -234,13 +214,7 @@ impl Walk {
     }
 
     /// The cost of all values, but for the one kept for last: for that it leaves what all others let expect.
-    fn run(
-        &mut self,
-        scorer: &Scorer<'_>,
-        meant: &[Option<Datum>],
-        predicted: &[f64],
-        last: Option<usize>,
-    ) -> Cost {
+    fn run(&mut self, scorer: &Scorer<'_>, meant: &[Option<Datum>], predicted: &[f64], last: Option<usize>) -> Cost {
         let count = meant.len();
         self.means.fill(0.0);
         self.outside.fill(false);

@@ -10,11 +10,7 @@ use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
-const MARKS: FileKind = FileKind {
-    what: "marking scheme",
-    key: "kinegon_marks",
-    version: 1,
-};
+const MARKS: FileKind = FileKind { what: "marking scheme", key: "kinegon_marks", version: 1 };
 
 /// No quantity is worth more.
 const MOST: f64 = 1e6;
@@ -23,10 +19,7 @@ const MOST: f64 = 1e6;
 /// off earns none, or where it follows from a mistake made at an earlier step and is consistent with it, the part `follow_through` of them.
 /// A value in which a mistake was made itself earns none, whatever else it follows from; nor does one that cannot be judged.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"a marking scheme as { "kinegon_marks": 1, … }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"a marking scheme as { "kinegon_marks": 1, … }"#)]
 #[schemars(rename = "marks")]
 pub struct Marks {
     /// Version of the format.
@@ -88,16 +81,12 @@ impl Marks {
             let part = given.unwrap_or(usual);
             let hint = "write a number from 0 (no marks) to 1 (all marks of the quantity)";
             let wrong = || CheckError::new(format!("{part} is no part of marks"), hint).at(key);
-            Some(part)
-                .filter(|p| (0.0..=1.0).contains(p))
-                .ok_or_else(wrong)
+            Some(part).filter(|p| (0.0..=1.0).contains(p)).ok_or_else(wrong)
         };
         let marks = |key: &str, marks: f64| {
             let hint = format!("write a number from 0 to {MOST}");
             let wrong = || CheckError::new(format!("{marks} is no number of marks"), hint).at(key);
-            Some(marks)
-                .filter(|m| (0.0..=MOST).contains(m))
-                .ok_or_else(wrong)
+            Some(marks).filter(|m| (0.0..=MOST).contains(m)).ok_or_else(wrong)
         };
         let each = match self.each {
             Some(each) => Some(marks("each", each)?),
@@ -178,8 +167,7 @@ impl Scheme {
         let follows = |value: usize| {
             let later = checked.values[value].entry.step;
             let mut from = findings.iter().filter(|f| f.candidate.step < later);
-            from.any(|f| f.follows.contains(&value))
-                && !findings.iter().any(|f| f.written.contains(&value))
+            from.any(|f| f.follows.contains(&value)) && !findings.iter().any(|f| f.written.contains(&value))
         };
         let (mut earned, mut follow_through) = (0.0, 0.0);
         for (name, worth) in &self.worth {

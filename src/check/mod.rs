@@ -35,9 +35,7 @@ mod together;
 mod unit;
 mod verdict;
 
-pub use class::{
-    ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema,
-};
+pub use class::{ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
 pub use diagnosis::{Diagnosis, Explanation, Finding};
 pub use entry::{Entry, entries};
 pub use marks::{Awarded, Marks, Scheme};

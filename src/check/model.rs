@@ -6,8 +6,8 @@ use super::sheet::CheckError;
 use super::together::ways_together;
 use super::verdict::Drawn;
 use crate::drafting::{
-    Act, Band, Change, Deed, Disturbance, Drafting, LineId, NumberId, PlaceId, Reading, Reference,
-    Sheet, SheetScales, Tolerance, Unread, Values, drafting_with,
+    Act, Band, Change, Deed, Disturbance, Drafting, LineId, NumberId, PlaceId, Reading, Reference, Sheet, SheetScales,
+    Tolerance, Unread, Values, drafting_with,
 };
 use crate::motion::Motion;
 use crate::plan::{Asked, Construction};
@@ -106,20 +106,13 @@ impl Model {
                 _ => NotRead::Otherwise,
             })
         });
-        let usual = [
-            drawn.scales.length,
-            drawn.scales.velocity,
-            drawn.scales.acceleration,
-        ];
+        let usual = [drawn.scales.length, drawn.scales.velocity, drawn.scales.acceleration];
         let mut per_mm = [1.0; 3];
         for (sheet, scale) in per_mm.iter_mut().enumerate() {
             *scale = mu[sheet].or(usual[sheet]).ok_or_else(|| {
                 let name = ["mu_l", "mu_v", "mu_a"][sheet];
                 CheckError::new(
-                    format!(
-                        "the scene's figure has no {}, so its scale is missing",
-                        Sheet::ALL[sheet].name()
-                    ),
+                    format!("the scene's figure has no {}, so its scale is missing", Sheet::ALL[sheet].name()),
                     format!("add {name} to the values, or the panel to the scene's figure"),
                 )
             })?;
@@ -148,10 +141,7 @@ impl Model {
     /// The bands of the entries that are read.
     pub fn bands(&self, tolerance: &Tolerance) -> Vec<Option<Band>> {
         let there: Vec<Reading> = self.readings.iter().flatten().copied().collect();
-        let mut bands = self
-            .drafting
-            .bands(self.scales, tolerance, &there)
-            .into_iter();
+        let mut bands = self.drafting.bands(self.scales, tolerance, &there).into_iter();
         let bands = self.readings.iter().map(|reading| {
             let band = reading.ok().and_then(|_| bands.next())?;
             (band.value.is_finite() && band.band.is_finite()).then_some(band)
@@ -235,8 +225,7 @@ impl Model {
     pub fn replay(&self, changes: &[Disturbance<'_>]) -> Values {
         let mut values = self.exact.clone();
         let first = changes.first().map_or(self.drafting.acts.len(), |c| c.act);
-        self.drafting
-            .replay_from(first, &mut values, self.scales, changes);
+        self.drafting.replay_from(first, &mut values, self.scales, changes);
         values
     }
 
@@ -284,10 +273,7 @@ impl Model {
     /// The named places of a sheet that are there before an act, in the order in which they are made.
     pub fn places_before(&self, sheet: Sheet, act: usize) -> Vec<PlaceId> {
         let all = self.place_names.iter().enumerate();
-        let here = all.filter(|(_, name)| {
-            name.as_ref()
-                .is_some_and(|n| n.0 == sheet && !n.1.is_empty())
-        });
+        let here = all.filter(|(_, name)| name.as_ref().is_some_and(|n| n.0 == sheet && !n.1.is_empty()));
         let ids = here.map(|(id, _)| PlaceId(id));
         ids.filter(|p| self.place_makers[p.0] < act).collect()
     }
@@ -305,14 +291,8 @@ fn given_first(acts: &mut [Act]) {
     let plotted = plotted(acts);
     acts.sort_by_key(|act| match &act.deed {
         Deed::Pole { .. } | Deed::Plot { .. } | Deed::Take { .. } => 0,
-        Deed::Join { from, towards, .. } if plotted.contains(from) && plotted.contains(towards) => {
-            1
-        }
-        Deed::Draw {
-            through,
-            reference: Reference::Given(_),
-            ..
-        } if plotted.contains(through) => 1,
+        Deed::Join { from, towards, .. } if plotted.contains(from) && plotted.contains(towards) => 1,
+        Deed::Draw { through, reference: Reference::Given(_), .. } if plotted.contains(through) => 1,
         _ => 2,
     });
 }
@@ -333,9 +313,7 @@ fn numbers_read(deed: &Deed) -> Vec<NumberId> {
         Deed::Solve { equations, .. } => {
             let left = equations.iter().flat_map(|e| e.left.iter().map(|(_, p)| p));
             let right = equations.iter().flat_map(|e| &e.right);
-            left.chain(right)
-                .flat_map(|p| p.of.iter().copied())
-                .collect()
+            left.chain(right).flat_map(|p| p.of.iter().copied()).collect()
         }
         Deed::LayOff { size, .. } => vec![*size],
         _ => Vec::new(),

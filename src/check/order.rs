@@ -24,13 +24,7 @@ pub fn numbered_steps(construction: &Construction) -> Vec<NumberedStep<'_>> {
         steps.map(move |step| (Sheet::of(plan.kind), Some(plan), step))
     });
     let all = scheme.chain(plans).zip(1..);
-    all.map(|((sheet, plan, step), number)| NumberedStep {
-        number,
-        sheet,
-        plan,
-        step,
-    })
-    .collect()
+    all.map(|((sheet, plan, step), number)| NumberedStep { number, sheet, plan, step }).collect()
 }
 
 impl NumberedStep<'_> {
@@ -62,12 +56,7 @@ impl NumberedStep<'_> {
 }
 
 /// The number of the step that an act belongs to, where `place_name` gives the points' names; none for acts before all steps.
-pub(super) fn step_of(
-    act: &Act,
-    steps: &[NumberedStep<'_>],
-    made: &[String],
-    before: usize,
-) -> usize {
+pub(super) fn step_of(act: &Act, steps: &[NumberedStep<'_>], made: &[String], before: usize) -> usize {
     let here = || steps.iter().filter(|s| s.sheet == act.sheet);
     let by_point = || {
         let mut found = here().filter(|s| s.point().is_some_and(|p| made.iter().any(|m| m == p)));
@@ -92,9 +81,7 @@ pub(super) fn step_of(
         Deed::Solve { .. } => here()
             .find(|s| {
                 matches!(s.step.action, Action::Solve { .. })
-                    && s.names()
-                        .join(", ")
-                        .contains(act.makes.split(", ").next().unwrap_or("?"))
+                    && s.names().join(", ").contains(act.makes.split(", ").next().unwrap_or("?"))
             })
             .map(|s| s.number),
         _ => None,

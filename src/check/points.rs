@@ -14,36 +14,25 @@ impl Reader<'_> {
         for points in &self.measured.points {
             let sheet = Sheet::of(points.kind);
             let what = points.kind.segment_name("", "");
-            let at =
-                |name: &str| format!("points: {name} of {}", what.split('(').next().unwrap_or(""));
+            let at = |name: &str| format!("points: {name} of {}", what.split('(').next().unwrap_or(""));
             let Some(mu) = self.measured.mu[sheet as usize] else {
                 let mu = ["mu_l", "mu_v", "mu_a"][sheet as usize];
                 return Err(CheckError::new(
-                    format!(
-                        "places of points are in millimetres of paper, but your scale {mu} is missing"
-                    ),
+                    format!("places of points are in millimetres of paper, but your scale {mu} is missing"),
                     format!("add {mu}, the scale of your {}", sheet.name()),
                 ));
             };
             let pole = points.kind.pole();
             let Some(own_pole) = points.pole() else {
                 return Err(CheckError::new(
-                    format!(
-                        "the places of the {} do not have its pole {pole}",
-                        sheet.name()
-                    ),
+                    format!("the places of the {} do not have its pole {pole}", sheet.name()),
                     format!("add \"{pole}\": [x, y]"),
                 ));
             };
             let named = |name: &str| {
-                if name == own_pole {
-                    pole.to_owned()
-                } else {
-                    name.to_owned()
-                }
+                if name == own_pole { pole.to_owned() } else { name.to_owned() }
             };
-            let places: IndexMap<String, [f64; 2]> =
-                points.places.iter().map(|(n, &p)| (named(n), p)).collect();
+            let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
             let mut pairs: Vec<(String, String)> = Vec::new();
             for name in places.keys().filter(|n| *n != pole) {
                 pairs.push((pole.to_owned(), name.clone()));
@@ -60,8 +49,7 @@ impl Reader<'_> {
                 if entries.iter().any(|e| e.asked.name() == name) {
                     continue;
                 }
-                let (asked, expected, sheet, step) =
-                    self.quantity(&name).map_err(|e| e.at(&at(&b)))?;
+                let (asked, expected, sheet, step) = self.quantity(&name).map_err(|e| e.at(&at(&b)))?;
                 // Images of points at rest are the pole itself.
                 if expected == 0.0 {
                     continue;
@@ -74,10 +62,7 @@ impl Reader<'_> {
                     value: mm * mu,
                     // Places are written to a tenth or a hundredth of a millimetre, as people do.
                     rounding: 0.05 * mu,
-                    precision: Precision {
-                        decimals: 1,
-                        digits: 4,
-                    },
+                    precision: Precision { decimals: 1, digits: 4 },
                     is_magnitude: false,
                     factor: mu,
                     factor_without_unit: mu,

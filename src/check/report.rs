@@ -45,12 +45,7 @@ pub(super) struct Page<'a> {
 
 impl<'a> Page<'a> {
     pub(super) fn new(checked: &'a Checked, drawn: &'a Drawn<'a>, words: &'a Wording) -> Page<'a> {
-        Page {
-            checked,
-            drawn,
-            words,
-            own: words.language.check,
-        }
+        Page { checked, drawn, words, own: words.language.check }
     }
 }
 
@@ -61,11 +56,7 @@ impl Page<'_> {
             let values = self.checked.values.iter();
             values.filter(|v| v.verdict == verdict).count()
         };
-        (self.own.counts)(
-            count(Verdict::Right),
-            count(Verdict::WithinTolerance),
-            count(Verdict::Off),
-        )
+        (self.own.counts)(count(Verdict::Right), count(Verdict::WithinTolerance), count(Verdict::Off))
     }
 
     fn table(&self) -> Vec<String> {
@@ -95,11 +86,7 @@ impl Page<'_> {
     pub(super) fn row(&self, value: &Judged) -> [String; 8] {
         let entry = &value.entry;
         let unit = entry.asked.kind().unit(self.drawn.units);
-        let expected = if entry.is_magnitude {
-            entry.expected.abs()
-        } else {
-            entry.expected
-        };
+        let expected = if entry.is_magnitude { entry.expected.abs() } else { entry.expected };
         let on_paper = entry.per_mm.map(|mu| {
             let mm = self.words.number(format!("{:+.2}", value.difference / mu));
             format!("{mm} mm")
@@ -172,8 +159,7 @@ impl Page<'_> {
                 let best = &diagnosis.best.findings;
                 let new = other.findings.iter().filter(|f| {
                     let same = |g: &&Finding| {
-                        g.candidate.mistake == f.candidate.mistake
-                            && g.candidate.blanks == f.candidate.blanks
+                        g.candidate.mistake == f.candidate.mistake && g.candidate.blanks == f.candidate.blanks
                     };
                     !best.iter().any(|g| same(&g))
                 });
@@ -183,11 +169,7 @@ impl Page<'_> {
                         format!("{}: {done}", self.step(f))
                     })
                     .collect();
-                let end = if other.is_alike {
-                    self.own.alike.to_owned()
-                } else {
-                    self.sure(other)
-                };
+                let end = if other.is_alike { self.own.alike.to_owned() } else { self.sure(other) };
                 lines.push(format!("  - {} ({end})", told.join("; ")));
             }
         }
@@ -226,9 +208,7 @@ impl Page<'_> {
 
     /// What is said of a mistake.
     pub(super) fn told(&self, finding: &Finding) -> Told {
-        let Finding {
-            candidate, follows, ..
-        } = finding;
+        let Finding { candidate, follows, .. } = finding;
         let [done, should] = sentences(candidate, self.words);
         let steps = numbered_steps(self.drawn.construction);
         let step = steps.iter().find(|s| s.number == candidate.step);
@@ -247,9 +227,7 @@ impl Page<'_> {
     }
 
     fn names(&self, values: &[usize]) -> String {
-        let names = values
-            .iter()
-            .map(|&i| self.checked.values[i].entry.asked.name());
+        let names = values.iter().map(|&i| self.checked.values[i].entry.asked.name());
         names.collect::<Vec<&str>>().join(", ")
     }
 }
@@ -259,11 +237,7 @@ pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
     let blanks = candidate.blanks.iter().map(|blank| {
         let is_number = blank.parse::<f64>().is_ok();
         let blank = blank.clone();
-        if is_number {
-            words.number(blank)
-        } else {
-            blank
-        }
+        if is_number { words.number(blank) } else { blank }
     });
     let blanks: Vec<String> = blanks.collect();
     let own = candidate.mistake.words(words.language.check);
@@ -281,12 +255,5 @@ pub(crate) fn significant(x: f64, count: i32) -> String {
     }
     let after = (count - 1 - exponent).max(0) as usize;
     let written = format!("{x:.after$}");
-    if written.contains('.') {
-        written
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_owned()
-    } else {
-        written
-    }
+    if written.contains('.') { written.trim_end_matches('0').trim_end_matches('.').to_owned() } else { written }
 }

@@ -99,16 +99,9 @@ fn is_false(flag: &bool) -> bool {
 
 /// The result as JSON shows it, sentences in the wording's language.
 #[must_use]
-pub fn check_result(
-    checked: &Checked,
-    drawn: &Drawn<'_>,
-    words: &Wording,
-    name: Option<String>,
-) -> CheckResult {
+pub fn check_result(checked: &Checked, drawn: &Drawn<'_>, words: &Wording, name: Option<String>) -> CheckResult {
     let names = |list: &[usize]| -> Vec<String> {
-        let names = list
-            .iter()
-            .map(|&i| checked.values[i].entry.asked.name().to_owned());
+        let names = list.iter().map(|&i| checked.values[i].entry.asked.name().to_owned());
         names.collect()
     };
     let values = checked.values.iter().map(|value| {
@@ -121,8 +114,7 @@ pub fn check_result(
             unit: entry.asked.kind().unit(drawn.units),
             difference: value.difference,
             difference_mm: entry.per_mm.map(|mu| value.difference / mu),
-            percent: (entry.expected != 0.0)
-                .then(|| 100.0 * value.difference / entry.expected.abs()),
+            percent: (entry.expected != 0.0).then(|| 100.0 * value.difference / entry.expected.abs()),
             allowed: value.tolerance,
             verdict: match value.verdict {
                 Verdict::Right => "right",

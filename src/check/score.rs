@@ -112,8 +112,7 @@ impl<'a> Scorer<'a> {
     /// Which candidate goes on with a written value of a datum.
     fn owner(&self, set: &[&Candidate], datum: usize) -> Option<usize> {
         let entry = self.data[datum].entry;
-        set.iter()
-            .position(|c| !c.goes_on.is_empty() && c.stands.iter().any(|s| s.entry == entry))
+        set.iter().position(|c| !c.goes_on.is_empty() && c.stands.iter().any(|s| s.entry == entry))
     }
 
     /// The replays that a set needs: the changes, and the data that are read there.
@@ -183,11 +182,7 @@ impl<'a> Scorer<'a> {
                 let rounding = datum.variance();
                 // Errors grow about as the value does.
                 let grown = (predicted[index] / self.right[index]).abs();
-                let grown = if grown.is_finite() {
-                    grown.clamp(1.0, 1000.0)
-                } else {
-                    1.0
-                };
+                let grown = if grown.is_finite() { grown.clamp(1.0, 1000.0) } else { 1.0 };
                 let variance = hand * hand * grown * grown * self.quick[index] + rounding;
                 let off = datum.off(predicted[index], 0.0);
                 cost.add_deviate(off * off / variance, variance / rounding, without);

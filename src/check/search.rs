@@ -40,21 +40,11 @@ pub(super) struct Tried {
 }
 
 /// What explains the values of an own drawing.
-pub(super) fn diagnose(
-    drawn: &Drawn<'_>,
-    mu: [Option<f64>; 3],
-    model: &Model,
-    values: &[Judged],
-) -> Diagnosis {
+pub(super) fn diagnose(drawn: &Drawn<'_>, mu: [Option<f64>; 3], model: &Model, values: &[Judged]) -> Diagnosis {
     let entries: Vec<Entry> = values.iter().map(|v| v.entry.clone()).collect();
     let mut models = vec![model.clone()];
     models.extend(other_modes(drawn, mu, &entries));
-    let site = Site {
-        model,
-        drawn,
-        entries: &entries,
-        other_modes: models.len() - 1,
-    };
+    let site = Site { model, drawn, entries: &entries, other_modes: models.len() - 1 };
     let candidates = site.candidates();
     let scorer = Scorer::new(&models, &entries, drawn.tolerance);
     let search = Search {
@@ -68,11 +58,7 @@ pub(super) fn diagnose(
 }
 
 /// The same construction in the other positions in which the links fit together.
-pub(super) fn other_modes(
-    drawn: &Drawn<'_>,
-    mu: [Option<f64>; 3],
-    entries: &[Entry],
-) -> Vec<Model> {
+pub(super) fn other_modes(drawn: &Drawn<'_>, mu: [Option<f64>; 3], entries: &[Entry]) -> Vec<Model> {
     // Groups without a construction take long to assemble and are not drawn.
     if drawn.construction.agreement.iter().any(Option::is_none) {
         return Vec::new();
@@ -164,13 +150,8 @@ impl<'a> Search<'a> {
         let all = self.all.iter().copied();
         let all = all.filter(|&i| is_slip(&self.candidates[i]) && self.go_together(&best.set, i));
         let all: Vec<usize> = all.collect();
-        let costs = self
-            .scorer
-            .slips(&self.set(&best.set), &best.fit, &self.set(&all));
-        let costs = costs
-            .into_iter()
-            .zip(&all)
-            .map(|(cost, &i)| (cost + self.costs[i], i));
+        let costs = self.scorer.slips(&self.set(&best.set), &best.fit, &self.set(&all));
+        let costs = costs.into_iter().zip(&all).map(|(cost, &i)| (cost + self.costs[i], i));
         let mut costs: Vec<(f64, usize)> = costs.collect();
         costs.sort_by(|a, b| a.0.total_cmp(&b.0));
         // The same slips, too, with which the student went on.
@@ -220,11 +201,8 @@ impl<'a> Search<'a> {
     /// Explanations compared as a whole; the likeliest of them, so many, with hands that are not equally good at everything.
     fn compared(&self, sets: Vec<Vec<usize>>, refined: usize) -> Vec<Tried> {
         let compared = on_all_cores(&sets, |set| self.scorer.compare(&self.set(set)));
-        let mut both: Vec<(Vec<usize>, Hands<'_, '_>)> = sets
-            .into_iter()
-            .zip(compared)
-            .filter_map(|(set, hands)| Some((set, hands?)))
-            .collect();
+        let mut both: Vec<(Vec<usize>, Hands<'_, '_>)> =
+            sets.into_iter().zip(compared).filter_map(|(set, hands)| Some((set, hands?))).collect();
         both.sort_by(|(a, x), (b, y)| {
             let costs = [x.cost + self.cost(a), y.cost + self.cost(b)];
             costs[0].total_cmp(&costs[1]).then_with(|| a.cmp(b))
@@ -244,19 +222,10 @@ impl<'a> Search<'a> {
         let new = &self.candidates[other];
         set.iter().all(|&index| {
             let old = &self.candidates[index];
-            let acts = old
-                .puts
-                .iter()
-                .all(|(a, _)| new.puts.iter().all(|(b, _)| a != b));
-            let values = old
-                .stands
-                .iter()
-                .all(|a| new.stands.iter().all(|b| a.entry != b.entry));
+            let acts = old.puts.iter().all(|(a, _)| new.puts.iter().all(|(b, _)| a != b));
+            let values = old.stands.iter().all(|a| new.stands.iter().all(|b| a.entry != b.entry));
             let positions = old.mode == 0 && new.mode == 0
-                || (old.puts.is_empty()
-                    && old.goes_on.is_empty()
-                    && new.mode != old.mode
-                    && old.mode * new.mode == 0)
+                || (old.puts.is_empty() && old.goes_on.is_empty() && new.mode != old.mode && old.mode * new.mode == 0)
                     && new.puts.is_empty()
                     && new.goes_on.is_empty();
             acts && values && positions
@@ -266,12 +235,7 @@ impl<'a> Search<'a> {
 
 /// Whether the hand is as good as hands are, and no better.
 pub(super) fn is_by_hand(tried: &Tried) -> bool {
-    tried
-        .fit
-        .hand
-        .errors
-        .iter()
-        .all(|&s| s == 0.0 || s >= BY_HAND)
+    tried.fit.hand.errors.iter().all(|&s| s == 0.0 || s >= BY_HAND)
 }
 
 /// Whether nothing remains to be explained: in a drawing more exact than hands draw there may be slips that its tolerance hides.

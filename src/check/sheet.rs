@@ -73,11 +73,7 @@ pub struct CheckError {
 impl CheckError {
     /// A finding about the whole.
     pub(super) fn new(message: impl Into<String>, hint: impl Into<String>) -> CheckError {
-        CheckError {
-            place: String::new(),
-            message: message.into(),
-            hint: Some(hint.into()),
-        }
+        CheckError { place: String::new(), message: message.into(), hint: Some(hint.into()) }
     }
 
     /// The same with the place where it stands.

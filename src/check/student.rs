@@ -27,44 +27,19 @@ impl<'a> Student<'a> {
         let scales = &drawn.scales;
         let mu = [scales.length, scales.velocity, scales.acceleration];
         let mut names: Vec<String> = Vec::new();
-        for name in numbered_steps(drawn.construction)
-            .iter()
-            .flat_map(|s| s.names())
-        {
+        for name in numbered_steps(drawn.construction).iter().flat_map(|s| s.names()) {
             if !names.contains(&name) {
                 names.push(name);
             }
         }
         // Written without digits, the form says what there is to read.
-        let blank = |name: &String| Given {
-            name: name.clone(),
-            text: "0".to_owned(),
-            unit: None,
-            place: name.clone(),
-        };
-        let form = Measured {
-            mu,
-            values: names.iter().map(blank).collect(),
-            ..Measured::default()
-        };
+        let blank = |name: &String| Given { name: name.clone(), text: "0".to_owned(), unit: None, place: name.clone() };
+        let form = Measured { mu, values: names.iter().map(blank).collect(), ..Measured::default() };
         let entries = entries(&form, drawn)?;
-        let model = Model::new(
-            drawn,
-            drawn.pose,
-            drawn.motion,
-            drawn.construction,
-            mu,
-            &entries,
-        )?;
+        let model = Model::new(drawn, drawn.pose, drawn.motion, drawn.construction, mu, &entries)?;
         let mut models = vec![model];
         models.extend(super::search::other_modes(drawn, mu, &entries));
-        Ok(Student {
-            drawn,
-            models,
-            mu,
-            names,
-            entries,
-        })
+        Ok(Student { drawn, models, mu, names, entries })
     }
 
     /// All ways to make a mistake of drawing, measuring or computing. Slips of writing need something written first.
@@ -100,10 +75,7 @@ impl<'a> Student<'a> {
             let change = put.change();
             all.push(Disturbance { act: *act, change });
         }
-        let limits = crate::drafting::Tolerance {
-            mm: hand[0],
-            degrees: hand[1],
-        };
+        let limits = crate::drafting::Tolerance { mm: hand[0], degrees: hand[1] };
         for (act, which, limit, _) in model.errors(&limits) {
             let change = Change::Error(which, limit * noise());
             all.push(Disturbance { act, change });
@@ -133,21 +105,13 @@ impl<'a> Student<'a> {
                 _ => (four_digits(value, cuts_off), false),
             };
             value.is_finite().then(|| Given {
-                name: format!(
-                    "{}{}",
-                    entry.asked.name(),
-                    if on_paper { "/mu" } else { "" }
-                ),
+                name: format!("{}{}", entry.asked.name(), if on_paper { "/mu" } else { "" }),
                 text: signed(text, senseless),
                 unit: None,
                 place: entry.asked.name().to_owned(),
             })
         });
-        Measured {
-            mu: self.mu,
-            values: values.collect(),
-            ..Measured::default()
-        }
+        Measured { mu: self.mu, values: values.collect(), ..Measured::default() }
     }
 
     /// The names of the form's quantities.
@@ -164,9 +128,7 @@ impl<'a> Student<'a> {
         let place = self.entries.iter().position(|e| e.asked.name() == name)?;
         let readings = &self.models[0].readings;
         let number = readings[place].ok()?.number;
-        let first = readings
-            .iter()
-            .position(|r| r.is_ok_and(|r| r.number == number))?;
+        let first = readings.iter().position(|r| r.is_ok_and(|r| r.number == number))?;
         Some((first, self.models[0].used[number.0]))
     }
 
@@ -180,32 +142,20 @@ impl<'a> Student<'a> {
     /// By what a written number is multiplied for the value in the scene's units.
     #[must_use]
     pub fn factor(&self, given: &Given) -> Option<f64> {
-        let form = Measured {
-            mu: self.mu,
-            values: vec![given.clone()],
-            ..Measured::default()
-        };
+        let form = Measured { mu: self.mu, values: vec![given.clone()], ..Measured::default() };
         Some(entries(&form, self.drawn).ok()?.first()?.factor)
     }
 }
 
 /// Rates keep their sign; a plus says that it is one.
 fn signed(text: String, senseless: bool) -> String {
-    if senseless || text.starts_with('-') {
-        text
-    } else {
-        format!("+{text}")
-    }
+    if senseless || text.starts_with('-') { text } else { format!("+{text}") }
 }
 
 /// A number with so many decimals, rounded or cut off.
 fn digits(value: f64, decimals: i32, cuts_off: bool) -> String {
     let unit = libm::exp10(f64::from(-decimals));
-    let value = if cuts_off {
-        libm::trunc(value / unit) * unit
-    } else {
-        value
-    };
+    let value = if cuts_off { libm::trunc(value / unit) * unit } else { value };
     let decimals = decimals.max(0) as usize;
     format!("{value:.decimals$}")
 }

@@ -50,9 +50,7 @@ impl Measured {
                 continue;
             }
             let value = decimal(value, by_semicolon);
-            measured
-                .line(name, value, third, &place)
-                .map_err(|e| e.at(&place))?;
+            measured.line(name, value, third, &place).map_err(|e| e.at(&place))?;
         }
         Ok(measured)
     }
@@ -61,22 +59,13 @@ impl Measured {
     fn add_place(&mut self, kind: PlanKind, point: &str, at: [f64; 2]) {
         let own = self.points.iter().position(|p| p.kind == kind);
         let own = own.unwrap_or_else(|| {
-            self.points.push(PointsOf {
-                kind,
-                places: IndexMap::new(),
-            });
+            self.points.push(PointsOf { kind, places: IndexMap::new() });
             self.points.len() - 1
         });
         self.points[own].places.insert(point.to_owned(), at);
     }
 
-    fn line(
-        &mut self,
-        name: &str,
-        value: String,
-        third: &str,
-        place: &str,
-    ) -> Result<(), CheckError> {
+    fn line(&mut self, name: &str, value: String, third: &str, place: &str) -> Result<(), CheckError> {
         match name {
             "name" => self.name = Some(value),
             "mu_l" => self.mu[0] = Some(number(name, &value)?),
@@ -131,11 +120,7 @@ fn plan_point(name: &str) -> Option<(PlanKind, &str)> {
 /// A number with a decimal point and a plain minus.
 fn decimal(text: &str, has_comma: bool) -> String {
     let text = text.replace('−', "-");
-    if has_comma {
-        text.replacen(',', ".", 1)
-    } else {
-        text
-    }
+    if has_comma { text.replacen(',', ".", 1) } else { text }
 }
 
 fn coordinate(text: &str) -> Result<f64, CheckError> {

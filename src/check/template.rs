@@ -51,11 +51,7 @@ pub fn template_json(construction: &Construction, scales: &Scales) -> String {
 #[must_use]
 pub fn template_csv(construction: &Construction, scales: &Scales) -> String {
     let mut text = String::from("quantity,value,unit\nname,,\n");
-    let given = [
-        ("mu_l", scales.length),
-        ("mu_v", scales.velocity),
-        ("mu_a", scales.acceleration),
-    ];
+    let given = [("mu_l", scales.length), ("mu_v", scales.velocity), ("mu_a", scales.acceleration)];
     for (name, scale) in given {
         if let Some(scale) = scale {
             text.push_str(&format!("{name},{scale},\n"));

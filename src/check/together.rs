@@ -39,12 +39,7 @@ pub(super) fn ways_together(model: &Model, mechanism: &Mechanism) -> Vec<Vec<f64
             let mut bodies = mechanism.bodies.iter();
             let is_rigid = bodies.any(|b| b.points.contains(&own) && b.points.contains(&other));
             if let Some(u) = unit(at - there).filter(|_| is_rigid) {
-                hold(&[
-                    (2 * i, u.x),
-                    (2 * i + 1, u.y),
-                    (2 * j, -u.x),
-                    (2 * j + 1, -u.y),
-                ]);
+                hold(&[(2 * i, u.x), (2 * i + 1, u.y), (2 * j, -u.x), (2 * j + 1, -u.y)]);
             }
         }
     }
@@ -52,7 +47,5 @@ pub(super) fn ways_together(model: &Model, mechanism: &Mechanism) -> Vec<Vec<f64
     let largest = eigen.eigenvalues.amax();
     let kernel = eigen.eigenvalues.iter().enumerate();
     let kernel = kernel.filter(|(_, value)| value.abs() <= 1e-10 * largest);
-    kernel
-        .map(|(k, _)| eigen.eigenvectors.column(k).iter().copied().collect())
-        .collect()
+    kernel.map(|(k, _)| eigen.eigenvectors.column(k).iter().copied().collect()).collect()
 }

@@ -35,35 +35,23 @@ pub(super) fn factor(text: &str, kind: Kind, units: Units) -> Result<f64, CheckE
             _ => None,
         },
         (Kind::Length | Kind::Position, None) => length().map(to_length),
-        (Kind::Velocity, Some(t)) => length()
-            .zip(time(t))
-            .map(|(l, t)| to_length(l) * own_time / t),
-        (Kind::Acceleration, Some(t)) => t
-            .strip_suffix('²')
-            .and_then(time)
-            .zip(length())
-            .map(|(t, l)| to_length(l) * own_time * own_time / (t * t)),
+        (Kind::Velocity, Some(t)) => length().zip(time(t)).map(|(l, t)| to_length(l) * own_time / t),
+        (Kind::Acceleration, Some(t)) => {
+            t.strip_suffix('²').and_then(time).zip(length()).map(|(t, l)| to_length(l) * own_time * own_time / (t * t))
+        }
         (Kind::AngularVelocity, None) if ["rpm", "r.p.m."].contains(&top) => {
             Some(core::f64::consts::TAU * own_time / 60.0)
         }
         (Kind::AngularVelocity, Some(t)) => turn().zip(time(t)).map(|(a, t)| a * own_time / t),
-        (Kind::AngularAcceleration, Some(t)) => t
-            .strip_suffix('²')
-            .and_then(time)
-            .zip(turn())
-            .map(|(t, a)| a * own_time * own_time / (t * t)),
+        (Kind::AngularAcceleration, Some(t)) => {
+            t.strip_suffix('²').and_then(time).zip(turn()).map(|(t, a)| a * own_time * own_time / (t * t))
+        }
         _ => None,
     };
     found.ok_or_else(known)
 }
 
-const LENGTHS: [(&str, f64); 5] = [
-    ("m", 1.0),
-    ("mm", 1e-3),
-    ("cm", 1e-2),
-    ("in", 0.0254),
-    ("ft", 0.3048),
-];
+const LENGTHS: [(&str, f64); 5] = [("m", 1.0), ("mm", 1e-3), ("cm", 1e-2), ("in", 0.0254), ("ft", 0.3048)];
 
 const TIMES: [(&str, f64); 2] = [("s", 1.0), ("min", 60.0)];
 

@@ -91,22 +91,12 @@ pub const BANDS: f64 = 2.0;
 /// Where the values are not understood.
 pub fn check(measured: &Measured, drawn: &Drawn<'_>) -> Result<Checked, CheckError> {
     let entries = entries(measured, drawn)?;
-    let model = Model::new(
-        drawn,
-        drawn.pose,
-        drawn.motion,
-        drawn.construction,
-        measured.mu,
-        &entries,
-    )?;
+    let model = Model::new(drawn, drawn.pose, drawn.motion, drawn.construction, measured.mu, &entries)?;
     let bands = model.bands(&drawn.tolerance);
     let judged = entries.iter().zip(&bands).zip(&model.readings);
     let judged = judged.map(|((entry, band), reading)| {
-        let mut difference = if entry.is_magnitude {
-            entry.value.abs() - entry.expected.abs()
-        } else {
-            entry.value - entry.expected
-        };
+        let mut difference =
+            if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };
         if entry.asked.kind() == crate::plan::Kind::Angle {
             difference -= 360.0 * libm::round(difference / 360.0);
         }
@@ -142,9 +132,5 @@ pub fn check(measured: &Measured, drawn: &Drawn<'_>) -> Result<Checked, CheckErr
         let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
         places.any(|points| is_mirrored(points, plan))
     });
-    Ok(Checked {
-        values,
-        diagnosis,
-        mirrored: mirrored.map(|plan| plan.kind).collect(),
-    })
+    Ok(Checked { values, diagnosis, mirrored: mirrored.map(|plan| plan.kind).collect() })
 }

@@ -68,12 +68,7 @@ enum Form {
 impl Check {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let work = work(
-            &source,
-            self.mode.number,
-            |figure| self.words.put_into(figure),
-            |_| Order::Acceleration,
-        )?;
+        let work = work(&source, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)?;
         let Some(path) = &self.measured else {
             return self.print_template(&work);
         };
@@ -108,26 +103,13 @@ impl Check {
         let correction = &self.correction;
         correction.write(&work, files, &measured, &drawn, &checked)?;
         files::print(printed.as_bytes())?;
-        if checked.is_passed() {
-            Ok(())
-        } else {
-            Err(Failure::NotPassed)
-        }
+        if checked.is_passed() { Ok(()) } else { Err(Failure::NotPassed) }
     }
 
     /// The forms of a folder.
-    fn class(
-        &self,
-        folder: &Path,
-        work: &Work,
-        drawn: &Drawn<'_>,
-        scheme: Option<&Scheme>,
-    ) -> Result<(), Failure> {
+    fn class(&self, folder: &Path, work: &Work, drawn: &Drawn<'_>, scheme: Option<&Scheme>) -> Result<(), Failure> {
         let output = self.output.as_deref().unwrap_or(Path::new("-"));
-        for (what, input) in [
-            ("scene", Some(&self.scene)),
-            ("marking scheme", self.marks.as_ref()),
-        ] {
+        for (what, input) in [("scene", Some(&self.scene)), ("marking scheme", self.marks.as_ref())] {
             input.map_or(Ok(()), |input| files::keep_input(what, input, output))?;
         }
         let form = Report::of(output, self.json)?;
@@ -182,15 +164,8 @@ impl Check {
 
 /// The values of a form: JSON where it begins with a brace, else a table.
 pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
-    let is_table = path
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-    if !is_table
-        && text
-            .text
-            .trim_start_matches(['\u{feff}', ' ', '\n', '\r', '\t'])
-            .starts_with(['{', '['])
-    {
+    let is_table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+    if !is_table && text.text.trim_start_matches(['\u{feff}', ' ', '\n', '\r', '\t']).starts_with(['{', '[']) {
         let measured = Measured::read_json(&text.text);
         measured.map_err(|error| Failure::Scene(text.clone(), Box::new(error.into())))
     } else {

@@ -72,12 +72,7 @@ impl Class<'_> {
             Form::Json => out.put("{\n  \"kinegon_class\": 1,\n  \"rows\": [")?,
             Form::Jsonl => true,
         };
-        let all = Pieces {
-            count: forms.len(),
-            size: 1,
-            ahead: 32,
-            unit: (forms.len() > 20).then_some("files"),
-        };
+        let all = Pieces { count: forms.len(), size: 1, ahead: 32, unit: (forms.len() > 20).then_some("files") };
         all.each(
             |one| self.row(&forms[one.start]),
             |row| {
@@ -143,13 +138,10 @@ impl Class<'_> {
 
     /// Refuses to write over a form; an earlier report is none.
     fn keep_forms(&self) -> Result<(), Failure> {
-        let inside = self
-            .output
-            .parent()
-            .map(|folder| match folder.as_os_str().is_empty() {
-                true => Path::new("."),
-                false => folder,
-            });
+        let inside = self.output.parent().map(|folder| match folder.as_os_str().is_empty() {
+            true => Path::new("."),
+            false => folder,
+        });
         let is_inside = inside.is_some_and(|folder| is_same(folder, self.folder));
         if self.output == Path::new("-") || !is_inside || !self.output.is_file() {
             return Ok(());
@@ -162,10 +154,7 @@ impl Class<'_> {
             return Ok(());
         }
         Err(Failure::Misuse(
-            format!(
-                "{} is one of the files to check and is not overwritten",
-                self.output.display()
-            ),
+            format!("{} is one of the files to check and is not overwritten", self.output.display()),
             Some("choose another output".into()),
         ))
     }
@@ -181,11 +170,7 @@ impl Class<'_> {
         if let Ok(found) = fs::metadata(path)
             && !found.is_file()
         {
-            let what = if found.is_dir() {
-                "a folder"
-            } else {
-                "special"
-            };
+            let what = if found.is_dir() { "a folder" } else { "special" };
             return ClassRow::broken(file, &format!("it is {what}, no file with values"));
         }
         let measured = match files::read_text("form", path).and_then(|text| read(path, &text)) {

@@ -37,8 +37,12 @@ impl Correction {
         }
         if self.scales.is_given() || self.paper.is_given() || self.forms.has_style() {
             return Err(Failure::Misuse(
-                "--mu-l, --mu-v, --mu-a, --page, --orientation and --style are of a drawing, which is not asked for".into(),
-                Some("add `--draw out/`; the scales of the student's own sheet stand in the form, as mu_l, mu_v, mu_a".into()),
+                "--mu-l, --mu-v, --mu-a, --page, --orientation and --style are of a drawing, which is not asked for"
+                    .into(),
+                Some(
+                    "add `--draw out/`; the scales of the student's own sheet stand in the form, as mu_l, mu_v, mu_a"
+                        .into(),
+                ),
             ));
         }
         Ok(())

@@ -60,8 +60,7 @@ impl CurvesCommand {
                 Some("`kinegon draw --format html` makes one of the figure".into()),
             ))
         };
-        self.figures
-            .write(&[("scene", scene)], vec![(name, drawing)], page)?;
+        self.figures.write(&[("scene", scene)], vec![(name, drawing)], page)?;
         self.range.tell(&branch, range, "figure")
     }
 }

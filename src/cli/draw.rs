@@ -60,10 +60,7 @@ impl Draw {
             Some(path) => vec![(stem(path), files::read(path)?)],
             None => PAPER
                 .map(|(name, text)| {
-                    let source = Source {
-                        name: format!("{name}.json"),
-                        text: text.to_owned(),
-                    };
+                    let source = Source { name: format!("{name}.json"), text: text.to_owned() };
                     (name.to_owned(), source)
                 })
                 .to_vec(),
@@ -86,10 +83,7 @@ impl Draw {
         let whole = drawings.len() == works.len();
         let page = |index: usize| match works.get(index) {
             Some((source, work)) if whole => self.page(source, work),
-            _ => Err(Failure::Misuse(
-                "a page has all steps".into(),
-                Some("leave out --steps".into()),
-            )),
+            _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
         self.figures.write(&inputs, drawings, page)
     }
@@ -100,10 +94,7 @@ impl Draw {
         self.paper.put_into(figure);
         self.scales.put_into(figure);
         figure.worksheet |= self.worksheet;
-        figure.step = self
-            .upto
-            .or(figure.step)
-            .filter(|_| !self.steps && !self.layered);
+        figure.step = self.upto.or(figure.step).filter(|_| !self.steps && !self.layered);
     }
 
     /// The page of a scene: its figure with all steps, in all positions of the drive.
@@ -132,20 +123,11 @@ impl Draw {
     }
 
     /// The figure, or those of its steps that were asked for, under names of their own.
-    fn sheets(
-        &self,
-        name: String,
-        work: &Work,
-        drawings: &mut Vec<(String, Drawing)>,
-    ) -> Result<(), Failure> {
+    fn sheets(&self, name: String, work: &Work, drawings: &mut Vec<(String, Drawing)>) -> Result<(), Failure> {
         let (scene, mechanism, pose) = (&work.scene, &work.mechanism, &work.pose);
         let wanted = match (self.steps, scene.figure.step) {
             (false, None) => {
-                let name = if self.layered {
-                    format!("{name}-layered")
-                } else {
-                    name
-                };
+                let name = if self.layered { format!("{name}-layered") } else { name };
                 let drawing = figure(scene, mechanism, pose, &work.construction);
                 drawings.push((name, drawing));
                 return Ok(());
@@ -160,15 +142,12 @@ impl Draw {
             Some(step) => {
                 return Err(Failure::Misuse(
                     format!("there is no step {step}"),
-                    Some(format!(
-                        "the construction has steps 1 to {count}; `kinegon steps` lists them"
-                    )),
+                    Some(format!("the construction has steps 1 to {count}; `kinegon steps` lists them")),
                 ));
             }
             None => (1, count),
         };
-        let sheets =
-            (first..=last).map(|step| (format!("{name}-{step:0digits$}"), all.after_step(step)));
+        let sheets = (first..=last).map(|step| (format!("{name}-{step:0digits$}"), all.after_step(step)));
         drawings.extend(sheets);
         Ok(())
     }
@@ -185,9 +164,5 @@ fn shown(drive: &Drive, value: f64) -> String {
 
 /// Accelerations only for a figure that shows them.
 fn needed(scene: &Scene) -> Order {
-    if scene.figure.panels.contains(&Panel::Acceleration) {
-        Order::Acceleration
-    } else {
-        Order::Velocity
-    }
+    if scene.figure.panels.contains(&Panel::Acceleration) { Order::Acceleration } else { Order::Velocity }
 }

@@ -78,10 +78,7 @@ impl ExerciseCommand {
         };
         for folder in (1..=self.count).map(folder) {
             if folder.exists() {
-                let message = format!(
-                    "{} is there already and is not overwritten",
-                    folder.display()
-                );
+                let message = format!("{} is there already and is not overwritten", folder.display());
                 let hint = "choose another folder or another seed, or remove it";
                 return Err(Failure::Misuse(message, Some(hint.into())));
             }
@@ -97,10 +94,7 @@ impl ExerciseCommand {
     /// The scene that is varied, and by which name its exercises go.
     fn source(&self) -> Result<(String, Source), Failure> {
         if let Some(text) = new::starting_scene(&self.kind) {
-            let source = Source {
-                name: self.kind.clone(),
-                text,
-            };
+            let source = Source { name: self.kind.clone(), text };
             return Ok((self.kind.clone(), source));
         }
         let path = Path::new(&self.kind);
@@ -118,16 +112,9 @@ impl ExerciseCommand {
 }
 
 /// The files of an exercise in its folder.
-fn files_of(
-    exercise: &Exercise,
-    style: Option<&Style>,
-    folder: &Path,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+fn files_of(exercise: &Exercise, style: Option<&Style>, folder: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut written = vec![("scene.json".to_owned(), exercise.text.clone().into_bytes())];
-    for (name, mut drawing) in [
-        ("sheet", exercise.sheet.clone()),
-        ("key", exercise.key_sheet()),
-    ] {
+    for (name, mut drawing) in [("sheet", exercise.sheet.clone()), ("key", exercise.key_sheet())] {
         if let Some(style) = style {
             drawing.style = style.clone();
         }
@@ -141,9 +128,7 @@ fn files_of(
         written.push((name.to_owned(), text.into_bytes()));
     }
     let written = written.into_iter();
-    Ok(written
-        .map(|(name, bytes)| (folder.join(name), bytes))
-        .collect())
+    Ok(written.map(|(name, bytes)| (folder.join(name), bytes)).collect())
 }
 
 /// A drawing in all forms that are written.

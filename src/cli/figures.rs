@@ -77,20 +77,13 @@ impl Form {
 
 fn dots_per_inch(text: &str) -> Result<f64, String> {
     let dpi: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
-    if (10.0..=2400.0).contains(&dpi) {
-        Ok(dpi)
-    } else {
-        Err("must be from 10 to 2400".to_owned())
-    }
+    if (10.0..=2400.0).contains(&dpi) { Ok(dpi) } else { Err("must be from 10 to 2400".to_owned()) }
 }
 
 impl Figures {
     /// Figures in a folder, or in a file.
     pub(super) fn at(output: &Path, forms: &Forms) -> Figures {
-        Figures {
-            output: output.to_owned(),
-            forms: forms.clone(),
-        }
+        Figures { output: output.to_owned(), forms: forms.clone() }
     }
 
     /// Writes drawings by their names, in all forms, but not over the files that they come from; `page` makes the page of a drawing.
@@ -108,8 +101,7 @@ impl Figures {
                 let bytes = match form {
                     Form::Svg => format::svg_with(drawing, text).into_bytes(),
                     #[cfg(feature = "pdf")]
-                    Form::Pdf => format::pdf(drawing)
-                        .map_err(|error| Failure::Misuse(error.to_string(), None))?,
+                    Form::Pdf => format::pdf(drawing).map_err(|error| Failure::Misuse(error.to_string(), None))?,
                     Form::Tikz => format::tikz(drawing).into_bytes(),
                     #[cfg(feature = "png")]
                     Form::Png => format::png(drawing, self.forms.dpi)
@@ -146,10 +138,7 @@ impl Figures {
     }
 
     /// Gives drawings the style that was asked for in place of the scene's.
-    pub(super) fn dress<'a>(
-        &self,
-        drawings: impl IntoIterator<Item = &'a mut Drawing>,
-    ) -> Result<(), Failure> {
+    pub(super) fn dress<'a>(&self, drawings: impl IntoIterator<Item = &'a mut Drawing>) -> Result<(), Failure> {
         if let Some(style) = self.forms.style.as_deref().map(style).transpose()? {
             for drawing in drawings {
                 drawing.style = style.clone();
@@ -159,19 +148,11 @@ impl Figures {
     }
 
     fn text(&self) -> Text {
-        if self.forms.outlines {
-            Text::Outlines
-        } else {
-            Text::Letters
-        }
+        if self.forms.outlines { Text::Outlines } else { Text::Letters }
     }
 
     /// Writes files, but not over those that were read.
-    fn finish(
-        &self,
-        inputs: &[(&str, &Path)],
-        written: &[(PathBuf, Vec<u8>)],
-    ) -> Result<(), Failure> {
+    fn finish(&self, inputs: &[(&str, &Path)], written: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
         if self.output == Path::new("-") {
             let [(_, bytes)] = written else {
                 return Err(Failure::Misuse(
@@ -181,11 +162,7 @@ impl Figures {
             };
             return files::print(bytes);
         }
-        let style = self
-            .forms
-            .style
-            .as_deref()
-            .map(|style| ("style", Path::new(style)));
+        let style = self.forms.style.as_deref().map(|style| ("style", Path::new(style)));
         for (path, _) in written {
             for (what, input) in inputs.iter().copied().chain(style) {
                 files::keep_input(what, input, path)?;
@@ -204,16 +181,13 @@ impl Figures {
             return Ok(vec![(self.output.clone(), form)]);
         }
         let ending = self.output.extension().and_then(|e| e.to_str());
-        let is_folder = self.output.is_dir()
-            || ending.is_none()
-            || self.output.as_os_str().to_string_lossy().ends_with('/');
+        let is_folder =
+            self.output.is_dir() || ending.is_none() || self.output.as_os_str().to_string_lossy().ends_with('/');
         if is_folder {
             let path = |form: &Form| self.output.join(format!("{name}.{}", form.ending()));
             return Ok(self.forms.format.iter().map(|f| (path(f), *f)).collect());
         }
-        let form = Form::value_variants()
-            .iter()
-            .find(|f| Some(f.ending()) == ending);
+        let form = Form::value_variants().iter().find(|f| Some(f.ending()) == ending);
         match form {
             Some(form) if drawings == 1 => Ok(vec![(self.output.clone(), *form)]),
             Some(_) => Err(Failure::Misuse(
@@ -223,14 +197,8 @@ impl Figures {
             None => {
                 let known: Vec<&str> = Form::value_variants().iter().map(|f| f.ending()).collect();
                 Err(Failure::Misuse(
-                    format!(
-                        "no format for files ending in `.{}`",
-                        ending.unwrap_or_default()
-                    ),
-                    Some(format!(
-                        "known endings: {}; a folder's name ends in `/`",
-                        known.join(", ")
-                    )),
+                    format!("no format for files ending in `.{}`", ending.unwrap_or_default()),
+                    Some(format!("known endings: {}; a folder's name ends in `/`", known.join(", "))),
                 ))
             }
         }
@@ -247,9 +215,7 @@ pub(super) fn style(asked: &str) -> Result<Style, Failure> {
         let known = StyleName::ALL.map(StyleName::as_str).join(", ");
         return Err(Failure::Misuse(
             format!("there is no style `{asked}`"),
-            Some(format!(
-                "known styles: {known}; or the path of a style file"
-            )),
+            Some(format!("known styles: {known}; or the path of a style file")),
         ));
     }
     let source = files::read_text("style", Path::new(asked))?;

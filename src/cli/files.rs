@@ -21,11 +21,7 @@ pub(super) fn read(path: &Path) -> Result<Source, Failure> {
 /// Reads the text of what is called `what` from a file, or from stdin for `-`.
 pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
     let from_stdin = path == Path::new("-");
-    let name = if from_stdin {
-        "stdin".to_owned()
-    } else {
-        path.display().to_string()
-    };
+    let name = if from_stdin { "stdin".to_owned() } else { path.display().to_string() };
     let refuse = |error: io::Error| {
         let hint = format!("give the path of a {what} file, or `-` to read one from stdin");
         Failure::Misuse(format!("{name} cannot be read: {error}"), Some(hint))
@@ -41,10 +37,7 @@ pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
     .map_err(refuse)?;
     if bytes.len() > MAX_BYTES {
         return Err(Failure::Misuse(
-            format!(
-                "{name} is larger than {} MB, which no {what} is",
-                MAX_BYTES >> 20
-            ),
+            format!("{name} is larger than {} MB, which no {what} is", MAX_BYTES >> 20),
             Some("is this the right file?".into()),
         ));
     }
@@ -69,9 +62,7 @@ pub(super) fn is_printed(bytes: &[u8]) -> Result<bool, Failure> {
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
-        Err(error) => Err(Failure::Outside(format!(
-            "stdout cannot be written: {error}"
-        ))),
+        Err(error) => Err(Failure::Outside(format!("stdout cannot be written: {error}"))),
     }
 }
 
@@ -79,10 +70,7 @@ pub(super) fn is_printed(bytes: &[u8]) -> Result<bool, Failure> {
 pub(super) fn keep_input(what: &str, input: &Path, output: &Path) -> Result<(), Failure> {
     let canonical = |path: &Path| path.canonicalize().ok();
     if canonical(input).is_some_and(|input| canonical(output) == Some(input)) {
-        let message = format!(
-            "{} is the {what} itself and is not overwritten",
-            output.display()
-        );
+        let message = format!("{} is the {what} itself and is not overwritten", output.display());
         let hint = "choose another output";
         return Err(Failure::Misuse(message, Some(hint.into())));
     }
@@ -107,17 +95,9 @@ impl Growing {
         }
         // A device or a pipe must not be replaced by a file.
         let special = fs::metadata(place).is_ok_and(|found| !found.is_file());
-        let beside = if special {
-            place.to_owned()
-        } else {
-            beside(place)
-        };
+        let beside = if special { place.to_owned() } else { beside(place) };
         let file = fs::File::create(&beside).map_err(failed)?;
-        Ok(Growing {
-            place: place.to_owned(),
-            beside,
-            file: Some(BufWriter::new(file)),
-        })
+        Ok(Growing { place: place.to_owned(), beside, file: Some(BufWriter::new(file)) })
     }
 
     /// Moves the whole file to its place.

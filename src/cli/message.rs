@@ -32,9 +32,7 @@ impl Failure {
                 | Error::Structure(StructureError::Scene(_))
                 | Error::Quantity(_)
                 | Error::Curves(_) => 2,
-                Error::Structure(StructureError::Singular { .. })
-                | Error::Assembly(_)
-                | Error::Motion(_) => 1,
+                Error::Structure(StructureError::Singular { .. }) | Error::Assembly(_) | Error::Motion(_) => 1,
                 Error::Cycle(error) => match error {
                     CycleError::Singular { .. } | CycleError::OutOfReach { .. } => 1,
                     _ => 2,
@@ -73,10 +71,7 @@ pub(super) fn show(failure: &Failure) {
         Failure::Scene(source, error) => shown(&source.name, &source.text, error),
         Failure::Misuse(message, hint) => plain(message, hint.as_deref()),
         Failure::Outside(message) | Failure::Partly(message) => plain(message, None),
-        Failure::Interrupted => plain(
-            "stopped before the table was complete; no file was written",
-            None,
-        ),
+        Failure::Interrupted => plain("stopped before the table was complete; no file was written", None),
     };
     anstream::eprintln!("{report}");
 }
@@ -86,9 +81,7 @@ pub(super) fn show(failure: &Failure) {
 #[must_use]
 pub fn shown(name: &str, text: &str, error: &Error) -> String {
     match error {
-        Error::Scene(finding) | Error::Structure(StructureError::Scene(finding)) => {
-            in_place(name, text, finding)
-        }
+        Error::Scene(finding) | Error::Structure(StructureError::Scene(finding)) => in_place(name, text, finding),
         other => plain(&format!("{name}: {other}"), None),
     }
 }
@@ -121,17 +114,11 @@ fn plain(message: &str, hint: Option<&str>) -> String {
 /// A finding with its place in the scene's text.
 fn in_place(name: &str, text: &str, finding: &SceneError) -> String {
     let Some(place) = &finding.place else {
-        return plain(
-            &format!("{name}: {}", finding.message),
-            finding.hint.as_deref(),
-        );
+        return plain(&format!("{name}: {}", finding.message), finding.hint.as_deref());
     };
-    let annotation = AnnotationKind::Primary
-        .span(place.span.clone())
-        .label(finding.path.as_str());
+    let annotation = AnnotationKind::Primary.span(place.span.clone()).label(finding.path.as_str());
     let snippet = Snippet::source(text).path(name).annotation(annotation);
-    let mut group =
-        Group::with_title(Level::ERROR.primary_title(finding.message.as_str())).element(snippet);
+    let mut group = Group::with_title(Level::ERROR.primary_title(finding.message.as_str())).element(snippet);
     if let Some(hint) = &finding.hint {
         group = group.element(Level::HELP.message(hint.as_str()));
     }

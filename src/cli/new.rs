@@ -60,21 +60,14 @@ impl New {
             }
             return files::print(list().as_bytes());
         };
-        let (name, text) = TEMPLATES
-            .into_iter()
-            .find(|(name, _)| name == kind)
-            .expect("the command line takes no other name");
+        let (name, text) =
+            TEMPLATES.into_iter().find(|(name, _)| name == kind).expect("the command line takes no other name");
         let text = without_schema(text);
         if self.output == Path::new("-") {
             return files::print(text.as_bytes());
         }
-        let is_folder =
-            self.output.is_dir() || self.output.as_os_str().to_string_lossy().ends_with('/');
-        let path = if is_folder {
-            self.output.join(format!("{name}.json"))
-        } else {
-            self.output.clone()
-        };
+        let is_folder = self.output.is_dir() || self.output.as_os_str().to_string_lossy().ends_with('/');
+        let path = if is_folder { self.output.join(format!("{name}.json")) } else { self.output.clone() };
         files::write_new(&path, text.as_bytes())
     }
 }
@@ -106,7 +99,5 @@ fn list() -> String {
 /// The scene without its line for the schema, whose place holds only beside the template.
 fn without_schema(text: &str) -> String {
     let is_schema = |line: &&str| line.trim_start().starts_with("\"$schema\"");
-    text.split_inclusive('\n')
-        .filter(|line| !is_schema(line))
-        .collect()
+    text.split_inclusive('\n').filter(|line| !is_schema(line)).collect()
 }

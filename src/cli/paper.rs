@@ -56,9 +56,7 @@ fn scale(text: &str) -> Result<f64, String> {
 impl GivenScales {
     /// Whether something is asked for.
     pub(super) fn is_given(&self) -> bool {
-        [self.mu_l, self.mu_v, self.mu_a]
-            .iter()
-            .any(Option::is_some)
+        [self.mu_l, self.mu_v, self.mu_a].iter().any(Option::is_some)
     }
 
     /// Writes what was asked for into a scene's figure.

@@ -34,30 +34,13 @@ impl Hand {
     /// How good it is, where nothing is said as a sharp pencil.
     pub(super) fn tolerance(&self) -> Tolerance {
         let usual = Tolerance::default();
-        Tolerance {
-            mm: self.mm.unwrap_or(usual.mm),
-            degrees: self.degrees.unwrap_or(usual.degrees),
-        }
+        Tolerance { mm: self.mm.unwrap_or(usual.mm), degrees: self.degrees.unwrap_or(usual.degrees) }
     }
 
     /// The bands of what is asked for, drawn at the scales of the scene's figure.
     pub(super) fn pencil(&self, work: &Work, asked: Vec<Asked>) -> Pencil {
-        let Work {
-            scene,
-            mechanism,
-            pose,
-            motion,
-            construction,
-        } = work;
+        let Work { scene, mechanism, pose, motion, construction } = work;
         let scales = scales(scene, mechanism, pose, construction);
-        drafting::pencil(
-            mechanism,
-            pose,
-            motion,
-            construction,
-            &scales,
-            self.tolerance(),
-            asked,
-        )
+        drafting::pencil(mechanism, pose, motion, construction, &scales, self.tolerance(), asked)
     }
 }

@@ -87,9 +87,7 @@ impl Pieces {
         for start in (0..self.count).step_by(self.size * self.window()) {
             let firsts = (start..self.count).step_by(self.size).take(self.window());
             let firsts: Vec<usize> = firsts.collect();
-            for done in on_all_cores(&firsts, |first| {
-                (!is_stopped()).then(|| piece(things(first)))
-            }) {
+            for done in on_all_cores(&firsts, |first| (!is_stopped()).then(|| piece(things(first)))) {
                 let Some(done) = done.filter(|_| !is_stopped()) else {
                     return Err(Failure::Interrupted);
                 };
@@ -120,7 +118,6 @@ impl Pieces {
         };
         let template = format!("{{wide_bar}} {{percent}}% of {{len}} {unit}, {{eta}} left");
         let style = ProgressStyle::with_template(&template);
-        ProgressBar::new(self.count as u64)
-            .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        ProgressBar::new(self.count as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
     }
 }

@@ -65,9 +65,7 @@ fn print_digits(work: &Work) -> Result<(), Failure> {
     work.warn();
     for name in work.scene.want.iter().flatten() {
         // A vector stands there by its components.
-        let begins = |line: &str| {
-            line.starts_with(&format!("{name} ")) || line.starts_with(&format!("{name}."))
-        };
+        let begins = |line: &str| line.starts_with(&format!("{name} ")) || line.starts_with(&format!("{name}."));
         if !text.lines().any(begins) {
             warn(&format!(
                 "`{name}` has no stated bound of its error and is left out of the table; without --digits its value is printed"
@@ -92,17 +90,9 @@ fn add_quantities(work: &Work, result: &mut ResultFile) -> Result<(), crate::Err
         None => measured_names(&work.construction),
     };
     let on_paper = names.iter().any(|n| n.ends_with("/mu"));
-    let scales =
-        on_paper.then(|| scales(&work.scene, &work.mechanism, &work.pose, &work.construction));
+    let scales = on_paper.then(|| scales(&work.scene, &work.mechanism, &work.pose, &work.construction));
     for (index, name) in names.iter().enumerate() {
-        let value = quantity(
-            name,
-            &work.mechanism,
-            &work.pose,
-            &work.motion,
-            &work.construction,
-            scales.as_ref(),
-        );
+        let value = quantity(name, &work.mechanism, &work.pose, &work.motion, &work.construction, scales.as_ref());
         let value = value.map_err(|error| {
             let path = ["want", &index.to_string()];
             work.scene.error_at(&path, error.to_string(), None)

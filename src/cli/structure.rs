@@ -40,13 +40,9 @@ impl Modes {
             let scene = Scene::read(&source.text)?;
             let mechanism = mechanism(&scene)?;
             let poses = poses(&mechanism, &scene.near)?;
-            Ok((
-                format::modes(&scene, &mechanism, &poses),
-                mechanism.warnings,
-            ))
+            Ok((format::modes(&scene, &mechanism, &poses), mechanism.warnings))
         };
-        let (text, warnings) =
-            stages().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))?;
+        let (text, warnings) = stages().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))?;
         warnings.iter().for_each(|w| warn(w));
         files::print(text.as_bytes())
     }

@@ -84,29 +84,10 @@ impl Range {
         let (source, (scene, mechanism, pose)) = start(&self.scene, self.mode.number)?;
         let fail = |error: crate::Error| Failure::Scene(source.clone(), Box::new(error));
         let drive = Drive::new(&mechanism, self.drive.as_deref()).map_err(|e| fail(e.into()))?;
-        let mechanism = if self.alone {
-            alone(&mechanism, &drive.name)
-        } else {
-            mechanism
-        };
-        let names: Vec<String> = self
-            .want
-            .iter()
-            .flat_map(|text| split_names(text))
-            .collect();
-        let names = if names.is_empty() {
-            scene.want.clone()
-        } else {
-            Some(names)
-        };
-        Ok(Moved {
-            source,
-            scene,
-            mechanism,
-            pose,
-            drive,
-            names,
-        })
+        let mechanism = if self.alone { alone(&mechanism, &drive.name) } else { mechanism };
+        let names: Vec<String> = self.want.iter().flat_map(|text| split_names(text)).collect();
+        let names = if names.is_empty() { scene.want.clone() } else { Some(names) };
+        Ok(Moved { source, scene, mechanism, pose, drive, names })
     }
 
     /// Whether the range is given, at least one end of it.
@@ -115,12 +96,7 @@ impl Range {
     }
 
     /// Says what happens on the branch within `range`, and what ends it before the range does; then `product` is only a part.
-    pub(super) fn tell(
-        &self,
-        branch: &Branch,
-        range: [f64; 2],
-        product: &str,
-    ) -> Result<(), Failure> {
+    pub(super) fn tell(&self, branch: &Branch, range: [f64; 2], product: &str) -> Result<(), Failure> {
         let inside = range[0].min(range[1])..=range[0].max(range[1]);
         let mut events = branch.events();
         events.retain(|event| !event.is_end() && inside.contains(&event.at));
@@ -173,10 +149,7 @@ pub(super) fn split_names(text: &str) -> Vec<String> {
         depth += i32::from(c == '(') - i32::from(c == ')');
         c == ',' && depth == 0
     });
-    names
-        .map(|n| n.trim().to_owned())
-        .filter(|n| !n.is_empty())
-        .collect()
+    names.map(|n| n.trim().to_owned()).filter(|n| !n.is_empty()).collect()
 }
 
 impl SweepCommand {
@@ -187,11 +160,7 @@ impl SweepCommand {
         let step = self.step.unwrap_or_else(|| default_step(&branch, from, to));
         // From end to end, rows stand at whole steps.
         let ends = branch.end(false).is_some() && !self.range.is_given();
-        let steps = if ends {
-            Steps::multiples(from, to, step)
-        } else {
-            Steps::new(from, to, step)
-        };
+        let steps = if ends { Steps::multiples(from, to, step) } else { Steps::new(from, to, step) };
         let steps = steps.map_err(|error| moved.fail(error))?;
         let sweep = Sweep::new(&branch, steps, moved.names.as_deref());
         let sweep = sweep.map_err(|error| moved.fail(error))?;
@@ -208,14 +177,8 @@ impl SweepCommand {
         Form::of_ending(ending.unwrap_or("csv")).ok_or_else(|| {
             let known: Vec<&str> = Form::ENDINGS.iter().map(|(ending, _)| *ending).collect();
             Failure::Misuse(
-                format!(
-                    "no form of table for files ending in `.{}`",
-                    ending.unwrap_or_default()
-                ),
-                Some(format!(
-                    "known endings: {}; or give --format",
-                    known.join(", ")
-                )),
+                format!("no form of table for files ending in `.{}`", ending.unwrap_or_default()),
+                Some(format!("known endings: {}; or give --format", known.join(", "))),
             )
         })
     }

@@ -87,10 +87,5 @@ pub(super) fn write(sweep: &Sweep, form: Form, place: &Path) -> Result<(), Failu
 /// The rows of a table in pieces, with a bar where there are many.
 fn pieces(sweep: &Sweep) -> Pieces {
     let count = sweep.steps().count();
-    Pieces {
-        count,
-        size: ROWS,
-        ahead: 4,
-        unit: (count * sweep.header().len() >= LONG).then_some("rows"),
-    }
+    Pieces { count, size: ROWS, ahead: 4, unit: (count * sweep.header().len() >= LONG).then_some("rows") }
 }

@@ -47,22 +47,13 @@ pub(super) fn work(
         let motion = motion(&mechanism, &pose, order(&scene))?;
         let wording = Wording::of(&scene.figure);
         let construction = construction_in(&mechanism, &pose, &motion, &wording);
-        Ok(Work {
-            scene,
-            mechanism,
-            pose,
-            motion,
-            construction,
-        })
+        Ok(Work { scene, mechanism, pose, motion, construction })
     };
     stages().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))
 }
 
 /// Reads a scene and finds its position; says what the reader should know of them.
-pub(super) fn start(
-    path: &Path,
-    mode: Option<usize>,
-) -> Result<(Source, (Scene, Mechanism, Pose)), Failure> {
+pub(super) fn start(path: &Path, mode: Option<usize>) -> Result<(Source, (Scene, Mechanism, Pose)), Failure> {
     let source = files::read(path)?;
     let posed = posed(&source, mode);
     let posed = posed.map_err(|error| Failure::Scene(source.clone(), Box::new(error)))?;
@@ -95,12 +86,7 @@ fn numbered(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<Pose, cra
 impl Work {
     /// Says on stderr what the reader should know of the result.
     pub(super) fn warn(&self) {
-        let found = [
-            &self.mechanism.warnings,
-            &self.pose.warnings,
-            &self.motion.warnings,
-            &self.construction.warnings,
-        ];
+        let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings, &self.construction.warnings];
         for warning in found.into_iter().flatten() {
             warn(warning);
         }

@@ -13,14 +13,8 @@ pub struct Column {
 impl Column {
     /// Names of its numbers: that of the quantity, of a vector with `.x` and `.y`.
     pub fn names(&self) -> impl Iterator<Item = String> + '_ {
-        let parts: &[&str] = if self.asked.is_vector() {
-            &[".x", ".y"]
-        } else {
-            &[""]
-        };
-        parts
-            .iter()
-            .map(|part| format!("{}{part}", self.asked.name()))
+        let parts: &[&str] = if self.asked.is_vector() { &[".x", ".y"] } else { &[""] };
+        parts.iter().map(|part| format!("{}{part}", self.asked.name()))
     }
 }
 
@@ -46,11 +40,7 @@ impl<'a> Columns<'a> {
     /// These quantities.
     pub fn of(path: &'a Path<'a>, list: Vec<Column>) -> Self {
         let constructs = list.iter().any(|c| c.asked.needs_construction());
-        Columns {
-            path,
-            list,
-            constructs,
-        }
+        Columns { path, list, constructs }
     }
 
     /// Their values at a position, in order; none where it is singular or a quantity has no value.
@@ -58,9 +48,7 @@ impl<'a> Columns<'a> {
         &'p self,
         position: Option<Position<'p, R>>,
     ) -> impl Iterator<Item = (&'p Column, Option<Quantity>)> + 'p {
-        let built = position
-            .filter(|_| self.constructs)
-            .and_then(|p| self.construct(&p));
+        let built = position.filter(|_| self.constructs).and_then(|p| self.construct(&p));
         self.list.iter().map(move |column| {
             let asked = &column.asked;
             let found = position.and_then(|position| {

@@ -65,20 +65,14 @@ impl<'a> Curves<'a> {
     ///
     /// # Errors
     /// A name is no quantity of this mechanism, or one without a value in the range; or nothing of the range has been reached.
-    pub fn new(
-        path: &'a Path<'a>,
-        range: [f64; 2],
-        names: Option<&[String]>,
-    ) -> Result<Self, CycleError> {
+    pub fn new(path: &'a Path<'a>, range: [f64; 2], names: Option<&[String]>) -> Result<Self, CycleError> {
         let mut low = range[0].min(range[1]).max(path.low());
         let mut high = range[0].max(range[1]).min(path.high());
         // A range without width shows nothing; one of a few roundings has no curve in it.
         if high.is_nan() || low.is_nan() || high - low <= SAME * path.unit() {
             let [from, to] = [low, high].map(|v| path.drive.amount(v));
             let hint = "a range with more room between --from and --to";
-            return Err(CycleError::Range(format!(
-                "from {from} to {to} there is no room for a curve\n  try: {hint}"
-            )));
+            return Err(CycleError::Range(format!("from {from} to {to} there is no room for a curve\n  try: {hint}")));
         }
         // The path stops just before its limits.
         for (side, above) in [(&mut low, false), (&mut high, true)] {
@@ -86,12 +80,7 @@ impl<'a> Curves<'a> {
             let limit = path.limit(above).filter(|_| *side == end);
             *side = limit.unwrap_or(*side);
         }
-        let mut curves = Curves {
-            path,
-            range: [low, high],
-            curves: Vec::new(),
-            events: Vec::new(),
-        };
+        let mut curves = Curves { path, range: [low, high], curves: Vec::new(), events: Vec::new() };
         let inside = |e: &Event| (low..=high).contains(&e.at);
         curves.events = path.events().into_iter().filter(inside).collect();
         let wanted = names.filter(|names| !names.is_empty());
@@ -145,9 +134,7 @@ impl<'a> Curves<'a> {
             let why = "a length on paper belongs to the figure of one position\n  try: the name without `/mu`";
             return Err(QuantityError::NoValue(name.to_owned(), why).into());
         }
-        let column = Column {
-            asked: asked.clone(),
-        };
+        let column = Column { asked: asked.clone() };
         // The scene's own position is surely not singular.
         Columns::of(path, vec![column]).check([path.start()].into_iter())?;
         Ok(asked)
@@ -159,9 +146,8 @@ impl<'a> Curves<'a> {
         let part = |k: usize, parts: usize, [a, b]: [f64; 2]| a + (b - a) * k as f64 / parts as f64;
         let mut grid: Vec<f64> = (0..=PARTS).map(|k| part(k, PARTS, [low, high])).collect();
         let segments = self.path.segments.iter();
-        let inner = segments.flat_map(|s| {
-            (0..PARTS_OF_SEGMENT).map(move |k| part(k, PARTS_OF_SEGMENT, [s.from, s.to]))
-        });
+        let inner =
+            segments.flat_map(|s| (0..PARTS_OF_SEGMENT).map(move |k| part(k, PARTS_OF_SEGMENT, [s.from, s.to])));
         grid.extend(inner.filter(|x| (low..high).contains(x)));
         grid.sort_by(f64::total_cmp);
         grid.dedup_by(|b, a| *b - *a <= SAME * (high - low));
@@ -203,10 +189,7 @@ impl<'a> Curves<'a> {
             let height = curve.window[1] - curve.window[0];
             let turns = |e: &&Event| {
                 let what = &e.what;
-                matches!(
-                    what,
-                    Happening::TurnsBack { .. } | Happening::SlidesBack { .. }
-                )
+                matches!(what, Happening::TurnsBack { .. } | Happening::SlidesBack { .. })
             };
             let dead = self.events.iter().filter(turns).map(|e| e.at);
             // Nothing can be seen to turn back at an end of the range.
@@ -227,18 +210,9 @@ impl<'a> Curves<'a> {
 fn every_omega(path: &Path) -> Vec<String> {
     let driven = |id: BodyId| path.kernel.inputs.iter().any(|input| input.body == id);
     let links = |drives: bool| {
-        let links = path
-            .mechanism
-            .links()
-            .filter(|(id, _)| driven(*id) == drives);
-        links
-            .map(|(_, body)| format!("omega({})", body.name))
-            .collect::<Vec<_>>()
+        let links = path.mechanism.links().filter(|(id, _)| driven(*id) == drives);
+        links.map(|(_, body)| format!("omega({})", body.name)).collect::<Vec<_>>()
     };
     let following = links(false);
-    if following.is_empty() {
-        links(true)
-    } else {
-        following
-    }
+    if following.is_empty() { links(true) } else { following }
 }

@@ -25,10 +25,7 @@ impl Drive {
             None => 0,
             Some(name) => names.iter().position(|n| n == name).ok_or_else(|| {
                 let known = names.join(", ");
-                CycleError::NoSuchDrive {
-                    name: name.to_owned(),
-                    known,
-                }
+                CycleError::NoSuchDrive { name: name.to_owned(), known }
             })?,
         };
         let name = names[input].clone();
@@ -38,12 +35,7 @@ impl Drive {
                 format!("position({})", mechanism.slider_name(SliderId(slider)))
             }
         };
-        Ok(Drive {
-            name,
-            input,
-            turns: matches!(kernel.inputs[input].kind, InputKind::Turning { .. }),
-            quantity,
-        })
+        Ok(Drive { name, input, turns: matches!(kernel.inputs[input].kind, InputKind::Turning { .. }), quantity })
     }
 
     /// Its value in words, as in `angle(1) = 30°`.

@@ -61,9 +61,7 @@ pub enum CycleError {
     #[error("{0}")]
     Range(String),
     /// A hodograph of what has no direction.
-    #[error(
-        "`{0}` is no vector\n  try: v(D), v(D/G), a(D), a_n(D/G), a_t(D/G), a_c(3/2) with names of this scene"
-    )]
+    #[error("`{0}` is no vector\n  try: v(D), v(D/G), a(D), a_n(D/G), a_t(D/G), a_c(3/2) with names of this scene")]
     NoVector(String),
     /// A quantity that was asked for has no curve.
     #[error(transparent)]

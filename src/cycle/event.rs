@@ -57,19 +57,16 @@ impl Event {
     /// Whether the path ends here.
     #[must_use]
     pub fn is_end(&self) -> bool {
-        matches!(
-            self.what,
-            Happening::Limit { .. } | Happening::RunsOff { .. } | Happening::Singular { .. }
-        )
+        matches!(self.what, Happening::Limit { .. } | Happening::RunsOff { .. } | Happening::Singular { .. })
     }
 
     /// The event in words, with its place given as in `angle(1) = 30°`.
     #[must_use]
     pub fn text(&self, place: &str) -> String {
         match &self.what {
-            Happening::Limit { links } => format!(
-                "limit position at {place}: links {links} can go no further, their rates grow without bound"
-            ),
+            Happening::Limit { links } => {
+                format!("limit position at {place}: links {links} can go no further, their rates grow without bound")
+            }
             Happening::RunsOff { links } => {
                 format!("limit position at {place}: links {links} run off to infinity")
             }
@@ -78,9 +75,7 @@ impl Event {
                  and rates are left out there"
             ),
             Happening::Singular { links } => {
-                format!(
-                    "singular position near {place}: links {links} cannot be followed through it"
-                )
+                format!("singular position near {place}: links {links} cannot be followed through it")
             }
             Happening::TurnsBack { link, angle } => {
                 let angle = shortened(*angle, 9);
@@ -88,9 +83,7 @@ impl Event {
             }
             Happening::SlidesBack { slider, position } => {
                 let position = shortened(*position, 9);
-                format!(
-                    "extreme position at {place}: slider {slider} stops at {position} and slides back"
-                )
+                format!("extreme position at {place}: slider {slider} stops at {position} and slides back")
             }
         }
     }
@@ -114,11 +107,7 @@ pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
         let rates = path.nodes.iter().map(|n| rate(&n.block, unknown)[0].abs());
         rates.fold(0.0, f64::max)
     };
-    let fastest_turn = kernel
-        .unknowns
-        .iter()
-        .flatten()
-        .filter(|u| matches!(u, Unknown::Spin(_)));
+    let fastest_turn = kernel.unknowns.iter().flatten().filter(|u| matches!(u, Unknown::Spin(_)));
     let fastest_turn = fastest_turn.map(|u| fastest(*u)).fold(0.0, f64::max);
     for unknown in kernel.unknowns.iter().flatten().copied() {
         let scale = match unknown {
@@ -156,10 +145,7 @@ pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
                             .min_by_key(|(_, body)| Reverse(body.points.len()));
                         let Some((id, body)) = own else { continue };
                         let axis = block.turn(class, 0) * kernel.seat(id).turn * Vector::x();
-                        Happening::TurnsBack {
-                            link: body.name.clone(),
-                            angle: degrees_of(axis),
-                        }
+                        Happening::TurnsBack { link: body.name.clone(), angle: degrees_of(axis) }
                     }
                 };
                 events.push(Event { at, what });
@@ -178,13 +164,7 @@ fn rate(block: &Single, unknown: Unknown) -> [f64; 2] {
 }
 
 /// Where between two values of the drive an unknown's rate is zero: Newton's method, kept in its bracket by bisection.
-fn standstill(
-    walker: &mut Walker,
-    unknown: Unknown,
-    low: f64,
-    high: f64,
-    unit: f64,
-) -> Option<f64> {
+fn standstill(walker: &mut Walker, unknown: Unknown, low: f64, high: f64, unit: f64) -> Option<f64> {
     let mut bracket = [low, high];
     let rising = rate(walker.unit_motion(high)?, unknown)[0] > 0.0;
     let mut at = 0.5 * (low + high);
@@ -192,11 +172,7 @@ fn standstill(
         let [first, second] = rate(walker.unit_motion(at)?, unknown);
         bracket[usize::from((first > 0.0) == rising)] = at;
         let newton = at - first / second;
-        let next = if newton > bracket[0] && newton < bracket[1] {
-            newton
-        } else {
-            0.5 * (bracket[0] + bracket[1])
-        };
+        let next = if newton > bracket[0] && newton < bracket[1] { newton } else { 0.5 * (bracket[0] + bracket[1]) };
         if (next - at).abs() <= 1e-15 * unit {
             return Some(next);
         }

@@ -23,12 +23,7 @@ pub struct Extreme {
 }
 
 /// The places where a curve of that height is greatest, or least, each by itself in its surroundings and equal to the others.
-pub(super) fn extremes(
-    reading: &mut Reading,
-    pieces: &[Vec<[f64; 2]>],
-    height: f64,
-    greatest: bool,
-) -> Vec<Extreme> {
+pub(super) fn extremes(reading: &mut Reading, pieces: &[Vec<[f64; 2]>], height: f64, greatest: bool) -> Vec<Extreme> {
     let sign = if greatest { 1.0 } else { -1.0 };
     let all = || pieces.iter().flatten();
     let best = hull(all().map(|p| p[1]))[usize::from(greatest)];
@@ -49,23 +44,14 @@ pub(super) fn extremes(
     let extreme = |p: &[f64; 2]| Extreme {
         at: p[0],
         // What rounding leaves of a zero is none.
-        value: if p[1].abs() <= EQUAL * height {
-            0.0
-        } else {
-            p[1]
-        },
+        value: if p[1].abs() <= EQUAL * height { 0.0 } else { p[1] },
         greatest,
     };
     found.iter().map(extreme).collect()
 }
 
 /// The local extreme that the sample of that index is nearest to; none if a neighbour is further out.
-pub(super) fn peak(
-    reading: &mut Reading,
-    samples: &[Sample],
-    index: usize,
-    sign: f64,
-) -> Option<[f64; 2]> {
+pub(super) fn peak(reading: &mut Reading, samples: &[Sample], index: usize, sign: f64) -> Option<[f64; 2]> {
     let (x, y) = samples[index];
     let y = y?;
     let last = samples.len() - 1;

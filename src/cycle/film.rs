@@ -73,10 +73,7 @@ impl Film {
         // The scene's own position takes the place of a neighbour, so that steps stay nearly equal.
         let next = values.iter().position(|v| *v >= start);
         let next = next.unwrap_or(values.len());
-        if values
-            .get(next)
-            .is_some_and(|v| (v - start).abs() < 1e-9 * path.unit())
-        {
+        if values.get(next).is_some_and(|v| (v - start).abs() < 1e-9 * path.unit()) {
             values.remove(next);
         }
         values.insert(next, start);
@@ -84,13 +81,7 @@ impl Film {
             Some(_) => Order::Acceleration,
             None => Order::Velocity,
         };
-        let mut film = Self {
-            drive: Some(drive),
-            values: Vec::new(),
-            positions: Vec::new(),
-            is_round,
-            ..still
-        };
+        let mut film = Self { drive: Some(drive), values: Vec::new(), positions: Vec::new(), is_round, ..still };
         let mut walker = path.walker();
         for value in values {
             if value == start {

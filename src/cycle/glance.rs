@@ -37,13 +37,7 @@ pub(super) struct Glance<'a> {
 
 impl<'a> Glance<'a> {
     /// A glance at a quantity by its samples over a range of the drive's value.
-    pub fn new(
-        path: &Path,
-        range: [f64; 2],
-        asked: Asked,
-        reading: Reading<'a>,
-        samples: Vec<Sample>,
-    ) -> Self {
+    pub fn new(path: &Path, range: [f64; 2], asked: Asked, reading: Reading<'a>, samples: Vec<Sample>) -> Self {
         let nothing = FLAT * natural(path, asked.kind());
         let mut glance = Glance {
             asked: vec![asked],
@@ -91,18 +85,13 @@ impl<'a> Glance<'a> {
         let (kind, samples, reading) = (self.kind(), &self.samples, &mut self.reading);
         let even = even(samples);
         // Rates are shown with their zero, angles and places without.
-        let centre = if kind.is_rate() {
-            0.0
-        } else {
-            median(even.iter().copied())
-        };
+        let centre = if kind.is_rate() { 0.0 } else { median(even.iter().copied()) };
         let typical = median(even.iter().map(|y| (y - centre).abs())).max(self.nothing);
         for (side, sign) in [(0, -1.0), (1, 1.0)] {
             let peaks = (0..samples.len()).filter_map(|i| peak(reading, samples, i, sign));
             let peaks: Vec<[f64; 2]> = peaks.collect();
             // An angle is bounded whatever happens.
-            let wild =
-                |p: &[f64; 2]| kind != Kind::Angle && (p[1] - centre) * sign > WILD * typical;
+            let wild = |p: &[f64; 2]| kind != Kind::Angle && (p[1] - centre) * sign > WILD * typical;
             self.grows[side] |= peaks.iter().any(wild);
             let grows = self.grows[side];
             let inner = |p: &&[f64; 2]| !grows || !wild(p) && p[0] > low && p[0] < high;
@@ -110,11 +99,7 @@ impl<'a> Glance<'a> {
             let bound = hull(samples.iter().filter_map(|s| s.1))[side];
             // Where it grows without bound, as far as is typical or to its own end, whichever comes first.
             let shown = centre + sign * SHOWN * typical;
-            let least = if grows && sign * shown < sign * bound {
-                shown
-            } else {
-                bound
-            };
+            let least = if grows && sign * shown < sign * bound { shown } else { bound };
             self.window[side] = found.fold(least, |a, b| if sign * b > sign * a { b } else { a });
         }
     }

@@ -46,12 +46,7 @@ impl<'a> Hodographs<'a> {
     /// # Errors
     /// A name is no vector of this mechanism, or one without a value in the range; or nothing of the range has been reached.
     pub fn new(path: &'a Path<'a>, range: [f64; 2], names: &[String]) -> Result<Self, CycleError> {
-        let mut all = Hodographs {
-            path,
-            range,
-            hodographs: Vec::new(),
-            events: Vec::new(),
-        };
+        let mut all = Hodographs { path, range, hodographs: Vec::new(), events: Vec::new() };
         for (index, name) in names.iter().enumerate() {
             if names[..index].contains(name) {
                 continue;
@@ -79,12 +74,7 @@ impl<'a> Hodographs<'a> {
         Ok(all)
     }
 
-    fn hodograph(
-        &self,
-        asked: Asked,
-        [x, y]: [&Curve; 2],
-        mut readings: Vec<Reading>,
-    ) -> Hodograph {
+    fn hodograph(&self, asked: Asked, [x, y]: [&Curve; 2], mut readings: Vec<Reading>) -> Hodograph {
         let mut tip = |at: f64| {
             let mut parts = readings.iter_mut().map(|reading| reading.at(at, None));
             Some(Vector::new(parts.next()??, parts.next()??))
@@ -115,11 +105,7 @@ impl<'a> Hodographs<'a> {
         let marks = marks.collect();
         let start = self.path.start();
         // A whole turn holds the scene's position, perhaps turns away.
-        let turns = if self.path.drive.is_angle() {
-            360.0 * ((low - start) / 360.0 - SAME).ceil()
-        } else {
-            0.0
-        };
+        let turns = if self.path.drive.is_angle() { 360.0 * ((low - start) / 360.0 - SAME).ceil() } else { 0.0 };
         let own = Some(start + turns).filter(|at| (low..=high).contains(at));
         Hodograph {
             asked,
@@ -144,11 +130,7 @@ impl<'a> Hodographs<'a> {
             let steps = [1.0, 2.0, 5.0, 10.0].map(|k| k * decade);
             steps.into_iter().find(|s| *s >= rough).unwrap_or(rough)
         };
-        let turn = if self.path.drive.is_angle() {
-            low + 360.0 - SAME * 360.0
-        } else {
-            f64::INFINITY
-        };
+        let turn = if self.path.drive.is_angle() { low + 360.0 - SAME * 360.0 } else { f64::INFINITY };
         let first = (low / step - SAME).ceil();
         let count = ((high - low) / step) as usize + 1;
         let values = (0..count).map(|k| (first + k as f64) * step);

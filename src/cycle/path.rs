@@ -67,9 +67,8 @@ impl<'a> Path<'a> {
                 own(input) / moved
             }
         };
-        let inputs: Vec<[f64; 2]> = (0..kernel.inputs.len())
-            .map(|i| [stands(&kernel.inputs[i], pose), ratio(i)])
-            .collect();
+        let inputs: Vec<[f64; 2]> =
+            (0..kernel.inputs.len()).map(|i| [stands(&kernel.inputs[i], pose), ratio(i)]).collect();
         let origin = inputs[drive.input][0];
         let mut block = start(&kernel, mechanism, pose);
         let closed = kernel.assemble(OneByOne, &mut block, 0.0).closed;
@@ -183,15 +182,8 @@ impl<'a> Path<'a> {
             let stop = end.map(|end| end.text(&self.drive.at(end.at)));
             let [from, to] = range.map(|v| self.drive.amount(v));
             let reached = [(false, self.low()), (true, self.high())];
-            let [low, high] = reached
-                .map(|(above, v)| self.drive.amount(self.end(above).map_or(v, |end| end.at)));
-            return Err(CycleError::OutOfReach {
-                from,
-                to,
-                stop: stop.unwrap_or_default(),
-                low,
-                high,
-            });
+            let [low, high] = reached.map(|(above, v)| self.drive.amount(self.end(above).map_or(v, |end| end.at)));
+            return Err(CycleError::OutOfReach { from, to, stop: stop.unwrap_or_default(), low, high });
         }
         Ok(range)
     }
@@ -214,9 +206,7 @@ impl<'a> Path<'a> {
     fn no_range(&self) -> CycleError {
         let quantity = self.drive.quantity();
         let hint = "both --from and --to: this slider has no full turn and no two ends";
-        CycleError::Range(format!(
-            "the range of {quantity} is not given\n  try: {hint}"
-        ))
+        CycleError::Range(format!("the range of {quantity} is not given\n  try: {hint}"))
     }
 
     /// Begins anew at the same position, with another value of the drive for it.
@@ -254,11 +244,7 @@ impl<'a> Path<'a> {
         if !up {
             nodes.reverse();
         }
-        let Traced {
-            nodes,
-            changes,
-            end,
-        } = trace(self, nodes, value);
+        let Traced { nodes, changes, end } = trace(self, nodes, value);
         self.nodes = nodes;
         if !up {
             self.nodes.reverse();
@@ -304,12 +290,7 @@ impl<'a> Path<'a> {
     #[must_use]
     pub fn events(&self) -> Vec<Event> {
         let mut events = extreme_positions(self);
-        events.extend(
-            self.changes
-                .iter()
-                .chain(self.ends.iter().flatten())
-                .cloned(),
-        );
+        events.extend(self.changes.iter().chain(self.ends.iter().flatten()).cloned());
         events.sort_by(|a, b| a.at.total_cmp(&b.at));
         events
     }
@@ -345,17 +326,8 @@ impl<'a> Path<'a> {
     }
 
     /// One position of a block.
-    pub(super) fn position<'b, R: Row>(
-        &'b self,
-        block: &'b Block<R>,
-        lane: usize,
-    ) -> Position<'b, R> {
-        Position {
-            mechanism: self.mechanism,
-            kernel: &self.kernel,
-            block,
-            lane,
-        }
+    pub(super) fn position<'b, R: Row>(&'b self, block: &'b Block<R>, lane: usize) -> Position<'b, R> {
+        Position { mechanism: self.mechanism, kernel: &self.kernel, block, lane }
     }
 
     /// The segment that holds a value of the drive, if it has been reached.

@@ -83,9 +83,6 @@ impl<R: Row> State for Position<'_, R> {
         let arm = place - (self.block.place(slot, self.lane) + self.kernel.origin);
         let velocity = vector(&self.block.point_velocities[slot], self.lane);
         let acceleration = vector(&self.block.point_accelerations[slot], self.lane);
-        [
-            velocity + quarter_turn(arm) * omega,
-            acceleration + quarter_turn(arm) * alpha - arm * (omega * omega),
-        ]
+        [velocity + quarter_turn(arm) * omega, acceleration + quarter_turn(arm) * alpha - arm * (omega * omega)]
     }
 }

@@ -116,11 +116,7 @@ impl<'a> Reading<'a> {
     /// The value near a limit: of the polynomial through four values further back, in the square root of the distance.
     fn before_limit(&mut self, drive: f64, limit: f64) -> Option<f64> {
         let unit = NEAR_LIMIT * self.path.unit();
-        let back = if limit > self.path.start() {
-            -unit
-        } else {
-            unit
-        };
+        let back = if limit > self.path.start() { -unit } else { unit };
         let root = ((limit - drive).abs() / unit).sqrt();
         let first = self.read(limit + back)?;
         let nodes = [1.0, 2.0, 3.0, 4.0];
@@ -173,8 +169,6 @@ impl<'a> Reading<'a> {
             }
         }
         let best = if values[0] >= values[1] { 0 } else { 1 };
-        values[best]
-            .is_finite()
-            .then_some([inner[best], sign * values[best]])
+        values[best].is_finite().then_some([inner[best], sign * values[best]])
     }
 }

@@ -29,11 +29,7 @@ pub(super) fn samples(reading: &mut Reading, grid: &[f64]) -> Vec<Sample> {
 /// The curve in pieces without a gap or jump, sampled between `grid` so densely that straight lines between the samples look like it.
 ///
 /// What lies outside `window` is sampled only as far as to show where the curve leaves it.
-pub(super) fn pieces(
-    reading: &mut Reading,
-    grid: &[Sample],
-    window: [f64; 2],
-) -> Vec<Vec<[f64; 2]>> {
+pub(super) fn pieces(reading: &mut Reading, grid: &[Sample], window: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     let (Some(first), Some(last)) = (grid.first(), grid.last()) else {
         return Vec::new();
     };

@@ -14,11 +14,7 @@ pub(super) struct Node {
 
 impl Node {
     pub fn new(path: &Path, value: f64, block: Single) -> Node {
-        Node {
-            value,
-            determinants: path.kernel.determinants(&block),
-            block,
-        }
+        Node { value, determinants: path.kernel.determinants(&block), block }
     }
 }
 
@@ -85,11 +81,7 @@ impl Segment {
                         let omega = node.block.omegas[class][0] * step;
                         let alpha = node.block.alphas[class][0] * step * step;
                         let across: Vector = quarter_turn(direction);
-                        [
-                            direction,
-                            across * omega,
-                            across * alpha - direction * (omega * omega),
-                        ]
+                        [direction, across * omega, across * alpha - direction * (omega * omega)]
                     };
                     let (a, b) = (of(start), of(end));
                     let curve = [0, 1].map(|axis| quintic(a.map(|v| v[axis]), b.map(|v| v[axis])));
@@ -98,8 +90,7 @@ impl Segment {
                 Unknown::Slide(slider) => {
                     let of = |node: &Node| {
                         let block = &node.block;
-                        let (speed, second) =
-                            (block.speeds[slider][0], block.accelerations[slider][0]);
+                        let (speed, second) = (block.speeds[slider][0], block.accelerations[slider][0]);
                         [block.slides[slider][0], speed * step, second * step * step]
                     };
                     segment.slides.push((slider, quintic(of(start), of(end))));
@@ -132,18 +123,12 @@ impl Segment {
     /// Sets the unknowns of `block` to those of the polynomials.
     #[inline(always)]
     pub fn predict<L: Lanes, R: Row>(&self, lanes: L, drive: &R, block: &mut Block<R>) {
-        let (from, scale) = (
-            lanes.splat(self.from),
-            lanes.splat(1.0 / (self.to - self.from)),
-        );
+        let (from, scale) = (lanes.splat(self.from), lanes.splat(1.0 / (self.to - self.from)));
         for (class, [cosine, sine]) in &self.turns {
             let turns = &mut block.turns[*class];
             for k in portions::<L, R>() {
                 let x = (lanes.load(drive, k) - from) * scale;
-                let direction = Pair {
-                    x: value(cosine, x),
-                    y: value(sine, x),
-                };
+                let direction = Pair { x: value(cosine, x), y: value(sine, x) };
                 // The polynomials leave the unit circle by little.
                 lanes.store_pair(turns, k, unit(direction));
             }

@@ -32,9 +32,7 @@ impl Steps {
         }
         if step < 0.0 && wide > 0.0 {
             let hint = "a positive step; its sign follows from the range";
-            return refuse(format!(
-                "a step of {step} leads away from the end of the range\n  try: {hint}"
-            ));
+            return refuse(format!("a step of {step} leads away from the end of the range\n  try: {hint}"));
         }
         let step = step.abs().copysign(wide);
         let farthest = from.abs().max(to.abs());
@@ -50,12 +48,7 @@ impl Steps {
                 "there are more than {MOST:e} steps of {step} from {from} to {to}\n  try: a larger step"
             ));
         }
-        Ok(Steps {
-            from: first,
-            step: by,
-            scale,
-            count: intervals as usize + 1,
-        })
+        Ok(Steps { from: first, step: by, scale, count: intervals as usize + 1 })
     }
 
     /// All whole multiples of `step` between two values, upwards.
@@ -91,19 +84,12 @@ impl Steps {
             let steps = (value * self.scale - self.from) / self.step;
             steps.clamp(0.0, self.count as f64) as usize
         };
-        let first = (index(near).saturating_sub(1)..self.count)
-            .take(4)
-            .find(inside);
-        let last = (0..(index(far) + 2).min(self.count))
-            .rev()
-            .take(4)
-            .find(inside);
+        let first = (index(near).saturating_sub(1)..self.count).take(4).find(inside);
+        let last = (0..(index(far) + 2).min(self.count)).rev().take(4).find(inside);
         match (first, last) {
-            (Some(first), Some(last)) => Steps {
-                from: self.from + self.step * first as f64,
-                count: last + 1 - first,
-                ..*self
-            },
+            (Some(first), Some(last)) => {
+                Steps { from: self.from + self.step * first as f64, count: last + 1 - first, ..*self }
+            }
             _ => Steps { count: 0, ..*self },
         }
     }
@@ -114,7 +100,5 @@ fn whole_scale(decimals: [f64; 2], farthest: f64) -> Option<f64> {
     let mut scales = (0..=15).map(|digits| libm::exp10(f64::from(digits)));
     let is_whole = |x: f64, scale: f64| (x * scale).round() / scale == x;
     let room = 1.0 / f64::EPSILON;
-    scales
-        .find(|scale| decimals.into_iter().all(|x| is_whole(x, *scale)))
-        .filter(|scale| farthest * scale < room)
+    scales.find(|scale| decimals.into_iter().all(|x| is_whole(x, *scale))).filter(|scale| farthest * scale < room)
 }

@@ -25,11 +25,7 @@ impl<'a> Sweep<'a> {
     ///
     /// # Errors
     /// A name is no quantity of this mechanism.
-    pub fn new(
-        path: &'a Path<'a>,
-        steps: Steps,
-        names: Option<&[String]>,
-    ) -> Result<Self, QuantityError> {
+    pub fn new(path: &'a Path<'a>, steps: Steps, names: Option<&[String]>) -> Result<Self, QuantityError> {
         let mechanism = path.mechanism;
         let mut names = names.map_or_else(|| every_name(mechanism), <[String]>::to_vec);
         // Each name once; the drive's value is the first column already.
@@ -44,11 +40,7 @@ impl<'a> Sweep<'a> {
         // A plan point that does not exist shows in the first row with plans, before anything is written.
         let first = (0..steps.count().min(MANY)).map(|row| steps.value(row));
         columns.check(first)?;
-        Ok(Sweep {
-            path,
-            steps,
-            columns,
-        })
+        Ok(Sweep { path, steps, columns })
     }
 
     /// The values of the drive.
@@ -73,9 +65,7 @@ impl<'a> Sweep<'a> {
     #[must_use]
     pub fn header(&self) -> Vec<String> {
         let drive = std::iter::once(self.path.drive.quantity());
-        drive
-            .chain(self.columns().iter().flat_map(Column::names))
-            .collect()
+        drive.chain(self.columns().iter().flat_map(Column::names)).collect()
     }
 
     /// The numbers of these rows.
@@ -83,11 +73,7 @@ impl<'a> Sweep<'a> {
     pub fn rows(&self, rows: Range<usize>) -> Numbers {
         let mut numbers = Numbers::with_capacity(rows.len() * self.header().len());
         let bare = self.columns().iter().all(|c| c.asked.is_of_links_alone());
-        let mut many = if bare {
-            self.path.many_walker_without_places()
-        } else {
-            self.path.many_walker()
-        };
+        let mut many = if bare { self.path.many_walker_without_places() } else { self.path.many_walker() };
         let mut one = self.path.walker();
         let mut next = rows.start;
         let mut values = [0.0; MANY];
@@ -147,7 +133,6 @@ fn every_name(mechanism: &Mechanism) -> Vec<String> {
         ["x", "y", "v", "a"].map(|head| format!("{head}({name})"))
     });
     let sliders = (0..mechanism.sliders.len()).map(|s| mechanism.slider_name(SliderId(s)));
-    let sliders =
-        sliders.flat_map(|s| ["position", "v_r", "a_r"].map(|head| format!("{head}({s})")));
+    let sliders = sliders.flat_map(|s| ["position", "v_r", "a_r"].map(|head| format!("{head}({s})")));
     links.chain(points).chain(sliders).collect()
 }

@@ -55,11 +55,7 @@ pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
     let forward = (target - nodes[nodes.len() - 1].value).signum();
     let unit = path.unit();
     let mut step = unit / 36.0;
-    let mut traced = Traced {
-        nodes: Vec::new(),
-        changes: Vec::new(),
-        end: None,
-    };
+    let mut traced = Traced { nodes: Vec::new(), changes: Vec::new(), end: None };
     loop {
         let last = &nodes[nodes.len() - 1];
         let left = (target - last.value) * forward;
@@ -72,18 +68,11 @@ pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
             continue;
         }
         let tried = step.min(left);
-        let to = if tried < left {
-            last.value + forward * tried
-        } else {
-            target
-        };
+        let to = if tried < left { last.value + forward * tried } else { target };
         match advance(path, last, to) {
             Some((node, correction)) => {
                 // The error in the middle grows with the sixth power of the step, what it leaves with the twelfth.
-                let growth = libm::pow(
-                    allowed(tried / unit) / correction.doubt.max(1e-30),
-                    1.0 / 12.0,
-                );
+                let growth = libm::pow(allowed(tried / unit) / correction.doubt.max(1e-30), 1.0 / 12.0);
                 step = tried * (0.9 * growth).clamp(0.3, 2.0);
                 nodes.push(node);
             }
@@ -102,22 +91,9 @@ pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
                 let ahead = ahead(path, &nodes, forward);
                 let ahead = ahead.filter(|a| a.away.abs() < NEAR_END * unit);
                 traced.end = Some(match ahead {
-                    Some(Ahead {
-                        at,
-                        runs_off: false,
-                        ..
-                    }) => Event {
-                        at,
-                        what: Happening::Limit { links },
-                    },
-                    Some(Ahead { at, .. }) => Event {
-                        at,
-                        what: Happening::RunsOff { links },
-                    },
-                    None => Event {
-                        at: last.value,
-                        what: Happening::Singular { links },
-                    },
+                    Some(Ahead { at, runs_off: false, .. }) => Event { at, what: Happening::Limit { links } },
+                    Some(Ahead { at, .. }) => Event { at, what: Happening::RunsOff { links } },
+                    None => Event { at: last.value, what: Happening::Singular { links } },
                 });
                 break;
             }
@@ -225,10 +201,7 @@ fn ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<Ahead> {
         let block = &node.block;
         match unknown {
             Unknown::Spin(class) => [block.omegas[class][0], block.alphas[class][0]],
-            Unknown::Slide(slider) => [
-                block.speeds[slider][0] / size,
-                block.accelerations[slider][0] / size,
-            ],
+            Unknown::Slide(slider) => [block.speeds[slider][0] / size, block.accelerations[slider][0] / size],
         }
     };
     let second = |unknown: &&Unknown| rates(last, **unknown)[1].abs();
@@ -247,11 +220,7 @@ fn ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<Ahead> {
     let [near, far] = [near, far].map(|q| power * q);
     let (near_place, far_place) = (last.value + near, before.value + far);
     let at = near_place + (near_place - far_place) * weight / (1.0 - weight);
-    Some(Ahead {
-        at,
-        away: near,
-        runs_off,
-    })
+    Some(Ahead { at, away: near, runs_off })
 }
 
 /// A way over a change position.
@@ -297,11 +266,7 @@ fn leap(path: &Path, nodes: &[Node], forward: f64, within: f64) -> Option<Leap> 
         let (node, at) = leap_from(path, &nodes[far..], group, zero).filter(|_| !grown)?;
         let links = path.mechanism.groups[group].link_names(path.mechanism);
         let what = Happening::Change { links };
-        Some(Leap {
-            kept: far + 1,
-            node,
-            event: Event { at, what },
-        })
+        Some(Leap { kept: far + 1, node, event: Event { at, what } })
     })
 }
 
@@ -331,20 +296,14 @@ fn leap_from(path: &Path, nodes: &[Node], group: usize, zero: f64) -> Option<(No
     // The determinant's zero by inverse interpolation through four positions around it.
     let whole = Segment::new(&path.kernel, far, &node);
     let around = [-0.25, -0.125, 0.125, 0.25].map(|part| land(zero + part * width, &whole));
-    let samples: Vec<[f64; 2]> = around
-        .iter()
-        .flatten()
-        .map(|n| [determinant(n), n.value - zero])
-        .collect();
+    let samples: Vec<[f64; 2]> = around.iter().flatten().map(|n| [determinant(n), n.value - zero]).collect();
     if samples.len() < around.len() {
         return None;
     }
     let mut at = zero;
     for (i, [own, offset]) in samples.iter().enumerate() {
         let others = samples.iter().enumerate().filter(|(j, _)| *j != i);
-        at += others.fold(*offset, |term, (_, [other, _])| {
-            term * other / (other - own)
-        });
+        at += others.fold(*offset, |term, (_, [other, _])| term * other / (other - own));
     }
     Some((node, at))
 }

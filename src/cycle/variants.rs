@@ -31,11 +31,7 @@ impl<'a> Variants<'a> {
     /// # Panics
     /// There are not as many poses as mechanisms.
     pub fn new(mechanisms: &'a [Mechanism], poses: &[Pose]) -> Result<Self, CycleError> {
-        assert_eq!(
-            mechanisms.len(),
-            poses.len(),
-            "each mechanism needs its pose"
-        );
+        assert_eq!(mechanisms.len(), poses.len(), "each mechanism needs its pose");
         let kernels = mechanisms.iter().map(Kernel::new);
         let kernels: Vec<Kernel> = kernels.collect::<Option<_>>().ok_or(CycleError::Drawn)?;
         if let Some(number) = kernels.iter().position(|k| !kernels[0].is_like(k)) {
@@ -49,20 +45,11 @@ impl<'a> Variants<'a> {
                 let index = (first + lane).min(count - 1);
                 let (kernel, mechanism) = (&kernels[index], &mechanisms[index]);
                 block.set_lengths(lane, kernel);
-                copy(
-                    &start(kernel, mechanism, &poses[index]),
-                    0,
-                    &mut block,
-                    lane,
-                );
+                copy(&start(kernel, mechanism, &poses[index]), 0, &mut block, lane);
                 for input in &kernel.inputs {
                     let (rates, seconds) = match input.kind {
-                        InputKind::Turning { class } => {
-                            (&mut block.omegas[class], &mut block.alphas[class])
-                        }
-                        InputKind::Sliding { slider } => {
-                            (&mut block.speeds[slider], &mut block.accelerations[slider])
-                        }
+                        InputKind::Turning { class } => (&mut block.omegas[class], &mut block.alphas[class]),
+                        InputKind::Sliding { slider } => (&mut block.speeds[slider], &mut block.accelerations[slider]),
                     };
                     (rates[lane], seconds[lane]) = (input.rate, input.second);
                 }

@@ -18,13 +18,7 @@ pub struct Walker<'a, R: Row = [f64; 1]> {
 
 impl<'a, R: Row> Walker<'a, R> {
     pub(super) fn new(path: &'a Path<'a>, kernel: &'a Kernel) -> Self {
-        Self {
-            path,
-            kernel,
-            block: Block::new(kernel),
-            segment: 0,
-            registers: Arch::new(),
-        }
+        Self { path, kernel, block: Block::new(kernel), segment: 0, registers: Arch::new() }
     }
 
     /// Finds the segment that holds a value.
@@ -64,8 +58,7 @@ impl<'a, R: Row> Walker<'a, R> {
     fn scene_rates<L: Lanes>(&mut self, lanes: L) {
         for (index, input) in self.kernel.inputs.iter().enumerate() {
             let block = &mut self.block;
-            self.kernel
-                .set_rates(block, index, input.rate, input.second);
+            self.kernel.set_rates(block, index, input.rate, input.second);
         }
         self.kernel.rates(lanes, &mut self.block);
     }
@@ -168,11 +161,7 @@ impl Walker<'_, Many> {
 
     #[inline]
     fn dispatch(&mut self, values: &Many, task: Task) -> bool {
-        self.registers.dispatch(Together {
-            walker: self,
-            values,
-            task,
-        })
+        self.registers.dispatch(Together { walker: self, values, task })
     }
 }
 

@@ -181,10 +181,7 @@ impl Product {
     /// A constant times numbers.
     #[must_use]
     pub fn new(factor: f64, of: &[NumberId]) -> Product {
-        Product {
-            factor,
-            of: SmallVec::from_slice(of),
-        }
+        Product { factor, of: SmallVec::from_slice(of) }
     }
 }
 
@@ -197,16 +194,11 @@ impl Deed {
             Deed::Plot { .. } | Deed::Cross { .. } => &[Error::Length, Error::Length],
             Deed::Draw { .. } => &[Error::Direction],
             Deed::LayOff { .. } => &[Error::Direction, Error::Length],
-            Deed::Measure {
-                how: How::Direction,
-                ..
-            } => &[Error::Direction],
+            Deed::Measure { how: How::Direction, .. } => &[Error::Direction],
             Deed::Measure { .. } => &[Error::Length],
-            Deed::Pole { .. }
-            | Deed::Join { .. }
-            | Deed::Take { .. }
-            | Deed::Compute { .. }
-            | Deed::Solve { .. } => &[],
+            Deed::Pole { .. } | Deed::Join { .. } | Deed::Take { .. } | Deed::Compute { .. } | Deed::Solve { .. } => {
+                &[]
+            }
         }
     }
 }

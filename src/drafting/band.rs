@@ -19,10 +19,7 @@ pub struct Tolerance {
 impl Default for Tolerance {
     /// 0.3 mm and 0.3°: a sharp pencil, a ruler with millimetres, two set squares.
     fn default() -> Self {
-        Tolerance {
-            mm: 0.3,
-            degrees: 0.3,
-        }
+        Tolerance { mm: 0.3, degrees: 0.3 }
     }
 }
 
@@ -119,45 +116,26 @@ pub fn pencil(
         });
         (asked, band)
     });
-    Pencil {
-        tolerance,
-        scales: *scales,
-        quantities: all.collect(),
-    }
+    Pencil { tolerance, scales: *scales, quantities: all.collect() }
 }
 
 impl Drafting {
     /// The bands of what is read, in the scene's units.
     #[must_use]
-    pub fn bands(
-        &self,
-        scales: SheetScales,
-        tolerance: &Tolerance,
-        readings: &[Reading],
-    ) -> Vec<Band> {
+    pub fn bands(&self, scales: SheetScales, tolerance: &Tolerance, readings: &[Reading]) -> Vec<Band> {
         let acts = self.acts.iter().enumerate();
         let errors = acts.flat_map(|(act, a)| {
             let errors = a.deed.errors().iter().enumerate();
             errors.map(move |(which, error)| (act, which, error.limit(tolerance)))
         });
-        let hand = Hand {
-            drafting: self,
-            scales,
-            readings,
-            errors: errors.collect(),
-            exact: self.replay(scales, &[]),
-        };
+        let hand = Hand { drafting: self, scales, readings, errors: errors.collect(), exact: self.replay(scales, &[]) };
         let all = readings.iter().zip(hand.first_order());
         let bands = all.zip(hand.second_order());
         let bands = bands.map(|((reading, deviation), second_order)| {
             let value = reading.value(&hand.exact);
             let band = DEVIATIONS * deviation;
             let is_firm = second_order <= SECOND_ORDER * deviation;
-            Band {
-                value,
-                band,
-                is_rough: !is_firm || reading.is_distance && band > value,
-            }
+            Band { value, band, is_rough: !is_firm || reading.is_distance && band > value }
         });
         bands.collect()
     }
@@ -185,8 +163,7 @@ impl Hand<'_> {
                 values.clone_from(&self.exact);
                 let change = Change::Error(which, size);
                 let disturbance = Disturbance { act, change };
-                self.drafting
-                    .replay_from(act, values, self.scales, &[disturbance]);
+                self.drafting.replay_from(act, values, self.scales, &[disturbance]);
             }
             for (square, [up, down]) in squares.iter_mut().zip(self.differences(&pair)) {
                 let slope = 0.5 * (up - down);
@@ -242,21 +219,13 @@ impl Reading {
     #[must_use]
     pub fn value(&self, values: &Values) -> f64 {
         let value = values.number(self.number);
-        if self.is_magnitude {
-            value.abs()
-        } else {
-            value
-        }
+        if self.is_magnitude { value.abs() } else { value }
     }
 
     /// How far the quantity is from `signed`; of an angle the shorter way round.
     #[must_use]
     pub fn difference(&self, values: &Values, signed: f64) -> f64 {
         let difference = values.number(self.number) - signed;
-        if self.is_angle {
-            difference - 360.0 * libm::round(difference / 360.0)
-        } else {
-            difference
-        }
+        if self.is_angle { difference - 360.0 * libm::round(difference / 360.0) } else { difference }
     }
 }

@@ -23,9 +23,7 @@ impl Writer<'_> {
             let root = mechanism.body(mechanism.root(body));
             let rates = match root.role {
                 Role::Ground => [0.0, 0.0],
-                Role::Driver { omega, alpha, .. } | Role::Moving { omega, alpha, .. } => {
-                    [omega, alpha]
-                }
+                Role::Driver { omega, alpha, .. } | Role::Moving { omega, alpha, .. } => [omega, alpha],
                 Role::Pushed { .. } | Role::Carrier { .. } | Role::Stub | Role::Member => continue,
             };
             let name = &mechanism.body(body).name;
@@ -58,12 +56,7 @@ impl Writer<'_> {
         Some(place)
     }
 
-    pub(super) fn moved_point(
-        &self,
-        sheet: Sheet,
-        body: BodyId,
-        point: PointId,
-    ) -> Option<PlaceId> {
+    pub(super) fn moved_point(&self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
         let mut moved = self.moved.iter();
         let found = moved.find(|m| (m.0, m.1, m.2) == (sheet, body, point));
         found.map(|m| m.3)
@@ -113,12 +106,7 @@ impl Writer<'_> {
             let mut place = self.motion(sheet, from, at)?;
             if let JointKind::Prismatic(slider) = mechanism.joint(joint).kind {
                 let guide_first = mechanism.slider(slider).on == from;
-                let slide = DrivenSlide {
-                    slider,
-                    from,
-                    to: body,
-                    sign: if guide_first { 1.0 } else { -1.0 },
-                };
+                let slide = DrivenSlide { slider, from, to: body, sign: if guide_first { 1.0 } else { -1.0 } };
                 place = self.slides(sheet, place, &[slide])?;
             }
             self.moved.push((sheet, body, at, place));
@@ -137,13 +125,7 @@ impl Writer<'_> {
     }
 
     /// What the rotation of a body adds from one of its points to another.
-    fn turn(
-        &mut self,
-        sheet: Sheet,
-        body: BodyId,
-        (from, place): (PointId, PlaceId),
-        to: PointId,
-    ) -> Option<PlaceId> {
+    fn turn(&mut self, sheet: Sheet, body: BodyId, (from, place): (PointId, PlaceId), to: PointId) -> Option<PlaceId> {
         let [omega, alpha] = self.drafting.spins[body.0]?;
         let at_rest = omega.is_none() && alpha.is_none();
         // Two pins may have one place.
@@ -168,12 +150,7 @@ impl Writer<'_> {
     }
 
     /// What sliders add, one after the other.
-    pub(super) fn slides(
-        &mut self,
-        sheet: Sheet,
-        mut place: PlaceId,
-        way: &[DrivenSlide],
-    ) -> Option<PlaceId> {
+    pub(super) fn slides(&mut self, sheet: Sheet, mut place: PlaceId, way: &[DrivenSlide]) -> Option<PlaceId> {
         for slide in way {
             place = self.sliding(sheet, place, slide)?;
             if sheet == Sheet::Acceleration {
@@ -213,12 +190,7 @@ impl Writer<'_> {
     }
 
     /// The end of a vector, with its name; where nothing was laid off there is no new name.
-    fn end(
-        &mut self,
-        sheet: Sheet,
-        before: (String, PlaceId),
-        (name, end): (String, PlaceId),
-    ) -> (String, PlaceId) {
+    fn end(&mut self, sheet: Sheet, before: (String, PlaceId), (name, end): (String, PlaceId)) -> (String, PlaceId) {
         if end == before.1 {
             return before;
         }
@@ -227,12 +199,7 @@ impl Writer<'_> {
     }
 
     /// A slider's sliding velocity or acceleration, laid off.
-    pub(super) fn sliding(
-        &mut self,
-        sheet: Sheet,
-        place: PlaceId,
-        slide: &DrivenSlide,
-    ) -> Option<PlaceId> {
+    pub(super) fn sliding(&mut self, sheet: Sheet, place: PlaceId, slide: &DrivenSlide) -> Option<PlaceId> {
         let [velocity, acceleration] = self.drafting.slides[slide.slider.0]?;
         let (letter, rate) = match sheet {
             Sheet::Acceleration => ("a", acceleration),

@@ -31,12 +31,7 @@ impl Writer<'_> {
             | LegKind::PinThenSlider { inner: slider, .. }
             | LegKind::SliderThenPin { outer: slider, .. } => {
                 let guide = Reference::Line(self.guide(slider));
-                Leg {
-                    along: (guide, 1),
-                    ray: (guide, 2),
-                    through,
-                    line: None,
-                }
+                Leg { along: (guide, 1), ray: (guide, 2), through, line: None }
             }
             // The line at infinity: such a group has no construction.
             LegKind::Sliders => Leg {
@@ -159,12 +154,7 @@ impl Writer<'_> {
     }
 
     /// The end of a leg's normal part, Coriolis's included, laid off along the cut line.
-    pub(super) fn normal(
-        &mut self,
-        drawn: &Drawn<'_>,
-        side: usize,
-        from: PlaceId,
-    ) -> Option<PlaceId> {
+    pub(super) fn normal(&mut self, drawn: &Drawn<'_>, side: usize, from: PlaceId) -> Option<PlaceId> {
         let terms = self.terms(drawn, side)?;
         let mut sum = Vec::new();
         for &(link, length) in &terms.turns {

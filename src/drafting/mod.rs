@@ -13,9 +13,7 @@ mod replay;
 mod write;
 mod writer;
 
-pub use act::{
-    Act, Deed, Equation, Error, How, LineId, NumberId, PlaceId, Product, Reference, Sheet,
-};
+pub use act::{Act, Deed, Equation, Error, How, LineId, NumberId, PlaceId, Product, Reference, Sheet};
 pub use band::{Band, Pencil, Tolerance, pencil};
 pub use names::readable_names;
 pub use read::{Reading, Unread, drafting_with};

@@ -5,11 +5,7 @@ use crate::plan::{Construction, coincident_name, is_acceleration, measured_names
 /// Names of what results and steps give and a hand drawing may have read from it: measured lengths and segments, rates, vectors by size
 /// and angle, angles of links, positions of sliders.
 #[must_use]
-pub fn readable_names(
-    mechanism: &Mechanism,
-    motion: &Motion,
-    construction: &Construction,
-) -> Vec<String> {
+pub fn readable_names(mechanism: &Mechanism, motion: &Motion, construction: &Construction) -> Vec<String> {
     let mut names = measured_names(construction);
     for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Stub) {
         // A link with one point has no line of its own.
@@ -23,8 +19,7 @@ pub fn readable_names(
         names.push(format!("a_c({slider}).size"));
     }
     let sliders = mechanism.sliders.iter();
-    let under =
-        sliders.map(|s| coincident_name(mechanism.point_name(s.at), &mechanism.body(s.on).name));
+    let under = sliders.map(|s| coincident_name(mechanism.point_name(s.at), &mechanism.body(s.on).name));
     let special = construction.special.iter().flatten();
     let special = special.filter(|s| s.is_assur && s.place.finite().is_some());
     let points = mechanism.points.iter().cloned().chain(under);

@@ -3,8 +3,7 @@ use super::writer::{Drafting, Writer, written};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use crate::motion::Motion;
 use crate::plan::{
-    Asked, Component, Construction, Normality, PlanKind, Spot, What, image_name, is_acceleration,
-    normal_name,
+    Asked, Component, Construction, Normality, PlanKind, Spot, What, image_name, is_acceleration, normal_name,
 };
 use crate::position::Pose;
 
@@ -30,9 +29,7 @@ pub enum Unread {
     #[error("the scene gives it")]
     Given,
     /// Some group has no construction, and it depends on that.
-    #[error(
-        "it depends on a group without a construction (a special point at infinity, or a higher class)"
-    )]
+    #[error("it depends on a group without a construction (a special point at infinity, or a higher class)")]
     NoConstruction,
     /// Only one of a vector's numbers has a band.
     #[error("a vector: its `.size` and `.angle` have bands")]
@@ -73,9 +70,7 @@ pub fn drafting_with(
     construction: &Construction,
     asked: &[Asked],
 ) -> (Drafting, Vec<Result<Reading, Unread>>) {
-    let mut reader = Reader {
-        writer: written(mechanism, pose, motion, construction),
-    };
+    let mut reader = Reader { writer: written(mechanism, pose, motion, construction) };
     let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
     (reader.writer.drafting, readings)
 }
@@ -95,31 +90,14 @@ impl Reader<'_> {
         let what = asked.what();
         let sheet = match what {
             What::Segment { kind, .. } => Sheet::of(*kind),
-            What::Angle(_) | What::SlidePosition(_) | What::Coordinate(..) | What::Length(..) => {
-                Sheet::Scheme
-            }
+            What::Angle(_) | What::SlidePosition(_) | What::Coordinate(..) | What::Length(..) => Sheet::Scheme,
             _ if is_acceleration(asked.name()) => Sheet::Acceleration,
             _ => Sheet::Velocity,
         };
-        let of = |number| Reading {
-            number,
-            is_magnitude: false,
-            is_angle: false,
-            is_distance: false,
-            sheet,
-        };
-        let distance = |number| Reading {
-            is_distance: true,
-            ..of(number)
-        };
-        let magnitude = |number| Reading {
-            is_magnitude: true,
-            ..of(number)
-        };
-        let angle = |number| Reading {
-            is_angle: true,
-            ..of(number)
-        };
+        let of = |number| Reading { number, is_magnitude: false, is_angle: false, is_distance: false, sheet };
+        let distance = |number| Reading { is_distance: true, ..of(number) };
+        let magnitude = |number| Reading { is_magnitude: true, ..of(number) };
+        let angle = |number| Reading { is_angle: true, ..of(number) };
         let drawn = match what {
             What::Omega(link) => return Ok(of(self.rate(*link, 0)?)),
             What::Alpha(link) => return Ok(of(self.rate(*link, 1)?)),
@@ -133,19 +111,11 @@ impl Reader<'_> {
             }
             What::Length(a, b) => {
                 let (number, is_new) = self.length(asked.name(), a, b)?;
-                return Ok(if is_new {
-                    distance(number)
-                } else {
-                    magnitude(number)
-                });
+                return Ok(if is_new { distance(number) } else { magnitude(number) });
             }
             What::Segment { kind, from, to, .. } => {
                 let (number, is_new) = self.segment(*kind, from, to)?;
-                return Ok(if is_new {
-                    distance(number)
-                } else {
-                    magnitude(number)
-                });
+                return Ok(if is_new { distance(number) } else { magnitude(number) });
             }
             What::Velocity(a, b) | What::Acceleration(a, b) => {
                 let to = self.plan_point(sheet, a)?;
@@ -184,10 +154,7 @@ impl Reader<'_> {
             (Drawn::Computed(size, along), _) => {
                 let pole = self.writer.pole_of(sheet).ok_or(Unread::NotDrawn)?;
                 let sum = vec![Product::new(1.0, &[size])];
-                [
-                    pole,
-                    self.writer.lay_off(sheet, asked.name(), pole, sum, along),
-                ]
+                [pole, self.writer.lay_off(sheet, asked.name(), pole, sum, along)]
             }
         };
         let how = match component {
@@ -295,12 +262,7 @@ impl Reader<'_> {
     }
 
     /// The number, and whether it is measured for this reading and not by the construction.
-    fn segment(
-        &mut self,
-        kind: PlanKind,
-        from: &str,
-        to: &str,
-    ) -> Result<(NumberId, bool), Unread> {
+    fn segment(&mut self, kind: PlanKind, from: &str, to: &str) -> Result<(NumberId, bool), Unread> {
         let sheet = Sheet::of(kind);
         let name = kind.segment_name(from, to);
         if let Some(number) = self.writer.drafting.number(&name) {
@@ -345,20 +307,12 @@ impl Reader<'_> {
         let own = mechanism.body(body).points.contains(&point);
         let bodies = (0..mechanism.bodies.len()).map(BodyId);
         let mut holders = bodies.filter(|&b| own && mechanism.body(b).points.contains(&point));
-        let found = holders
-            .find(|&b| self.writer.moved_point(sheet, b, point).is_some() || mechanism.is_known(b));
+        let found = holders.find(|&b| self.writer.moved_point(sheet, b, point).is_some() || mechanism.is_known(b));
         found.unwrap_or(body)
     }
 
     /// A part of a relative acceleration: between plan points where the construction lays it off, else computed.
-    fn part(
-        &mut self,
-        name: &str,
-        part: Normality,
-        a: &Spot,
-        b: &Spot,
-        link: Option<BodyId>,
-    ) -> Result<Drawn, Unread> {
+    fn part(&mut self, name: &str, part: Normality, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<Drawn, Unread> {
         let sheet = Sheet::Acceleration;
         if let Spot::Special(special) = a {
             let normal = normal_name(b.name(), special);

@@ -1,6 +1,4 @@
-use super::act::{
-    Act, Deed, Equation, Error, How, LineId, NumberId, PlaceId, Product, Reference, Sheet,
-};
+use super::act::{Act, Deed, Equation, Error, How, LineId, NumberId, PlaceId, Product, Reference, Sheet};
 use super::writer::Drafting;
 use crate::geometry::{Vector, cross, degrees_of, quarter_turn, turn_of_degrees, unit};
 use nalgebra::{Matrix4, Vector4};
@@ -84,9 +82,7 @@ impl Drafting {
     ) {
         let [places, lines, numbers] = self.counts;
         values.places.resize(places, Vector::zeros());
-        values
-            .lines
-            .resize(lines, (Vector::zeros(), Vector::zeros()));
+        values.lines.resize(lines, (Vector::zeros(), Vector::zeros()));
         values.numbers.resize(numbers, 0.0);
         let mut waiting = disturbances.iter().peekable();
         for (index, act) in self.acts.iter().enumerate().skip(first) {
@@ -118,21 +114,12 @@ impl Values {
         match &act.deed {
             Deed::Pole { place, at } => self.places[place.0] = *at,
             Deed::Plot { place, at } => self.places[place.0] = at + lengths,
-            Deed::Join {
-                line,
-                from,
-                towards,
-            } => {
+            Deed::Join { line, from, towards } => {
                 let (from, towards) = (self.place(*from), self.place(*towards));
                 let along = unit(towards - from);
                 self.lines[line.0] = (from, along.unwrap_or_else(not_there));
             }
-            Deed::Draw {
-                line,
-                through,
-                reference,
-                quarter_turns,
-            } => {
+            Deed::Draw { line, through, reference, quarter_turns } => {
                 let along = self.direction(*reference, *quarter_turns, errors[0]);
                 self.lines[line.0] = (self.place(*through), along);
             }
@@ -142,23 +129,12 @@ impl Values {
                 let t = cross(q - p, e) / cross(d, e);
                 self.places[place.0] = p + d * t + lengths;
             }
-            Deed::LayOff {
-                place,
-                from,
-                size,
-                reference,
-                quarter_turns,
-            } => {
+            Deed::LayOff { place, from, size, reference, quarter_turns } => {
                 let along = self.direction(*reference, *quarter_turns, errors[0]);
                 let size = self.number(*size) + errors[1] * per_mm;
                 self.places[place.0] = self.place(*from) + along * size;
             }
-            Deed::Measure {
-                number,
-                from,
-                to,
-                how,
-            } => {
+            Deed::Measure { number, from, to, how } => {
                 let vector = self.place(*to) - self.place(*from);
                 let error = errors[0] * per_mm;
                 self.numbers[number.0] = match how {
@@ -171,10 +147,7 @@ impl Values {
             }
             Deed::Take { number, value } => self.numbers[number.0] = *value,
             Deed::Compute { number, sum } => self.numbers[number.0] = self.sum(sum),
-            Deed::Solve {
-                unknowns,
-                equations,
-            } => {
+            Deed::Solve { unknowns, equations } => {
                 let rates = self.solve(equations);
                 for (number, rate) in unknowns.iter().zip(&rates) {
                     self.numbers[number.0] = *rate;
@@ -191,11 +164,7 @@ impl Values {
         for _ in 0..quarter_turns {
             along = quarter_turn(along);
         }
-        if degrees == 0.0 {
-            along
-        } else {
-            turn_of_degrees(degrees) * along
-        }
+        if degrees == 0.0 { along } else { turn_of_degrees(degrees) * along }
     }
 
     fn product(&self, product: &Product) -> f64 {

@@ -53,24 +53,13 @@ impl Writer<'_> {
                 self.cross(Sheet::Scheme, &special.name, lines)
             }
         };
-        let mut drawn = Drawn {
-            special,
-            legs,
-            place,
-            reaches: [None; 2],
-        };
+        let mut drawn = Drawn { special, legs, place, reaches: [None; 2] };
         drawn.reaches = [0, 1].map(|side| self.reach(&drawn, side));
         drawn
     }
 
     /// Rays, crossings and measured segments of a plan, and the rates that follow.
-    fn plan(
-        &mut self,
-        sheet: Sheet,
-        group: &Group,
-        equations: &LoopEquations,
-        drawn: &[Drawn<'_>],
-    ) -> Option<()> {
+    fn plan(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, drawn: &[Drawn<'_>]) -> Option<()> {
         let kind = match sheet {
             Sheet::Acceleration => PlanKind::Acceleration,
             _ => PlanKind::Velocity,
@@ -106,10 +95,7 @@ impl Writer<'_> {
         }
         let unknowns: Vec<NumberId> = (0..equations.unknowns).map(|_| self.new_number()).collect();
         let makes = self.name_unknowns(sheet, group, equations, &unknowns);
-        let deed = Deed::Solve {
-            unknowns,
-            equations: rows,
-        };
+        let deed = Deed::Solve { unknowns, equations: rows };
         self.solve(sheet, &makes, deed);
         if sheet == Sheet::Velocity {
             self.hang(group);
@@ -143,10 +129,7 @@ impl Writer<'_> {
                 let rates = self.drafting.slides[slider.0].get_or_insert_default();
                 rates[order] = Some(number);
                 let letter = ["v_r", "a_r"][order];
-                names.push((
-                    format!("{letter}({})", mechanism.slider_name(slider)),
-                    number,
-                ));
+                names.push((format!("{letter}({})", mechanism.slider_name(slider)), number));
             }
         }
         for (name, number) in &names {
@@ -157,12 +140,7 @@ impl Writer<'_> {
     }
 
     /// The ray of a leg: the name of the point from which the segment is measured, that point, the line.
-    fn ray(
-        &mut self,
-        sheet: Sheet,
-        point: &Drawn<'_>,
-        side: usize,
-    ) -> Option<(String, PlaceId, LineId)> {
+    fn ray(&mut self, sheet: Sheet, point: &Drawn<'_>, side: usize) -> Option<(String, PlaceId, LineId)> {
         let (cut, leg) = (&point.special.cuts[side], &point.legs[side]);
         let start = cut.start()?;
         let mut name = image_name(&point_on(self.mechanism, cut.leg.base, start));
@@ -187,12 +165,11 @@ impl Writer<'_> {
     /// A ray that another special point has needed already.
     fn drawn_ray(&self, start: PlaceId, direction: (Reference, u8)) -> Option<LineId> {
         self.drafting.acts.iter().find_map(|act| match act.deed {
-            Deed::Draw {
-                line,
-                through,
-                reference,
-                quarter_turns,
-            } if (through, (reference, quarter_turns)) == (start, direction) => Some(line),
+            Deed::Draw { line, through, reference, quarter_turns }
+                if (through, (reference, quarter_turns)) == (start, direction) =>
+            {
+                Some(line)
+            }
             _ => None,
         })
     }
@@ -200,32 +177,18 @@ impl Writer<'_> {
     /// Notes on what each link hangs, now that the rates are there.
     fn hang(&mut self, group: &Group) {
         let mechanism = self.mechanism;
-        for (special, leg) in group
-            .special
-            .iter()
-            .flat_map(|s| s.legs.map(|leg| (s, leg)))
-        {
+        for (special, leg) in group.special.iter().flat_map(|s| s.legs.map(|leg| (s, leg))) {
             let link = match leg.carried {
                 Some(carried) => carried.carrier,
                 None => mechanism.lead(special.link),
             };
             let outer = mechanism.side(leg.outer, link);
-            self.anchors[outer.0].get_or_insert(Anchor {
-                joint: leg.outer,
-                from: leg.base,
-            });
+            self.anchors[outer.0].get_or_insert(Anchor { joint: leg.outer, from: leg.base });
         }
-        for (special, leg) in group
-            .special
-            .iter()
-            .flat_map(|s| s.legs.map(|leg| (s, leg)))
-        {
+        for (special, leg) in group.special.iter().flat_map(|s| s.legs.map(|leg| (s, leg))) {
             if let Some(Carried { carrier, inner }) = leg.carried {
                 let holder = mechanism.side(inner, mechanism.lead(special.link));
-                self.anchors[holder.0].get_or_insert(Anchor {
-                    joint: inner,
-                    from: mechanism.side(inner, carrier),
-                });
+                self.anchors[holder.0].get_or_insert(Anchor { joint: inner, from: mechanism.side(inner, carrier) });
             }
         }
     }
@@ -233,12 +196,7 @@ impl Writer<'_> {
     /// The images of the group's joints, pins first: each over the link that carries it.
     fn images(&mut self, sheet: Sheet, group: &Group) {
         let mechanism = self.mechanism;
-        let legs = || {
-            group
-                .special
-                .iter()
-                .flat_map(|s| s.legs.map(|leg| (s, leg)))
-        };
+        let legs = || group.special.iter().flat_map(|s| s.legs.map(|leg| (s, leg)));
         for (special, leg) in legs() {
             let Some(Carried { carrier, inner }) = leg.carried else {
                 continue;
@@ -256,13 +214,10 @@ impl Writer<'_> {
             }
         }
         let joints = mechanism.joints_of(group);
-        for slider in joints
-            .iter()
-            .filter_map(|&j| match mechanism.joint(j).kind {
-                JointKind::Prismatic(slider) => Some(slider),
-                JointKind::Revolute(_) => None,
-            })
-        {
+        for slider in joints.iter().filter_map(|&j| match mechanism.joint(j).kind {
+            JointKind::Prismatic(slider) => Some(slider),
+            JointKind::Revolute(_) => None,
+        }) {
             let ends = mechanism.slider(slider);
             let at = mechanism.point_name(ends.at);
             let under = coincident_name(at, &mechanism.body(ends.on).name);

@@ -53,12 +53,7 @@ impl Drafting {
 /// are all in a drawn configuration. A guide that runs through two points of its link is drawn through them, any other in its
 /// direction. Places are counted from the mechanism's first point.
 #[must_use]
-pub fn drafting(
-    mechanism: &Mechanism,
-    pose: &Pose,
-    motion: &Motion,
-    construction: &Construction,
-) -> Drafting {
+pub fn drafting(mechanism: &Mechanism, pose: &Pose, motion: &Motion, construction: &Construction) -> Drafting {
     written(mechanism, pose, motion, construction).drafting
 }
 
@@ -95,12 +90,7 @@ pub(super) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    fn new(
-        mechanism: &'a Mechanism,
-        pose: &'a Pose,
-        motion: &'a Motion,
-        construction: &'a Construction,
-    ) -> Self {
+    fn new(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion, construction: &'a Construction) -> Self {
         let drafting = Drafting {
             acts: Vec::new(),
             origin: pose.points.first().copied().unwrap_or_default(),
@@ -217,11 +207,7 @@ impl<'a> Writer<'a> {
         }
         let line = self.new_line();
         self.joins.push((from, towards, line));
-        let deed = Deed::Join {
-            line,
-            from,
-            towards,
-        };
+        let deed = Deed::Join { line, from, towards };
         self.act(Sheet::Scheme, "line through two joints", deed);
         line
     }
@@ -234,12 +220,7 @@ impl<'a> Writer<'a> {
         (reference, quarter_turns): (Reference, u8),
     ) -> LineId {
         let line = self.new_line();
-        let deed = Deed::Draw {
-            line,
-            through,
-            reference,
-            quarter_turns,
-        };
+        let deed = Deed::Draw { line, through, reference, quarter_turns };
         self.act(sheet, makes, deed);
         line
     }
@@ -251,20 +232,9 @@ impl<'a> Writer<'a> {
         place
     }
 
-    pub(super) fn measure(
-        &mut self,
-        sheet: Sheet,
-        name: &str,
-        [from, to]: [PlaceId; 2],
-        how: How,
-    ) -> NumberId {
+    pub(super) fn measure(&mut self, sheet: Sheet, name: &str, [from, to]: [PlaceId; 2], how: How) -> NumberId {
         let number = self.new_number();
-        let deed = Deed::Measure {
-            number,
-            from,
-            to,
-            how,
-        };
+        let deed = Deed::Measure { number, from, to, how };
         self.act(sheet, name, deed);
         number
     }
@@ -303,13 +273,7 @@ impl<'a> Writer<'a> {
         }
         let size = self.compute(sheet, &format!("size of the vector to {makes}"), sum);
         let place = self.new_place();
-        let deed = Deed::LayOff {
-            place,
-            from,
-            size,
-            reference,
-            quarter_turns,
-        };
+        let deed = Deed::LayOff { place, from, size, reference, quarter_turns };
         self.act(sheet, makes, deed);
         place
     }

@@ -40,12 +40,7 @@ fn head_length(arrow: f64) -> f64 {
 fn head_at(tip: Point, unit: Vec2, length: f64) -> [Point; 4] {
     let across = Vec2::new(-unit.y, unit.x) * (HEAD_SLIMNESS * length);
     let back = tip - unit * length;
-    [
-        tip,
-        back + across,
-        tip - unit * (HEAD_NOTCH * length),
-        back - across,
-    ]
+    [tip, back + across, tip - unit * (HEAD_NOTCH * length), back - across]
 }
 
 impl Shape {
@@ -54,12 +49,7 @@ impl Shape {
     pub fn head(&self) -> Option<[Point; 4]> {
         match *self {
             Shape::Arrow { from, to } => arrow_head(from, to),
-            Shape::ArcArrow {
-                center,
-                radius,
-                start,
-                sweep,
-            } => {
+            Shape::ArcArrow { center, radius, start, sweep } => {
                 let run = (radius * sweep).abs();
                 if !(run > 0.0 && run.is_finite()) {
                     return None;
@@ -69,11 +59,7 @@ impl Shape {
                 // its ends are on the circle.
                 let end = start + sweep;
                 let tip = on_circle(center, radius, end);
-                let back = on_circle(
-                    center,
-                    radius,
-                    end - (length / radius.abs()).copysign(sweep),
-                );
+                let back = on_circle(center, radius, end - (length / radius.abs()).copysign(sweep));
                 let (unit, _) = head_along(back, tip)?;
                 Some(head_at(tip, unit, length))
             }
@@ -89,20 +75,10 @@ impl Shape {
                 let (unit, length) = head_along(from, to)?;
                 Some(Shape::Line(from, to - unit * (SHAFT_END * length)))
             }
-            Shape::ArcArrow {
-                center,
-                radius,
-                start,
-                sweep,
-            } => {
+            Shape::ArcArrow { center, radius, start, sweep } => {
                 self.head()?;
                 let covered = SHAFT_END * head_length((radius * sweep).abs()) / radius.abs();
-                Some(Shape::Arc {
-                    center,
-                    radius,
-                    start,
-                    sweep: sweep - covered.copysign(sweep),
-                })
+                Some(Shape::Arc { center, radius, start, sweep: sweep - covered.copysign(sweep) })
             }
             _ => None,
         }
@@ -131,50 +107,31 @@ mod tests {
                 let unit = (to - from) / size;
                 for corner in [left, notch, right] {
                     let back = (to - corner).dot(unit);
-                    assert!(
-                        back > 0.0 && back <= 0.5001 * size && back <= 2.6001,
-                        "{back} of {size}"
-                    );
+                    assert!(back > 0.0 && back <= 0.5001 * size && back <= 2.6001, "{back} of {size}");
                 }
-                let Some(Shape::Line(start, end)) = (Shape::Arrow { from, to }).shaft() else {
-                    panic!("no shaft")
-                };
+                let Some(Shape::Line(start, end)) = (Shape::Arrow { from, to }).shaft() else { panic!("no shaft") };
                 assert_eq!(start, from);
                 assert!((end - from).hypot2() < size * size);
             }
         }
         assert_eq!(arrow_head(Point::new(1.0, 1.0), Point::new(1.0, 1.0)), None);
-        assert_eq!(
-            arrow_head(Point::new(f64::NAN, 1.0), Point::new(1.0, 1.0)),
-            None
-        );
+        assert_eq!(arrow_head(Point::new(f64::NAN, 1.0), Point::new(1.0, 1.0)), None);
     }
 
     #[test]
     fn heads_of_arcs_point_along_them() {
         for sweep in [2.0, -2.0, 0.1, -5.0] {
-            let arrow = Shape::ArcArrow {
-                center: Point::new(5.0, 5.0),
-                radius: 8.0,
-                start: 0.3,
-                sweep,
-            };
+            let arrow = Shape::ArcArrow { center: Point::new(5.0, 5.0), radius: 8.0, start: 0.3, sweep };
             let [tip, .., right] = arrow.head().expect("the arc has length");
             let (_, end) = arrow.ends_of_arc().expect("it is an arc");
             assert!((tip - end).hypot2() < 1e-20);
-            let tangent =
-                Vec2::new(-libm::sin(0.3 + sweep), libm::cos(0.3 + sweep)) * sweep.signum();
+            let tangent = Vec2::new(-libm::sin(0.3 + sweep), libm::cos(0.3 + sweep)) * sweep.signum();
             assert!((tip - right).dot(tangent) > 0.0);
             assert!(
                 matches!(arrow.shaft(), Some(Shape::Arc { sweep: less, .. }) if less.abs() < sweep.abs() && less * sweep > 0.0)
             );
         }
-        let none = Shape::ArcArrow {
-            center: Point::ORIGIN,
-            radius: 8.0,
-            start: 0.3,
-            sweep: 0.0,
-        };
+        let none = Shape::ArcArrow { center: Point::ORIGIN, radius: 8.0, start: 0.3, sweep: 0.0 };
         assert_eq!((none.head(), none.shaft()), (None, None));
     }
 }

@@ -13,22 +13,14 @@ impl Worksheet {
     /// A table with boxes for what is to be found.
     pub(super) fn blank(scheme: &Scheme<'_>, units: Units, asked: &[Asked]) -> Self {
         let language = scheme.words.language;
-        let rows: Vec<Row> = asked
-            .iter()
-            .map(|asked| blank_row(scheme, units, asked))
-            .collect();
+        let rows: Vec<Row> = asked.iter().map(|asked| blank_row(scheme, units, asked)).collect();
         let mut table = table(language.exercise.quantity, language.value, rows.len());
         let none = RichText::plain("");
         for row in &rows {
             table.widen([&row.name, &none, &symbol(row.scale), &none, &row.unit]);
         }
         [table.widths[1], table.widths[3]] = BOXES;
-        Self {
-            table,
-            rows,
-            ruler: language.ruler,
-            is_blank: true,
-        }
+        Self { table, rows, ruler: language.ruler, is_blank: true }
     }
 }
 
@@ -49,14 +41,10 @@ fn blank_row(scheme: &Scheme<'_>, units: Units, asked: &Asked) -> Row {
             let shown = |spot: &Spot| scheme.shown(spot.name(), None);
             format!("{} {}", shown(from), shown(to))
         }
-        _ => asked.symbol(scheme.mechanism, scheme.words.notation, &|name| {
-            scheme.shown(name, None)
-        }),
+        _ => asked.symbol(scheme.mechanism, scheme.words.notation, &|name| scheme.shown(name, None)),
     };
     let (panel, scale) = match (asked.what(), plan) {
-        (_, Some(plan)) if plan.kind == PlanKind::Velocity => {
-            (Panel::Velocity, plan.kind.scale_name())
-        }
+        (_, Some(plan)) if plan.kind == PlanKind::Velocity => (Panel::Velocity, plan.kind.scale_name()),
         (_, Some(plan)) => (Panel::Acceleration, plan.kind.scale_name()),
         (What::Length(..), None) => (Panel::Scheme, "μ_l"),
         _ => (Panel::Scheme, ""),

@@ -55,11 +55,7 @@ impl<'a> Canvas<'a> {
             before: drawing.marks.len(),
             drawing,
             prefix,
-            obstacles: Obstacles {
-                boxes: Vec::new(),
-                lines: Vec::new(),
-                bounds: frame.inset(-1.2),
-            },
+            obstacles: Obstacles { boxes: Vec::new(), lines: Vec::new(), bounds: frame.inset(-1.2) },
             requests: Vec::new(),
             frame,
             since: 0,
@@ -93,11 +89,7 @@ impl<'a> Canvas<'a> {
     }
 
     fn put(&mut self, id: Option<String>, pen: Pen, shape: Shape) -> &mut Mark {
-        self.drawing.add(Mark {
-            id,
-            since: self.since,
-            ..Mark::new(pen, shape)
-        })
+        self.drawing.add(Mark { id, since: self.since, ..Mark::new(pen, shape) })
     }
 
     /// A broad line under what the step is about; nothing keeps off it.
@@ -109,11 +101,7 @@ impl<'a> Canvas<'a> {
 
     /// A mark that is there in one step alone; nothing keeps off it.
     pub(super) fn passing(&mut self, step: u16, pen: Pen, shape: Shape) -> &mut Mark {
-        self.drawing.add(Mark {
-            since: step,
-            passing: true,
-            ..Mark::new(pen, shape)
-        })
+        self.drawing.add(Mark { since: step, passing: true, ..Mark::new(pen, shape) })
     }
 
     /// The same, findable by a name such as `velocity-ray-b-s3`.
@@ -178,10 +166,7 @@ impl<'a> Canvas<'a> {
         let lines = self.obstacles.lines.iter();
         let mut lines = lines.map(|&(a, b)| Line::new(a, b).nearest(centre, 1e-3).distance_sq);
         let mut boxes = self.obstacles.boxes.iter().map(|area| {
-            let nearest = Point::new(
-                centre.x.clamp(area.x0, area.x1),
-                centre.y.clamp(area.y0, area.y1),
-            );
+            let nearest = Point::new(centre.x.clamp(area.x0, area.x1), centre.y.clamp(area.y0, area.y1));
             (nearest - centre).hypot2()
         });
         let mut closed = self.closed.iter();
@@ -206,21 +191,8 @@ impl<'a> Canvas<'a> {
         priority: u8,
     ) -> &mut Wanted {
         let markup = self.renamed.get(name).map_or(standard, String::as_str);
-        let request = LabelRequest {
-            text: RichText::math(markup),
-            size: LABEL,
-            anchor,
-            clearance,
-            prefer,
-            priority,
-        };
-        self.want(Wanted {
-            request,
-            name: format!("label-{name}"),
-            pen: Pen::Label,
-            number: None,
-            optional: false,
-        })
+        let request = LabelRequest { text: RichText::math(markup), size: LABEL, anchor, clearance, prefer, priority };
+        self.want(Wanted { request, name: format!("label-{name}"), pen: Pen::Label, number: None, optional: false })
     }
 
     /// Asks for a label of any look.
@@ -239,13 +211,7 @@ impl<'a> Canvas<'a> {
             prefer: None,
             priority: 3,
         };
-        self.want(Wanted {
-            request,
-            name: format!("label-{name}"),
-            pen: Pen::Label,
-            number: None,
-            optional: false,
-        });
+        self.want(Wanted { request, name: format!("label-{name}"), pen: Pen::Label, number: None, optional: false });
     }
 
     /// The text that a name is shown by.
@@ -262,9 +228,8 @@ impl<'a> Canvas<'a> {
             let mut circles = self.closed.iter();
             circles.any(|(centre, radius)| (anchor - *centre).hypot() < *radius)
         };
-        let (within, outside): (Vec<_>, Vec<_>) = requests
-            .into_iter()
-            .partition(|(wanted, _)| shown(wanted.request.anchor));
+        let (within, outside): (Vec<_>, Vec<_>) =
+            requests.into_iter().partition(|(wanted, _)| shown(wanted.request.anchor));
         self.place(within);
         for (centre, radius) in std::mem::take(&mut self.closed) {
             self.obstacles.boxes.extend(strips(centre, radius));
@@ -300,11 +265,7 @@ impl<'a> Canvas<'a> {
         for mark in marks.split_off(self.before) {
             let mut id = mark.id;
             for shape in clipped(self.frame, mark.shape) {
-                marks.push(Mark {
-                    id: id.take(),
-                    shape,
-                    ..mark
-                });
+                marks.push(Mark { id: id.take(), shape, ..mark });
             }
         }
     }

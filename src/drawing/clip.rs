@@ -32,21 +32,15 @@ pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
             None => Vec::new(),
         },
         Shape::Polyline(points) => {
-            let parts = points
-                .windows(2)
-                .filter_map(|ends| line(&ends[0], &ends[1]));
+            let parts = points.windows(2).filter_map(|ends| line(&ends[0], &ends[1]));
             parts.collect()
         }
         Shape::Polygon(corners) => {
             let corners = inside(area, corners);
             let some = corners.len() > 2;
-            some.then_some(Shape::Polygon(corners))
-                .into_iter()
-                .collect()
+            some.then_some(Shape::Polygon(corners)).into_iter().collect()
         }
-        Shape::Circle { center, .. }
-        | Shape::Arc { center, .. }
-        | Shape::ArcArrow { center, .. } => {
+        Shape::Circle { center, .. } | Shape::Arc { center, .. } | Shape::ArcArrow { center, .. } => {
             let middle = *center;
             holds(area, middle).then_some(shape).into_iter().collect()
         }
@@ -60,12 +54,8 @@ pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
 /// The part of a polygon in a box, edge by edge (Sutherland and Hodgman 1974).
 fn inside(area: Rect, corners: &[Point]) -> Vec<Point> {
     // Distance inwards from each of the four edges.
-    let depths: [&dyn Fn(Point) -> f64; 4] = [
-        &|p| p.x - area.x0,
-        &|p| area.x1 - p.x,
-        &|p| p.y - area.y0,
-        &|p| area.y1 - p.y,
-    ];
+    let depths: [&dyn Fn(Point) -> f64; 4] =
+        [&|p| p.x - area.x0, &|p| area.x1 - p.x, &|p| p.y - area.y0, &|p| area.y1 - p.y];
     let mut corners = corners.to_vec();
     for depth in depths {
         let mut kept = Vec::new();
@@ -114,18 +104,11 @@ mod tests {
             panic!("{shapes:?}");
         };
         // The square from (5, 5) to (10, 10), whose corner (10, 10) the long side just meets.
-        for want in [
-            corner(5.0, 5.0),
-            corner(10.0, 5.0),
-            corner(10.0, 10.0),
-            corner(5.0, 10.0),
-        ] {
+        for want in [corner(5.0, 5.0), corner(10.0, 5.0), corner(10.0, 10.0), corner(5.0, 10.0)] {
             let near = corners.iter().any(|c| (*c - want).hypot() < 1e-9);
             assert!(near, "{want:?} in {corners:?}");
         }
-        let all = corners
-            .iter()
-            .all(|c| AREA.inflate(1e-9, 1e-9).contains(*c));
+        let all = corners.iter().all(|c| AREA.inflate(1e-9, 1e-9).contains(*c));
         assert!(all, "{corners:?}");
     }
 }

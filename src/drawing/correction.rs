@@ -58,16 +58,11 @@ pub fn overlay(
     let page = scene.figure.page.size_mm();
     let way = best_way(scene, &scheme, overlay);
     let (table, rows) = overlay.table();
-    let mut sheet = Sheet {
-        layout: way.layout,
-        worksheet: None,
-    };
+    let mut sheet = Sheet { layout: way.layout, worksheet: None };
     let mut shared = None;
     if way.place == Place::Below {
         let lines = lines_below(overlay, page);
-        let both = Sheet::divided(scene, &scheme, &way.extents, lines, &|room| {
-            table.asides(room)
-        });
+        let both = Sheet::divided(scene, &scheme, &way.extents, lines, &|room| table.asides(room));
         shared = both.table.filter(|area| table.fits(*area));
         shared = shared.filter(|_| both.worth >= sheet.layout.worth);
         if shared.is_some() {
@@ -82,10 +77,7 @@ pub fn overlay(
     match (way.place, sheet.layout.table) {
         (Place::Beside, Some(area)) => {
             drawing.draw(Pen::Frame, Shape::Polygon(legend::corners(area)));
-            let area = Rect {
-                y0: area.y0 + TOP,
-                ..area
-            };
+            let area = Rect { y0: area.y0 + TOP, ..area };
             let from = overlay.draw_key(&mut drawing, area, words);
             let lines = overlay.lines(area.width() - 2.0 * legend::PAD, true);
             legend::draw_lines_in(&mut drawing, area, from, lines);
@@ -135,11 +127,7 @@ fn best_way(scene: &Scene, scheme: &Scheme<'_>, overlay: &Overlay) -> Way {
                 }
             };
             let layout = Sheet::divided(scene, scheme, &extents, below, &|_| vec![aside]);
-            Way {
-                place,
-                extents: extents.clone(),
-                layout,
-            }
+            Way { place, extents: extents.clone(), layout }
         };
         let mut words = way(Place::Below, 0.0);
         let beside = BESIDE.iter().filter_map(|part| {
@@ -198,29 +186,17 @@ fn tables<const N: usize>(
     let mut rows = rows;
     let mut sheets = Vec::new();
     while !rows.is_empty() {
-        let mut drawing = Drawing {
-            width,
-            height,
-            marks: Vec::new(),
-            panels: Vec::new(),
-            ..figure.clone()
-        };
+        let mut drawing = Drawing { width, height, marks: Vec::new(), panels: Vec::new(), ..figure.clone() };
         draw_title(&mut drawing, whole);
         let mut own = area;
         if !lines.is_empty() {
-            let room = Rect {
-                y1: own.y0 + legend::height_of_lines(lines.len()),
-                ..own
-            };
+            let room = Rect { y1: own.y0 + legend::height_of_lines(lines.len()), ..own };
             drawing.draw(Pen::Frame, Shape::Polygon(legend::corners(room)));
             legend::draw_lines_in(&mut drawing, room, 0, std::mem::take(&mut lines));
             own.y0 = room.y1 + GAP;
         }
         let (first, later) = rows.split_at(table.most(own).clamp(1, rows.len()));
-        let table = Table {
-            rows: first.len(),
-            ..table.clone()
-        };
+        let table = Table { rows: first.len(), ..table.clone() };
         table.draw(&mut drawing, table.needed(own), first);
         rows = later;
         sheets.push(drawing);

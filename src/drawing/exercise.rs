@@ -26,22 +26,11 @@ pub fn exercise_sheet(
 ) -> Option<Drawing> {
     let scene = alone(scene);
     let scheme = Scheme::new(&scene, mechanism, pose, construction);
-    let laid = Laid::out(&scene, &scheme, sentences, |_| {
-        Worksheet::blank(&scheme, scene.units, asked)
-    });
+    let laid = Laid::out(&scene, &scheme, sentences, |_| Worksheet::blank(&scheme, scene.units, asked));
     let placed = laid.sheet.layout.panels.first()?;
     let size = laid.extents.first()?.1.size() / placed.mu;
     let fits = size.x <= placed.area.width() && size.y <= placed.area.height();
-    fits.then(|| {
-        compose(
-            &scene,
-            &scheme,
-            &laid.sheet,
-            &laid.extents,
-            Shown::Words(&laid.lines),
-        )
-        .after_step(0)
-    })
+    fits.then(|| compose(&scene, &scheme, &laid.sheet, &laid.extents, Shown::Words(&laid.lines)).after_step(0))
 }
 
 /// The figure that a scene asks for with other `sentences` below its scales, in markup.
@@ -59,13 +48,7 @@ pub fn key_sheet(
         Worksheet::new(&scheme, scene.units, extents, page)
     };
     let laid = Laid::out(scene, &scheme, sentences, table);
-    compose(
-        scene,
-        &scheme,
-        &laid.sheet,
-        &laid.extents,
-        Shown::Words(&laid.lines),
-    )
+    compose(scene, &scheme, &laid.sheet, &laid.extents, Shown::Words(&laid.lines))
 }
 
 /// The scale at which the scheme fits on the sheet of an exercise, from the same as [`exercise_sheet`]; that of the scene where it gives one.
@@ -80,9 +63,7 @@ pub fn exercise_scale(
 ) -> Option<f64> {
     let scene = alone(scene);
     let scheme = Scheme::new(&scene, mechanism, pose, construction);
-    let laid = Laid::out(&scene, &scheme, sentences, |_| {
-        Worksheet::blank(&scheme, scene.units, asked)
-    });
+    let laid = Laid::out(&scene, &scheme, sentences, |_| Worksheet::blank(&scheme, scene.units, asked));
     laid.sheet.layout.panels.first().map(|placed| placed.mu)
 }
 
@@ -114,26 +95,14 @@ impl Laid {
         let table = table(&extents);
         let below = legend::height_of_lines(lines.len());
         let layout = Sheet::divided(scene, scheme, &extents, below, &|room| table.asides(room));
-        let sheet = Sheet {
-            layout,
-            worksheet: Some(table),
-        };
-        Laid {
-            sheet,
-            extents,
-            lines,
-        }
+        let sheet = Sheet { layout, worksheet: Some(table) };
+        Laid { sheet, extents, lines }
     }
 }
 
 /// Whether the scheme has its special points at their places, none beyond reach.
 #[must_use]
-pub fn shows_special_points(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
-) -> bool {
+pub fn shows_special_points(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: &Construction) -> bool {
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     scheme.special().all(|special| scheme.is_near(special))
 }

@@ -21,12 +21,7 @@ use kurbo::{Point, Rect};
 
 /// The figure that a scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
 #[must_use]
-pub fn figure(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
-) -> Drawing {
+pub fn figure(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: &Construction) -> Drawing {
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     let extents = extents(&scheme);
     let sheet = Sheet::new(scene, &scheme, &extents, false);
@@ -38,12 +33,7 @@ pub fn figure(
 ///
 /// Plans that the figure has no panel for are not drawn, but their steps are told.
 #[must_use]
-pub fn stepwise(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
-) -> Drawing {
+pub fn stepwise(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: &Construction) -> Drawing {
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     let extents = extents(&scheme);
     let sheet = Sheet::new(scene, &scheme, &extents, true);
@@ -70,16 +60,8 @@ pub(super) enum Shown<'a> {
 /// several times as large as most: near a limit position rates grow without bound, and special points run to infinity. What does not
 /// fit is cut off at the panel's edge. Moving figures are for the screen: none is a work sheet.
 #[must_use]
-pub fn frames(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    positions: &[(Pose, Construction)],
-    own: usize,
-) -> Vec<Drawing> {
-    let scheme = |(pose, construction)| Scheme {
-        insets: false,
-        ..Scheme::new(scene, mechanism, pose, construction)
-    };
+pub fn frames(scene: &Scene, mechanism: &Mechanism, positions: &[(Pose, Construction)], own: usize) -> Vec<Drawing> {
+    let scheme = |(pose, construction)| Scheme { insets: false, ..Scheme::new(scene, mechanism, pose, construction) };
     let schemes: Vec<Scheme<'_>> = positions.iter().map(|(p, c)| scheme((p, c))).collect();
     let Some(first) = schemes.get(own) else {
         return Vec::new();
@@ -89,9 +71,7 @@ pub fn frames(
         .map(|(panel, extent)| {
             let others = schemes.iter().filter_map(|scheme| match panel {
                 Panel::Scheme => Some(scheme.extent_of_joints()),
-                Panel::Velocity => {
-                    Some(plan_panel::extent_of_images(&scheme.construction.velocity))
-                }
+                Panel::Velocity => Some(plan_panel::extent_of_images(&scheme.construction.velocity)),
                 Panel::Acceleration => {
                     let plan = scheme.construction.acceleration.as_ref()?;
                     Some(plan_panel::extent_of_images(plan))
@@ -103,10 +83,8 @@ pub fn frames(
     let most = schemes.iter().map(|scheme| scheme.agreement().len());
     let lines = most.max().unwrap_or_default();
     let below = words_below(lines, true);
-    let sheet = Sheet {
-        layout: Sheet::divided(scene, first, &extents, below, &|_| vec![Aside::Nothing]),
-        worksheet: None,
-    };
+    let sheet =
+        Sheet { layout: Sheet::divided(scene, first, &extents, below, &|_| vec![Aside::Nothing]), worksheet: None };
     let draw = |scheme: &Scheme<'_>| compose(scene, scheme, &sheet, &extents, Shown::Steps);
     schemes.iter().map(draw).collect()
 }
@@ -127,9 +105,7 @@ pub(super) fn compose(
     let language = scheme.words.language;
     let title = scene.title.as_deref().unwrap_or(language.title);
     drawing.title = match shown {
-        Shown::Overlay(Overlay {
-            name: Some(name), ..
-        }) => format!("{title} – {name}"),
+        Shown::Overlay(Overlay { name: Some(name), .. }) => format!("{title} – {name}"),
         _ => title.to_owned(),
     };
     drawing.language = language.code;
@@ -179,12 +155,7 @@ pub(super) fn draw_title(drawing: &mut Drawing, room: Rect) {
 
 /// The scales of the figure that a scene asks for; a plan without a panel has the scale that the scene gives, or none.
 #[must_use]
-pub fn scales(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
-) -> Scales {
+pub fn scales(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: &Construction) -> Scales {
     let scheme = Scheme::new(scene, mechanism, pose, construction);
     let sheet = Sheet::new(scene, &scheme, &extents(&scheme), false);
     let of = |panel: Panel| {
@@ -192,22 +163,13 @@ pub fn scales(
         let placed = panels.find(|p| p.panel == panel);
         scene.figure.mu(panel).or(placed.map(|p| p.mu))
     };
-    Scales {
-        length: of(Panel::Scheme),
-        velocity: of(Panel::Velocity),
-        acceleration: of(Panel::Acceleration),
-    }
+    Scales { length: of(Panel::Scheme), velocity: of(Panel::Velocity), acceleration: of(Panel::Acceleration) }
 }
 
 /// What the figure leaves out because it does not fit at a scale that the scene gives: a sentence for each such panel, with a scale that
 /// fits. Special points far away count as fitting: they are shown by their cut lines.
 #[must_use]
-pub fn misfits(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
-) -> Vec<String> {
+pub fn misfits(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: &Construction) -> Vec<String> {
     let given = |&panel: &Panel| scene.figure.mu(panel).is_some();
     if !scene.figure.panels.iter().any(given) {
         return Vec::new();
@@ -259,12 +221,7 @@ pub(super) struct Sheet {
 
 impl Sheet {
     /// The sheet for these panels, with room for the words of steps or without.
-    fn new(
-        scene: &Scene,
-        scheme: &Scheme<'_>,
-        extents: &[(Panel, Extent)],
-        by_steps: bool,
-    ) -> Self {
+    fn new(scene: &Scene, scheme: &Scheme<'_>, extents: &[(Panel, Extent)], by_steps: bool) -> Self {
         let page = scene.figure.page.size_mm();
         let table = || Worksheet::new(scheme, scene.units, extents, page);
         let worksheet = scene.figure.worksheet.then(table);
@@ -273,10 +230,7 @@ impl Sheet {
             Some(table) => table.asides(room),
             None => vec![Aside::Nothing],
         };
-        Self {
-            layout: Self::divided(scene, scheme, extents, below, &asides),
-            worksheet,
-        }
+        Self { layout: Self::divided(scene, scheme, extents, below, &asides), worksheet }
     }
 
     /// The sheet with so much room below the scales. They stand in as few rows as hold them.
@@ -319,14 +273,7 @@ fn words_below(lines: usize, by_steps: bool) -> f64 {
     legend::height_of_lines(lines).max(least)
 }
 
-fn panel(
-    drawing: &mut Drawing,
-    index: usize,
-    placed: &Placed,
-    view: &View,
-    scheme: &Scheme<'_>,
-    shown: Shown<'_>,
-) {
+fn panel(drawing: &mut Drawing, index: usize, placed: &Placed, view: &View, scheme: &Scheme<'_>, shown: Shown<'_>) {
     let frame = Shape::Polygon(legend::corners(placed.frame));
     drawing.draw(Pen::Frame, frame);
     let name = name(scheme.words.language, placed.panel);
@@ -334,12 +281,7 @@ fn panel(
     let start = Point::new(placed.frame.x0 + BEFORE_HEADING, placed.frame.y0 + 6.0);
     let heading = PlacedText::new(heading(scheme, index, placed.panel), HEADING_SIZE, start);
     let from = drawing.marks.len();
-    let mut canvas = Canvas::new(
-        drawing,
-        placed.panel.as_str(),
-        placed.frame,
-        &scheme.figure.labels,
-    );
+    let mut canvas = Canvas::new(drawing, placed.panel.as_str(), placed.frame, &scheme.figure.labels);
     canvas.draw(Pen::Heading, Shape::Text(heading));
     let student = match shown {
         Shown::Overlay(overlay) => Some(overlay),

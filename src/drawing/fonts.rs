@@ -25,10 +25,7 @@ pub(super) struct Extent {
 
 /// What a letter that neither face has is taken to fill: about a capital, so that labels keep off
 /// whatever a viewer puts there.
-const UNKNOWN: Extent = Extent {
-    advance: 0.6,
-    ink: Some(Rect::new(0.0, -0.75, 0.6, 0.15)),
-};
+const UNKNOWN: Extent = Extent { advance: 0.6, ink: Some(Rect::new(0.0, -0.75, 0.6, 0.15)) };
 
 /// Letters before this code point (Latin, basic signs) have their glyphs looked up when a face is parsed.
 const COMMON: u32 = 0x80;
@@ -72,8 +69,7 @@ pub(super) fn face(italic: bool) -> &'static Face {
 impl Face {
     fn parse(data: &'static [u8]) -> Self {
         let face = ttf_parser::Face::parse(data, 0).expect("the bundled fonts are sound");
-        let kerning =
-            [b"latn", b"grek", b"cyrl"].map(|script| kerning(&face, Tag::from_bytes(script)));
+        let kerning = [b"latn", b"grek", b"cyrl"].map(|script| kerning(&face, Tag::from_bytes(script)));
         let glyphs = usize::from(face.number_of_glyphs());
         let common = (0..COMMON).map(|code| face.glyph_index(char::from_u32(code)?));
         Self {
@@ -167,9 +163,7 @@ impl Face {
 
     fn extent(&self, glyph: Option<GlyphId>) -> Extent {
         let known = glyph.and_then(|glyph| Some((glyph, self.glyphs.get(usize::from(glyph.0))?)));
-        known.map_or(UNKNOWN, |(glyph, known)| {
-            *known.get_or_init(|| self.measure_glyph(glyph))
-        })
+        known.map_or(UNKNOWN, |(glyph, known)| *known.get_or_init(|| self.measure_glyph(glyph)))
     }
 
     fn outline_of(&'static self, glyph: Option<GlyphId>) -> &'static BezPath {
@@ -200,11 +194,7 @@ impl Face {
     fn kern(&self, script: Script, left: GlyphId, right: GlyphId) -> f64 {
         let units: i32 = self.kerning[script as usize]
             .iter()
-            .filter_map(|lookup| {
-                lookup
-                    .iter()
-                    .find_map(|subtable| pair(subtable, left, right))
-            })
+            .filter_map(|lookup| lookup.iter().find_map(|subtable| pair(subtable, left, right)))
             .sum();
         f64::from(units) / self.em
     }
@@ -283,17 +273,10 @@ fn kerning(face: &ttf_parser::Face<'static>, script: Tag) -> Vec<Vec<PairAdjustm
     let Some(table) = face.tables().gpos else {
         return Vec::new();
     };
-    let Some(language) = table
-        .scripts
-        .find(script)
-        .and_then(|script| script.default_language)
-    else {
+    let Some(language) = table.scripts.find(script).and_then(|script| script.default_language) else {
         return Vec::new();
     };
-    let features = language
-        .feature_indices
-        .into_iter()
-        .filter_map(|index| table.features.get(index));
+    let features = language.feature_indices.into_iter().filter_map(|index| table.features.get(index));
     features
         .filter(|feature| feature.tag == Tag::from_bytes(b"kern"))
         .flat_map(|feature| feature.lookup_indices)
@@ -322,11 +305,7 @@ fn ligatures(face: &ttf_parser::Face<'static>) -> Vec<LigatureSubstitution<'stat
         .filter(|feature| feature.tag == Tag::from_bytes(b"liga"))
         .flat_map(|feature| feature.lookup_indices)
         .filter_map(|index| table.lookups.get(index))
-        .flat_map(|lookup| {
-            lookup
-                .subtables
-                .into_iter::<SubstitutionSubtable<'static>>()
-        })
+        .flat_map(|lookup| lookup.subtables.into_iter::<SubstitutionSubtable<'static>>())
         .filter_map(|subtable| match subtable {
             SubstitutionSubtable::Ligature(ligature) => Some(ligature),
             _ => None,
@@ -340,9 +319,7 @@ fn pair(table: &PairAdjustment<'static>, left: GlyphId, right: GlyphId) -> Optio
     let covered = table.coverage().get(left)?;
     let (first, _) = match table {
         PairAdjustment::Format1 { sets, .. } => sets.get(covered)?.get(right)?,
-        PairAdjustment::Format2 {
-            classes, matrix, ..
-        } => matrix.get((classes.0.get(left), classes.1.get(right)))?,
+        PairAdjustment::Format2 { classes, matrix, .. } => matrix.get((classes.0.get(left), classes.1.get(right)))?,
     };
     Some(i32::from(first.x_advance))
 }

@@ -43,12 +43,7 @@ impl Inset {
             let fits = |factor: &f64| reach * factor <= FILLED * radius;
             let factor = FACTORS.into_iter().rfind(fits)?;
             let centre = free_place(canvas, crowd, radius)?;
-            let inset = Inset {
-                crowd,
-                centre,
-                radius,
-                factor,
-            };
+            let inset = Inset { crowd, centre, radius, factor };
             // Nothing is shown twice in the same place.
             let apart = (centre - crowd).hypot() > radius + inset.shown();
             apart.then_some(inset)
@@ -80,21 +75,16 @@ impl Inset {
                 canvas.draw(mark.pen, shape).number = mark.number;
             }
         }
-        let first = marks.iter().filter(|mark| {
-            matches!(mark.shape, Shape::Circle { .. }) && self.shows(mark.shape.bounds().center())
-        });
+        let first = marks
+            .iter()
+            .filter(|mark| matches!(mark.shape, Shape::Circle { .. }) && self.shows(mark.shape.bounds().center()));
         let since = first.map(|mark| mark.since).min();
         canvas.since(since.unwrap_or_default());
         canvas.close(self.centre, self.radius);
         let small = self.shown().max(FILLED * self.shown() + 0.8);
         for (center, radius) in [(self.crowd, small), (self.centre, self.radius)] {
             for start in [0.0, PI] {
-                let half = Shape::Arc {
-                    center,
-                    radius,
-                    start,
-                    sweep: PI,
-                };
+                let half = Shape::Arc { center, radius, start, sweep: PI };
                 canvas.draw(Pen::Frame, half);
             }
         }
@@ -172,11 +162,7 @@ fn crowd(places: &[Point]) -> Option<(Point, f64)> {
     if largest.len() < CROWD {
         return None;
     }
-    let around = largest
-        .iter()
-        .fold(Rect::from_points(largest[0], largest[0]), |all, &place| {
-            all.union_pt(place)
-        });
+    let around = largest.iter().fold(Rect::from_points(largest[0], largest[0]), |all, &place| all.union_pt(place));
     let middle = around.center();
     let reach = largest.iter().map(|p| (*p - middle).hypot());
     Some((middle, reach.fold(0.0, f64::max)))
@@ -192,8 +178,7 @@ fn free_place(canvas: &Canvas<'_>, near: Point, radius: f64) -> Option<Point> {
         let count = ((to - from) / STEP) as usize;
         (0..=count).map(move |k| from + STEP * k as f64)
     };
-    let all = places(room.x0, room.x1)
-        .flat_map(|x| places(room.y0, room.y1).map(move |y| Point::new(x, y)));
+    let all = places(room.x0, room.x1).flat_map(|x| places(room.y0, room.y1).map(move |y| Point::new(x, y)));
     let mut all: Vec<Point> = all.collect();
     let distance = |p: &Point| (*p - near).hypot2();
     all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));

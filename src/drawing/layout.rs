@@ -130,9 +130,8 @@ fn worth(wanted: &[Wanted], placed: &[Placed]) -> [f64; 3] {
     let all = || wanted.iter().zip(placed);
     // How large a content comes out on paper.
     let drawn = |(w, p): (&Wanted, &Placed)| w.extent.size() / p.mu;
-    let roomy = |(w, p): (&Wanted, &Placed)| {
-        p.area.width().min(p.area.height()) >= LEAST && p.frame.width() >= w.heading
-    };
+    let roomy =
+        |(w, p): (&Wanted, &Placed)| p.area.width().min(p.area.height()) >= LEAST && p.frame.width() >= w.heading;
     let fits = |pair: (&Wanted, &Placed)| {
         let (size, area) = (drawn(pair), pair.1.area.inflate(ROUNDING, ROUNDING));
         size.x <= area.width() && size.y <= area.height()
@@ -149,14 +148,7 @@ fn worth(wanted: &[Wanted], placed: &[Placed]) -> [f64; 3] {
 fn place(wanted: &Wanted, frame: Rect) -> Placed {
     let mut area = frame.inset(-PADDING);
     area.y0 += HEADING - 2.0;
-    Placed {
-        panel: wanted.panel,
-        frame,
-        area,
-        mu: wanted
-            .mu
-            .unwrap_or_else(|| fitting_scale(&wanted.extent, area)),
-    }
+    Placed { panel: wanted.panel, frame, area, mu: wanted.mu.unwrap_or_else(|| fitting_scale(&wanted.extent, area)) }
 }
 
 /// Ways to divide `room` among one, two or three panels.
@@ -191,11 +183,7 @@ fn splits(room: Rect, down: bool, first: &[Wanted], second: &[Wanted]) -> Vec<(R
     let whole = if down { room.height() } else { room.width() } - GAP;
     let needs = |w: &Wanted| {
         let size = w.extent.size();
-        let (size, extra) = if down {
-            (size.y, HEADING - 2.0)
-        } else {
-            (size.x, 0.0)
-        };
+        let (size, extra) = if down { (size.y, HEADING - 2.0) } else { (size.x, 0.0) };
         let least = if down { 0.0 } else { w.heading };
         let at = move |mu: f64| (size / mu + 2.0 * PADDING + extra).max(least) + ROUNDING;
         // The scale that fits the whole room, and the next coarser ones.

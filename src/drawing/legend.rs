@@ -34,11 +34,7 @@ pub(super) struct Entry {
 impl Entry {
     /// The scale of that symbol: `mu` units a millimetre.
     pub(super) fn new(symbol: &str, unit: &str, mu: f64, words: &Wording) -> Self {
-        let per_mm = if unit.contains('/') {
-            format!("({unit})/mm")
-        } else {
-            format!("{unit}/mm")
-        };
+        let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
         let value = short(words, mu);
         let bar = short(words, BAR * mu);
         Self {
@@ -137,12 +133,7 @@ pub(super) fn draw_lines(drawing: &mut Drawing, layout: &Layout, lines: Vec<Rich
 }
 
 /// Writes lines from the upper edge of an area, below as many others.
-pub(super) fn draw_lines_in(
-    drawing: &mut Drawing,
-    area: Rect,
-    before: usize,
-    lines: Vec<RichText>,
-) {
+pub(super) fn draw_lines_in(drawing: &mut Drawing, area: Rect, before: usize, lines: Vec<RichText>) {
     for (index, line) in lines.into_iter().enumerate() {
         let text = PlacedText::new(line, CAPTION, baseline(area, before + index));
         drawing.draw(Pen::Caption, Shape::Text(text));
@@ -165,11 +156,7 @@ fn comparison(language: &Language, construction: &Construction) -> String {
         _ => {
             let mut special = construction.special.iter().flatten();
             let far = special.any(|s| s.place.finite().is_none());
-            let why = if far {
-                language.one_route_far
-            } else {
-                language.one_route
-            };
+            let why = if far { language.one_route_far } else { language.one_route };
             why.to_owned()
         }
     }
@@ -198,10 +185,5 @@ pub(super) fn short(words: &Wording, x: f64) -> String {
 }
 
 pub(super) fn corners(r: Rect) -> Vec<Point> {
-    vec![
-        Point::new(r.x0, r.y0),
-        Point::new(r.x1, r.y0),
-        Point::new(r.x1, r.y1),
-        Point::new(r.x0, r.y1),
-    ]
+    vec![Point::new(r.x0, r.y0), Point::new(r.x1, r.y0), Point::new(r.x1, r.y1), Point::new(r.x0, r.y1)]
 }

@@ -17,11 +17,7 @@ pub struct Colour {
 impl Colour {
     /// The colour written `0xRRGGBB`.
     pub const fn new(rgb: u32) -> Self {
-        Self {
-            red: (rgb >> 16) as u8,
-            green: (rgb >> 8) as u8,
-            blue: rgb as u8,
-        }
+        Self { red: (rgb >> 16) as u8, green: (rgb >> 8) as u8, blue: rgb as u8 }
     }
 
     /// So far (0 to 1) on the way to another colour.
@@ -30,11 +26,7 @@ impl Colour {
             let mixed = f64::from(a) + share * (f64::from(b) - f64::from(a));
             mixed.round() as u8
         };
-        Colour {
-            red: mix(self.red, other.red),
-            green: mix(self.green, other.green),
-            blue: mix(self.blue, other.blue),
-        }
+        Colour { red: mix(self.red, other.red), green: mix(self.green, other.green), blue: mix(self.blue, other.blue) }
     }
 }
 

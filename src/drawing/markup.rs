@@ -111,27 +111,18 @@ impl Setter {
         let (base, scale, lean) = (self.pen, self.scale, self.lean);
         let (mut subscript, mut superscript, mut rest) = (None, None, letters);
         while let Some((mark, body, after)) = script(rest) {
-            let place = if mark == '_' {
-                &mut subscript
-            } else {
-                &mut superscript
-            };
+            let place = if mark == '_' { &mut subscript } else { &mut superscript };
             if place.is_some() {
                 break;
             }
             *place = Some(body);
             rest = after;
         }
-        let drop = if superscript.is_some() {
-            SUBSCRIPT_DROP_BELOW_SUPERSCRIPT
-        } else {
-            SUBSCRIPT_DROP
-        };
+        let drop = if superscript.is_some() { SUBSCRIPT_DROP_BELOW_SUPERSCRIPT } else { SUBSCRIPT_DROP };
         let mut end: f64 = base.x;
-        for (script, body, lean, shift) in [
-            (Script::Sub, subscript, 0.0, drop),
-            (Script::Super, superscript, lean, -SUPERSCRIPT_RISE),
-        ] {
+        for (script, body, lean, shift) in
+            [(Script::Sub, subscript, 0.0, drop), (Script::Super, superscript, lean, -SUPERSCRIPT_RISE)]
+        {
             let Some(body) = body else { continue };
             self.pen = Point::new(base.x + lean + SCRIPT_GAP * scale, base.y + shift * scale);
             self.scale = (scale * SCRIPT_SCALE).max(SMALLEST_SCALE);
@@ -166,10 +157,7 @@ impl Setter {
         if kind != self.kind || kind == Kind::Sign {
             self.end_run();
         }
-        if self.content.is_empty()
-            && kind != Kind::Italic
-            && !matches!(letter, '.' | ',' | ';' | ':')
-        {
+        if self.content.is_empty() && kind != Kind::Italic && !matches!(letter, '.' | ',' | ';' | ':') {
             self.pen.x += self.lean;
         }
         self.kind = kind;
@@ -189,8 +177,7 @@ impl Setter {
     }
 
     fn kind_of(&self, letter: char) -> Kind {
-        let slanted =
-            self.style == Style::Math && letter.is_alphabetic() && fonts::face(true).has(letter);
+        let slanted = self.style == Style::Math && letter.is_alphabetic() && fonts::face(true).has(letter);
         // Latin, Greek, Cyrillic and the marks of Western texts are in every serif font.
         let common = matches!(letter, ' '..='~' | '\u{A0}'..='\u{4FF}' | '–' | '—' | '‘' | '’' | '“' | '”' | '…')
             && fonts::face(false).has(letter);
@@ -211,8 +198,7 @@ impl Setter {
         let italic = self.kind == Kind::Italic;
         let face = fonts::face(italic);
         let Extent { advance, ink } = face.measure(letters);
-        let spaces =
-            (content.len() - letters.len()) as f64 * fonts::face(false).measure(" ").advance;
+        let spaces = (content.len() - letters.len()) as f64 * fonts::face(false).measure(" ").advance;
         self.runs.push(Run {
             content: letters.to_owned(),
             italic,
@@ -224,21 +210,12 @@ impl Setter {
         });
         if let Some(ink) = ink {
             let scale = self.scale;
-            let here = Rect::new(
-                ink.x0 * scale,
-                ink.y0 * scale,
-                ink.x1 * scale,
-                ink.y1 * scale,
-            ) + self.pen.to_vec2();
+            let here = Rect::new(ink.x0 * scale, ink.y0 * scale, ink.x1 * scale, ink.y1 * scale) + self.pen.to_vec2();
             self.ink = Some(self.ink.map_or(here, |all| all.union(here)));
         }
         let over = ink.map_or(0.0, |ink| ink.x1 - advance).max(0.0);
         let leans = italic && spaces == 0.0 && over > 0.0;
-        self.lean = if leans {
-            (over + SCRIPT_GAP) * self.scale
-        } else {
-            0.0
-        };
+        self.lean = if leans { (over + SCRIPT_GAP) * self.scale } else { 0.0 };
         self.pen.x += (advance + spaces) * self.scale;
     }
 }
@@ -275,10 +252,7 @@ mod tests {
     use kurbo::Rect;
 
     fn contents(text: &RichText) -> Vec<(&str, bool)> {
-        text.runs()
-            .iter()
-            .map(|run| (run.content.as_str(), run.italic))
-            .collect()
+        text.runs().iter().map(|run| (run.content.as_str(), run.italic)).collect()
     }
 
     #[test]
@@ -296,30 +270,16 @@ mod tests {
             ("ω", true),
         ];
         assert_eq!(contents(&text), expected);
-        assert_eq!(
-            contents(&RichText::plain("v = 2 mm")),
-            [("v = 2 mm", false)]
-        );
-        assert_eq!(
-            contents(&RichText::verbatim("a_b^{c}")),
-            [("a_b^{c}", false)]
-        );
-        assert_eq!(
-            contents(&RichText::math("d''")),
-            [("d", true), ("″", false)]
-        );
+        assert_eq!(contents(&RichText::plain("v = 2 mm")), [("v = 2 mm", false)]);
+        assert_eq!(contents(&RichText::verbatim("a_b^{c}")), [("a_b^{c}", false)]);
+        assert_eq!(contents(&RichText::math("d''")), [("d", true), ("″", false)]);
     }
 
     #[test]
     fn scripts_of_one_base_stand_one_above_the_other() {
         for source in ["a^{n}_{CB}", "a_{CB}^n"] {
             let text = RichText::math(source);
-            let find = |content: &str| {
-                text.runs()
-                    .iter()
-                    .find(|run| run.content == content)
-                    .expect("it was set")
-            };
+            let find = |content: &str| text.runs().iter().find(|run| run.content == content).expect("it was set");
             let (above, below) = (find("n"), find("CB"));
             assert!(above.y < 0.0 && below.y > 0.0 && above.scale == 0.7);
             assert!((above.x - below.x).abs() < 0.15);
@@ -328,15 +288,9 @@ mod tests {
 
     #[test]
     fn odd_markup_is_literal() {
-        for (source, content) in [
-            ("a_", "a_"),
-            ("a_{b", "a_{b"),
-            ("_", "_"),
-            ("a__b", "a_b"),
-            ("a_{}", "a"),
-            ("", ""),
-            ("a}", "a}"),
-        ] {
+        for (source, content) in
+            [("a_", "a_"), ("a_{b", "a_{b"), ("_", "_"), ("a__b", "a_b"), ("a_{}", "a"), ("", ""), ("a}", "a}")]
+        {
             assert_eq!(RichText::plain(source).content(), content, "{source}");
         }
         let deep = RichText::plain(&"a_{".repeat(40));

@@ -61,9 +61,5 @@ fn links<'a>(mechanism: &'a Mechanism, special: &'a Special) -> Vec<&'a str> {
     let own = special.name.strip_prefix('S').unwrap_or(&special.name);
     let legs = special.cuts.each_ref().map(|cut| cut.carrier);
     let legs = legs.map(|link| mechanism.body(link).name.as_str());
-    if legs.concat() == own {
-        legs.to_vec()
-    } else {
-        vec![own]
-    }
+    if legs.concat() == own { legs.to_vec() } else { vec![own] }
 }

@@ -33,19 +33,14 @@ pub(super) fn is_hidden(figure: &Figure, plan: &Plan, name: &str) -> bool {
     let role = plan.points.get(name).map(|p| p.role);
     let on_the_way = match plan.kind {
         PlanKind::Velocity => matches!(role, Some(PointRole::Special)),
-        PlanKind::Acceleration => matches!(
-            role,
-            Some(PointRole::Special | PointRole::Normal | PointRole::Slid)
-        ),
+        PlanKind::Acceleration => matches!(role, Some(PointRole::Special | PointRole::Normal | PointRole::Slid)),
     };
     on_the_way && !figure.special_points
 }
 
 /// Draws a plan from its steps.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, plan: &Plan) {
-    let Scheme {
-        figure, mechanism, ..
-    } = scheme;
+    let Scheme { figure, mechanism, .. } = scheme;
     let at = |name: &str| {
         let point = plan.points.get(name);
         point.map(|p| view.at(p.vector.into()))
@@ -72,11 +67,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
                 continue;
             };
             let along = on_sheet(ray.direction);
-            let along = if (to - from).dot(along) < 0.0 {
-                -along
-            } else {
-                along
-            };
+            let along = if (to - from).dot(along) < 0.0 { -along } else { along };
             let ends = (from - along * (0.5 * BEYOND), to + along * BEYOND);
             if let Some((a, b)) = clipped_segment(canvas.room(), ends.0, ends.1) {
                 let name = format!("ray-{}-{}", ray.through, ray.to);
@@ -127,8 +118,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
         let drawn = arrow(canvas, at(&laid.from), at(&laid.to), pen, &name);
         // A side of a link's image looks like the image.
         if let (Some(mark), Pen::Image) = (drawn, pen) {
-            let has_both =
-                |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));
+            let has_both = |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));
             mark.number = images.iter().position(has_both);
         }
     }
@@ -188,19 +178,11 @@ fn arrow<'a>(
 /// The plan points that make the images of all links, in their order: a link's image is the link turned and scaled.
 fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
     let image = |body: &Body| {
-        let own = body
-            .points
-            .iter()
-            .map(|&p| mechanism.point_name(p).to_owned());
-        let under = mechanism
-            .sliders
-            .iter()
-            .filter(|s| mechanism.body(s.on).name == body.name);
+        let own = body.points.iter().map(|&p| mechanism.point_name(p).to_owned());
+        let under = mechanism.sliders.iter().filter(|s| mechanism.body(s.on).name == body.name);
         let under = under.map(|s| coincident_name(mechanism.point_name(s.at), &body.name));
         let names = own.chain(under).map(|name| image_name(&name));
-        names
-            .filter(|name| plan.points.contains_key(name))
-            .collect()
+        names.filter(|name| plan.points.contains_key(name)).collect()
     };
     mechanism.links().map(|(_, body)| image(body)).collect()
 }
@@ -209,18 +191,11 @@ fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
 fn is_vanished(plan: &Plan, name: &str) -> bool {
     let own = &plan.points[name];
     let mut others = plan.points.values();
-    own.role == PointRole::Normal
-        && others.any(|p| p.role != PointRole::Normal && p.vector == own.vector)
+    own.role == PointRole::Normal && others.any(|p| p.role != PointRole::Normal && p.vector == own.vector)
 }
 
 /// Dots and names of the plan points; points in one place share a label.
-fn points(
-    canvas: &mut Canvas<'_>,
-    view: &View,
-    scheme: &Scheme<'_>,
-    plan: &Plan,
-    hidden: &dyn Fn(&str) -> bool,
-) {
+fn points(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, plan: &Plan, hidden: &dyn Fn(&str) -> bool) {
     let middle = view.at(nalgebra::center(&extent(plan).low, &extent(plan).high));
     let mut places: Vec<(Point, Vec<&str>, PointRole)> = Vec::new();
     let at_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
@@ -230,9 +205,7 @@ fn points(
             continue;
         }
         let place = view.at(geometry::Point::from(point.vector));
-        let shared = places
-            .iter_mut()
-            .find(|(p, ..)| (*p - place).hypot() < SHARED);
+        let shared = places.iter_mut().find(|(p, ..)| (*p - place).hypot() < SHARED);
         match shared {
             Some((_, here, _)) => here.push(name),
             None => places.push((place, vec![name], point.role)),
@@ -252,10 +225,7 @@ fn points(
         canvas.draw_named(&id, pen, Shape::Circle { center, radius });
     }
     let crowded: Vec<Point> = places.iter().map(|(place, ..)| *place).collect();
-    let inset = scheme
-        .insets
-        .then(|| Inset::new(canvas, &crowded))
-        .flatten();
+    let inset = scheme.insets.then(|| Inset::new(canvas, &crowded)).flatten();
     if let Some(inset) = &inset {
         inset.draw(canvas, &scheme.words);
     }

@@ -57,21 +57,9 @@ impl Shape {
     /// none for other shapes.
     pub fn ends_of_arc(&self) -> Option<(Point, Point)> {
         match *self {
-            Shape::Arc {
-                center,
-                radius,
-                start,
-                sweep,
+            Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep } => {
+                Some((on_circle(center, radius, start), on_circle(center, radius, start + sweep)))
             }
-            | Shape::ArcArrow {
-                center,
-                radius,
-                start,
-                sweep,
-            } => Some((
-                on_circle(center, radius, start),
-                on_circle(center, radius, start + sweep),
-            )),
             _ => None,
         }
     }
@@ -86,9 +74,7 @@ impl Shape {
             Shape::Polyline(points) | Shape::Polygon(points) => around(points),
             Shape::Circle { center, radius }
             | Shape::Arc { center, radius, .. }
-            | Shape::ArcArrow { center, radius, .. } => {
-                Rect::from_center_size(*center, (2.0 * radius, 2.0 * radius))
-            }
+            | Shape::ArcArrow { center, radius, .. } => Rect::from_center_size(*center, (2.0 * radius, 2.0 * radius)),
             Shape::Arrow { from, to } => {
                 let line = Rect::from_points(*from, *to);
                 self.head_box().map_or(line, |head| line.union(head))
@@ -102,18 +88,7 @@ impl Shape {
     pub fn drawn_box(&self) -> Rect {
         const PARTS: u8 = 64;
         match *self {
-            Self::Arc {
-                center,
-                radius,
-                start,
-                sweep,
-            }
-            | Self::ArcArrow {
-                center,
-                radius,
-                start,
-                sweep,
-            } => {
+            Self::Arc { center, radius, start, sweep } | Self::ArcArrow { center, radius, start, sweep } => {
                 let on = |part: u8| {
                     let share = f64::from(part) / f64::from(PARTS);
                     on_circle(center, radius, start + sweep * share)
@@ -136,20 +111,8 @@ impl Shape {
                 lines.extend(points.last().copied().zip(points.first().copied()));
                 lines
             }
-            &(Shape::Arc {
-                center,
-                radius,
-                start,
-                sweep,
-            }
-            | Shape::ArcArrow {
-                center,
-                radius,
-                start,
-                sweep,
-            }) => {
-                let on =
-                    |part: u8| on_circle(center, radius, start + sweep * f64::from(part) / 8.0);
+            &(Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep }) => {
+                let on = |part: u8| on_circle(center, radius, start + sweep * f64::from(part) / 8.0);
                 chain(&(0..=8).map(on).collect::<Vec<_>>())
             }
             Shape::Circle { .. } | Shape::Text(_) => Vec::new(),
@@ -163,16 +126,12 @@ impl Shape {
             Shape::Circle { center, radius }
             | Shape::Arc { center, radius, .. }
             | Shape::ArcArrow { center, radius, .. } => {
-                let nearest = Point::new(
-                    center.x.max(area.x0).min(area.x1),
-                    center.y.max(area.y0).min(area.y1),
-                );
+                let nearest = Point::new(center.x.max(area.x0).min(area.x1), center.y.max(area.y0).min(area.y1));
                 let farthest = Vec2::new(
                     (center.x - area.x0).abs().max((center.x - area.x1).abs()),
                     (center.y - area.y0).abs().max((center.y - area.y1).abs()),
                 );
-                (nearest - *center).hypot2() <= radius * radius
-                    && radius * radius <= farthest.hypot2()
+                (nearest - *center).hypot2() <= radius * radius && radius * radius <= farthest.hypot2()
             }
             _ => {
                 let head = self.head_box().is_some_and(|head| overlap(head, area));
@@ -185,22 +144,11 @@ impl Shape {
     pub fn is_finite(&self) -> bool {
         match self {
             Shape::Line(a, b) | Shape::Arrow { from: a, to: b } => a.is_finite() && b.is_finite(),
-            Shape::Polyline(points) | Shape::Polygon(points) => {
-                points.iter().all(|point| point.is_finite())
-            }
+            Shape::Polyline(points) | Shape::Polygon(points) => points.iter().all(|point| point.is_finite()),
             Shape::Circle { center, radius } => center.is_finite() && radius.is_finite(),
-            Shape::Arc {
-                center,
-                radius,
-                start,
-                sweep,
+            Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep } => {
+                center.is_finite() && radius.is_finite() && start.is_finite() && sweep.is_finite()
             }
-            | Shape::ArcArrow {
-                center,
-                radius,
-                start,
-                sweep,
-            } => center.is_finite() && radius.is_finite() && start.is_finite() && sweep.is_finite(),
             Shape::Text(text) => text.origin.is_finite() && text.size.is_finite(),
         }
     }
@@ -219,12 +167,9 @@ pub(super) fn overlap(a: Rect, b: Rect) -> bool {
 /// Whether a line comes through a box: their shadows overlap on both axes and across the line.
 fn crosses(a: Point, b: Point, area: Rect) -> bool {
     let along = b - a;
-    let sides =
-        [area.x0, area.x1].map(|x| [area.y0, area.y1].map(|y| along.cross(Point::new(x, y) - a)));
-    let (some_left, some_right) = (
-        sides.as_flattened().iter().any(|&side| side >= 0.0),
-        sides.as_flattened().iter().any(|&side| side <= 0.0),
-    );
+    let sides = [area.x0, area.x1].map(|x| [area.y0, area.y1].map(|y| along.cross(Point::new(x, y) - a)));
+    let (some_left, some_right) =
+        (sides.as_flattened().iter().any(|&side| side >= 0.0), sides.as_flattened().iter().any(|&side| side <= 0.0));
     overlap(Rect::from_points(a, b), area) && some_left && some_right
 }
 
@@ -233,9 +178,5 @@ pub(super) fn around(points: &[Point]) -> Rect {
     let Some(&first) = points.first() else {
         return Rect::ZERO;
     };
-    points
-        .iter()
-        .fold(Rect::from_points(first, first), |all, &point| {
-            all.union_pt(point)
-        })
+    points.iter().fold(Rect::from_points(first, first), |all, &point| all.union_pt(point))
 }

@@ -53,10 +53,7 @@ impl Drawing {
 
     /// Draws a mark that slide programs and scripts can find by `id`.
     pub fn draw_named(&mut self, id: impl Into<String>, pen: Pen, shape: Shape) -> &mut Mark {
-        self.add(Mark {
-            id: Some(id.into()),
-            ..Mark::new(pen, shape)
-        })
+        self.add(Mark { id: Some(id.into()), ..Mark::new(pen, shape) })
     }
 
     /// Puts a mark on top of the others.
@@ -92,10 +89,7 @@ impl Drawing {
                 _ => Emphasis::Earlier,
             };
             let shows = since <= step && !(mark.passing && since < step);
-            shows.then(|| Mark {
-                emphasis,
-                ..mark.clone()
-            })
+            shows.then(|| Mark { emphasis, ..mark.clone() })
         });
         let words = self.steps.get(step.wrapping_sub(1));
         Drawing {
@@ -126,9 +120,9 @@ impl Drawing {
             let area = text.ink_box().inflate(0.5 * halo, 0.5 * halo);
             let below = self.marks[..index].iter().zip(&drawn);
             halo > 0.0
-                && below.into_iter().any(|(other, (bounds, lines))| {
-                    *lines && overlap(*bounds, area) && other.shape.lines_cross(area)
-                })
+                && below
+                    .into_iter()
+                    .any(|(other, (bounds, lines))| *lines && overlap(*bounds, area) && other.shape.lines_cross(area))
         });
         needs.collect()
     }
@@ -169,15 +163,7 @@ pub enum Emphasis {
 impl Mark {
     /// A nameless mark that stands there from the start.
     pub fn new(pen: Pen, shape: Shape) -> Self {
-        Self {
-            id: None,
-            pen,
-            number: None,
-            shape,
-            since: 0,
-            passing: false,
-            emphasis: Emphasis::Plain,
-        }
+        Self { id: None, pen, number: None, shape, since: 0, passing: false, emphasis: Emphasis::Plain }
     }
 }
 
@@ -276,46 +262,21 @@ mod tests {
     #[test]
     fn halos_only_where_lines_run_through() {
         let mut drawing = Drawing::new(100.0, 100.0);
-        let text = |x, y| {
-            Shape::Text(PlacedText::new(
-                RichText::math("S_3"),
-                4.0,
-                Point::new(x, y),
-            ))
-        };
-        drawing.draw(
-            Pen::Link,
-            Shape::Line(Point::new(0.0, 0.0), Point::new(100.0, 100.0)),
-        );
+        let text = |x, y| Shape::Text(PlacedText::new(RichText::math("S_3"), 4.0, Point::new(x, y)));
+        drawing.draw(Pen::Link, Shape::Line(Point::new(0.0, 0.0), Point::new(100.0, 100.0)));
         drawing.draw(
             Pen::LinkFill,
-            Shape::Polygon(vec![
-                Point::new(60.0, 0.0),
-                Point::new(90.0, 0.0),
-                Point::new(75.0, 40.0),
-            ]),
+            Shape::Polygon(vec![Point::new(60.0, 0.0), Point::new(90.0, 0.0), Point::new(75.0, 40.0)]),
         );
-        drawing.draw(
-            Pen::Joint,
-            Shape::Circle {
-                center: Point::new(20.0, 80.0),
-                radius: 10.0,
-            },
-        );
+        drawing.draw(Pen::Joint, Shape::Circle { center: Point::new(20.0, 80.0), radius: 10.0 });
         drawing.draw(Pen::Label, text(50.0, 51.0));
         drawing.draw(Pen::Label, text(10.0, 51.0));
         drawing.draw(Pen::Label, text(59.0, 1.0));
         drawing.draw(Pen::Label, text(29.0, 81.0));
         drawing.draw(Pen::Label, text(18.0, 81.0));
         drawing.draw(Pen::Caption, text(50.0, 51.0));
-        drawing.draw(
-            Pen::Link,
-            Shape::Line(Point::new(0.0, 51.0), Point::new(30.0, 51.0)),
-        );
-        assert_eq!(
-            drawing.halos()[3..9],
-            [true, false, false, true, false, false]
-        );
+        drawing.draw(Pen::Link, Shape::Line(Point::new(0.0, 51.0), Point::new(30.0, 51.0)));
+        assert_eq!(drawing.halos()[3..9], [true, false, false, true, false, false]);
     }
 
     #[test]
@@ -324,22 +285,8 @@ mod tests {
         for wrong in [f64::NAN, f64::INFINITY, -3.0] {
             let (center, radius) = (Point::new(wrong, 1.0), wrong);
             drawing.draw(Pen::Joint, Shape::Circle { center, radius });
-            drawing.draw(
-                Pen::Turning,
-                Shape::ArcArrow {
-                    center,
-                    radius,
-                    start: wrong,
-                    sweep: wrong,
-                },
-            );
-            drawing.draw(
-                Pen::Velocity,
-                Shape::Arrow {
-                    from: center,
-                    to: Point::ORIGIN,
-                },
-            );
+            drawing.draw(Pen::Turning, Shape::ArcArrow { center, radius, start: wrong, sweep: wrong });
+            drawing.draw(Pen::Velocity, Shape::Arrow { from: center, to: Point::ORIGIN });
             drawing.draw(Pen::Link, Shape::Polygon(vec![]));
             let text = PlacedText::new(RichText::math("S_3"), wrong, center);
             drawing.draw(Pen::Label, Shape::Text(text));

@@ -57,10 +57,7 @@ impl Stages {
 impl PlanStages {
     fn new(plan: &Plan, before: usize) -> Self {
         let number = |index: usize| (before + index + 1) as u16;
-        let mut stages = Self {
-            last: number(plan.steps.len().saturating_sub(1)),
-            ..Self::default()
-        };
+        let mut stages = Self { last: number(plan.steps.len().saturating_sub(1)), ..Self::default() };
         for (index, step) in plan.steps.iter().enumerate() {
             let number = number(index);
             let mut come = |point: &String| {
@@ -107,13 +104,9 @@ impl PlanStages {
 }
 
 /// All steps in order, numbered from 1, each with its plan.
-pub(super) fn numbered(
-    construction: &Construction,
-) -> impl Iterator<Item = (u16, Option<&Plan>, &Step)> {
+pub(super) fn numbered(construction: &Construction) -> impl Iterator<Item = (u16, Option<&Plan>, &Step)> {
     let scheme = construction.scheme.iter().map(|step| (None, step));
-    let plans = construction
-        .plans()
-        .flat_map(|plan| plan.steps.iter().map(move |step| (Some(plan), step)));
+    let plans = construction.plans().flat_map(|plan| plan.steps.iter().map(move |step| (Some(plan), step)));
     let steps = (1..).zip(scheme.chain(plans));
     steps.map(|(number, (plan, step))| (number, plan, step))
 }

@@ -123,12 +123,7 @@ impl<const N: usize> Table<N> {
                 // The last column has what the others leave, but no column is filled more than need be.
                 let even = (self.rows + depth - last).div_ceil(columns);
                 let depth = even.min(depth);
-                return Grid {
-                    columns,
-                    depth,
-                    last: self.rows.saturating_sub(depth * (columns - 1)),
-                    small,
-                };
+                return Grid { columns, depth, last: self.rows.saturating_sub(depth * (columns - 1)), small };
             }
             small *= 0.97;
         }
@@ -155,12 +150,7 @@ impl<const N: usize> Table<N> {
     /// Draws the table in its area. Where the foot's lower left corner is.
     pub(super) fn draw(&self, drawing: &mut Drawing, area: Rect, rows: &[Cells<N>]) -> Point {
         drawing.draw(Pen::Frame, Shape::Polygon(legend::corners(area)));
-        let Grid {
-            columns,
-            depth,
-            last,
-            small,
-        } = self.grid(area);
+        let Grid { columns, depth, last, small } = self.grid(area);
         let pitch = area.width() / columns as f64;
         let mut left = rows;
         for column in 0..columns {
@@ -190,44 +180,27 @@ impl<const N: usize> Table<N> {
     }
 
     /// Writes a row from the left end of its baseline.
-    fn row(
-        &self,
-        drawing: &mut Drawing,
-        from: Point,
-        small: f64,
-        row: Option<&Cells<N>>,
-        texts: &[RichText; N],
-    ) {
+    fn row(&self, drawing: &mut Drawing, from: Point, small: f64, row: Option<&Cells<N>>, texts: &[RichText; N]) {
         let size = CAPTION * small;
         let stands_out = row.is_some_and(|row| row.stands_out);
         let mut x = from.x;
         for (cell, text) in texts.iter().enumerate() {
             let width = self.widths[cell] * small;
-            let start = if self.ending[cell] {
-                x + width - text.width(size)
-            } else {
-                x
-            };
+            let start = if self.ending[cell] { x + width - text.width(size) } else { x };
             let id = row.and_then(|row| row.id.as_ref());
             let id = id.map(|id| format!("{id}-{}", self.names[cell]));
             if row.is_some_and(|row| row.boxes[cell]) {
                 let [above, below] = BOX.map(|y| y * small);
                 let area = Rect::new(x, from.y - above, x + width, from.y + below);
-                drawing.add(Mark {
-                    id: id.clone(),
-                    ..Mark::new(Pen::Frame, Shape::Polygon(legend::corners(area)))
-                });
+                drawing.add(Mark { id: id.clone(), ..Mark::new(Pen::Frame, Shape::Polygon(legend::corners(area))) });
             }
             x += width + GUTTER * small;
             if text.is_empty() {
                 continue;
             }
             let text = PlacedText::new(text.clone(), size, Point::new(start, from.y));
-            let (pen, emphasis) = if stands_out {
-                (Pen::Label, Emphasis::New)
-            } else {
-                (Pen::Caption, Emphasis::Plain)
-            };
+            let (pen, emphasis) =
+                if stands_out { (Pen::Label, Emphasis::New) } else { (Pen::Caption, Emphasis::Plain) };
             drawing.add(Mark {
                 id,
                 since: row.map_or(0, |row| row.since),

@@ -92,11 +92,7 @@ impl RichText {
 
     fn set(source: &str, style: Style, markup: bool) -> Self {
         let setter = Setter::set(source, style, markup);
-        Self {
-            runs: setter.runs,
-            advance: setter.pen.x,
-            ink: setter.ink.unwrap_or(Rect::ZERO),
-        }
+        Self { runs: setter.runs, advance: setter.pen.x, ink: setter.ink.unwrap_or(Rect::ZERO) }
     }
 
     /// The runs in reading order.
@@ -112,12 +108,7 @@ impl RichText {
     /// The tight box around the ink in mm at a size (mm of one em), from the left end of the
     /// baseline, y down; empty at the origin for a text without ink.
     pub fn ink_box(&self, size: f64) -> Rect {
-        Rect::new(
-            self.ink.x0 * size,
-            self.ink.y0 * size,
-            self.ink.x1 * size,
-            self.ink.y1 * size,
-        )
+        Rect::new(self.ink.x0 * size, self.ink.y0 * size, self.ink.x1 * size, self.ink.y1 * size)
     }
 
     /// Whether there is nothing to draw.
@@ -188,12 +179,7 @@ impl PlacedRun<'_> {
 impl PlacedText {
     /// A text whose baseline starts at `origin`.
     pub fn new(text: RichText, size: f64, origin: Point) -> Self {
-        Self {
-            text,
-            size,
-            origin,
-            anchor: Anchor::Start,
-        }
+        Self { text, size, origin, anchor: Anchor::Start }
     }
 
     /// The same text where it stands, with another part of it that stays in place.
@@ -204,22 +190,12 @@ impl PlacedText {
     /// A text whose ink is centred at `center`, left to right and top to bottom.
     pub fn centered(text: RichText, size: f64, center: Point) -> Self {
         let ink = text.ink_box(size);
-        Self {
-            origin: center - ink.center().to_vec2(),
-            text,
-            size,
-            anchor: Anchor::Middle,
-        }
+        Self { origin: center - ink.center().to_vec2(), text, size, anchor: Anchor::Middle }
     }
 
     /// A text that ends at `end` on its baseline.
     pub fn ending_at(text: RichText, size: f64, end: Point) -> Self {
-        Self {
-            origin: Point::new(end.x - text.width(size), end.y),
-            text,
-            size,
-            anchor: Anchor::End,
-        }
+        Self { origin: Point::new(end.x - text.width(size), end.y), text, size, anchor: Anchor::End }
     }
 
     /// The tight box around the ink on the sheet, in mm.
@@ -249,17 +225,9 @@ mod tests {
         assert!(space > 0.15);
         for source in [" ab", "ab ", "a  b"] {
             let spaces = source.matches(' ').count() as f64;
-            assert!(
-                (width(source) - width("ab") - spaces * space).abs() < 0.03,
-                "{source}"
-            );
+            assert!((width(source) - width("ab") - spaces * space).abs() < 0.03, "{source}");
         }
-        assert!(
-            RichText::plain(" a  b ")
-                .runs()
-                .iter()
-                .all(|run| run.content.trim() == run.content)
-        );
+        assert!(RichText::plain(" a  b ").runs().iter().all(|run| run.content.trim() == run.content));
     }
 
     /// The renderer's own box around the ink is the judge.
@@ -297,10 +265,7 @@ mod tests {
                     .flat_map(|drawn| drawn.into_iter().zip([ink.x0, ink.y0, ink.x1, ink.y1]));
                 for (drawn, ours) in drawn {
                     worst = worst.max((drawn - ours).abs());
-                    assert!(
-                        (drawn - ours).abs() < 0.1,
-                        "{source}: drawn at {drawn}, expected {ours}"
-                    );
+                    assert!((drawn - ours).abs() < 0.1, "{source}: drawn at {drawn}, expected {ours}");
                 }
             }
         }

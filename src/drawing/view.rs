@@ -20,10 +20,7 @@ impl Extent {
             e.low = e.low.inf(&p);
             e.high = e.high.sup(&p);
         }
-        extent.unwrap_or(Extent {
-            low: geometry::Point::origin(),
-            high: geometry::Point::origin(),
-        })
+        extent.unwrap_or(Extent { low: geometry::Point::origin(), high: geometry::Point::origin() })
     }
 
     /// The extent that holds this and all of the others but large ones: larger than the middle one and twice as large as this.
@@ -57,11 +54,7 @@ impl View {
     /// Shows the middle of `extent` in the middle of `area`, at `mu` units per millimetre.
     #[must_use]
     pub fn new(mu: f64, extent: &Extent, area: Rect) -> View {
-        View {
-            mu,
-            origin: nalgebra::center(&extent.low, &extent.high),
-            centre: area.center(),
-        }
+        View { mu, origin: nalgebra::center(&extent.low, &extent.high), centre: area.center() }
     }
 
     /// Where a place comes to lie on the sheet.
@@ -87,11 +80,7 @@ pub fn on_sheet(direction: geometry::Vector) -> Vec2 {
 #[must_use]
 pub fn towards(from: Point, to: Point, otherwise: Vec2) -> Vec2 {
     let way = to - from;
-    if way.hypot() > 0.0 {
-        way.normalize()
-    } else {
-        otherwise
-    }
+    if way.hypot() > 0.0 { way.normalize() } else { otherwise }
 }
 
 /// The smallest scale of the series 1, 2, 2.5, 5 × 10^k (units per mm) at which `extent` fits into `area`.
@@ -99,11 +88,7 @@ pub fn towards(from: Point, to: Point, otherwise: Vec2) -> Vec2 {
 pub fn fitting_scale(extent: &Extent, area: Rect) -> f64 {
     let size = extent.size();
     let least = (size.x / area.width()).max(size.y / area.height());
-    if least > 0.0 && least.is_finite() {
-        next_scale(least)
-    } else {
-        1.0
-    }
+    if least > 0.0 && least.is_finite() { next_scale(least) } else { 1.0 }
 }
 
 /// The smallest scale of the series 1, 2, 2.5, 5 × 10^k that is not below `least`, which must be positive.
@@ -120,11 +105,7 @@ pub(super) fn next_of(series: &[f64], least: f64) -> f64 {
     for exponent in [decade, decade + 1] {
         for step in series {
             // Division by a whole power of ten keeps 0.25 and the like exact to the last digit.
-            let scale = if exponent < 0 {
-                step / power_of_ten(-exponent)
-            } else {
-                step * power_of_ten(exponent)
-            };
+            let scale = if exponent < 0 { step / power_of_ten(-exponent) } else { step * power_of_ten(exponent) };
             if scale >= least {
                 return scale;
             }
@@ -135,11 +116,7 @@ pub(super) fn next_of(series: &[f64], least: f64) -> f64 {
 
 /// 10 to a whole power, exact as far as f64 goes.
 fn power_of_ten(exponent: i32) -> f64 {
-    if exponent <= 22 {
-        (0..exponent).fold(1.0, |power, _| power * 10.0)
-    } else {
-        libm::pow(10.0, f64::from(exponent))
-    }
+    if exponent <= 22 { (0..exponent).fold(1.0, |power, _| power * 10.0) } else { libm::pow(10.0, f64::from(exponent)) }
 }
 
 #[cfg(test)]

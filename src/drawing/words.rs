@@ -9,9 +9,7 @@ use super::sheet::{Drawing, Mark, Pen};
 use super::stages::numbered;
 use super::text::{PlacedText, RichText};
 use crate::geometry::{Vector, degrees_of};
-use crate::plan::{
-    Action, Equation, Kind, Known, NamedPart, Plan, PlanKind, Relation, Step, rate_symbol,
-};
+use crate::plan::{Action, Equation, Kind, Known, NamedPart, Plan, PlanKind, Relation, Step, rate_symbol};
 use crate::scene::{Panel, Units};
 use kurbo::{Point, Rect};
 
@@ -38,23 +36,11 @@ pub(super) fn draw(drawing: &mut Drawing, layout: &Layout, units: Units, scheme:
     let area = layout.legend;
     let line = |y: f64| Shape::Line(Point::new(area.x0, y), Point::new(area.x1, y));
     drawing.draw(Pen::Frame, line(area.y0 + layout.scales));
-    let area = Rect::new(
-        area.x0 + 4.0,
-        area.y0 + layout.scales,
-        area.x1 - 4.0,
-        area.y1,
-    );
+    let area = Rect::new(area.x0 + 4.0, area.y0 + layout.scales, area.x1 - 4.0, area.y1);
     let steps: Vec<_> = numbered(scheme.construction).collect();
     let count = steps.len();
     for (number, plan, step) in steps {
-        let mut page = Page {
-            drawing,
-            layout,
-            units,
-            scheme,
-            area,
-            number,
-        };
+        let mut page = Page { drawing, layout, units, scheme, area, number };
         page.caption(step, plan, count);
         page.details(step, plan);
     }
@@ -79,11 +65,7 @@ enum Piece {
 
 impl Page<'_> {
     fn put(&mut self, pen: Pen, shape: Shape) {
-        self.drawing.marks.push(Mark {
-            since: self.number,
-            passing: true,
-            ..Mark::new(pen, shape)
-        });
+        self.drawing.marks.push(Mark { since: self.number, passing: true, ..Mark::new(pen, shape) });
     }
 
     /// Sets pieces one after another; smaller where they would not fit.
@@ -110,12 +92,7 @@ impl Page<'_> {
     }
 
     /// A text of one kind with names between backticks.
-    fn pieces(
-        &self,
-        text: &str,
-        plan: Option<&Plan>,
-        kind: impl Fn(String) -> Piece,
-    ) -> Vec<Piece> {
+    fn pieces(&self, text: &str, plan: Option<&Plan>, kind: impl Fn(String) -> Piece) -> Vec<Piece> {
         let pieces = text.split('`').enumerate();
         let pieces = pieces.map(|(index, piece)| match index % 2 {
             0 => kind(piece.to_owned()),
@@ -142,10 +119,7 @@ impl Page<'_> {
         let kind = plan.map(|p| p.kind);
         let segment = |from: &str, to: &str| plan.and_then(|p| p.segment(from, to));
         let end = match &step.action {
-            Action::Solve {
-                equations,
-                unknowns,
-            } => return self.solved(equations, unknowns, plan),
+            Action::Solve { equations, unknowns } => return self.solved(equations, unknowns, plan),
             Action::Ray(ray) => {
                 let sign = match ray.relation {
                     Relation::Perpendicular => "⊥",
@@ -160,9 +134,9 @@ impl Page<'_> {
             Action::Measure { value, .. } => Some(self.size(*value, kind)),
             Action::MeasureLength { value, .. } => Some(self.size(*value, None)),
             Action::LayOff(arrow) => segment(&arrow.from, &arrow.to).map(|v| self.vector(v, kind)),
-            Action::Cross { point, .. } => kind
-                .and_then(|kind| segment(kind.pole(), point))
-                .map(|v| self.vector(v, kind)),
+            Action::Cross { point, .. } => {
+                kind.and_then(|kind| segment(kind.pole(), point)).map(|v| self.vector(v, kind))
+            }
             _ => None,
         };
         let Some(value) = value else { return };
@@ -195,10 +169,7 @@ impl Page<'_> {
         let step = (LAST - SECOND + 1.6) / lines.max(1.0);
         for (index, equation) in equations.iter().enumerate() {
             let (row, column) = ((index / 2) as f64, (index % 2) as f64);
-            let from = Point::new(
-                self.area.x0 + half * column,
-                self.area.y0 + SECOND - 1.6 + step.min(6.0) * row,
-            );
+            let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 1.6 + step.min(6.0) * row);
             let pieces = self.pieces(equation, plan, Piece::Math);
             self.line(&pieces, EQUATION, from, half - 4.0);
         }
@@ -208,10 +179,7 @@ impl Page<'_> {
             let between = if index > 0 { ",   " } else { "" };
             pieces.push(Piece::Words(between.to_owned()));
             pieces.push(Piece::Math(symbol));
-            pieces.push(Piece::Words(format!(
-                " = {} {unit}",
-                self.significant(*value)
-            )));
+            pieces.push(Piece::Words(format!(" = {} {unit}", self.significant(*value))));
         }
         let from = Point::new(self.area.x0, self.area.y0 + LAST);
         self.line(&pieces, EQUATION, from, self.area.width());
@@ -230,13 +198,7 @@ impl Page<'_> {
 
     /// Writes an equation, with lines under what is known: two under whole vectors, one under directions; below them what they are
     /// called, and `along` what the direction is. Where it ends.
-    fn equation(
-        &mut self,
-        equation: &Equation,
-        plan: Option<&Plan>,
-        along: Option<&str>,
-        from: Point,
-    ) -> f64 {
+    fn equation(&mut self, equation: &Equation, plan: Option<&Plan>, along: Option<&str>, from: Point) -> f64 {
         let language = self.scheme.words.language;
         let mut x = from.x;
         for term in &equation.terms {
@@ -260,11 +222,7 @@ impl Page<'_> {
             }
             .to_owned();
             if let (Known::Direction, Some(along)) = (term.known, along) {
-                name = if name.is_empty() {
-                    along.to_owned()
-                } else {
-                    format!("{name}, {along}")
-                };
+                name = if name.is_empty() { along.to_owned() } else { format!("{name}, {along}") };
             }
             let name = RichText::plain(&name);
             let (own, below) = (text.width(EQUATION), name.width(SMALL));

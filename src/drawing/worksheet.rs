@@ -50,16 +50,10 @@ pub(super) struct Row {
 
 impl Worksheet {
     /// The table for the panels of a figure on a page of this size.
-    pub(super) fn new(
-        scheme: &Scheme<'_>,
-        units: Units,
-        extents: &[(Panel, Extent)],
-        page: [f64; 2],
-    ) -> Self {
+    pub(super) fn new(scheme: &Scheme<'_>, units: Units, extents: &[(Panel, Extent)], page: [f64; 2]) -> Self {
         let language = scheme.words.language;
-        let rows: Vec<Row> = rows(scheme, units)
-            .filter(|row| extents.iter().any(|(panel, _)| *panel == row.panel))
-            .collect();
+        let rows: Vec<Row> =
+            rows(scheme, units).filter(|row| extents.iter().any(|(panel, _)| *panel == row.panel)).collect();
         let mut table = table(language.segment, language.value, rows.len());
         let figure = scheme.figure;
         // No panel is larger than the page, so its scale is at least this one.
@@ -71,20 +65,9 @@ impl Worksheet {
         };
         for row in &rows {
             let most = millimetres(&scheme.words, row.value, least(row.panel));
-            table.widen([
-                &row.name,
-                &most,
-                &symbol(row.scale),
-                &row.written,
-                &row.unit,
-            ]);
+            table.widen([&row.name, &most, &symbol(row.scale), &row.written, &row.unit]);
         }
-        Self {
-            table,
-            rows,
-            ruler: language.ruler,
-            is_blank: false,
-        }
+        Self { table, rows, ruler: language.ruler, is_blank: false }
     }
 
     /// The parts of a room that it may take.
@@ -93,13 +76,7 @@ impl Worksheet {
     }
 
     /// Draws the table in its area, beside these panels.
-    pub(super) fn draw(
-        &self,
-        drawing: &mut Drawing,
-        area: Rect,
-        panels: &[Placed],
-        words: &Wording,
-    ) {
+    pub(super) fn draw(&self, drawing: &mut Drawing, area: Rect, panels: &[Placed], words: &Wording) {
         let cells = self.rows.iter().zip(1..).map(|(row, number)| {
             let mu = panels.iter().find(|p| p.panel == row.panel).map(|p| p.mu);
             let mm = match (self.is_blank, mu) {
@@ -111,13 +88,7 @@ impl Worksheet {
             let boxes = [false, !row.scale.is_empty(), false, true, false];
             let kind = if self.is_blank { "box" } else { "measured" };
             Cells {
-                texts: [
-                    row.name.clone(),
-                    mm,
-                    symbol(row.scale),
-                    row.written.clone(),
-                    row.unit.clone(),
-                ],
+                texts: [row.name.clone(), mm, symbol(row.scale), row.written.clone(), row.unit.clone()],
                 id: Some(format!("{kind}-{number}")),
                 since: row.step,
                 stands_out: false,
@@ -162,9 +133,7 @@ fn rows<'a>(scheme: &'a Scheme<'_>, units: Units) -> impl Iterator<Item = Row> +
     };
     let row = move |(step, plan, action): (u16, Option<&'a Plan>, &'a Action)| {
         let (from, to, value) = match action {
-            Action::MeasureLength { from, to, value } | Action::Measure { from, to, value } => {
-                (from, to, *value)
-            }
+            Action::MeasureLength { from, to, value } | Action::Measure { from, to, value } => (from, to, *value),
             _ => return None,
         };
         if hidden(plan, from) || hidden(plan, to) {
@@ -213,10 +182,7 @@ fn ruler(drawing: &mut Drawing, from: Point, words: &str) {
             let unit = if f64::from(mm) == RULER { " mm" } else { "" };
             let text = RichText::plain(&format!("{mm}{unit}"));
             let place = Point::new(x, top.y + 3.6 + 4.4);
-            drawing.draw(
-                Pen::Caption,
-                Shape::Text(PlacedText::new(text, CAPTION, place)),
-            );
+            drawing.draw(Pen::Caption, Shape::Text(PlacedText::new(text, CAPTION, place)));
         }
     }
 }

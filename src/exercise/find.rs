@@ -100,10 +100,8 @@ impl Exercises {
     /// Whether few variants can be drawn well on its sheets; the same for every seed.
     fn goes_badly(&self) -> bool {
         let mut random = Random(0);
-        let variants =
-            (0..PILOT).map(|_| varied(&self.base, &self.on_guides, &mut random).to_string());
-        let good = variants
-            .filter(|numbers| Exercise::of(numbers, self.figure.page, Some(&self.figure)).is_ok());
+        let variants = (0..PILOT).map(|_| varied(&self.base, &self.on_guides, &mut random).to_string());
+        let good = variants.filter(|numbers| Exercise::of(numbers, self.figure.page, Some(&self.figure)).is_ok());
         good.take(FEW).count() < FEW
     }
 
@@ -123,11 +121,7 @@ impl Exercises {
         }
         let most = refused.into_iter().max_by_key(|(_, count)| *count);
         let (most, count) = most.unwrap_or((Refusal::Numbers, TRIES));
-        Err(ExerciseError::GaveUp {
-            tries: TRIES,
-            most,
-            percent: (100 * count + TRIES / 2) / TRIES,
-        })
+        Err(ExerciseError::GaveUp { tries: TRIES, most, percent: (100 * count + TRIES / 2) / TRIES })
     }
 
     /// A variant, if it is an exercise.
@@ -159,18 +153,13 @@ impl Exercises {
         };
         // What it says of places holds for the template's.
         near.shift_remove("note");
-        let snapshot = Snapshot {
-            pose: &found.pose,
-            motion: &found.motion,
-        };
+        let snapshot = Snapshot { pose: &found.pose, motion: &found.motion };
         for (name, value) in near {
             if let Some(point) = found.mechanism.point(name) {
                 let place = found.pose.point(point);
-                *value =
-                    json!([place.x, place.y].map(|x| super::numbers::written(step.nearest(x))));
+                *value = json!([place.x, place.y].map(|x| super::numbers::written(step.nearest(x))));
             } else if let Ok(asked) = Asked::new(name, &found.mechanism)
-                && let Ok(Quantity::Number(angle)) =
-                    asked.value(&snapshot, Some(&found.construction), None)
+                && let Ok(Quantity::Number(angle)) = asked.value(&snapshot, Some(&found.construction), None)
             {
                 *value = super::numbers::written(libm::round(angle));
             }
@@ -188,11 +177,7 @@ impl Exercises {
         let panels: Vec<&str> = own.panels.iter().map(|panel| panel.as_str()).collect();
         figure.insert("panels".into(), json!(panels));
         let scales = &found.scales;
-        for (key, mu) in [
-            ("mu_l", scales.length),
-            ("mu_v", scales.velocity),
-            ("mu_a", scales.acceleration),
-        ] {
+        for (key, mu) in [("mu_l", scales.length), ("mu_v", scales.velocity), ("mu_a", scales.acceleration)] {
             if let Some(mu) = mu {
                 figure.insert(key.into(), super::numbers::written(mu));
             }
@@ -200,21 +185,9 @@ impl Exercises {
         for (key, is_usual, name) in [
             ("page", page == usual.page, page.name()),
             ("style", own.style == usual.style, own.style.as_str()),
-            (
-                "notation",
-                own.notation == usual.notation,
-                own.notation.as_str(),
-            ),
-            (
-                "language",
-                own.language == usual.language,
-                own.language.as_str(),
-            ),
-            (
-                "decimal",
-                own.decimal == usual.decimal,
-                own.decimal.as_str(),
-            ),
+            ("notation", own.notation == usual.notation, own.notation.as_str()),
+            ("language", own.language == usual.language, own.language.as_str()),
+            ("decimal", own.decimal == usual.decimal, own.decimal.as_str()),
         ] {
             if !is_usual {
                 figure.insert(key.into(), json!(name));

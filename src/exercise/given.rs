@@ -7,22 +7,14 @@ use serde_json::Value;
 
 /// All that is given, and at which scales the plans are to be drawn; in markup. Vectors are told as the scene's `text` has them, by components
 /// or by size and direction.
-pub(super) fn sentences(
-    scene: &Scene,
-    text: &str,
-    scales: &Scales,
-    words: &Wording,
-) -> Vec<String> {
+pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Wording) -> Vec<String> {
     let file = serde_json::from_str(text).unwrap_or(Value::Null);
     let teller = Teller { scene, words };
     let mut all = teller.lengths();
     all.extend(teller.drives());
     all.extend(teller.motions(&file));
     let own = words.language.exercise;
-    let plans = [
-        ("μ_v", scales.velocity, Kind::Velocity),
-        ("μ_a", scales.acceleration, Kind::Acceleration),
-    ];
+    let plans = [("μ_v", scales.velocity, Kind::Velocity), ("μ_a", scales.acceleration, Kind::Acceleration)];
     let plans = plans.into_iter().filter_map(|(symbol, mu, kind)| {
         let unit = kind.unit(scene.units);
         Some(format!("{symbol} = {} ({unit})/mm", teller.number(mu?)))
@@ -63,11 +55,7 @@ impl Teller<'_> {
 
     fn pair(&self, [x, y]: [f64; 2]) -> String {
         // Decimal commas must not run into the one between.
-        let mark = if self.words.number("0.5".into()).contains(',') {
-            ";"
-        } else {
-            ","
-        };
+        let mark = if self.words.number("0.5".into()).contains(',') { ";" } else { "," };
         format!("({}{mark} {})", self.number(x), self.number(y))
     }
 
@@ -79,14 +67,10 @@ impl Teller<'_> {
         let unit = self.unit(Kind::Length);
         let fixed = self.scene.coordinates.iter();
         let fixed = fixed.map(|(name, place)| format!("{name} {} {unit}", self.pair(*place)));
-        let lengths = self
-            .scene
-            .links
-            .values()
-            .flat_map(|link| match &link.shape {
-                Shape::Lengths(lengths) => lengths.as_slice(),
-                _ => &[],
-            });
+        let lengths = self.scene.links.values().flat_map(|link| match &link.shape {
+            Shape::Lengths(lengths) => lengths.as_slice(),
+            _ => &[],
+        });
         let lengths = lengths.map(|length| {
             let symbol = length.key.replace('-', " ");
             self.value(&symbol, length.value, Kind::Length)
@@ -151,10 +135,7 @@ impl Teller<'_> {
     }
 
     fn both(&self, at: &str, vectors: [[f64; 2]; 2], written: &Value) -> Vec<String> {
-        let kinds = [
-            ("v", "velocity", Kind::Velocity),
-            ("a", "acceleration", Kind::Acceleration),
-        ];
+        let kinds = [("v", "velocity", Kind::Velocity), ("a", "acceleration", Kind::Acceleration)];
         let told = kinds.into_iter().zip(vectors);
         let told = told.map(|((letter, key, kind), vector)| {
             let symbol = format!("{letter}_{{{at}}}");

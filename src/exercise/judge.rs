@@ -3,14 +3,10 @@
 use super::given::sentences;
 use crate::check::{BANDS, form_names, numbered_steps};
 use crate::drafting::{Pencil, Tolerance, pencil};
-use crate::drawing::{
-    Drawing, exercise_scale, exercise_sheet, misfits, scales, shows_special_points,
-};
+use crate::drawing::{Drawing, exercise_scale, exercise_sheet, misfits, scales, shows_special_points};
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::{Motion, Order, motion};
-use crate::plan::{
-    Action, Asked, Construction, PlanKind, Quantity, Scales, Snapshot, What, construction_in,
-};
+use crate::plan::{Action, Asked, Construction, PlanKind, Quantity, Scales, Snapshot, What, construction_in};
 use crate::position::{Pose, pose};
 use crate::scene::{Figure, Page, PageSize, Scene};
 use crate::words::Wording;
@@ -93,8 +89,7 @@ impl Exercise {
         scene.figure = asked.unwrap_or(&scene.figure).clone();
         let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
         let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
-        let motion =
-            motion(&mechanism, &pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
+        let motion = motion(&mechanism, &pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
         let conditions = motion.groups.iter().map(|group| group.condition);
         if conditions.fold(1.0, f64::max) > CONDITION {
             return Err(Refusal::Singular);
@@ -104,9 +99,7 @@ impl Exercise {
         crosses_well(&construction)?;
         let quantities = form_names(&construction).into_iter();
         let quantities = quantities.map(|name| Asked::new(&name, &mechanism));
-        let quantities: Vec<Asked> = quantities
-            .collect::<Result<_, _>>()
-            .map_err(|_| Refusal::NoConstruction)?;
+        let quantities: Vec<Asked> = quantities.collect::<Result<_, _>>().map_err(|_| Refusal::NoConstruction)?;
         // Scheme and plans are as large as the key has room; the scheme smaller where the student's sheet needs it.
         let mut students = scene.clone();
         (students.figure.page, students.figure.worksheet) = (page, false);
@@ -131,15 +124,7 @@ impl Exercise {
         }
         let hand = Tolerance::default();
         let asked = quantities.clone();
-        let pencil = pencil(
-            &mechanism,
-            &pose,
-            &motion,
-            &construction,
-            &scales,
-            hand,
-            asked,
-        );
+        let pencil = pencil(&mechanism, &pose, &motion, &construction, &scales, hand, asked);
         is_sure(&pencil, &values(&quantities, &pose, &motion, &construction))?;
         let given = sentences(&scene, text, &scales, &wording);
         let (asked, given) = (quantities.as_slice(), given.as_slice());
@@ -159,11 +144,7 @@ impl Exercise {
 
     /// What is asked for, with its exact value.
     pub(super) fn values(&self) -> Vec<(Asked, f64)> {
-        let asked = self
-            .pencil
-            .quantities
-            .iter()
-            .map(|(asked, _)| asked.clone());
+        let asked = self.pencil.quantities.iter().map(|(asked, _)| asked.clone());
         let asked: Vec<Asked> = asked.collect();
         values(&asked, &self.pose, &self.motion, &self.construction)
     }
@@ -171,28 +152,18 @@ impl Exercise {
 
 /// The sheet of the key, which has the plans, too: the largest.
 pub(super) fn key_page(students: Page) -> Page {
-    Page {
-        size: PageSize::A3,
-        ..students
-    }
+    Page { size: PageSize::A3, ..students }
 }
 
 /// Quantities with their exact values.
-fn values(
-    asked: &[Asked],
-    pose: &Pose,
-    motion: &Motion,
-    construction: &Construction,
-) -> Vec<(Asked, f64)> {
+fn values(asked: &[Asked], pose: &Pose, motion: &Motion, construction: &Construction) -> Vec<(Asked, f64)> {
     let snapshot = Snapshot { pose, motion };
     let value = |asked: &Asked| match asked.value(&snapshot, Some(construction), None).ok()? {
         Quantity::Number(x) => Some(x),
         Quantity::Vector(v) => Some(v.norm()),
     };
     let valued = asked.iter();
-    valued
-        .filter_map(|asked| Some((asked.clone(), value(asked)?)))
-        .collect()
+    valued.filter_map(|asked| Some((asked.clone(), value(asked)?))).collect()
 }
 
 /// Whether a hand finds all rates of rotation well.
@@ -221,12 +192,10 @@ fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
             return Err(Refusal::Routes);
         }
     }
-    let sines = numbered_steps(construction)
-        .into_iter()
-        .filter_map(|s| match &s.step.action {
-            Action::Cross { sine, .. } | Action::SpecialPoint { sine, .. } => Some(sine.abs()),
-            _ => None,
-        });
+    let sines = numbered_steps(construction).into_iter().filter_map(|s| match &s.step.action {
+        Action::Cross { sine, .. } | Action::SpecialPoint { sine, .. } => Some(sine.abs()),
+        _ => None,
+    });
     match sines.fold(1.0, f64::min) < SINE {
         true => Err(Refusal::Crossing),
         false => Ok(()),

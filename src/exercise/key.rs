@@ -55,12 +55,9 @@ impl Exercise {
     #[must_use]
     pub fn key(&self) -> KeyResult {
         let steps = numbered_steps(&self.construction);
-        let names: Vec<(usize, Vec<String>)> =
-            steps.iter().map(|s| (s.number, s.names())).collect();
+        let names: Vec<(usize, Vec<String>)> = steps.iter().map(|s| (s.number, s.names())).collect();
         let step = |name: &str| {
-            let mut found = names
-                .iter()
-                .filter(|(_, own)| own.iter().any(|n| n == name));
+            let mut found = names.iter().filter(|(_, own)| own.iter().any(|n| n == name));
             found.next().map_or(0, |(number, _)| *number)
         };
         let values = self.values().into_iter().map(|(asked, value)| {
@@ -76,11 +73,7 @@ impl Exercise {
         KeyResult {
             kinegon_key: 1,
             title: self.scene.title.clone(),
-            scales: KeyScales {
-                mu_l: self.scales.length,
-                mu_v: self.scales.velocity,
-                mu_a: self.scales.acceleration,
-            },
+            scales: KeyScales { mu_l: self.scales.length, mu_v: self.scales.velocity, mu_a: self.scales.acceleration },
             values: values.collect(),
         }
     }
@@ -90,28 +83,18 @@ impl Exercise {
     pub fn key_sheet(&self) -> Drawing {
         let words = Wording::of(&self.scene.figure);
         let rates = self.values().into_iter();
-        let rates =
-            rates.filter(|(a, _)| !matches!(a.what(), What::Segment { .. } | What::Length(..)));
+        let rates = rates.filter(|(a, _)| !matches!(a.what(), What::Segment { .. } | What::Length(..)));
         let rates = rates.map(|(asked, value)| {
-            let number =
-                |x: f64, digits: i32| words.number(significant(x, digits)).replace('-', "−");
+            let number = |x: f64, digits: i32| words.number(significant(x, digits)).replace('-', "−");
             let symbol = asked.symbol(&self.mechanism, words.notation, &str::to_owned);
             let band = self.pencil.band(asked.name());
-            let allowed = band.map_or_else(String::new, |band| {
-                format!(" ± {}", number(BANDS * band.band, 2))
-            });
+            let allowed = band.map_or_else(String::new, |band| format!(" ± {}", number(BANDS * band.band, 2)));
             let unit = asked.kind().unit(self.scene.units);
             format!("{symbol} = {}{allowed} {unit}", number(value, 4))
         });
         let rates: Vec<String> = rates.collect();
         let sentence = (words.language.exercise.rates)(&listed(&rates));
-        let Exercise {
-            scene,
-            mechanism,
-            pose,
-            construction,
-            ..
-        } = self;
+        let Exercise { scene, mechanism, pose, construction, .. } = self;
         key_sheet(scene, mechanism, pose, construction, &[sentence])
     }
 

@@ -23,20 +23,12 @@ pub enum Number {
 ///
 /// Rough places, directions of guides and what the figure shows stay as they are.
 pub fn each_number(scene: &mut Value, change: &mut dyn FnMut(Number, f64) -> f64) {
-    for (key, number) in [
-        ("ground", Number::Length),
-        ("points", Number::Length),
-        ("known", Number::Motion),
-    ] {
+    for (key, number) in [("ground", Number::Length), ("points", Number::Length), ("known", Number::Motion)] {
         within(scene.get_mut(key), number, change);
     }
     let links = scene.get_mut("links").and_then(Value::as_object_mut);
     for link in links.into_iter().flat_map(|links| links.values_mut()) {
-        for (key, number) in [
-            ("lengths", Number::Length),
-            ("shape", Number::Length),
-            ("motion", Number::Motion),
-        ] {
+        for (key, number) in [("lengths", Number::Length), ("shape", Number::Length), ("motion", Number::Motion)] {
             within(link.get_mut(key), number, change);
         }
         drive(link.get_mut("drive"), change);

@@ -98,10 +98,7 @@ pub(super) fn length_step(scene: &Value) -> Step {
         x
     });
     let (digit, exponent) = decimal(largest / STEPS);
-    Step {
-        count: if digit >= 5.0 { 5 } else { 1 },
-        exponent,
-    }
+    Step { count: if digit >= 5.0 { 5 } else { 1 }, exponent }
 }
 
 /// A round distance: 1 or 5 times a power of ten.
@@ -114,10 +111,7 @@ pub(super) struct Step {
 impl Step {
     /// The step of numbers with two digits.
     fn of_two_digits(x: f64) -> Step {
-        Step {
-            count: 1,
-            exponent: decimal(x).1 - 1,
-        }
+        Step { count: 1, exponent: decimal(x).1 - 1 }
     }
 
     /// The nearest multiple.
@@ -163,7 +157,5 @@ fn decimal(x: f64) -> (f64, i32) {
 /// A number times a power of ten, as near as a file that says so is read: 15 times 10⁻² is 0.15 to the last bit.
 fn with_exponent(number: f64, exponent: i32) -> f64 {
     let written = format!("{number}e{exponent}");
-    written
-        .parse()
-        .expect("digits and an exponent are a number")
+    written.parse().expect("digits and an exponent are a number")
 }

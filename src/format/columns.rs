@@ -88,7 +88,5 @@ impl<W: Write + Send> Columns<W> {
 
 fn schema(sweep: &Sweep) -> Arc<Schema> {
     let field = |name: String| Field::new(name, DataType::Float64, true);
-    Arc::new(Schema::new(
-        sweep.header().into_iter().map(field).collect::<Vec<_>>(),
-    ))
+    Arc::new(Schema::new(sweep.header().into_iter().map(field).collect::<Vec<_>>()))
 }

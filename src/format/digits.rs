@@ -18,12 +18,7 @@ pub fn digits(
     construction: &Construction,
     bounds: &Bounds<'_>,
 ) -> String {
-    let mut table = Table {
-        units,
-        bounds,
-        motion,
-        lines: Vec::new(),
-    };
+    let mut table = Table { units, bounds, motion, lines: Vec::new() };
     for (link, body) in mechanism.links() {
         // Of a stub only one point's motion means anything.
         if body.role != Role::Stub {
@@ -38,12 +33,7 @@ pub fn digits(
         let name = mechanism.slider_name(slider);
         let letter = |letter: &str| format!("{letter}({name})");
         table.line(letter("v_r"), slide.velocity, velocity, Kind::Velocity);
-        table.line(
-            letter("a_r"),
-            slide.acceleration,
-            acceleration,
-            Kind::Acceleration,
-        );
+        table.line(letter("a_r"), slide.acceleration, acceleration, Kind::Acceleration);
         let coriolis = motion.coriolis(pose, slider, mechanism.slider(slider).on);
         let bound = bounds.coriolis(slider);
         table.vector(&letter("a_c"), coriolis, bound, Kind::Acceleration);
@@ -126,10 +116,7 @@ impl Table<'_> {
         let lines = self.lines.iter().map(|line| {
             let shift = " ".repeat(left - before(&line[1]));
             let shown = format!("{shift}{}", line[1]);
-            format!(
-                "{:name$}  {shown:value$}  {:unit$}  {}\n",
-                line[0], line[2], line[3]
-            )
+            format!("{:name$}  {shown:value$}  {:unit$}  {}\n", line[0], line[2], line[3])
         });
         lines.collect()
     }
@@ -231,13 +218,9 @@ mod tests {
             let digits = Certain::Digits(text.to_owned());
             assert_eq!(certain(value, bound), digits, "{value} {bound}");
         }
-        for (value, bound, within) in [
-            (0.0, 3e-17, "3e-17"),
-            (2e-17, 1e-17, "3e-17"),
-            (7.0, 4.0, "2e1"),
-            (1.0, 9.5, "2e1"),
-            (-4.0, 5.0, "9e0"),
-        ] {
+        for (value, bound, within) in
+            [(0.0, 3e-17, "3e-17"), (2e-17, 1e-17, "3e-17"), (7.0, 4.0, "2e1"), (1.0, 9.5, "2e1"), (-4.0, 5.0, "9e0")]
+        {
             let none = Certain::None(within.to_owned());
             assert_eq!(certain(value, bound), none, "{value} {bound}");
         }

@@ -39,15 +39,8 @@ pub fn html(page: &Page<'_>) -> String {
         return String::new();
     };
     let finished = first.after_step(first.steps.len() + 1);
-    let sheet: String = layers(&finished, Text::Letters)
-        .into_iter()
-        .map(|layer| layer.svg)
-        .collect();
-    let title = if first.title.is_empty() {
-        "Kinegon"
-    } else {
-        &first.title
-    };
+    let sheet: String = layers(&finished, Text::Letters).into_iter().map(|layer| layer.svg).collect();
+    let title = if first.title.is_empty() { "Kinegon" } else { &first.title };
     let words = &page.language.page;
     let said = [
         ("figure", words.figure),
@@ -76,15 +69,7 @@ pub fn html(page: &Page<'_>) -> String {
         ("fonts", FONTS.to_owned()),
         ("background", first.style.background().to_string()),
         ("accent", first.style.accent().to_string()),
-        (
-            "class",
-            (if first.style.is_dark() {
-                "dark board"
-            } else {
-                ""
-            })
-            .to_owned(),
-        ),
+        ("class", (if first.style.is_dark() { "dark board" } else { "" }).to_owned()),
         ("quantity", escape(&clean(page.quantity))),
         ("sheet", sheet),
         ("data", packed(&film(page, first))),
@@ -124,23 +109,18 @@ fn film(page: &Page<'_>, first: &Drawing) -> Value {
                 continue;
             };
             let written = layer.svg.lines().filter(|line| !line.is_empty());
-            layers[frame] = written
-                .map(|line| lines.insert_full(line.to_owned()).0)
-                .collect();
+            layers[frame] = written.map(|line| lines.insert_full(line.to_owned()).0).collect();
         }
     }
     pile.retain(|_, layers| layers.iter().any(|lines| !lines.is_empty()));
-    let layers = pile
-        .keys()
-        .map(|(_, step, passing)| json!({ "step": step, "passing": passing }));
+    let layers = pile.keys().map(|(_, step, passing)| json!({ "step": step, "passing": passing }));
     let frames = (0..page.frames.len()).map(|frame| {
         let layers = pile.values().map(|frames| frames[frame].clone());
         layers.collect::<Vec<_>>()
     });
     let boxed = |r: Rect| [r.x0, r.y0, r.width(), r.height()];
     let panels = first.panels.iter();
-    let panels =
-        panels.map(|(name, frame)| json!({ "name": name, "box": boxed(frame.inflate(1.0, 1.0)) }));
+    let panels = panels.map(|(name, frame)| json!({ "name": name, "box": boxed(frame.inflate(1.0, 1.0)) }));
     let below = first.panels.iter().map(|p| p.1.y1).fold(0.0, f64::max);
     let words = Rect::new(0.0, below, first.width, first.height);
     json!({

@@ -7,9 +7,7 @@ use std::io;
 pub fn json(value: &impl Serialize) -> String {
     let mut bytes = Vec::new();
     let mut serializer = Serializer::with_formatter(&mut bytes, Lines(PrettyFormatter::new()));
-    value
-        .serialize(&mut serializer)
-        .expect("results have text keys and writing to memory does not fail");
+    value.serialize(&mut serializer).expect("results have text keys and writing to memory does not fail");
     let mut text = String::from_utf8(bytes).expect("serde_json writes UTF-8");
     text.push('\n');
     text
@@ -19,11 +17,7 @@ pub fn json(value: &impl Serialize) -> String {
 struct Lines<'a>(PrettyFormatter<'a>);
 
 impl Formatter for Lines<'_> {
-    fn begin_array_value<W: ?Sized + io::Write>(
-        &mut self,
-        out: &mut W,
-        first: bool,
-    ) -> io::Result<()> {
+    fn begin_array_value<W: ?Sized + io::Write>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
         out.write_all(if first { b"" } else { b", " })
     }
 
@@ -35,11 +29,7 @@ impl Formatter for Lines<'_> {
         self.0.end_object(out)
     }
 
-    fn begin_object_key<W: ?Sized + io::Write>(
-        &mut self,
-        out: &mut W,
-        first: bool,
-    ) -> io::Result<()> {
+    fn begin_object_key<W: ?Sized + io::Write>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
         self.0.begin_object_key(out, first)
     }
 

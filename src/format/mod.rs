@@ -34,8 +34,8 @@ pub use self::pencil::{BandResult, PencilResult, pencil_result};
 #[cfg(feature = "png")]
 pub use self::png::{PngError, png};
 pub use self::result::{
-    GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult,
-    Solved, result, result_schema,
+    GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult, Solved, result,
+    result_schema,
 };
 pub use self::steps::steps;
 pub use self::structure::{modes, structure};

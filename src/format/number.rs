@@ -12,10 +12,7 @@ pub(super) fn push_number(text: &mut String, value: f64) {
     if thousandths < 0 {
         text.push('-');
     }
-    let (whole, mut rest) = (
-        thousandths.unsigned_abs() / 1000,
-        thousandths.unsigned_abs() % 1000,
-    );
+    let (whole, mut rest) = (thousandths.unsigned_abs() / 1000, thousandths.unsigned_abs() % 1000);
     push_digits(text, whole);
     if rest == 0 {
         return;
@@ -37,11 +34,7 @@ pub(super) fn push_digits(text: &mut String, mut whole: u64) {
         0..10 => return text.push(digit(whole)),
         10..100 => return text.extend([digit(whole / 10), digit(whole % 10)]),
         100..1000 => {
-            return text.extend([
-                digit(whole / 100),
-                digit(whole / 10 % 10),
-                digit(whole % 10),
-            ]);
+            return text.extend([digit(whole / 100), digit(whole / 10 % 10), digit(whole % 10)]);
         }
         _ => {}
     }

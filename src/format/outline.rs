@@ -19,12 +19,7 @@ pub(super) struct Tracer<'a> {
 
 impl<'a> Tracer<'a> {
     pub(super) fn new(data: &'a mut String) -> Self {
-        Self {
-            data,
-            at: [0; 2],
-            start: [0; 2],
-            command: ' ',
-        }
+        Self { data, at: [0; 2], start: [0; 2], command: ' ' }
     }
 
     /// Draws a glyph given in em at a size in mm.
@@ -42,9 +37,7 @@ impl<'a> Tracer<'a> {
                 }
                 OutlinePart::LineTo(to) => self.go('l', [whole(to)]),
                 OutlinePart::QuadTo(by, to) => self.go('q', [by, to].map(whole)),
-                OutlinePart::CurveTo(first, second, to) => {
-                    self.go('c', [first, second, to].map(whole))
-                }
+                OutlinePart::CurveTo(first, second, to) => self.go('c', [first, second, to].map(whole)),
                 OutlinePart::ClosePath => {
                     self.data.push('z');
                     (self.at, self.command) = (self.start, 'z');

@@ -52,22 +52,9 @@ pub fn pencil_result(pencil: &Pencil, units: Units) -> PencilResult {
     for (asked, band) in &pencil.quantities {
         let name = asked.name().to_owned();
         match band {
-            Ok(Band {
-                value,
-                band,
-                is_rough,
-            }) => {
-                let unit = if asked.is_on_paper() {
-                    "mm".to_owned()
-                } else {
-                    asked.kind().unit(units)
-                };
-                let result = BandResult {
-                    value: *value,
-                    band: *band,
-                    unit,
-                    rough: *is_rough,
-                };
+            Ok(Band { value, band, is_rough }) => {
+                let unit = if asked.is_on_paper() { "mm".to_owned() } else { asked.kind().unit(units) };
+                let result = BandResult { value: *value, band: *band, unit, rough: *is_rough };
                 bands.insert(name, result);
             }
             Err(Unread::Given) => {}

@@ -27,9 +27,7 @@ pub enum PngError {
         height: f64,
     },
     /// The dots per inch are not a positive number.
-    #[error(
-        "{dpi} dots per inch: must be greater than 0, for instance 150 for a screen and 300 for paper"
-    )]
+    #[error("{dpi} dots per inch: must be greater than 0, for instance 150 for a screen and 300 for paper")]
     Resolution {
         /// What was asked for.
         dpi: f64,
@@ -64,15 +62,8 @@ pub fn png(drawing: &Drawing, dpi: f64) -> Result<Vec<u8>, PngError> {
     let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or(too_large)?;
     let Colour { red, green, blue } = drawing.style.background();
     pixmap.fill(Color::from_rgba8(red, green, blue, 255));
-    let (across, down) = (
-        width as f32 / tree.size().width(),
-        height as f32 / tree.size().height(),
-    );
-    resvg::render(
-        &tree,
-        Transform::from_scale(across, down),
-        &mut pixmap.as_mut(),
-    );
+    let (across, down) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
+    resvg::render(&tree, Transform::from_scale(across, down), &mut pixmap.as_mut());
     encode(&pixmap, dpi)
 }
 
@@ -86,11 +77,7 @@ fn encode(pixmap: &Pixmap, dpi: f64) -> Result<Vec<u8>, PngError> {
     encoder.set_compression(::png::Compression::Fast);
     encoder.set_filter(::png::Filter::Up);
     let per_metre = (dpi * 1000.0 / INCH).round() as u32;
-    encoder.set_pixel_dims(Some(::png::PixelDimensions {
-        xppu: per_metre,
-        yppu: per_metre,
-        unit: ::png::Unit::Meter,
-    }));
+    encoder.set_pixel_dims(Some(::png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: ::png::Unit::Meter }));
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&colours)?;
     writer.finish()?;
@@ -107,11 +94,7 @@ fn without_alpha(pixels: &[u8]) -> Vec<u8> {
     for (to, from) in threes.iter_mut().zip(fours) {
         let word = |k: usize| u32::from_le_bytes(std::array::from_fn(|part| from[4 * k + part]));
         let [a, b, c, d] = std::array::from_fn(word);
-        let words = [
-            (a & 0xff_ffff) | (b << 24),
-            ((b >> 8) & 0xffff) | (c << 16),
-            ((c >> 16) & 0xff) | (d << 8),
-        ];
+        let words = [(a & 0xff_ffff) | (b << 24), ((b >> 8) & 0xffff) | (c << 16), ((c >> 16) & 0xff) | (d << 8)];
         for (to, word) in to.as_chunks_mut::<4>().0.iter_mut().zip(words) {
             *to = word.to_le_bytes();
         }
@@ -129,47 +112,27 @@ mod tests {
 
     fn sheet() -> Drawing {
         let mut drawing = Drawing::new(101.6, 50.8);
-        drawing.draw(
-            Pen::Link,
-            Shape::Line(Point::new(0.0, 25.4), Point::new(101.6, 25.4)),
-        );
-        drawing.draw(
-            Pen::Label,
-            Shape::Text(PlacedText::new(
-                RichText::math("S_3"),
-                8.0,
-                Point::new(40.0, 15.0),
-            )),
-        );
+        drawing.draw(Pen::Link, Shape::Line(Point::new(0.0, 25.4), Point::new(101.6, 25.4)));
+        drawing.draw(Pen::Label, Shape::Text(PlacedText::new(RichText::math("S_3"), 8.0, Point::new(40.0, 15.0))));
         drawing
     }
 
     #[test]
     fn pixels_and_resolution_follow_the_sheet() {
         let file = png(&sheet(), 150.0).unwrap();
-        let mut reader = ::png::Decoder::new(std::io::Cursor::new(&file))
-            .read_info()
-            .unwrap();
+        let mut reader = ::png::Decoder::new(std::io::Cursor::new(&file)).read_info().unwrap();
         let info = reader.info();
-        assert_eq!(
-            (info.width, info.height, info.color_type),
-            (600, 300, ::png::ColorType::Rgb)
-        );
+        assert_eq!((info.width, info.height, info.color_type), (600, 300, ::png::ColorType::Rgb));
         let size = info.pixel_dims.unwrap();
-        assert_eq!(
-            (size.xppu, size.yppu, size.unit),
-            (5906, 5906, ::png::Unit::Meter)
-        );
+        assert_eq!((size.xppu, size.yppu, size.unit), (5906, 5906, ::png::Unit::Meter));
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         reader.next_frame(&mut pixels).unwrap();
         let pixel = |x: usize, y: usize| &pixels[3 * (600 * y + x)..][..3];
         assert_eq!(pixel(5, 5), [255, 255, 255]);
         assert_eq!(pixel(300, 150), [0x1a, 0x1a, 0x1a]);
         // Ink of the label, from the bundled font.
-        let dark = (60..95)
-            .flat_map(|y| (230..275).map(move |x| (x, y)))
-            .filter(|&(x, y)| pixel(x, y)[0] < 128)
-            .count();
+        let dark =
+            (60..95).flat_map(|y| (230..275).map(move |x| (x, y))).filter(|&(x, y)| pixel(x, y)[0] < 128).count();
         assert!(dark > 50, "{dark} dark pixels");
     }
 
@@ -185,16 +148,8 @@ mod tests {
     #[test]
     fn impossible_pictures_are_refused() {
         let sheet = sheet();
-        assert!(matches!(
-            png(&sheet, 6000.0),
-            Err(PngError::TooLarge { width: 24000.0, .. })
-        ));
-        assert!(
-            png(&sheet, 6000.0)
-                .unwrap_err()
-                .to_string()
-                .contains("24000 x 12000 pixels; a side may have 20000")
-        );
+        assert!(matches!(png(&sheet, 6000.0), Err(PngError::TooLarge { width: 24000.0, .. })));
+        assert!(png(&sheet, 6000.0).unwrap_err().to_string().contains("24000 x 12000 pixels; a side may have 20000"));
         for dpi in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(matches!(png(&sheet, dpi), Err(PngError::Resolution { .. })));
         }

@@ -165,28 +165,19 @@ pub struct Solved<'a> {
 /// The result file's content, without `quantities`.
 #[must_use]
 pub fn result(solved: Solved<'_>) -> ResultFile {
-    let Solved {
-        mechanism,
-        pose,
-        motion,
-        construction,
-        ..
-    } = solved;
+    let Solved { mechanism, pose, motion, construction, .. } = solved;
     let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
-    let links = mechanism
-        .links()
-        .filter(|(_, body)| body.role != Role::Stub)
-        .map(|(id, body)| {
-            let (rates, errors) = (motion.body(id), motion.errors[id.0]);
-            let link = LinkResult {
-                angle: pose.axes[id.0].map(degrees_of),
-                omega: rates.omega,
-                omega_error: errors.omega,
-                alpha: second(rates.alpha),
-                alpha_error: second(errors.alpha),
-            };
-            (body.name.clone(), link)
-        });
+    let links = mechanism.links().filter(|(_, body)| body.role != Role::Stub).map(|(id, body)| {
+        let (rates, errors) = (motion.body(id), motion.errors[id.0]);
+        let link = LinkResult {
+            angle: pose.axes[id.0].map(degrees_of),
+            omega: rates.omega,
+            omega_error: errors.omega,
+            alpha: second(rates.alpha),
+            alpha_error: second(errors.alpha),
+        };
+        (body.name.clone(), link)
+    });
     let sliders = (0..mechanism.sliders.len()).map(|index| {
         let id = SliderId(index);
         let (slider, slide) = (mechanism.slider(id), motion.slide(id));
@@ -208,11 +199,7 @@ pub fn result(solved: Solved<'_>) -> ResultFile {
             links: group.bodies.iter().map(name).collect(),
             class: group.class.numeral(),
             joints: group.pattern(mechanism),
-            special_points: construction.special[index]
-                .iter()
-                .filter(|s| s.is_assur)
-                .map(|s| s.name.clone())
-                .collect(),
+            special_points: construction.special[index].iter().filter(|s| s.is_assur).map(|s| s.name.clone()).collect(),
             condition: motion.groups[index].condition,
             disagreement: agreement.map(|a| a.difference),
             disagreement_allowed: agreement.map(|a| a.allowed),
@@ -220,18 +207,10 @@ pub fn result(solved: Solved<'_>) -> ResultFile {
             modes: pose.assemblies[index].map(|a| a.modes),
         }
     });
-    let warnings = [
-        &mechanism.warnings,
-        &pose.warnings,
-        &motion.warnings,
-        &construction.warnings,
-    ];
+    let warnings = [&mechanism.warnings, &pose.warnings, &motion.warnings, &construction.warnings];
     ResultFile {
         kinegon: 1,
-        units: ResultUnits {
-            length: solved.units.length.as_str(),
-            time: solved.units.time.as_str(),
-        },
+        units: ResultUnits { length: solved.units.length.as_str(), time: solved.units.time.as_str() },
         links: links.collect(),
         points: points(solved),
         sliders: sliders.collect(),
@@ -244,20 +223,13 @@ pub fn result(solved: Solved<'_>) -> ResultFile {
 
 /// All points: joints, points of guides under sliders, special points.
 fn points(solved: Solved<'_>) -> IndexMap<String, PointResult> {
-    let Solved {
-        mechanism,
-        pose,
-        motion,
-        construction,
-        ..
-    } = solved;
+    let Solved { mechanism, pose, motion, construction, .. } = solved;
     let mut points = IndexMap::new();
     let moving = |body: BodyId, place: crate::geometry::Point, on: Option<BodyId>| PointResult {
         position: Some([place.x, place.y]),
         at_infinity: None,
         velocity: Some(pair(motion.body(body).velocity_at(place))),
-        acceleration: (motion.order == Order::Acceleration)
-            .then(|| pair(motion.body(body).acceleration_at(place))),
+        acceleration: (motion.order == Order::Acceleration).then(|| pair(motion.body(body).acceleration_at(place))),
         on: on.map(|b| mechanism.body(b).name.clone()),
     };
     for point in (0..mechanism.points.len()).map(PointId) {
@@ -267,10 +239,7 @@ fn points(solved: Solved<'_>) -> IndexMap<String, PointResult> {
         }
     }
     for slider in &mechanism.sliders {
-        let name = coincident_name(
-            mechanism.point_name(slider.at),
-            &mechanism.body(slider.on).name,
-        );
+        let name = coincident_name(mechanism.point_name(slider.at), &mechanism.body(slider.on).name);
         let under = moving(slider.on, pose.point(slider.at), Some(slider.on));
         points.entry(name).or_insert(under);
     }

@@ -10,13 +10,7 @@ use std::fmt::Write;
 pub fn steps(scene: &Scene, construction: &Construction, pencil: &Pencil) -> String {
     let words = Wording::of(&scene.figure);
     let language = words.language;
-    let mut page = Page {
-        text: String::new(),
-        number: 0,
-        units: scene.units,
-        words,
-        pencil,
-    };
+    let mut page = Page { text: String::new(), number: 0, units: scene.units, words, pencil };
     if let Some(title) = &scene.title {
         page.line(title);
     }
@@ -36,8 +30,7 @@ pub fn steps(scene: &Scene, construction: &Construction, pencil: &Pencil) -> Str
         }
     }
     for agreement in construction.agreement.iter().flatten() {
-        let [difference, allowed] =
-            [agreement.difference, agreement.allowed].map(|x| format!("{x:.0e}"));
+        let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| format!("{x:.0e}"));
         page.heading(&(language.routes_differ)(&difference, &allowed));
     }
     page.text
@@ -86,17 +79,10 @@ impl Page<'_> {
 
     fn scales_line(&mut self) {
         let kinds = [None, Some(PlanKind::Velocity), Some(PlanKind::Acceleration)];
-        let entries = kinds
-            .into_iter()
-            .zip(["μ_l", "μ_v", "μ_a"])
-            .filter_map(|(kind, name)| {
-                let mu = self.number(self.mu(kind)?.to_string());
-                Some((self.words.language.scale_per_mm)(
-                    name,
-                    &mu,
-                    &self.unit(kind),
-                ))
-            });
+        let entries = kinds.into_iter().zip(["μ_l", "μ_v", "μ_a"]).filter_map(|(kind, name)| {
+            let mu = self.number(self.mu(kind)?.to_string());
+            Some((self.words.language.scale_per_mm)(name, &mu, &self.unit(kind)))
+        });
         let entries: Vec<String> = entries.collect();
         let line = (self.words.language.scales)(&entries.join(", "));
         self.line(&line);
@@ -139,16 +125,8 @@ impl Page<'_> {
             let mm = self.number(format!("{:.2}", band.band / mu));
             format!(" ({mm} mm)")
         });
-        let rough = if band.is_rough {
-            self.words.language.only_roughly
-        } else {
-            ""
-        };
-        format!(
-            "; ± {} {unit}{}{rough}",
-            self.number(significant(band.band, 2)),
-            on_paper.unwrap_or_default()
-        )
+        let rough = if band.is_rough { self.words.language.only_roughly } else { "" };
+        format!("; ± {} {unit}{}{rough}", self.number(significant(band.band, 2)), on_paper.unwrap_or_default())
     }
 
     /// The band of a plan's segment.
@@ -163,22 +141,12 @@ impl Page<'_> {
             let mm = self.number(format!("{:.2}", value / mu));
             format!(" ({})", (self.words.language.on_paper)(&mm))
         });
-        format!(
-            "{} {}{}",
-            self.digits(value),
-            self.unit(kind),
-            on_paper.unwrap_or_default()
-        )
+        format!("{} {}{}", self.digits(value), self.unit(kind), on_paper.unwrap_or_default())
     }
 
     fn step(&mut self, step: &Step, plan: Option<&Plan>) {
         self.number += 1;
-        let _ = writeln!(
-            self.text,
-            "{:3}. {}",
-            self.number,
-            self.text(&step.caption, plan)
-        );
+        let _ = writeln!(self.text, "{:3}. {}", self.number, self.text(&step.caption, plan));
         for detail in self.details(step, plan) {
             let _ = writeln!(self.text, "     {detail}");
         }
@@ -246,13 +214,8 @@ impl Page<'_> {
                 lines
             }
             Action::Ray(ray) => {
-                let direction =
-                    (self.words.language.direction)(&self.degrees(degrees_of(ray.direction)));
-                if equation.is_empty() {
-                    vec![direction]
-                } else {
-                    vec![format!("{equation}; {direction}")]
-                }
+                let direction = (self.words.language.direction)(&self.degrees(degrees_of(ray.direction)));
+                if equation.is_empty() { vec![direction] } else { vec![format!("{equation}; {direction}")] }
             }
             Action::Cross { point, sine, .. } => {
                 let mut lines = vec![self.crossing(*sine)];
@@ -270,17 +233,9 @@ impl Page<'_> {
             }
             Action::Measure { from, to, value } => {
                 let band = self.segment_band(kind, from, to);
-                vec![format!(
-                    "{} {} = {}{band}",
-                    shown(from),
-                    shown(to),
-                    self.measure(*value, kind)
-                )]
+                vec![format!("{} {} = {}{band}", shown(from), shown(to), self.measure(*value, kind))]
             }
-            Action::Solve {
-                equations,
-                unknowns,
-            } => {
+            Action::Solve { equations, unknowns } => {
                 let mut lines: Vec<String> = equations.iter().map(|e| self.text(e, plan)).collect();
                 let time = self.units.time.as_str();
                 lines.extend(unknowns.iter().map(|(name, value)| {
@@ -306,9 +261,5 @@ fn significant(x: f64, count: i32) -> String {
     }
     let exponent = libm::floor(libm::log10(x.abs())) as i32;
     let after = (count - 1 - exponent).max(0) as usize;
-    if (-4..9).contains(&exponent) {
-        format!("{x:.after$}")
-    } else {
-        format!("{x:.*e}", count as usize - 1)
-    }
+    if (-4..9).contains(&exponent) { format!("{x:.after$}") } else { format!("{x:.*e}", count as usize - 1) }
 }

@@ -9,10 +9,7 @@ use std::fmt::Write;
 pub fn structure(mechanism: &Mechanism) -> String {
     let mut text = String::new();
     let drives = mechanism.drive_names();
-    let known = mechanism
-        .bodies
-        .iter()
-        .filter(|b| matches!(b.role, Role::Carrier { .. } | Role::Moving { .. }));
+    let known = mechanism.bodies.iter().filter(|b| matches!(b.role, Role::Carrier { .. } | Role::Moving { .. }));
     let known: Vec<&str> = known.map(|b| b.name.as_str()).collect();
     let mut formula: Vec<String> = Vec::new();
     if !drives.is_empty() {
@@ -83,12 +80,8 @@ fn joints(mechanism: &Mechanism, group: &Group) -> String {
             let bodies = mechanism.joint(**j).bodies;
             bodies.into_iter().any(|b| mechanism.lead(b) == link)
         };
-        let mut letters: Vec<char> = group
-            .joints
-            .iter()
-            .filter(own)
-            .map(|&j| if mechanism.is_prismatic(j) { 'P' } else { 'R' })
-            .collect();
+        let mut letters: Vec<char> =
+            group.joints.iter().filter(own).map(|&j| if mechanism.is_prismatic(j) { 'P' } else { 'R' }).collect();
         letters.sort_by_key(|c| *c == 'P');
         letters.into_iter().collect::<String>()
     };
@@ -119,9 +112,7 @@ pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
             let axis = pose.axes[id.0]?;
             Some(format!("angle({}) {:.6}", body.name, degrees_of(axis)))
         });
-        let mut lines = [points.collect::<Vec<_>>(), angles.collect()]
-            .map(|line| line.join("  "))
-            .to_vec();
+        let mut lines = [points.collect::<Vec<_>>(), angles.collect()].map(|line| line.join("  ")).to_vec();
         // A lever and its block have no point that is looked for.
         lines.retain(|line| !line.is_empty());
         let _ = writeln!(text, "{:3}. {}", index + 1, lines.join("\n     "));

@@ -3,13 +3,7 @@ use crate::cycle::Sweep;
 /// The names of a table's numbers as the first line of a CSV file (RFC 4180); a name with a comma stands in quotes.
 #[must_use]
 pub fn csv_header(sweep: &Sweep) -> String {
-    let quoted = sweep.header().into_iter().map(|name| {
-        if name.contains(',') {
-            format!("\"{name}\"")
-        } else {
-            name
-        }
-    });
+    let quoted = sweep.header().into_iter().map(|name| if name.contains(',') { format!("\"{name}\"") } else { name });
     quoted.collect::<Vec<_>>().join(",") + "\n"
 }
 

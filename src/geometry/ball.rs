@@ -26,32 +26,21 @@ impl Ball {
     #[must_use]
     pub fn difference(x: f64, y: f64) -> Ball {
         let (high, low) = two_sum(x, -y);
-        Ball {
-            high,
-            low,
-            radius: 0.0,
-        }
+        Ball { high, low, radius: 0.0 }
     }
 
     /// Twice the number, exactly.
     #[inline]
     #[must_use]
     pub fn twice(self) -> Ball {
-        Ball {
-            high: 2.0 * self.high,
-            low: 2.0 * self.low,
-            radius: 2.0 * self.radius,
-        }
+        Ball { high: 2.0 * self.high, low: 2.0 * self.low, radius: 2.0 * self.radius }
     }
 
     /// The same, uncertain by so much more.
     #[inline]
     #[must_use]
     pub fn doubted(self, error: f64) -> Ball {
-        Ball {
-            radius: self.radius + error.abs(),
-            ..self
-        }
+        Ball { radius: self.radius + error.abs(), ..self }
     }
 
     /// Bound of the error of `high` alone.
@@ -66,10 +55,7 @@ impl Ball {
 impl From<f64> for Ball {
     #[inline]
     fn from(x: f64) -> Ball {
-        Ball {
-            high: x,
-            ..Ball::default()
-        }
+        Ball { high: x, ..Ball::default() }
     }
 }
 
@@ -82,11 +68,7 @@ impl Add for Ball {
         let (low, lowest) = two_sum(self.low, other.low);
         let (sum, rest) = ordered_sum(sum, rest + low);
         let (high, low) = ordered_sum(sum, rest + lowest);
-        Ball {
-            high,
-            low,
-            radius: self.radius + other.radius + ROUNDING * high.abs(),
-        }
+        Ball { high, low, radius: self.radius + other.radius + ROUNDING * high.abs() }
     }
 }
 
@@ -95,11 +77,7 @@ impl Neg for Ball {
 
     #[inline]
     fn neg(self) -> Ball {
-        Ball {
-            high: -self.high,
-            low: -self.low,
-            ..self
-        }
+        Ball { high: -self.high, low: -self.low, ..self }
     }
 }
 
@@ -121,11 +99,7 @@ impl Mul for Ball {
         let crossed = self.high * other.low + self.low * other.high;
         let (high, low) = ordered_sum(product, rest + crossed);
         let carried = self.high.abs() * other.radius + self.radius * other.high.abs();
-        Ball {
-            high,
-            low,
-            radius: carried + self.radius * other.radius + ROUNDING * high.abs(),
-        }
+        Ball { high, low, radius: carried + self.radius * other.radius + ROUNDING * high.abs() }
     }
 }
 
@@ -133,10 +107,7 @@ impl Mul for Ball {
 impl From<Vector> for Pair<Ball> {
     #[inline]
     fn from(v: Vector) -> Self {
-        Pair {
-            x: v.x.into(),
-            y: v.y.into(),
-        }
+        Pair { x: v.x.into(), y: v.y.into() }
     }
 }
 
@@ -145,10 +116,7 @@ impl Pair<Ball> {
     #[inline]
     #[must_use]
     pub fn between(from: Point, to: Point) -> Self {
-        Pair {
-            x: Ball::difference(to.x, from.x),
-            y: Ball::difference(to.y, from.y),
-        }
+        Pair { x: Ball::difference(to.x, from.x), y: Ball::difference(to.y, from.y) }
     }
 
     /// Rounded to f64.

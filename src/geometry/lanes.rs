@@ -9,14 +9,7 @@ pub const MANY: usize = 32;
 
 /// One quantity at several positions.
 pub trait Row:
-    Copy
-    + Debug
-    + Send
-    + Sync
-    + AsRef<[f64]>
-    + AsMut<[f64]>
-    + Index<usize, Output = f64>
-    + IndexMut<usize>
+    Copy + Debug + Send + Sync + AsRef<[f64]> + AsMut<[f64]> + Index<usize, Output = f64> + IndexMut<usize>
 {
     /// How many positions.
     const LEN: usize;
@@ -105,10 +98,7 @@ pub trait Lanes: Copy {
     /// The `k`th portion of rows of vectors.
     #[inline(always)]
     fn pair<R: Row>(self, rows: &[R; 2], k: usize) -> Pair<Self::Number> {
-        Pair {
-            x: self.load(&rows[0], k),
-            y: self.load(&rows[1], k),
-        }
+        Pair { x: self.load(&rows[0], k), y: self.load(&rows[1], k) }
     }
 
     /// Sets the `k`th portion of rows of vectors.
@@ -173,19 +163,13 @@ impl<S: Simd> Lanes for Registers<S> {
     #[inline(always)]
     fn splat(self, number: f64) -> Register<S> {
         let numbers = self.0.splat_f64s(number);
-        Register {
-            simd: self.0,
-            numbers,
-        }
+        Register { simd: self.0, numbers }
     }
 
     #[inline(always)]
     fn load<R: Row>(self, row: &R, k: usize) -> Register<S> {
         let (portions, _) = S::as_simd_f64s(row.as_ref());
-        Register {
-            simd: self.0,
-            numbers: portions[k],
-        }
+        Register { simd: self.0, numbers: portions[k] }
     }
 
     #[inline(always)]

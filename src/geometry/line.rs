@@ -39,35 +39,18 @@ impl Line {
     #[must_use]
     pub fn crossing(&self, other: &Line) -> Crossing {
         match (self, other) {
-            (
-                Line::Through { point, direction },
-                Line::Through {
-                    point: q,
-                    direction: e,
-                },
-            ) => {
+            (Line::Through { point, direction }, Line::Through { point: q, direction: e }) => {
                 // p + t d on the other line: t = ((q − p) × e) / (d × e); kept undivided.
                 let sine = cross(*direction, *e);
-                Crossing {
-                    base: *point,
-                    offset: direction * cross(q - point, *e),
-                    direction: *direction,
-                    sine,
-                }
+                Crossing { base: *point, offset: direction * cross(q - point, *e), direction: *direction, sine }
             }
             (Line::Through { point, direction }, Line::AtInfinity)
-            | (Line::AtInfinity, Line::Through { point, direction }) => Crossing {
-                base: *point,
-                offset: *direction,
-                direction: *direction,
-                sine: 0.0,
-            },
-            (Line::AtInfinity, Line::AtInfinity) => Crossing {
-                base: Point::origin(),
-                offset: Vector::zeros(),
-                direction: Vector::zeros(),
-                sine: 0.0,
-            },
+            | (Line::AtInfinity, Line::Through { point, direction }) => {
+                Crossing { base: *point, offset: *direction, direction: *direction, sine: 0.0 }
+            }
+            (Line::AtInfinity, Line::AtInfinity) => {
+                Crossing { base: Point::origin(), offset: Vector::zeros(), direction: Vector::zeros(), sine: 0.0 }
+            }
         }
     }
 }
@@ -88,11 +71,7 @@ impl Crossing {
     /// The same angle of crossing at a place that is known beforehand.
     #[must_use]
     pub fn at(self, place: Point) -> Crossing {
-        Crossing {
-            base: place,
-            offset: Vector::zeros(),
-            ..self
-        }
+        Crossing { base: place, offset: Vector::zeros(), ..self }
     }
 
     /// The sine of the angle from the first line to the second; zero when they are parallel.
@@ -161,9 +140,6 @@ mod tests {
         let a = Line::new(Point::new(0.0, 1.0), Vector::new(3.0, 4.0)).expect("a direction");
         let b = Line::new(Point::new(9.0, 1.0), Vector::new(3.0, 4.0)).expect("a direction");
         assert!(matches!(a.crossing(&b).place(), Place::AtInfinity(_)));
-        assert!(matches!(
-            a.crossing(&Line::AtInfinity).place(),
-            Place::AtInfinity(_)
-        ));
+        assert!(matches!(a.crossing(&Line::AtInfinity).place(), Place::AtInfinity(_)));
     }
 }

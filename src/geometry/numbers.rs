@@ -3,12 +3,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number, or several that go through the same calculation side by side.
 pub trait Number:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// This one number everywhere, in the form of `self`.
     fn same(self, number: f64) -> Self;
@@ -117,10 +112,7 @@ impl<T: Neg<Output = T>> Pair<T> {
     #[inline(always)]
     #[must_use]
     pub fn quarter_turn(self) -> Self {
-        Pair {
-            x: -self.y,
-            y: self.x,
-        }
+        Pair { x: -self.y, y: self.x }
     }
 }
 
@@ -153,40 +145,28 @@ impl<T: Number> Pair<T> {
     #[inline(always)]
     #[must_use]
     pub fn plus_scaled(self, v: Self, s: T) -> Self {
-        Pair {
-            x: self.x.plus_product(v.x, s),
-            y: self.y.plus_product(v.y, s),
-        }
+        Pair { x: self.x.plus_product(v.x, s), y: self.y.plus_product(v.y, s) }
     }
 
     /// self − v s.
     #[inline(always)]
     #[must_use]
     pub fn minus_scaled(self, v: Self, s: T) -> Self {
-        Pair {
-            x: self.x.minus_product(v.x, s),
-            y: self.y.minus_product(v.y, s),
-        }
+        Pair { x: self.x.minus_product(v.x, s), y: self.y.minus_product(v.y, s) }
     }
 
     /// self + J v s, J the turn by +90°.
     #[inline(always)]
     #[must_use]
     pub fn plus_turned(self, v: Self, s: T) -> Self {
-        Pair {
-            x: self.x.minus_product(v.y, s),
-            y: self.y.plus_product(v.x, s),
-        }
+        Pair { x: self.x.minus_product(v.y, s), y: self.y.plus_product(v.x, s) }
     }
 
     /// self − J v s, J the turn by +90°.
     #[inline(always)]
     #[must_use]
     pub fn minus_turned(self, v: Self, s: T) -> Self {
-        Pair {
-            x: self.x.plus_product(v.y, s),
-            y: self.y.minus_product(v.x, s),
-        }
+        Pair { x: self.x.plus_product(v.y, s), y: self.y.minus_product(v.x, s) }
     }
 }
 
@@ -201,10 +181,7 @@ impl<T: Add<Output = T>> Add for Pair<T> {
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Pair {
-            x: self.x + other.x,
-            y: self.y + other.y,
-        }
+        Pair { x: self.x + other.x, y: self.y + other.y }
     }
 }
 
@@ -213,10 +190,7 @@ impl<T: Sub<Output = T>> Sub for Pair<T> {
 
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Pair {
-            x: self.x - other.x,
-            y: self.y - other.y,
-        }
+        Pair { x: self.x - other.x, y: self.y - other.y }
     }
 }
 
@@ -225,10 +199,7 @@ impl<T: Neg<Output = T>> Neg for Pair<T> {
 
     #[inline(always)]
     fn neg(self) -> Self {
-        Pair {
-            x: -self.x,
-            y: -self.y,
-        }
+        Pair { x: -self.x, y: -self.y }
     }
 }
 
@@ -237,10 +208,7 @@ impl<T: Copy + Mul<Output = T>> Mul<T> for Pair<T> {
 
     #[inline(always)]
     fn mul(self, scale: T) -> Self {
-        Pair {
-            x: self.x * scale,
-            y: self.y * scale,
-        }
+        Pair { x: self.x * scale, y: self.y * scale }
     }
 }
 

@@ -28,10 +28,7 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
     /// The same where 1 / |h|² of each equation is known: of a turned link it is always the same.
     #[inline(always)]
     #[must_use]
-    pub fn with_inverse_squares(
-        columns: [[Pair<T>; 3]; EQUATIONS],
-        inverse_squares: [T; EQUATIONS],
-    ) -> Self {
+    pub fn with_inverse_squares(columns: [[Pair<T>; 3]; EQUATIONS], inverse_squares: [T; EQUATIONS]) -> Self {
         const { assert!(EQUATIONS == 1 || EQUATIONS == 2) };
         let rows = if EQUATIONS == 1 {
             let [_, s, t] = columns[0];
@@ -40,11 +37,7 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
             let ([h, s, t], [g, u, v]) = (columns[0], columns[EQUATIONS - 1]);
             [[h.cross(s), h.cross(t)], [g.cross(u), g.cross(v)]]
         };
-        Self {
-            columns,
-            rows,
-            inverse_squares,
-        }
+        Self { columns, rows, inverse_squares }
     }
 
     /// The determinant.

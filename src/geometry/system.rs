@@ -54,13 +54,7 @@ impl LinearSystem {
         let factors = matrix.clone().lu();
         let pivots = factors.lu_internal().diagonal();
         let regular = pivots.iter().all(|p| p.is_finite() && *p != 0.0);
-        regular.then_some(Self {
-            scaled: matrix,
-            factors,
-            column_scale,
-            row_scale,
-            inverse: OnceLock::new(),
-        })
+        regular.then_some(Self { scaled: matrix, factors, column_scale, row_scale, inverse: OnceLock::new() })
     }
 
     /// The solution for the right side `b`.
@@ -69,10 +63,7 @@ impl LinearSystem {
         let mut x = DVector::from_column_slice(b).component_mul(&self.row_scale);
         // No pivot is zero, so there is a solution; one that leaves the range of f64 shows in its elements.
         self.factors.solve_mut(&mut x);
-        x.component_mul(&self.column_scale)
-            .iter()
-            .copied()
-            .collect()
+        x.component_mul(&self.column_scale).iter().copied().collect()
     }
 
     /// The largest of the unknowns `x` as the scaled matrix has them: each counts with the size of its column.
@@ -100,10 +91,7 @@ impl LinearSystem {
                 let sums = rows.map(|row| row.iter().map(|x| x.abs()).sum());
                 sums.fold(0.0, f64::max)
             };
-            Inverse {
-                condition: (norm(&self.scaled) * norm(&magnitudes)).max(1.0),
-                magnitudes,
-            }
+            Inverse { condition: (norm(&self.scaled) * norm(&magnitudes)).max(1.0), magnitudes }
         })
     }
 
@@ -134,10 +122,7 @@ impl LinearSystem {
             inherited + residual.abs() + rounding * UNIT_ROUNDOFF
         });
         let doubt: Numbers = doubt.collect();
-        let Inverse {
-            magnitudes,
-            condition,
-        } = self.inverse();
+        let Inverse { magnitudes, condition } = self.inverse();
         // The inverse is known to about u·condition only.
         let blur = 1.0 + INVERSE_ROUNDINGS * UNIT_ROUNDOFF * condition;
         let bound = self.column_scale.iter().enumerate().map(|(row, scale)| {
@@ -153,9 +138,7 @@ impl LinearSystem {
 fn power_of_two_below_inverse(largest: f64) -> Option<f64> {
     let biased = largest.to_bits() >> 52;
     // Exponents 1 … 2045 have an inverse that is a normal number too.
-    (1..=2045)
-        .contains(&biased)
-        .then(|| f64::from_bits((2046 - biased) << 52))
+    (1..=2045).contains(&biased).then(|| f64::from_bits((2046 - biased) << 52))
 }
 
 #[cfg(test)]

@@ -103,17 +103,12 @@ pub(super) enum ReducedColumns {
 impl ReducedColumns {
     pub fn new(reduction: Reduction, chains: &[Chain]) -> Option<ReducedColumns> {
         match (reduction, chains) {
-            (Reduction::OneLoop, [chain]) => {
-                Some(ReducedColumns::One([chain.columns[0], chain.columns[1]]))
-            }
+            (Reduction::OneLoop, [chain]) => Some(ReducedColumns::One([chain.columns[0], chain.columns[1]])),
             (Reduction::TwoLoops { .. }, [first, second]) => {
                 let [h, g] = [first.columns[2], second.columns[3]];
                 let varies = |chain: &Chain, own| chain.rails.iter().any(|r| r.arm == own);
                 Some(ReducedColumns::Two {
-                    columns: [
-                        [h, first.columns[0], first.columns[1]],
-                        [g, second.columns[0], second.columns[1]],
-                    ],
+                    columns: [[h, first.columns[0], first.columns[1]], [g, second.columns[0], second.columns[1]]],
                     varies: [varies(first, h), varies(second, g)],
                 })
             }
@@ -128,9 +123,7 @@ impl Closing {
         let members = self.chains.iter().flat_map(|c| &c.members);
         let rails = self.chains.iter().flat_map(|c| &c.rails);
         let rails = rails.map(|r| (r.column, r.direction));
-        members
-            .map(|m| (m.column, quarter_turn(m.local)))
-            .chain(rails)
+        members.map(|m| (m.column, quarter_turn(m.local))).chain(rails)
     }
 }
 

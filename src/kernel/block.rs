@@ -106,12 +106,7 @@ impl<R: Row> Block<R> {
         }
         for action in &kernel.actions {
             match action {
-                Action::Place(Placing {
-                    reach,
-                    local,
-                    slide,
-                    ..
-                }) => {
+                Action::Place(Placing { reach, local, slide, .. }) => {
                     set(&mut self.lengths.reaches[*reach], *local);
                     if let Some((_, way)) = slide {
                         set(&mut self.lengths.ways[*reach], *way);
@@ -146,11 +141,7 @@ impl<R: Row> Block<R> {
 
 impl<R: Row> System<R> {
     fn new() -> Self {
-        System {
-            inverse_determinant: R::splat(0.0),
-            inverse_squares: [R::splat(1.0); 2],
-            general: Vec::new(),
-        }
+        System { inverse_determinant: R::splat(0.0), inverse_squares: [R::splat(1.0); 2], general: Vec::new() }
     }
 }
 

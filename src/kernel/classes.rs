@@ -25,10 +25,7 @@ pub(super) fn classes(mechanism: &Mechanism) -> Vec<(usize, Turn)> {
         }
         next += 1;
     }
-    found
-        .into_iter()
-        .map(|seat| seat.unwrap_or((0, Turn::identity())))
-        .collect()
+    found.into_iter().map(|seat| seat.unwrap_or((0, Turn::identity()))).collect()
 }
 
 /// The sliding link's frame seen from that of the guide's body.

@@ -3,9 +3,7 @@ use super::columns::{correct_columns, turn_columns};
 use super::compile::InputKind;
 use super::solve::{determinant, solve};
 use super::{Block, Kernel, Single};
-use crate::geometry::{
-    Lanes, MANY, NEAR, Number, OneByOne, Pair, Row, UNIT_ROUNDOFF, direction_near, quarters_of,
-};
+use crate::geometry::{Lanes, MANY, NEAR, Number, OneByOne, Pair, Row, UNIT_ROUNDOFF, direction_near, quarters_of};
 use std::ops::Range;
 
 /// Newton steps at most for one group, from a good start.
@@ -31,13 +29,7 @@ pub struct Correction {
 impl Kernel {
     /// Sets a drive: angles in degrees, or positions along the guide.
     #[inline(always)]
-    pub fn set_input<L: Lanes, R: Row>(
-        &self,
-        lanes: L,
-        block: &mut Block<R>,
-        input: usize,
-        values: &R,
-    ) {
+    pub fn set_input<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, input: usize, values: &R) {
         match self.inputs[input].kind {
             InputKind::Turning { class } => {
                 let turns = &mut block.turns[class];
@@ -66,17 +58,8 @@ impl Kernel {
     /// where a first step is larger than half a radian, or steps do not get smaller, the loops count as not closed.
     /// A first step of at most `sure`, in radians or parts of a group's size, is known to leave only rounding.
     #[inline(always)]
-    pub fn assemble<L: Lanes, R: Row>(
-        &self,
-        lanes: L,
-        block: &mut Block<R>,
-        sure: f64,
-    ) -> Correction {
-        let mut worst = Correction {
-            first: 0.0,
-            closed: true,
-            doubt: 0.0,
-        };
+    pub fn assemble<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, sure: f64) -> Correction {
+        let mut worst = Correction { first: 0.0, closed: true, doubt: 0.0 };
         for action in &self.actions {
             match action {
                 Action::Place(placing) => place(lanes, block, placing),
@@ -153,10 +136,7 @@ pub fn portions<L: Lanes, R: Row>() -> Range<usize> {
 #[inline(always)]
 fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let turn = &block.turns[placing.class];
-    let (local, reach) = (
-        &block.lengths.reaches[placing.reach],
-        &mut block.reaches[placing.reach],
-    );
+    let (local, reach) = (&block.lengths.reaches[placing.reach], &mut block.reaches[placing.reach]);
     for k in portions::<L, R>() {
         let turned = lanes.pair(turn, k).turn(lanes.pair(local, k));
         lanes.store_pair(reach, k, turned);
@@ -184,34 +164,21 @@ fn larger(a: f64, b: f64) -> f64 {
 
 /// Newton's method for one group.
 #[inline(always)]
-fn close<L: Lanes, R: Row>(
-    lanes: L,
-    block: &mut Block<R>,
-    closing: &Closing,
-    sure: f64,
-) -> Correction {
+fn close<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, sure: f64) -> Correction {
     turn_columns(lanes, block, closing);
     solve::<_, _, true>(lanes, block, closing);
     let first = longest_correction(lanes, block, closing);
     if first <= sure {
         correct(lanes, block, closing, Size::Tiny);
         correct_columns(lanes, block, closing);
-        return Correction {
-            first,
-            closed: true,
-            doubt: 0.0,
-        };
+        return Correction { first, closed: true, doubt: 0.0 };
     }
     close_by_steps(lanes, block, closing)
 }
 
 /// As many steps as it takes, the first of which has been computed.
 #[inline(always)]
-fn close_by_steps<L: Lanes, R: Row>(
-    lanes: L,
-    block: &mut Block<R>,
-    closing: &Closing,
-) -> Correction {
+fn close_by_steps<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) -> Correction {
     let mut before = f64::INFINITY;
     let mut start: Option<[f64; 2]> = None;
     for _ in 0..STEPS {
@@ -219,21 +186,13 @@ fn close_by_steps<L: Lanes, R: Row>(
         // Newton's method squares an error and divides it by the sharpness; what that leaves must be rounding.
         let doubt = largest * largest / (dullest(block, closing).sqrt() * UNIT_ROUNDOFF);
         let [first, first_doubt] = start.unwrap_or([largest, doubt]);
-        let found = |closed| Correction {
-            first,
-            closed,
-            doubt: first_doubt,
-        };
+        let found = |closed| Correction { first, closed, doubt: first_doubt };
         let far = start.is_none() && largest > GOOD;
         let stuck = largest > 0.5 * before;
         if doubt.is_nan() || far || (stuck && doubt > 1e3) {
             return found(false);
         }
-        let size = if largest < SMALL {
-            Size::Small
-        } else {
-            Size::Large
-        };
+        let size = if largest < SMALL { Size::Small } else { Size::Large };
         correct(lanes, block, closing, size);
         turn_columns(lanes, block, closing);
         if doubt <= 0.25 || stuck {
@@ -243,11 +202,7 @@ fn close_by_steps<L: Lanes, R: Row>(
         before = largest;
         solve::<_, _, true>(lanes, block, closing);
     }
-    Correction {
-        first: f64::INFINITY,
-        closed: false,
-        doubt: f64::INFINITY,
-    }
+    Correction { first: f64::INFINITY, closed: false, doubt: f64::INFINITY }
 }
 
 /// The longest correction of a position, its unknowns taken as a vector in radians and parts of the group's reach: not less than

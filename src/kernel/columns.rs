@@ -7,15 +7,7 @@ use crate::geometry::{Lanes, MANY, Pair, Row};
 /// from their starts, along their members, to their ends.
 #[inline(always)]
 pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
-    let Block {
-        turns,
-        slides,
-        points,
-        columns,
-        lengths,
-        sides,
-        ..
-    } = block;
+    let Block { turns, slides, points, columns, lengths, sides, .. } = block;
     for (chain, side) in closing.chains.iter().zip(sides) {
         let mut gaps = chain.difference(lanes, points);
         for rail in &chain.rails {
@@ -57,11 +49,7 @@ pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, clo
 impl Chain {
     /// By portion, the value at its end less that at its start; zero for a loop that closes on itself.
     #[inline(always)]
-    pub(super) fn difference<L: Lanes, R: Row>(
-        &self,
-        lanes: L,
-        values: &[[R; 2]],
-    ) -> [Pair<L::Number>; MANY] {
+    pub(super) fn difference<L: Lanes, R: Row>(&self, lanes: L, values: &[[R; 2]]) -> [Pair<L::Number>; MANY] {
         let zero = lanes.splat(0.0);
         let mut differences = [Pair { x: zero, y: zero }; MANY];
         if let Some([start, end]) = self.ends {
@@ -77,9 +65,7 @@ impl Chain {
 /// Corrects the columns for tiny corrections of the unknowns.
 #[inline(always)]
 pub(super) fn correct_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
-    let Block {
-        columns, solution, ..
-    } = block;
+    let Block { columns, solution, .. } = block;
     for chain in &closing.chains {
         for member in &chain.members {
             if let Some(spin) = member.spin {

@@ -2,8 +2,7 @@ use super::action::{Action, Chain, Closing, Member, Placing, Rail, ReducedColumn
 use super::classes::{at_local, classes, guide};
 use crate::geometry::{Point, Turn, Vector};
 use crate::mechanism::{
-    Body, BodyId, GROUND, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, Reduction,
-    Role, SliderId,
+    Body, BodyId, GROUND, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, Reduction, Role, SliderId,
 };
 use crate::scene::Form;
 use std::collections::BTreeSet;
@@ -108,10 +107,7 @@ impl Kernel {
             kept.push(action.clone());
         }
         kept.reverse();
-        Kernel {
-            actions: kept,
-            ..self.clone()
-        }
+        Kernel { actions: kept, ..self.clone() }
     }
 
     /// How a body sits in its class, and its first place.
@@ -145,12 +141,7 @@ impl<'a> Compiler<'a> {
                 unknowns: Vec::new(),
                 classes: classes.iter().map(|c| c.0 + 1).max().unwrap_or(1),
                 sliders: mechanism.sliders.len(),
-                loops: mechanism
-                    .groups
-                    .iter()
-                    .map(|g| g.loops.len())
-                    .max()
-                    .unwrap_or(0),
+                loops: mechanism.groups.iter().map(|g| g.loops.len()).max().unwrap_or(0),
                 slots: points,
                 columns: ZERO + 1,
                 placings: 0,
@@ -167,13 +158,7 @@ impl<'a> Compiler<'a> {
         for (id, body) in bodies.map(|(id, body)| (BodyId(id), body)) {
             match body.role {
                 Role::Ground => self.ground(body),
-                Role::Driver {
-                    pivot,
-                    angle,
-                    omega,
-                    alpha,
-                    ..
-                } => {
+                Role::Driver { pivot, angle, omega, alpha, .. } => {
                     let local = body.local_of(pivot).unwrap_or_else(Point::origin);
                     self.anchor(id, pivot.0, local);
                     let class = self.classes[id.0].0;
@@ -216,12 +201,7 @@ impl<'a> Compiler<'a> {
             .zip(&self.anchors)
             .map(|(&(class, turn), anchor)| {
                 let (slot, local) = anchor.unwrap_or(origin);
-                Seat {
-                    class,
-                    turn,
-                    slot,
-                    local,
-                }
+                Seat { class, turn, slot, local }
             })
             .collect();
         self.kernel
@@ -232,11 +212,7 @@ impl<'a> Compiler<'a> {
             self.kernel.fixed.push((point.0, *place));
             self.placed[point.0] = true;
         }
-        let first = body
-            .points
-            .first()
-            .map(|p| p.0)
-            .zip(body.local.first().copied());
+        let first = body.points.first().map(|p| p.0).zip(body.local.first().copied());
         self.anchors[GROUND.0] = first;
         // A frame without points is known by a place of its first guide.
         let mut sliders = self.mechanism.sliders.iter();
@@ -275,26 +251,12 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    fn place(
-        &mut self,
-        to: usize,
-        from: usize,
-        body: BodyId,
-        local: Vector,
-        slide: Option<(usize, Vector)>,
-    ) {
+    fn place(&mut self, to: usize, from: usize, body: BodyId, local: Vector, slide: Option<(usize, Vector)>) {
         let reach = self.kernel.placings;
         self.kernel.placings += 1;
         let local = self.in_class(body, local);
         let class = self.classes[body.0].0;
-        self.kernel.actions.push(Action::Place(Placing {
-            to,
-            from,
-            class,
-            local,
-            slide,
-            reach,
-        }));
+        self.kernel.actions.push(Action::Place(Placing { to, from, class, local, slide, reach }));
         if let Some(placed) = self.placed.get_mut(to) {
             *placed = true;
         }
@@ -307,9 +269,7 @@ impl<'a> Compiler<'a> {
             let joint = self.mechanism.joint(j);
             let [a, b] = joint.bodies;
             let ways = [(a, b), (b, a)];
-            let way = ways
-                .into_iter()
-                .find(|(from, to)| self.anchors[from.0].is_some() && open(self, *to));
+            let way = ways.into_iter().find(|(from, to)| self.anchors[from.0].is_some() && open(self, *to));
             way.map(|(from, to)| (joint, from, to))
         }) {
             match joint.kind {
@@ -354,12 +314,7 @@ impl<'a> Compiler<'a> {
 
     /// The slot of a body's point; of a carriage without points its own place.
     fn slot_of(&self, body: BodyId, point: usize) -> usize {
-        let own = self
-            .mechanism
-            .body(body)
-            .points
-            .iter()
-            .any(|p| p.0 == point);
+        let own = self.mechanism.body(body).points.iter().any(|p| p.0 == point);
         let place = self.anchors[body.0].map(|(slot, _)| slot);
         if own { point } else { place.unwrap_or(point) }
     }
@@ -382,13 +337,7 @@ impl<'a> Compiler<'a> {
             let order = [shared[0], shared[1], own[0], own[1]];
             unknowns = order.map(|unknown| unknowns[unknown]).to_vec();
         }
-        let mut closing = Closing {
-            group: index,
-            chains: Vec::new(),
-            reduced: None,
-            unknowns,
-            reach: 0.0,
-        };
+        let mut closing = Closing { group: index, chains: Vec::new(), reduced: None, unknowns, reach: 0.0 };
         for chain in &group.loops {
             self.chain(chain, &mut closing);
         }
@@ -407,16 +356,9 @@ impl<'a> Compiler<'a> {
         let last = chain.joints.len() - 1;
         let first = side(chain.joints[0], chain.bodies[0]);
         let (start, from) = self.end(first, chain.joints[0], chain.closed);
-        let mut walk = Walk {
-            body: first,
-            here: from,
-        };
-        let mut passed = Passed {
-            classes: &self.classes,
-            unknowns: &closing.unknowns,
-            members: Vec::new(),
-            rails: Vec::new(),
-        };
+        let mut walk = Walk { body: first, here: from };
+        let mut passed =
+            Passed { classes: &self.classes, unknowns: &closing.unknowns, members: Vec::new(), rails: Vec::new() };
         for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
             let [body, next] = [sides[0], sides[1]].map(|link| side(joint, link));
             self.within(&mut passed, &mut walk, body);
@@ -427,10 +369,7 @@ impl<'a> Compiler<'a> {
                         local.unwrap_or_else(Point::origin)
                     };
                     passed.pass(body, local(body) - walk.here);
-                    walk = Walk {
-                        body: next,
-                        here: local(next),
-                    };
+                    walk = Walk { body: next, here: local(next) };
                 }
                 JointKind::Prismatic(id) => self.slide(&mut passed, &mut walk, id, next),
             }
@@ -470,12 +409,7 @@ impl<'a> Compiler<'a> {
             }
         };
         let columns = closing.unknowns.iter().map(column).collect();
-        closing.chains.push(Chain {
-            ends,
-            members,
-            rails,
-            columns,
-        });
+        closing.chains.push(Chain { ends, members, rails, columns });
     }
 
     /// Walks over the driven sliders of a compound link to another of its bodies.
@@ -491,26 +425,18 @@ impl<'a> Compiler<'a> {
         let (through, direction) = guide(slider);
         let direction = self.in_class(slider.on, direction);
         let at = at_local(self.mechanism, slider);
-        let (leave, arrive, direction) = if slider.on == walk.body {
-            (through, at, direction)
-        } else {
-            (at, through, -direction)
-        };
+        let (leave, arrive, direction) =
+            if slider.on == walk.body { (through, at, direction) } else { (at, through, -direction) };
         passed.pass(walk.body, leave - walk.here);
         passed.slide(walk.body, id.0, direction);
-        *walk = Walk {
-            body: to,
-            here: arrive,
-        };
+        *walk = Walk { body: to, here: arrive };
     }
 
     /// Where a loop begins or ends on a known body: at the pin, or at the body's first place.
     fn end(&self, body: BodyId, joint: JointId, closed: bool) -> (usize, Point) {
         let own = self.mechanism.body(body);
         match self.mechanism.joint(joint).kind {
-            JointKind::Revolute(point) => {
-                (point.0, own.local_of(point).unwrap_or_else(Point::origin))
-            }
+            JointKind::Revolute(point) => (point.0, own.local_of(point).unwrap_or_else(Point::origin)),
             JointKind::Prismatic(_) if closed => (0, Point::origin()),
             JointKind::Prismatic(_) => self.anchors[body.0].unwrap_or((0, Point::origin())),
         }

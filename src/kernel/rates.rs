@@ -12,9 +12,7 @@ impl Kernel {
     pub fn set_rates<R: Row>(&self, block: &mut Block<R>, input: usize, rate: f64, second: f64) {
         let (rates, seconds) = match self.inputs[input].kind {
             InputKind::Turning { class } => (&mut block.omegas[class], &mut block.alphas[class]),
-            InputKind::Sliding { slider } => {
-                (&mut block.speeds[slider], &mut block.accelerations[slider])
-            }
+            InputKind::Sliding { slider } => (&mut block.speeds[slider], &mut block.accelerations[slider]),
         };
         (*rates, *seconds) = (R::splat(rate), R::splat(second));
     }
@@ -34,22 +32,14 @@ impl Kernel {
 /// The rates of a point from those of the one that it was placed from.
 #[inline(always)]
 fn carry<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
-    let Block {
-        reaches,
-        omegas,
-        alphas,
-        point_velocities,
-        point_accelerations,
-        ..
-    } = block;
+    let Block { reaches, omegas, alphas, point_velocities, point_accelerations, .. } = block;
     let reach = &reaches[placing.reach];
     let (omegas, alphas) = (&omegas[placing.class], &alphas[placing.class]);
     let ends = [placing.from, placing.to];
     let velocities = point_velocities.get_disjoint_mut(ends);
     let [from_velocity, velocity] = velocities.expect("a point is placed from another one");
     let accelerations = point_accelerations.get_disjoint_mut(ends);
-    let [from_acceleration, acceleration] =
-        accelerations.expect("a point is placed from another one");
+    let [from_acceleration, acceleration] = accelerations.expect("a point is placed from another one");
     for k in portions::<L, R>() {
         let reach = lanes.pair(reach, k);
         let (omega, alpha) = (lanes.load(omegas, k), lanes.load(alphas, k));
@@ -62,10 +52,7 @@ fn carry<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let Some((slider, _)) = placing.slide else {
         return;
     };
-    let (turn, way) = (
-        &block.turns[placing.class],
-        &block.lengths.ways[placing.reach],
-    );
+    let (turn, way) = (&block.turns[placing.class], &block.lengths.ways[placing.reach]);
     let (speeds, seconds) = (&block.speeds[slider], &block.accelerations[slider]);
     for k in portions::<L, R>() {
         let way = lanes.pair(turn, k).turn(lanes.pair(way, k));
@@ -156,11 +143,7 @@ impl<L: Lanes, R: Row> Side<L, R> {
     /// The value at the loop's end less that at its start.
     #[inline(always)]
     fn new(lanes: L, chain: &Chain, values: &[[R; 2]]) -> Self {
-        Side {
-            lanes,
-            sums: chain.difference(lanes, values),
-            rows: PhantomData,
-        }
+        Side { lanes, sums: chain.difference(lanes, values), rows: PhantomData }
     }
 
     /// − c x of a column c with the rates x.

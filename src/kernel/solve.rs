@@ -7,18 +7,8 @@ use nalgebra::DMatrix;
 
 /// The solution for the block's right sides; factors the equations where `FACTOR`, else takes the factors that there are.
 #[inline(always)]
-pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(
-    lanes: L,
-    block: &mut Block<R>,
-    closing: &Closing,
-) {
-    let Block {
-        columns,
-        systems,
-        sides,
-        solution,
-        ..
-    } = block;
+pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(lanes: L, block: &mut Block<R>, closing: &Closing) {
+    let Block { columns, systems, sides, solution, .. } = block;
     let system = &mut systems[closing.group];
     let Some(reduced) = closing.reduced else {
         if FACTOR {
@@ -26,11 +16,7 @@ pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(
         }
         return solve_general(system, &sides[..closing.chains.len()], solution);
     };
-    let System {
-        inverse_determinant,
-        inverse_squares,
-        ..
-    } = system;
+    let System { inverse_determinant, inverse_squares, .. } = system;
     let one = lanes.splat(1.0);
     match reduced {
         ReducedColumns::One([s, t]) => {
@@ -39,11 +25,7 @@ pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(
             for k in portions::<L, R>() {
                 let (s, t) = (lanes.pair(s, k), lanes.pair(t, k));
                 let system = Reduced::with_inverse_squares([[s, s, t]], [one]);
-                let inverse = if FACTOR {
-                    one / system.determinant()
-                } else {
-                    lanes.load(inverse_determinant, k)
-                };
+                let inverse = if FACTOR { one / system.determinant() } else { lanes.load(inverse_determinant, k) };
                 if FACTOR {
                     lanes.store(inverse_determinant, k, inverse);
                 }
@@ -52,10 +34,7 @@ pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(
                 lanes.store(y, k, solved[1]);
             }
         }
-        ReducedColumns::Two {
-            columns: [[h, s, t], [g, u, v]],
-            varies,
-        } => {
+        ReducedColumns::Two { columns: [[h, s, t], [g, u, v]], varies } => {
             let (h, s, t) = (&columns[h], &columns[s], &columns[t]);
             let (g, u, v) = (&columns[g], &columns[u], &columns[v]);
             let sides: &[[R; 2]; 2] = sides.first_chunk().expect("room for two loops");
@@ -68,20 +47,10 @@ pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(
                 if FACTOR && varies[1] {
                     lanes.store(&mut inverse_squares[1], k, one / g.dot(g));
                 }
-                let columns = [
-                    [h, lanes.pair(s, k), lanes.pair(t, k)],
-                    [g, lanes.pair(u, k), lanes.pair(v, k)],
-                ];
-                let squares = [
-                    lanes.load(&inverse_squares[0], k),
-                    lanes.load(&inverse_squares[1], k),
-                ];
+                let columns = [[h, lanes.pair(s, k), lanes.pair(t, k)], [g, lanes.pair(u, k), lanes.pair(v, k)]];
+                let squares = [lanes.load(&inverse_squares[0], k), lanes.load(&inverse_squares[1], k)];
                 let system = Reduced::with_inverse_squares(columns, squares);
-                let inverse = if FACTOR {
-                    one / system.determinant()
-                } else {
-                    lanes.load(inverse_determinant, k)
-                };
+                let inverse = if FACTOR { one / system.determinant() } else { lanes.load(inverse_determinant, k) };
                 if FACTOR {
                     lanes.store(inverse_determinant, k, inverse);
                 }
@@ -122,11 +91,7 @@ fn solve_general<R: Row>(system: &System<R>, sides: &[[R; 2]], solution: &mut [R
 }
 
 /// The determinant of a group's equations at one position, and the square of Hadamard's ratio.
-pub(super) fn determinant<R: Row>(
-    block: &Block<R>,
-    closing: &Closing,
-    position: usize,
-) -> [f64; 2] {
+pub(super) fn determinant<R: Row>(block: &Block<R>, closing: &Closing, position: usize) -> [f64; 2] {
     let column = |index: usize| Pair::from(vector(&block.columns[index], position));
     match closing.reduced {
         Some(ReducedColumns::One([s, t])) => {

@@ -4,8 +4,8 @@ use super::placing::placing;
 use super::shape::{direction, local_points};
 use super::structure::{Edge, Structure, structure};
 use super::{
-    Body, BodyId, GROUND, Group, Guide, Joint, JointId, JointKind, Mechanism, PointId, Role,
-    Slider, SliderId, StructureError,
+    Body, BodyId, GROUND, Group, Guide, Joint, JointId, JointKind, Mechanism, PointId, Role, Slider, SliderId,
+    StructureError,
 };
 use crate::geometry::{Point, Vector, direction_of_degrees};
 use crate::scene::{self, Along, At, Form, On, Scene};
@@ -33,18 +33,10 @@ pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
 
 /// The Assur groups in an order in which they can be solved.
 pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureError> {
-    let members: Vec<BodyId> = (0..mechanism.bodies.len())
-        .map(BodyId)
-        .filter(|&b| mechanism.body(b).role == Role::Member)
-        .collect();
+    let members: Vec<BodyId> =
+        (0..mechanism.bodies.len()).map(BodyId).filter(|&b| mechanism.body(b).role == Role::Member).collect();
     let index = |b: BodyId| members.iter().position(|&m| m == mechanism.lead(b));
-    let edges: Vec<Edge> = mechanism
-        .joints
-        .iter()
-        .map(|joint| Edge {
-            ends: joint.bodies.map(index),
-        })
-        .collect();
+    let edges: Vec<Edge> = mechanism.joints.iter().map(|joint| Edge { ends: joint.bodies.map(index) }).collect();
     let (mut surplus, mut over) = mechanism.surplus();
     let (mut missing, mut under) = (0, Vec::new());
     let links = |found: Vec<usize>| {
@@ -53,12 +45,7 @@ pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>,
     };
     let components = match structure(members.len(), &edges) {
         Structure::Groups(components) => components,
-        Structure::Misfit {
-            under: movable,
-            missing: free,
-            over: fixed,
-            surplus: more,
-        } => {
+        Structure::Misfit { under: movable, missing: free, over: fixed, surplus: more } => {
             under.extend(links(movable));
             over.extend(links(fixed));
             missing += free;
@@ -69,9 +56,7 @@ pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>,
     if missing + surplus > 0 {
         over.sort_unstable();
         over.dedup();
-        return Err(StructureError::misfit(
-            scene, mechanism, &under, missing, &over, surplus,
-        ));
+        return Err(StructureError::misfit(scene, mechanism, &under, missing, &over, surplus));
     }
     if members.is_empty() {
         return Err(StructureError::nothing_to_solve(scene));
@@ -126,23 +111,14 @@ impl<'a> Builder<'a> {
 
     fn add_body(&mut self, name: &str, points: &[String], role: Role, local: Vec<Point>) {
         let points = points.iter().map(|p| self.point(p)).collect();
-        self.mechanism.bodies.push(Body {
-            name: name.to_owned(),
-            points,
-            local,
-            role,
-            block: false,
-        });
+        self.mechanism.bodies.push(Body { name: name.to_owned(), points, local, role, block: false });
     }
 
     fn add_bodies(&mut self) -> Result<(), StructureError> {
         let scene = self.scene;
         let drawn = scene.form == Form::Drawn;
-        let ground_places: Vec<Point> = scene
-            .ground
-            .iter()
-            .filter_map(|name| scene.coordinates.get(name).map(|&p| p.into()))
-            .collect();
+        let ground_places: Vec<Point> =
+            scene.ground.iter().filter_map(|name| scene.coordinates.get(name).map(|&p| p.into())).collect();
         self.add_body("ground", &scene.ground, Role::Ground, ground_places);
         let driven = driven_places(scene);
         for (name, link) in &scene.links {
@@ -167,10 +143,7 @@ impl<'a> Builder<'a> {
             self.add_body(name, &link.points, role, local);
         }
         for (name, motion) in &scene.known {
-            let role = Role::Carrier {
-                velocity: motion.velocity.into(),
-                acceleration: motion.acceleration.into(),
-            };
+            let role = Role::Carrier { velocity: motion.velocity.into(), acceleration: motion.acceleration.into() };
             self.add_body(name, std::slice::from_ref(name), role, Vec::new());
         }
         Ok(())
@@ -204,10 +177,7 @@ impl<'a> Builder<'a> {
                 drive: slider.drive,
             });
             let id = SliderId(self.mechanism.sliders.len() - 1);
-            self.mechanism.joints.push(Joint {
-                kind: JointKind::Prismatic(id),
-                bodies: [on, link],
-            });
+            self.mechanism.joints.push(Joint { kind: JointKind::Prismatic(id), bodies: [on, link] });
         }
     }
 
@@ -239,12 +209,8 @@ impl<'a> Builder<'a> {
                         }
                         _ => None,
                     };
-                    let (turn, axis) =
-                        (direction_of_degrees(*angle), axis.unwrap_or_else(Vector::x));
-                    Guide::Drawn(Vector::new(
-                        axis.x * turn.x - axis.y * turn.y,
-                        axis.x * turn.y + axis.y * turn.x,
-                    ))
+                    let (turn, axis) = (direction_of_degrees(*angle), axis.unwrap_or_else(Vector::x));
+                    Guide::Drawn(Vector::new(axis.x * turn.x - axis.y * turn.y, axis.x * turn.y + axis.y * turn.x))
                 }
             };
         }
@@ -260,29 +226,21 @@ impl<'a> Builder<'a> {
             (None, Along::Points(a, _)) => local(a),
             (None, _) => body.local.first().copied().unwrap_or_else(Point::origin),
         };
-        Guide::Local {
-            through,
-            direction: along,
-        }
+        Guide::Local { through, direction: along }
     }
 }
 
 /// Adds one revolute joint for every further body at a point, from the first known one where there is one.
 pub(super) fn add_pins(mechanism: &mut Mechanism) {
     for point in (0..mechanism.points.len()).map(PointId) {
-        let mut bodies: Vec<BodyId> = (0..mechanism.bodies.len())
-            .map(BodyId)
-            .filter(|&b| mechanism.body(b).points.contains(&point))
-            .collect();
+        let mut bodies: Vec<BodyId> =
+            (0..mechanism.bodies.len()).map(BodyId).filter(|&b| mechanism.body(b).points.contains(&point)).collect();
         bodies.sort_by_key(|&b| !mechanism.is_known(b));
         let Some((&first, others)) = bodies.split_first() else {
             continue;
         };
         for &other in others {
-            mechanism.joints.push(Joint {
-                kind: JointKind::Revolute(point),
-                bodies: [first, other],
-            });
+            mechanism.joints.push(Joint { kind: JointKind::Revolute(point), bodies: [first, other] });
         }
     }
 }

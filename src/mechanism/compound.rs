@@ -22,12 +22,7 @@ impl DrivenSlide {
     fn new(mechanism: &Mechanism, slider: SliderId, from: BodyId) -> Self {
         let ends = mechanism.slider(slider);
         let forward = ends.on == from;
-        Self {
-            slider,
-            from,
-            to: if forward { ends.link } else { ends.on },
-            sign: if forward { 1.0 } else { -1.0 },
-        }
+        Self { slider, from, to: if forward { ends.link } else { ends.on }, sign: if forward { 1.0 } else { -1.0 } }
     }
 }
 
@@ -37,11 +32,7 @@ impl Mechanism {
     #[must_use]
     pub fn lead(&self, body: BodyId) -> BodyId {
         let root = self.root(body);
-        if self.body(root).role == Role::Member {
-            root
-        } else {
-            body
-        }
+        if self.body(root).role == Role::Member { root } else { body }
     }
 
     /// Whether the body's motion (or at least its carried point's) is known before any group is solved.
@@ -63,10 +54,7 @@ impl Mechanism {
         let mut next = 0;
         while next < found.len() {
             let from_here = |b: &BodyId| matches!(self.body(*b).role, Role::Pushed { from, .. } if from == found[next]);
-            let pushed: Vec<BodyId> = (0..self.bodies.len())
-                .map(BodyId)
-                .filter(from_here)
-                .collect();
+            let pushed: Vec<BodyId> = (0..self.bodies.len()).map(BodyId).filter(from_here).collect();
             found.extend(pushed);
             next += 1;
         }
@@ -161,9 +149,7 @@ impl Mechanism {
             let mut pending = vec![start];
             while let Some(from) = pending.pop() {
                 for slider in (0..self.sliders.len()).map(SliderId) {
-                    let Slider {
-                        on, link, drive, ..
-                    } = *self.slider(slider);
+                    let Slider { on, link, drive, .. } = *self.slider(slider);
                     let touches = drive.is_some() && (on == from || link == from);
                     let other = if on == from { link } else { on };
                     if touches && !reached.contains(&other) {

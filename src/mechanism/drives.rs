@@ -14,10 +14,7 @@ pub(super) fn role(
     if let Some(motion) = &link.motion {
         let at: Point = match &motion.at {
             At::Place(p) => (*p).into(),
-            At::Point(p) => scene
-                .coordinates
-                .get(p)
-                .map_or_else(Point::origin, |&p| p.into()),
+            At::Point(p) => scene.coordinates.get(p).map_or_else(Point::origin, |&p| p.into()),
         };
         return Ok(Role::Moving {
             at,
@@ -29,38 +26,19 @@ pub(super) fn role(
     }
     let Some(drive) = &link.drive else {
         let known = |p: &String| scene.known.contains_key(p);
-        let slides = |s: &scene::Slider| {
-            s.link.as_deref() == Some(name) || s.on == On::Link(name.to_owned())
-        };
-        let stub = !link.points.is_empty()
-            && link.points.iter().all(known)
-            && !scene.sliders.iter().any(slides);
+        let slides = |s: &scene::Slider| s.link.as_deref() == Some(name) || s.on == On::Link(name.to_owned());
+        let stub = !link.points.is_empty() && link.points.iter().all(known) && !scene.sliders.iter().any(slides);
         return Ok(if stub { Role::Stub } else { Role::Member });
     };
-    let pivots: Vec<&String> = link
-        .points
-        .iter()
-        .filter(|p| scene.ground.contains(p))
-        .collect();
+    let pivots: Vec<&String> = link.points.iter().filter(|p| scene.ground.contains(p)).collect();
     let [pivot] = pivots.as_slice() else {
-        let message = format!(
-            "link {name} is driven, so it must have one point on the ground; it has {}",
-            pivots.len()
-        );
+        let message =
+            format!("link {name} is driven, so it must have one point on the ground; it has {}", pivots.len());
         let hint = "list the point about which it turns in `ground` and among the link's points";
-        return Err(scene
-            .error_at(&["links", name, "drive"], message, Some(hint.into()))
-            .into());
+        return Err(scene.error_at(&["links", name, "drive"], message, Some(hint.into())).into());
     };
-    let pivot = mechanism
-        .point(pivot)
-        .expect("the ground's points were added first");
-    Ok(Role::Driver {
-        pivot,
-        angle: drive.angle_deg,
-        omega: drive.omega,
-        alpha: drive.alpha,
-    })
+    let pivot = mechanism.point(pivot).expect("the ground's points were added first");
+    Ok(Role::Driver { pivot, angle: drive.angle_deg, omega: drive.omega, alpha: drive.alpha })
 }
 
 /// A drive of a scene that has to say where it stands.
@@ -107,20 +85,15 @@ pub(super) fn angle_in_place(scene: &Scene) -> Result<Option<(&str, f64)>, Struc
     if scene.form == Form::Drawn {
         return Ok(None);
     }
-    let refuse = |path: &[&str], message: String, hint: &str| {
-        Err(scene.error_at(path, message, Some(hint.into())).into())
-    };
+    let refuse =
+        |path: &[&str], message: String, hint: &str| Err(scene.error_at(path, message, Some(hint.into())).into());
     let drives = drives(scene);
     let mut open = drives.iter().filter(|d| !d.stands);
-    let mut angles = scene
-        .links
-        .iter()
-        .filter_map(|(name, link)| Some((name.as_str(), link.angle_deg?)));
+    let mut angles = scene.links.iter().filter_map(|(name, link)| Some((name.as_str(), link.angle_deg?)));
     let (given, second) = (angles.next(), angles.next());
     if let (Some((first, _)), Some((second, _))) = (given, second) {
-        let message = format!(
-            "links {first} and {second} both give an angle; that of one link can stand in place of a drive's"
-        );
+        let message =
+            format!("links {first} and {second} both give an angle; that of one link can stand in place of a drive's");
         let hint = "remove one of them; approximate angles stand in `near`";
         return refuse(&["links", second, "angle"], message, hint);
     }
@@ -142,9 +115,7 @@ pub(super) fn angle_in_place(scene: &Scene) -> Result<Option<(&str, f64)>, Struc
                     "keep one of them; an approximate angle stands in `near`",
                 ),
                 _ => (
-                    format!(
-                        "link {link} gives an angle, but every drive says already where it stands"
-                    ),
+                    format!("link {link} gives an angle, but every drive says already where it stands"),
                     "keep one of them; an approximate angle stands in `near`",
                 ),
             };
@@ -193,10 +164,7 @@ pub(super) fn driven_places(scene: &Scene) -> IndexMap<&str, Point> {
         };
         for (name, at) in own() {
             let arm = at - center;
-            let turned = Vector::new(
-                turn.x * arm.x - turn.y * arm.y,
-                turn.y * arm.x + turn.x * arm.y,
-            );
+            let turned = Vector::new(turn.x * arm.x - turn.y * arm.y, turn.y * arm.x + turn.x * arm.y);
             places.insert(name.as_str(), pivot + turned);
         }
     }

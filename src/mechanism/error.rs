@@ -26,9 +26,7 @@ impl StructureError {
     pub(super) fn nothing_to_solve(scene: &Scene) -> Self {
         let message = "nothing to solve: every link's motion is given";
         let hint = "add links between the driven links, the known points and the ground";
-        scene
-            .error_at(&["links"], message, Some(hint.into()))
-            .into()
+        scene.error_at(&["links"], message, Some(hint.into())).into()
     }
 
     /// The links have too few or too many constraints; says which links, and how many drives or joints.
@@ -55,10 +53,7 @@ impl StructureError {
         }
         if !over.is_empty() {
             let surplus = many(surplus, "constraint");
-            parts.push(format!(
-                "{} cannot move as driven ({surplus} too many)",
-                names(over)
-            ));
+            parts.push(format!("{} cannot move as driven ({surplus} too many)", names(over)));
             hints.push("take a drive or a joint away there".to_owned());
         }
         let hint = Some(hints.join("; "));

@@ -107,10 +107,8 @@ pub struct Carried {
 
 /// Patterns of the joints B C D E F G (R revolute, P prismatic) of a fourth-class group whose equations are singular in every
 /// position.
-const SINGULAR_PATTERNS: [&str; 10] = [
-    "RPPRPP", "RPPPPP", "PRRPPP", "PRPPPP", "PPRPPP", "PPPRPP", "PPPPRR", "PPPPRP", "PPPPPR",
-    "PPPPPP",
-];
+const SINGULAR_PATTERNS: [&str; 10] =
+    ["RPPRPP", "RPPPPP", "PRRPPP", "PRPPPP", "PPRPPP", "PPPRPP", "PPPPRR", "PPPPRP", "PPPPPR", "PPPPPP"];
 
 impl Group {
     /// The kinds of the joints, R revolute or P prismatic. Class II: outer, inner, outer. Class III: outer and inner of each leg,
@@ -123,14 +121,10 @@ impl Group {
             Class::Second => joints(0).map(letter).collect(),
             Class::Third => {
                 let legs = self.legs();
-                let legs =
-                    legs.map(|[outer, inner]| [letter(&outer), letter(&inner)].iter().collect());
+                let legs = legs.map(|[outer, inner]| [letter(&outer), letter(&inner)].iter().collect());
                 legs.collect::<Vec<String>>().join("-")
             }
-            Class::Fourth => joints(0)
-                .chain(joints(1).rev().skip(1).take(2))
-                .map(letter)
-                .collect(),
+            Class::Fourth => joints(0).chain(joints(1).rev().skip(1).take(2)).map(letter).collect(),
             Class::Higher => self.joints.iter().map(letter).collect(),
         }
     }
@@ -138,12 +132,7 @@ impl Group {
     /// Outer and inner joint of each leg of a third-class group.
     fn legs(&self) -> impl Iterator<Item = [JointId; 2]> {
         let chain = |k: usize| &self.loops[k].joints;
-        [
-            [chain(0)[0], chain(0)[1]],
-            [chain(0)[3], chain(0)[2]],
-            [chain(1)[3], chain(1)[2]],
-        ]
-        .into_iter()
+        [[chain(0)[0], chain(0)[1]], [chain(0)[3], chain(0)[2]], [chain(1)[3], chain(1)[2]]].into_iter()
     }
 
     /// Names of the links, as in `2, 3, 4, 5`; of a compound link all, as in `2+3`.
@@ -171,11 +160,7 @@ impl Group {
 
 /// The group that `links`, leads of compound links or links by themselves, form with `joints`; other bodies count as known.
 pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId]) -> Group {
-    let builder = Builder {
-        mechanism,
-        links,
-        joints,
-    };
+    let builder = Builder { mechanism, links, joints };
     let loops = builder.loops();
     let outer = |b: &&BodyId| builder.outer(**b).is_some();
     let hanging = links.iter().filter(outer).count();
@@ -195,14 +180,7 @@ pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId])
         }
     }
     let compounds = ordered.iter().map(|&lead| mechanism.compound(lead));
-    Group {
-        class,
-        bodies: compounds.flatten().collect(),
-        links: ordered,
-        joints: joints.to_vec(),
-        loops,
-        special,
-    }
+    Group { class, bodies: compounds.flatten().collect(), links: ordered, joints: joints.to_vec(), loops, special }
 }
 
 struct Builder<'a> {
@@ -293,10 +271,7 @@ impl Builder<'_> {
         // In the order in which the inner links stand in the scene; a loop that closes on a link of the group after those that lead to
         // that link.
         loops.sort_by_key(|l| {
-            let inner = l
-                .bodies
-                .iter()
-                .filter(|b| self.outer(**b).is_none() && !self.known(**b));
+            let inner = l.bodies.iter().filter(|b| self.outer(**b).is_none() && !self.known(**b));
             let closes_on = reached.iter().position(|r| r.0 == l.bodies[0]);
             (closes_on, inner.min().copied())
         });
@@ -312,12 +287,7 @@ impl Builder<'_> {
                 let of = |chain: &Loop| {
                     let legs = [leg(chain, false), leg(chain, true)];
                     let [a, b] = [chain.bodies[1], chain.bodies[3]].map(name);
-                    SpecialPoint {
-                        name: format!("S{a}{b}"),
-                        link: central,
-                        target: None,
-                        legs,
-                    }
+                    SpecialPoint { name: format!("S{a}{b}"), link: central, target: None, legs }
                 };
                 vec![of(first), of(second)]
             }
@@ -351,20 +321,9 @@ impl Builder<'_> {
         // The link to which the point belongs hangs directly on its base; the other carries it.
         let legs = |direct: (BodyId, JointId), base: BodyId, outer: JointId, carrier: BodyId| {
             let (own_base, own_outer) = direct;
-            let direct = Leg {
-                base: own_base,
-                outer: own_outer,
-                carried: None,
-            };
+            let direct = Leg { base: own_base, outer: own_outer, carried: None };
             let carried = Some(Carried { carrier, inner });
-            [
-                direct,
-                Leg {
-                    base,
-                    outer,
-                    carried,
-                },
-            ]
+            [direct, Leg { base, outer, carried }]
         };
         if let Some(point) = pin(inner) {
             return Some(SpecialPoint {
@@ -381,27 +340,13 @@ impl Builder<'_> {
             JointKind::Revolute(_) => false,
         };
         let ways = [
-            (
-                pin(outer_b),
-                a,
-                legs((start, outer_a), end, outer_b, b),
-                slides(b),
-            ),
-            (
-                pin(outer_a),
-                b,
-                legs((end, outer_b), start, outer_a, a),
-                slides(a),
-            ),
+            (pin(outer_b), a, legs((start, outer_a), end, outer_b, b), slides(b)),
+            (pin(outer_a), b, legs((end, outer_b), start, outer_a, a), slides(a)),
         ];
         let best = ways.iter().filter(|w| w.0.is_some()).max_by_key(|w| w.3)?;
         let (point, link) = (best.0?, mechanism.side(inner, best.1));
         Some(SpecialPoint {
-            name: format!(
-                "{}_{}",
-                mechanism.point_name(point),
-                mechanism.body(link).name
-            ),
+            name: format!("{}_{}", mechanism.point_name(point), mechanism.body(link).name),
             link,
             target: Some(point),
             legs: best.2,
@@ -415,10 +360,7 @@ fn leg(chain: &Loop, from_end: bool) -> Leg {
     Leg {
         base: chain.bodies[at(0, 4)],
         outer: chain.joints[at(0, 3)],
-        carried: Some(Carried {
-            carrier: chain.bodies[at(1, 3)],
-            inner: chain.joints[at(1, 2)],
-        }),
+        carried: Some(Carried { carrier: chain.bodies[at(1, 3)], inner: chain.joints[at(1, 2)] }),
     }
 }
 
@@ -442,9 +384,5 @@ fn joined(
     bodies.append(&mut others);
     joints.push(joint);
     joints.append(&mut other_joints);
-    Loop {
-        bodies,
-        joints,
-        closed,
-    }
+    Loop { bodies, joints, closed }
 }

@@ -137,13 +137,7 @@ impl LoopEquations {
         for chain in &group.loops {
             loops.push(terms(mechanism, chain, &spins, &mut slides, &mut unknowns));
         }
-        Self {
-            reduction: reduction(&loops, unknowns),
-            loops,
-            unknowns,
-            spins,
-            slides,
-        }
+        Self { reduction: reduction(&loops, unknowns), loops, unknowns, spins, slides }
     }
 
     /// The unknown that is the slide rate of `slider`; `None` for one of another group and for a driven one.
@@ -277,13 +271,7 @@ fn terms(
         let way = mechanism.way(entered.unwrap_or(left), left);
         sliding.extend(driven(way, spin));
     }
-    LoopTerms {
-        ends: (!chain.closed).then_some(ends),
-        first,
-        last,
-        arms,
-        slides: sliding,
-    }
+    LoopTerms { ends: (!chain.closed).then_some(ends), first, last, arms, slides: sliding }
 }
 
 /// What the drive says of the rate of a driven slider.
@@ -303,10 +291,7 @@ fn reduction(loops: &[LoopTerms], unknowns: usize) -> Option<Reduction> {
             };
             let (shared, own, other) = (of(true, true), of(true, false), of(false, true));
             match (shared.as_slice(), own.as_slice(), other.as_slice()) {
-                (&[a, b], &[c], &[d]) => Some(Reduction::TwoLoops {
-                    shared: [a, b],
-                    own: [c, d],
-                }),
+                (&[a, b], &[c], &[d]) => Some(Reduction::TwoLoops { shared: [a, b], own: [c, d] }),
                 _ => None,
             }
         }
@@ -316,11 +301,7 @@ fn reduction(loops: &[LoopTerms], unknowns: usize) -> Option<Reduction> {
 
 /// The spin of every link of the group: links tied by prismatic joints turn together.
 fn spins(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, Spin)> {
-    let mut classes: Vec<Vec<BodyId>> = group
-        .links
-        .iter()
-        .map(|&lead| mechanism.compound(lead))
-        .collect();
+    let mut classes: Vec<Vec<BodyId>> = group.links.iter().map(|&lead| mechanism.compound(lead)).collect();
     for &joint in &group.joints {
         if !mechanism.is_prismatic(joint) {
             continue;

@@ -244,21 +244,14 @@ impl Mechanism {
         let turned = turned.filter(|b| matches!(b.role, Role::Driver { .. }));
         let pushed = (0..self.sliders.len()).map(SliderId);
         let pushed = pushed.filter(|&id| self.slider(id).drive.is_some());
-        turned
-            .map(|body| body.name.clone())
-            .chain(pushed.map(|id| self.push_name(id)))
-            .collect()
+        turned.map(|body| body.name.clone()).chain(pushed.map(|id| self.push_name(id))).collect()
     }
 
     /// The name by which a driven slider is called as a drive.
     #[must_use]
     pub fn push_name(&self, id: SliderId) -> String {
         let slider = self.slider(id);
-        if slider.on == GROUND {
-            self.body(slider.link).name.clone()
-        } else {
-            self.slider_name(id)
-        }
+        if slider.on == GROUND { self.body(slider.link).name.clone() } else { self.slider_name(id) }
     }
 
     /// The point of that name.
@@ -292,9 +285,7 @@ impl Mechanism {
             bodies.any(|b| self.is_known(b) == known && self.body(b).points.contains(p))
         };
         let points = (0..self.points.len()).map(PointId);
-        points
-            .filter(|p| holds(p, false) && !holds(p, true))
-            .collect()
+        points.filter(|p| holds(p, false) && !holds(p, true)).collect()
     }
 
     /// The point where a joint is: the pin, or the slider's point on the guide.

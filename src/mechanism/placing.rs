@@ -1,7 +1,6 @@
 use super::build::{add_pins, groups};
 use super::{
-    Body, BodyId, GROUND, Guide, Joint, JointKind, Mechanism, Placing, Role, Slider, SliderId,
-    StructureError,
+    Body, BodyId, GROUND, Guide, Joint, JointKind, Mechanism, Placing, Role, Slider, SliderId, StructureError,
 };
 use crate::geometry::{Point, Vector};
 use crate::scene::Scene;
@@ -40,11 +39,7 @@ pub(super) fn placing(
         let path = ["links", link, "angle"];
         StructureError::from(scene.error_at(&path, message, Some(hint.into())))
     })?;
-    Ok(Placing {
-        link: held,
-        angle,
-        mechanism,
-    })
+    Ok(Placing { link: held, angle, mechanism })
 }
 
 /// Adds the carriage on which `link` keeps its angle.
@@ -63,10 +58,7 @@ fn hold(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     // Positions count from a place of the ground, so that a far origin costs no digits.
     let ground = mechanism.body(GROUND).local.first().copied();
     // The carriage keeps the angle of the ground: its guide, at 90°, and its axis are −90° apart.
-    let slides = [
-        (GROUND, carriage, ground, Vector::y(), -90.0),
-        (carriage, link, None, Vector::x(), angle),
-    ];
+    let slides = [(GROUND, carriage, ground, Vector::y(), -90.0), (carriage, link, None, Vector::x(), angle)];
     for (on, link, through, direction, turned) in slides {
         let through = through.unwrap_or_else(Point::origin);
         mechanism.sliders.push(Slider {
@@ -79,9 +71,6 @@ fn hold(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
             drive: None,
         });
         let slider = SliderId(mechanism.sliders.len() - 1);
-        mechanism.joints.push(Joint {
-            kind: JointKind::Prismatic(slider),
-            bodies: [on, link],
-        });
+        mechanism.joints.push(Joint { kind: JointKind::Prismatic(slider), bodies: [on, link] });
     }
 }

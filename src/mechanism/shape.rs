@@ -5,10 +5,7 @@ use crate::scene::{Length, Link, Shape};
 ///
 /// `approximate` gives rough places, which settle on which side of its axis a triangle's third point
 /// lies. The second value is true where that was not settled and the counter-clockwise side was taken.
-pub(super) fn local_points(
-    link: &Link,
-    approximate: impl Fn(&str) -> Option<Point>,
-) -> (Vec<Point>, bool) {
+pub(super) fn local_points(link: &Link, approximate: impl Fn(&str) -> Option<Point>) -> (Vec<Point>, bool) {
     match &link.shape {
         Shape::Bare => (vec![Point::origin(); link.points.len()], false),
         Shape::Local(places) => {
@@ -16,31 +13,17 @@ pub(super) fn local_points(
             (link.points.iter().map(at).collect(), false)
         }
         Shape::Lengths(lengths) => match link.points.as_slice() {
-            [a, b] => (
-                vec![Point::origin(), Point::new(between(lengths, a, b), 0.0)],
-                false,
-            ),
+            [a, b] => (vec![Point::origin(), Point::new(between(lengths, a, b), 0.0)], false),
             [a, b, c] => {
                 let rough = [a, b, c].map(|name| approximate(name));
                 let hand = match rough {
                     [Some(a), Some(b), Some(c)] => Some(cross(b - a, c - a)),
                     _ => None,
                 };
-                let third = triangle(
-                    between(lengths, a, b),
-                    between(lengths, a, c),
-                    between(lengths, b, c),
-                );
-                let side = if hand.is_some_and(|h| h < 0.0) {
-                    -1.0
-                } else {
-                    1.0
-                };
-                let points = vec![
-                    Point::origin(),
-                    Point::new(between(lengths, a, b), 0.0),
-                    Point::new(third.x, side * third.y),
-                ];
+                let third = triangle(between(lengths, a, b), between(lengths, a, c), between(lengths, b, c));
+                let side = if hand.is_some_and(|h| h < 0.0) { -1.0 } else { 1.0 };
+                let points =
+                    vec![Point::origin(), Point::new(between(lengths, a, b), 0.0), Point::new(third.x, side * third.y)];
                 let straight = third.y == 0.0;
                 (points, hand.is_none() && !straight)
             }
@@ -51,10 +34,7 @@ pub(super) fn local_points(
 
 /// The given length between two points; the scene has been checked to state it.
 fn between(lengths: &[Length], a: &str, b: &str) -> f64 {
-    lengths
-        .iter()
-        .find(|l| (l.from == a && l.to == b) || (l.from == b && l.to == a))
-        .map_or(0.0, |l| l.value)
+    lengths.iter().find(|l| (l.from == a && l.to == b) || (l.from == b && l.to == a)).map_or(0.0, |l| l.value)
 }
 
 /// Lengths that add up within this part of the longest make a straight link.

@@ -98,12 +98,7 @@ pub fn structure(links: usize, edges: &[Edge]) -> Structure {
     if missing == 0 && surplus == 0 {
         return Structure::Groups(groups(links, &assignment.taken));
     }
-    Structure::Misfit {
-        under: assignment.movable(links),
-        missing,
-        over: over.into_iter().collect(),
-        surplus,
-    }
+    Structure::Misfit { under: assignment.movable(links), missing, over: over.into_iter().collect(), surplus }
 }
 
 /// A constraint of `joint`, given to the body `to`; it refers to the motion of the body `from`.
@@ -124,11 +119,7 @@ struct Assignment {
 
 impl Assignment {
     fn new(links: usize) -> Self {
-        Self {
-            taken: Vec::new(),
-            given: vec![Vec::new(); links + 1],
-            room: vec![MOTIONS; links + 1],
-        }
+        Self { taken: Vec::new(), given: vec![Vec::new(); links + 1], room: vec![MOTIONS; links + 1] }
     }
 
     /// Whether a constraint between `ends` is independent of those taken before; if so, it is taken. If not, all the room that `ends`
@@ -143,21 +134,14 @@ impl Assignment {
         // At most three are at either end, so neither is without room.
         self.room[first] -= 1;
         self.given[first].push(self.taken.len());
-        self.taken.push(Constraint {
-            joint,
-            to: first,
-            from: second,
-        });
+        self.taken.push(Constraint { joint, to: first, from: second });
         true
     }
 
     /// Takes every constraint from `body`, which is possible for any one body: three motions of the whole always stay free.
     fn clear(&mut self, body: usize) {
         while self.make_room(body, body) {}
-        debug_assert!(
-            self.given[body].is_empty(),
-            "the whole keeps three free motions"
-        );
+        debug_assert!(self.given[body].is_empty(), "the whole keeps three free motions");
     }
 
     /// Passes one constraint of `body` along an augmenting path to a body with room, leaving the room of `keep` alone.
@@ -243,11 +227,7 @@ fn groups(links: usize, taken: &[Constraint]) -> Vec<Component> {
         dependence.add_node(());
     }
     for constraint in between_links() {
-        dependence.add_edge(
-            NodeIndex::new(constraint.to),
-            NodeIndex::new(constraint.from),
-            (),
-        );
+        dependence.add_edge(NodeIndex::new(constraint.to), NodeIndex::new(constraint.from), ());
     }
 
     // Kosaraju rather than Tarjan: petgraph's Tarjan recurses, and a long chain of groups could exhaust the stack.
@@ -256,10 +236,7 @@ fn groups(links: usize, taken: &[Constraint]) -> Vec<Component> {
         .map(|nodes| {
             let mut links: Vec<usize> = nodes.into_iter().map(NodeIndex::index).collect();
             links.sort_unstable();
-            Component {
-                links,
-                joints: Vec::new(),
-            }
+            Component { links, joints: Vec::new() }
         })
         .collect();
     // By smallest link, so that a group's position is also its rank among those ready at the same time.
@@ -272,18 +249,13 @@ fn groups(links: usize, taken: &[Constraint]) -> Vec<Component> {
         }
     }
     for constraint in taken {
-        components[group_of[constraint.to]]
-            .joints
-            .push(constraint.joint);
+        components[group_of[constraint.to]].joints.push(constraint.joint);
     }
     for component in &mut components {
         // A joint split between two links makes them depend on each other, so both its constraints are in one group.
         component.joints.sort_unstable();
         component.joints.dedup();
-        debug_assert_eq!(
-            CONSTRAINTS * component.joints.len(),
-            MOTIONS * component.links.len()
-        );
+        debug_assert_eq!(CONSTRAINTS * component.joints.len(), MOTIONS * component.links.len());
     }
 
     let mut dependents = vec![Vec::new(); components.len()];
@@ -295,19 +267,11 @@ fn groups(links: usize, taken: &[Constraint]) -> Vec<Component> {
             waits_for[group] += 1;
         }
     }
-    let mut ready: BinaryHeap<Reverse<usize>> = (0..components.len())
-        .filter(|&group| waits_for[group] == 0)
-        .map(Reverse)
-        .collect();
+    let mut ready: BinaryHeap<Reverse<usize>> =
+        (0..components.len()).filter(|&group| waits_for[group] == 0).map(Reverse).collect();
     let mut order = Vec::with_capacity(components.len());
     while let Some(Reverse(group)) = ready.pop() {
-        order.push(std::mem::replace(
-            &mut components[group],
-            Component {
-                links: Vec::new(),
-                joints: Vec::new(),
-            },
-        ));
+        order.push(std::mem::replace(&mut components[group], Component { links: Vec::new(), joints: Vec::new() }));
         for &next in &dependents[group] {
             waits_for[next] -= 1;
             if waits_for[next] == 0 {

@@ -32,16 +32,9 @@ impl ClosedForm {
             Reduction::OneLoop => {
                 let [s, t, ..] = all[0];
                 let system = Reduced::new([[Vector::zeros(), s, t].map(Pair::from)]);
-                (
-                    Self::OneLoop(system),
-                    system.determinant(),
-                    system.products(),
-                )
+                (Self::OneLoop(system), system.determinant(), system.products())
             }
-            Reduction::TwoLoops {
-                shared: [x, y],
-                own,
-            } => {
+            Reduction::TwoLoops { shared: [x, y], own } => {
                 let columns = [0, 1].map(|i| [own[i], x, y].map(|u| Pair::from(all[i][u])));
                 squares = columns.map(|[h, ..]| h.dot(h)).iter().product();
                 let system = Reduced::new(columns);
@@ -61,10 +54,7 @@ impl ClosedForm {
     /// The rates for the right sides of the loops in a row, as many as there are numbers.
     #[must_use]
     pub fn solve_all(&self, side: &[f64]) -> Numbers {
-        let pair = |k: usize| Pair {
-            x: side[2 * k],
-            y: side[2 * k + 1],
-        };
+        let pair = |k: usize| Pair { x: side[2 * k], y: side[2 * k + 1] };
         let mut rates = [0.0; 4];
         match self {
             Self::OneLoop(system) => {

@@ -2,9 +2,7 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MotionError {
     /// The group is in a singular position.
-    #[error(
-        "links {links} are in a singular position: {reason} (condition {condition:.1e})\n  try: {hint}"
-    )]
+    #[error("links {links} are in a singular position: {reason} (condition {condition:.1e})\n  try: {hint}")]
     Singular {
         /// The group's links.
         links: String,

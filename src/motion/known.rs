@@ -7,28 +7,17 @@ use crate::position::Pose;
 pub(super) fn known_motion(mechanism: &Mechanism, pose: &Pose, body: &Body) -> Moving {
     match &body.role {
         Role::Ground | Role::Member => Moving::default(),
-        Role::Driver {
-            pivot,
-            omega,
-            alpha,
-            ..
-        } => {
+        Role::Driver { pivot, omega, alpha, .. } => {
             let pivot = pose.point(*pivot);
-            let turning = Moving {
-                at: pivot,
-                omega: (*omega).into(),
-                alpha: (*alpha).into(),
-                ..Moving::default()
-            };
+            let turning = Moving { at: pivot, omega: (*omega).into(), alpha: (*alpha).into(), ..Moving::default() };
             // Referred to its other end, where a group usually hangs on.
             let at = body.points.iter().map(|&p| pose.point(p));
-            let at = at.fold(pivot, |best, p| {
-                if (p - pivot).norm_squared() > (best - pivot).norm_squared() {
-                    p
-                } else {
-                    best
-                }
-            });
+            let at = at.fold(
+                pivot,
+                |best, p| {
+                    if (p - pivot).norm_squared() > (best - pivot).norm_squared() { p } else { best }
+                },
+            );
             turning.referred_to(at)
         }
         Role::Pushed { slider, from } => {
@@ -36,23 +25,14 @@ pub(super) fn known_motion(mechanism: &Mechanism, pose: &Pose, body: &Body) -> M
             let slide = driven_motion(mechanism.slider(*slider));
             slid(mechanism, pose, *slider, *from, &source, &slide)
         }
-        Role::Moving {
-            at,
-            velocity,
-            acceleration,
-            omega,
-            alpha,
-        } => Moving {
+        Role::Moving { at, velocity, acceleration, omega, alpha } => Moving {
             at: *at,
             velocity: (*velocity).into(),
             acceleration: (*acceleration).into(),
             omega: (*omega).into(),
             alpha: (*alpha).into(),
         },
-        Role::Carrier {
-            velocity,
-            acceleration,
-        } => Moving {
+        Role::Carrier { velocity, acceleration } => Moving {
             at: pose.point(body.points[0]),
             velocity: (*velocity).into(),
             acceleration: (*acceleration).into(),
@@ -63,9 +43,7 @@ pub(super) fn known_motion(mechanism: &Mechanism, pose: &Pose, body: &Body) -> M
                 .bodies
                 .iter()
                 .find(|b| matches!(b.role, Role::Carrier { .. }) && b.points[0] == body.points[0]);
-            carrier.map_or(Moving::default(), |carrier| {
-                known_motion(mechanism, pose, carrier)
-            })
+            carrier.map_or(Moving::default(), |carrier| known_motion(mechanism, pose, carrier))
         }
     }
 }

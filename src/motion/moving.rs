@@ -95,12 +95,7 @@ impl State {
     }
 
     /// Everything rounded to f64; no accelerations where they were not asked for.
-    pub fn rounded(
-        mut self,
-        order: Order,
-        groups: Vec<GroupAccuracy>,
-        warnings: Vec<String>,
-    ) -> Motion {
+    pub fn rounded(mut self, order: Order, groups: Vec<GroupAccuracy>, warnings: Vec<String>) -> Motion {
         if order == Order::Velocity {
             for body in &mut self.bodies {
                 (body.acceleration, body.alpha) = Default::default();
@@ -110,13 +105,6 @@ impl State {
             }
         }
         let (bodies, errors) = self.bodies.iter().map(Moving::rounded).unzip();
-        Motion {
-            order,
-            bodies,
-            errors,
-            slides: self.slides.iter().map(Sliding::rounded).collect(),
-            groups,
-            warnings,
-        }
+        Motion { order, bodies, errors, slides: self.slides.iter().map(Sliding::rounded).collect(), groups, warnings }
     }
 }

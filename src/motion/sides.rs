@@ -18,29 +18,15 @@ pub(super) fn velocity_sides(equations: &LoopEquations, pose: &Pose, state: &Sta
 }
 
 /// The right sides of the acceleration equations, with the solution `rates` of the velocity equations.
-pub(super) fn acceleration_sides(
-    equations: &LoopEquations,
-    pose: &Pose,
-    state: &State,
-    rates: &[Ball],
-) -> Sides {
+pub(super) fn acceleration_sides(equations: &LoopEquations, pose: &Pose, state: &State, rates: &[Ball]) -> Sides {
     let loops = equations.loops.iter();
-    loops
-        .map(|terms| acceleration(terms, pose, state, rates))
-        .collect()
+    loops.map(|terms| acceleration(terms, pose, state, rates)).collect()
 }
 
 /// What the unknowns `x` leave of these right sides.
-pub(super) fn residuals(
-    equations: &LoopEquations,
-    pose: &Pose,
-    sides: &Sides,
-    x: &[Ball],
-) -> Sides {
+pub(super) fn residuals(equations: &LoopEquations, pose: &Pose, sides: &Sides, x: &[Ball]) -> Sides {
     let loops = equations.loops.iter().zip(sides);
-    loops
-        .map(|(terms, &side)| residual(terms, pose, side, x))
-        .collect()
+    loops.map(|(terms, &side)| residual(terms, pose, side, x)).collect()
 }
 
 /// side − Σ ω J r − Σ ṡ u with the unknowns `x`.

@@ -4,25 +4,12 @@ use crate::mechanism::{Class, Group, JointId, JointKind, Mechanism};
 use crate::position::Pose;
 
 /// The finding that a group is singular, with the lines whose common point (or common direction) makes it so.
-pub(super) fn singular(
-    mechanism: &Mechanism,
-    group: &Group,
-    pose: &Pose,
-    condition: f64,
-) -> MotionError {
+pub(super) fn singular(mechanism: &Mechanism, group: &Group, pose: &Pose, condition: f64) -> MotionError {
     let pairs = critical_lines(group);
-    let directions: Vec<Vector> = pairs
-        .iter()
-        .filter_map(|&[a, b]| joint_line(mechanism, pose, a, b)?.direction())
-        .collect();
-    let parallel = directions.len() == pairs.len()
-        && directions
-            .windows(2)
-            .all(|d| cross(d[0], d[1]).abs() < 1e-6);
-    let names: Vec<String> = pairs
-        .iter()
-        .map(|&[a, b]| line_name(mechanism, a, b))
-        .collect();
+    let directions: Vec<Vector> =
+        pairs.iter().filter_map(|&[a, b]| joint_line(mechanism, pose, a, b)?.direction()).collect();
+    let parallel = directions.len() == pairs.len() && directions.windows(2).all(|d| cross(d[0], d[1]).abs() < 1e-6);
+    let names: Vec<String> = pairs.iter().map(|&[a, b]| line_name(mechanism, a, b)).collect();
     let reason = match (group.class, parallel) {
         (Class::Higher, _) => "its loops have no definite motion".to_owned(),
         (Class::Second, _) => format!("{} lie in one line", names.join(" and ")),
@@ -33,8 +20,7 @@ pub(super) fn singular(
         links: group.link_names(mechanism),
         reason,
         condition,
-        hint: "another crank angle, or move one of these joints off the common line or point"
-            .into(),
+        hint: "another crank angle, or move one of these joints off the common line or point".into(),
     }
 }
 
@@ -44,16 +30,8 @@ fn critical_lines(group: &Group) -> Vec<[JointId; 2]> {
     let joints = |k: usize| &group.loops[k].joints;
     match group.class {
         Class::Second => vec![[joints(0)[0], joints(0)[1]], [joints(0)[1], joints(0)[2]]],
-        Class::Third => vec![
-            [joints(0)[0], joints(0)[1]],
-            [joints(0)[2], joints(0)[3]],
-            [joints(1)[2], joints(1)[3]],
-        ],
-        Class::Fourth => vec![
-            [joints(0)[1], joints(0)[2]],
-            [joints(1)[1], joints(1)[2]],
-            [joints(0)[0], joints(0)[3]],
-        ],
+        Class::Third => vec![[joints(0)[0], joints(0)[1]], [joints(0)[2], joints(0)[3]], [joints(1)[2], joints(1)[3]]],
+        Class::Fourth => vec![[joints(0)[1], joints(0)[2]], [joints(1)[1], joints(1)[2]], [joints(0)[0], joints(0)[3]]],
         Class::Higher => Vec::new(),
     }
 }

@@ -5,9 +5,7 @@ use super::sides::{acceleration_sides, velocity_sides};
 use super::singular::singular;
 use super::{GroupAccuracy, Motion, MotionError, Order};
 use crate::geometry::{Ball, UNIT_ROUNDOFF, Vector};
-use crate::mechanism::{
-    BodyId, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, SliderId, Spin,
-};
+use crate::mechanism::{BodyId, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, SliderId, Spin};
 use crate::position::Pose;
 use smallvec::smallvec;
 
@@ -44,9 +42,7 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
     }
     let motion = state.rounded(order, groups, warnings);
     match too_large(mechanism, pose, &motion) {
-        Some(link) => Err(MotionError::Overflow {
-            links: mechanism.body(link).name.clone(),
-        }),
+        Some(link) => Err(MotionError::Overflow { links: mechanism.body(link).name.clone() }),
         None => Ok(motion),
     }
 }
@@ -75,19 +71,15 @@ fn move_group(
 ) -> Result<f64, MotionError> {
     let equations = LoopEquations::new(mechanism, group);
     let singular = |condition| singular(mechanism, group, pose, condition);
-    let system = equations
-        .factored(&pose.points, &pose.guides)
-        .ok_or_else(|| {
-            // Places so far apart that their differences leave the range of f64 say nothing of the position.
-            let matrix = equations.matrix(&pose.points, &pose.guides);
-            if matrix.iter().all(|x| x.is_finite()) {
-                singular(f64::INFINITY)
-            } else {
-                MotionError::Overflow {
-                    links: group.link_names(mechanism),
-                }
-            }
-        })?;
+    let system = equations.factored(&pose.points, &pose.guides).ok_or_else(|| {
+        // Places so far apart that their differences leave the range of f64 say nothing of the position.
+        let matrix = equations.matrix(&pose.points, &pose.guides);
+        if matrix.iter().all(|x| x.is_finite()) {
+            singular(f64::INFINITY)
+        } else {
+            MotionError::Overflow { links: group.link_names(mechanism) }
+        }
+    })?;
     let condition = system.condition();
     if condition.is_nan() || condition >= SINGULAR_CONDITION {
         return Err(singular(condition));
@@ -100,9 +92,7 @@ fn move_group(
     };
     let mut all = rates.iter().chain(&seconds);
     if !all.all(|x| x.high.is_finite() && x.error().is_finite()) {
-        return Err(MotionError::Overflow {
-            links: group.link_names(mechanism),
-        });
+        return Err(MotionError::Overflow { links: group.link_names(mechanism) });
     }
 
     for &link in &group.bodies {
@@ -115,10 +105,7 @@ fn move_group(
     }
     for slider in (0..mechanism.sliders.len()).map(SliderId) {
         if let Some(unknown) = equations.slide_unknown(slider) {
-            state.slides[slider.0] = Sliding {
-                velocity: rates[unknown],
-                acceleration: seconds[unknown],
-            };
+            state.slides[slider.0] = Sliding { velocity: rates[unknown], acceleration: seconds[unknown] };
         }
     }
     place_motions(mechanism, group, pose, state);
@@ -131,16 +118,11 @@ fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, state: &mut 
     let mut placed: Vec<BodyId> = Vec::new();
     let mut waiting: Vec<&Loop> = group.loops.iter().collect();
     // A loop that closes on a link of the group waits for that link.
-    let starts =
-        |chain: &&Loop, placed: &[BodyId]| !chain.closed || placed.contains(&chain.bodies[0]);
+    let starts = |chain: &&Loop, placed: &[BodyId]| !chain.closed || placed.contains(&chain.bodies[0]);
     while let Some(next) = waiting.iter().position(|chain| starts(chain, &placed)) {
         let chain = waiting.remove(next);
         let last = chain.bodies.len() - 2;
-        let end = (
-            chain.joints[last],
-            chain.bodies[last + 1],
-            chain.bodies[last],
-        );
+        let end = (chain.joints[last], chain.bodies[last + 1], chain.bodies[last]);
         let forward = (0..last).map(|i| (chain.joints[i], chain.bodies[i], chain.bodies[i + 1]));
         for (joint, from, to) in std::iter::once(end).chain(forward) {
             if placed.contains(&to) {
@@ -159,36 +141,19 @@ fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, state: &mut 
 }
 
 /// The motion of body `to` at `joint`, from that of body `from`.
-fn carry_over(
-    mechanism: &Mechanism,
-    pose: &Pose,
-    state: &mut State,
-    joint: JointId,
-    from: BodyId,
-    to: BodyId,
-) {
+fn carry_over(mechanism: &Mechanism, pose: &Pose, state: &mut State, joint: JointId, from: BodyId, to: BodyId) {
     match mechanism.joint(joint).kind {
         JointKind::Prismatic(slider) => slide_over(mechanism, pose, state, slider, from, to),
         JointKind::Revolute(point) => {
             let own = *state.body(to);
-            state.bodies[to.0] = Moving {
-                omega: own.omega,
-                alpha: own.alpha,
-                ..state.body(from).referred_to(pose.point(point))
-            };
+            state.bodies[to.0] =
+                Moving { omega: own.omega, alpha: own.alpha, ..state.body(from).referred_to(pose.point(point)) };
         }
     }
 }
 
 /// The motion of body `to`, from that of body `from` on the other side of a slider; they turn alike.
-fn slide_over(
-    mechanism: &Mechanism,
-    pose: &Pose,
-    state: &mut State,
-    slider: SliderId,
-    from: BodyId,
-    to: BodyId,
-) {
+fn slide_over(mechanism: &Mechanism, pose: &Pose, state: &mut State, slider: SliderId, from: BodyId, to: BodyId) {
     let (source, slide) = (state.body(from), state.slide(slider));
     state.bodies[to.0] = slid(mechanism, pose, slider, from, source, slide);
 }

@@ -1,8 +1,6 @@
 use super::name::{normal_name, point_on};
 use crate::geometry::{Crossing, Line, Place, quarter_turn};
-use crate::mechanism::{
-    BodyId, DrivenSlide, Group, JointKind, Leg, Mechanism, PointId, SliderId, SpecialPoint,
-};
+use crate::mechanism::{BodyId, DrivenSlide, Group, JointKind, Leg, Mechanism, PointId, SliderId, SpecialPoint};
 use crate::position::Pose;
 use crate::words::Wording;
 
@@ -70,9 +68,7 @@ impl CutLine {
         let kind = match (outer, inner, point.target) {
             (JointKind::Revolute(outer), None, _) => LegKind::Pin { outer },
             (JointKind::Prismatic(outer), None, Some(at)) => LegKind::Slider { outer, at },
-            (JointKind::Revolute(outer), Some(JointKind::Revolute(inner)), _) => {
-                LegKind::Pins { outer, inner }
-            }
+            (JointKind::Revolute(outer), Some(JointKind::Revolute(inner)), _) => LegKind::Pins { outer, inner },
             (JointKind::Revolute(outer), Some(JointKind::Prismatic(inner)), _) => {
                 LegKind::PinThenSlider { outer, inner }
             }
@@ -82,22 +78,15 @@ impl CutLine {
             (JointKind::Prismatic(_), _, _) => LegKind::Sliders,
         };
         let line = match kind {
-            LegKind::Pin { outer } => point
-                .target
-                .and_then(|target| Line::new(pose.point(outer), pose.arm(outer, target))),
+            LegKind::Pin { outer } => {
+                point.target.and_then(|target| Line::new(pose.point(outer), pose.arm(outer, target)))
+            }
             LegKind::Pins { outer, inner } => Line::new(pose.point(outer), pose.arm(outer, inner)),
-            LegKind::PinThenSlider {
-                outer: pin,
-                inner: slider,
+            LegKind::PinThenSlider { outer: pin, inner: slider }
+            | LegKind::SliderThenPin { outer: slider, inner: pin }
+            | LegKind::Slider { outer: slider, at: pin } => {
+                Line::new(pose.point(pin), quarter_turn(pose.guide(slider)))
             }
-            | LegKind::SliderThenPin {
-                outer: slider,
-                inner: pin,
-            }
-            | LegKind::Slider {
-                outer: slider,
-                at: pin,
-            } => Line::new(pose.point(pin), quarter_turn(pose.guide(slider))),
             LegKind::Sliders => None,
         };
         Self {
@@ -113,12 +102,8 @@ impl CutLine {
     #[must_use]
     pub fn start(&self) -> Option<PointId> {
         match self.kind {
-            LegKind::Pin { outer }
-            | LegKind::Pins { outer, .. }
-            | LegKind::PinThenSlider { outer, .. } => Some(outer),
-            LegKind::SliderThenPin { inner: point, .. } | LegKind::Slider { at: point, .. } => {
-                Some(point)
-            }
+            LegKind::Pin { outer } | LegKind::Pins { outer, .. } | LegKind::PinThenSlider { outer, .. } => Some(outer),
+            LegKind::SliderThenPin { inner: point, .. } | LegKind::Slider { at: point, .. } => Some(point),
             LegKind::Sliders => None,
         }
     }
@@ -130,18 +115,9 @@ impl CutLine {
         match self.kind {
             LegKind::Pin { outer } => format!("{}{point}", name(outer)),
             LegKind::Pins { outer, inner } => format!("{}{}", name(outer), name(inner)),
-            LegKind::PinThenSlider {
-                outer: pin,
-                inner: slider,
-            }
-            | LegKind::SliderThenPin {
-                outer: slider,
-                inner: pin,
-            }
-            | LegKind::Slider {
-                outer: slider,
-                at: pin,
-            } => {
+            LegKind::PinThenSlider { outer: pin, inner: slider }
+            | LegKind::SliderThenPin { outer: slider, inner: pin }
+            | LegKind::Slider { outer: slider, at: pin } => {
                 let guide = mechanism.slider_name(slider);
                 (words.language.normal_to_guide)(&guide, name(pin))
             }
@@ -183,9 +159,7 @@ impl Special {
     #[must_use]
     pub fn normal_names(&self, mechanism: &Mechanism) -> [String; 2] {
         let name = |cut: &CutLine| {
-            let start = cut
-                .start()
-                .map(|point| point_on(mechanism, cut.leg.base, point));
+            let start = cut.start().map(|point| point_on(mechanism, cut.leg.base, point));
             normal_name(&start.unwrap_or_default(), &self.name)
         };
         let [first, mut second] = [0, 1].map(|side| name(&self.cuts[side]));
@@ -200,9 +174,7 @@ impl Special {
 #[must_use]
 pub fn special_points(mechanism: &Mechanism, pose: &Pose, group: &Group) -> Vec<Special> {
     let points = group.special.iter().map(|point| {
-        let cuts = point
-            .legs
-            .map(|leg| CutLine::new(mechanism, pose, point, &leg));
+        let cuts = point.legs.map(|leg| CutLine::new(mechanism, pose, point, &leg));
         let mut crossing = cuts[0].line.crossing(&cuts[1].line);
         if let Some(target) = point.target {
             crossing = crossing.at(pose.point(target));

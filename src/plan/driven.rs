@@ -36,15 +36,9 @@ impl SlideMeasure {
     }
 
     /// What driven sliders add on the way from one body to another of a compound link whose motion is known.
-    pub(super) fn on_way(
-        mechanism: &Mechanism,
-        pose: &Pose,
-        motion: &Motion,
-        way: &[DrivenSlide],
-    ) -> Vec<Self> {
+    pub(super) fn on_way(mechanism: &Mechanism, pose: &Pose, motion: &Motion, way: &[DrivenSlide]) -> Vec<Self> {
         let way = way.iter();
-        way.map(|slide| Self::new(mechanism, pose, slide, motion.body(slide.to).omega))
-            .collect()
+        way.map(|slide| Self::new(mechanism, pose, slide, motion.body(slide.to).omega)).collect()
     }
 }
 
@@ -59,12 +53,7 @@ pub(super) struct SlidePart {
 }
 
 /// The vectors that driven sliders add to a plan from the point `start` on; those that vanish are left out.
-pub(super) fn parts(
-    mechanism: &Mechanism,
-    kind: PlanKind,
-    start: &str,
-    slides: &[SlideMeasure],
-) -> Vec<SlidePart> {
+pub(super) fn parts(mechanism: &Mechanism, kind: PlanKind, start: &str, slides: &[SlideMeasure]) -> Vec<SlidePart> {
     let mut parts = Vec::new();
     let mut entered = String::new();
     for measure in slides {
@@ -114,19 +103,13 @@ pub(super) fn lay_off(
     for part in parts {
         if !plan.points.contains_key(&part.to) {
             let vector = plan.points[&here].vector + part.vector;
-            plan.points
-                .insert(part.to.clone(), PlanPoint { vector, role });
+            plan.points.insert(part.to.clone(), PlanPoint { vector, role });
             let ends = [here.as_str(), part.to.as_str()];
-            let (equation, caption) =
-                words::driven(words, mechanism, &part.slide, part.added, ends);
+            let (equation, caption) = words::driven(words, mechanism, &part.slide, part.added, ends);
             plan.steps.push(Step {
                 caption,
                 equation: equation.into(),
-                action: Action::LayOff(Arrow {
-                    from: here,
-                    to: part.to.clone(),
-                    part: part.part,
-                }),
+                action: Action::LayOff(Arrow { from: here, to: part.to.clone(), part: part.part }),
             });
         }
         here = part.to;

@@ -69,11 +69,7 @@ impl Equation {
 
     /// Adds a vector, or what stands between two.
     pub(super) fn vector(&mut self, markup: String, known: Known, part: Option<NamedPart>) {
-        self.terms.push(Term {
-            markup,
-            known,
-            part,
-        });
+        self.terms.push(Term { markup, known, part });
     }
 }
 

@@ -1,8 +1,6 @@
 use super::cut::{CutLine, LegKind, Special};
 use super::driven::SlideMeasure;
-use crate::geometry::{
-    Line, LinearSystem, Numbers, Point, UNIT_ROUNDOFF, Vector, quarter_turn, span,
-};
+use crate::geometry::{Line, LinearSystem, Numbers, Point, UNIT_ROUNDOFF, Vector, quarter_turn, span};
 use crate::mechanism::{BodyId, Group, LoopEquations, Mechanism, PointId, SliderId};
 use crate::motion::{BodyMotion, Motion, Order};
 use crate::position::Pose;
@@ -117,12 +115,7 @@ pub(super) fn construct(
         second = Some(board.solve(&sides, 1)?);
     }
     let agreement = board.agreement(group, size, &first, second.as_ref());
-    Some(Construct {
-        legs,
-        velocities,
-        accelerations,
-        agreement,
-    })
+    Some(Construct { legs, velocities, accelerations, agreement })
 }
 
 fn group_points(mechanism: &Mechanism, group: &Group, pose: &Pose) -> impl Iterator<Item = Point> {
@@ -138,10 +131,7 @@ fn cross_rays(
     store: impl Fn(&mut LegMeasure, f64),
 ) -> Vector {
     let [a, b] = [start(&pair[0]), start(&pair[1])];
-    let along = |leg: &LegMeasure, from: Vector| Line::Through {
-        point: Point::from(from),
-        direction: leg.ray,
-    };
+    let along = |leg: &LegMeasure, from: Vector| Line::Through { point: Point::from(from), direction: leg.ray };
     // The rays are the cut lines turned by 90°: they cross at the same angle.
     let crossing = along(&pair[0], a).crossing(&along(&pair[1], b));
     let place = crossing.place().finite();
@@ -167,10 +157,7 @@ struct Sides {
 
 impl Sides {
     fn new(unknowns: usize) -> Self {
-        Self {
-            value: DVector::zeros(unknowns),
-            uncertain: DVector::zeros(unknowns),
-        }
+        Self { value: DVector::zeros(unknowns), uncertain: DVector::zeros(unknowns) }
     }
 
     fn measure(
@@ -288,9 +275,8 @@ impl Board<'_> {
         let at = self.pose.point(cut.start()?);
         // The Coriolis parts follow when the rates are known.
         let slides = cut.slides.iter();
-        let slides: Vec<SlideMeasure> = slides
-            .map(|slide| SlideMeasure::new(self.mechanism, self.pose, slide, 0.0))
-            .collect();
+        let slides: Vec<SlideMeasure> =
+            slides.map(|slide| SlideMeasure::new(self.mechanism, self.pose, slide, 0.0)).collect();
         let add = |sum: Vector, slide: &SlideMeasure| sum + slide.velocity;
         Some(LegMeasure {
             velocity_start: slides.iter().fold(base.velocity_at(at), add),
@@ -304,13 +290,7 @@ impl Board<'_> {
     }
 
     /// The normal part of a leg from the constructed rates, and a bound of its error.
-    fn normal(
-        &self,
-        cut: &CutLine,
-        point: &Special,
-        first: &Solution,
-        size: f64,
-    ) -> Option<(Vector, f64)> {
+    fn normal(&self, cut: &CutLine, point: &Special, first: &Solution, size: f64) -> Option<(Vector, f64)> {
         let spin = |link: BodyId| self.spin(link, first);
         let rate = |slider: SliderId| {
             let unknown = self.equations.slide_unknown(slider);
@@ -327,34 +307,24 @@ impl Board<'_> {
         let coriolis = |slider: SliderId, from: BodyId, (omega, omega_error): (f64, f64)| {
             let (s, s_error) = rate(slider);
             let vector = quarter_turn(self.guide(slider, from)) * (2.0 * omega * s);
-            let doubt = 2.0 * (omega.abs() * s_error + s.abs() * omega_error)
-                + 4.0 * UNIT_ROUNDOFF * vector.norm();
+            let doubt = 2.0 * (omega.abs() * s_error + s.abs() * omega_error) + 4.0 * UNIT_ROUNDOFF * vector.norm();
             (vector, doubt)
         };
         let nothing = (Vector::zeros(), 0.0);
         let parts = match cut.kind {
             LegKind::Pin { outer } => [centripetal(reach(outer)?, spin(point.link)), nothing],
-            LegKind::Slider { outer, .. } => {
-                [coriolis(outer, cut.leg.base, spin(cut.leg.base)), nothing]
-            }
+            LegKind::Slider { outer, .. } => [coriolis(outer, cut.leg.base, spin(cut.leg.base)), nothing],
             LegKind::Pins { outer, inner } => {
                 let arm = self.pose.arm(outer, inner);
-                [
-                    centripetal(arm, spin(cut.carrier)),
-                    centripetal(reach(inner)?, spin(point.link)),
-                ]
+                [centripetal(arm, spin(cut.carrier)), centripetal(reach(inner)?, spin(point.link))]
             }
             LegKind::PinThenSlider { outer, inner } => {
                 let omega = spin(cut.carrier);
-                [
-                    centripetal(reach(outer)?, omega),
-                    coriolis(inner, cut.carrier, omega),
-                ]
+                [centripetal(reach(outer)?, omega), coriolis(inner, cut.carrier, omega)]
             }
-            LegKind::SliderThenPin { outer, inner } => [
-                coriolis(outer, cut.leg.base, spin(cut.leg.base)),
-                centripetal(reach(inner)?, spin(point.link)),
-            ],
+            LegKind::SliderThenPin { outer, inner } => {
+                [coriolis(outer, cut.leg.base, spin(cut.leg.base)), centripetal(reach(inner)?, spin(point.link))]
+            }
             LegKind::Sliders => [nothing; 2],
         };
         // All parts lie along the cut line; what rounding has left across it is dropped.
@@ -374,27 +344,15 @@ impl Board<'_> {
         let lengths = &self.doubt + self.matrix.abs() * (4.0 * UNIT_ROUNDOFF);
         let uncertain = lengths * solution.abs() + rounding + &sides.uncertain;
         let rates: Numbers = solution.iter().copied().collect();
-        let errors = LinearSystem::new(self.matrix.clone())?.error_bound(
-            &rates,
-            right.as_slice(),
-            uncertain.as_slice(),
-        );
+        let errors =
+            LinearSystem::new(self.matrix.clone())?.error_bound(&rates, right.as_slice(), uncertain.as_slice());
         let finite = rates.iter().chain(&errors).all(|x| x.is_finite());
         finite.then_some(Solution { rates, errors })
     }
 
     /// Compares with the motion from the loop equations.
-    fn agreement(
-        &self,
-        group: &Group,
-        size: f64,
-        first: &Solution,
-        second: Option<&Solution>,
-    ) -> Agreement {
-        let mut result = Agreement {
-            difference: 0.0,
-            allowed: 0.0,
-        };
+    fn agreement(&self, group: &Group, size: f64, first: &Solution, second: Option<&Solution>) -> Agreement {
+        let mut result = Agreement { difference: 0.0, allowed: 0.0 };
         for (order, solution) in [Some(first), second].into_iter().enumerate() {
             let Some(solution) = solution else { continue };
             let mut spins = Vec::new();
@@ -427,10 +385,7 @@ impl Board<'_> {
             if scale < f64::MIN_POSITIVE {
                 continue;
             }
-            let weighed = spins
-                .iter()
-                .map(|s| (s, scale))
-                .chain(slides.iter().map(|s| (s, scale * size)));
+            let weighed = spins.iter().map(|s| (s, scale)).chain(slides.iter().map(|s| (s, scale * size)));
             for (&(unknown, rate, error), scale) in weighed {
                 let difference = (solution.rates[unknown] - rate).abs() / scale;
                 let allowed = (solution.errors[unknown] + error) / scale;

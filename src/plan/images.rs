@@ -20,20 +20,11 @@ pub(super) fn images(
     group: &Group,
     plan: &mut Plan,
 ) {
-    let mut board = Images {
-        words,
-        mechanism,
-        pose,
-        motion,
-        plan,
-    };
+    let mut board = Images { words, mechanism, pose, motion, plan };
     let legs = group.special.iter().flat_map(|s| s.legs);
     let mut carried: Vec<(Leg, Carried)> = Vec::new();
     for leg in legs {
-        if let Some(second) = leg
-            .carried
-            .filter(|_| !carried.iter().any(|(l, _)| *l == leg))
-        {
+        if let Some(second) = leg.carried.filter(|_| !carried.iter().any(|(l, _)| *l == leg)) {
             carried.push((leg, second));
         }
     }
@@ -78,11 +69,7 @@ impl Images<'_> {
                 let slider = self.mechanism.slider(id);
                 let at = self.mechanism.point_name(slider.at);
                 let under = coincident_name(at, &self.mechanism.body(slider.on).name);
-                let own = if slider.on == holder {
-                    under
-                } else {
-                    at.to_owned()
-                };
+                let own = if slider.on == holder { under } else { at.to_owned() };
                 let place = self.pose.point(slider.at);
                 let velocity = self.motion.body(holder).velocity_at(place);
                 let words = words::image(self.words, carrier, outer_name, &own);
@@ -97,14 +84,7 @@ impl Images<'_> {
         let way = leg.carrier_slides(self.mechanism);
         let slides = SlideMeasure::on_way(self.mechanism, self.pose, self.motion, &way);
         let parts = driven::parts(self.mechanism, self.plan.kind, &from, &slides);
-        driven::lay_off(
-            self.words,
-            self.mechanism,
-            self.plan,
-            PointRole::Slid,
-            from,
-            parts,
-        )
+        driven::lay_off(self.words, self.mechanism, self.plan, PointRole::Slid, from, parts)
     }
 
     /// The sliding velocity at a slider, from the image of the guide's point to that of the slider's; returns both names.
@@ -127,32 +107,14 @@ impl Images<'_> {
         (under_image, image)
     }
 
-    fn lay_off(
-        &mut self,
-        from: &str,
-        to: String,
-        vector: Vector,
-        part: Part,
-        (equation, caption): (String, String),
-    ) {
+    fn lay_off(&mut self, from: &str, to: String, vector: Vector, part: Part, (equation, caption): (String, String)) {
         // A dyad's joint has its image already, where the rays cross.
         if self.plan.points.contains_key(&to) && part == Part::Relative {
             return;
         }
-        let point = PlanPoint {
-            vector,
-            role: PointRole::Image,
-        };
+        let point = PlanPoint { vector, role: PointRole::Image };
         self.plan.points.entry(to.clone()).or_insert(point);
-        let arrow = Arrow {
-            from: from.to_owned(),
-            to,
-            part,
-        };
-        self.plan.steps.push(Step {
-            action: Action::LayOff(arrow),
-            equation: equation.into(),
-            caption,
-        });
+        let arrow = Arrow { from: from.to_owned(), to, part };
+        self.plan.steps.push(Step { action: Action::LayOff(arrow), equation: equation.into(), caption });
     }
 }

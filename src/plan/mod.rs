@@ -19,12 +19,10 @@ pub use cut::{CutLine, LegKind, Special, special_points};
 pub use driven::SlideMeasure;
 pub use equation::{Equation, Known, NamedPart, Term};
 pub use equations::{Agreement, Construct, LegMeasure};
-pub use name::{
-    coincident_name, coriolis_name, display, image_name, normal_name, point_on, slide_name,
-};
+pub use name::{coincident_name, coriolis_name, display, image_name, normal_name, point_on, slide_name};
 pub use quantity::{
-    Asked, Component, Normality, Quantity, QuantityError, Scales, Spot, What, is_acceleration,
-    measured_names, quantity, step_names,
+    Asked, Component, Normality, Quantity, QuantityError, Scales, Spot, What, is_acceleration, measured_names,
+    quantity, step_names,
 };
 pub use state::{Snapshot, State};
 pub use step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};

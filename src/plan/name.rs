@@ -51,11 +51,7 @@ pub fn coincident_name(point: &str, body: &str) -> String {
 #[must_use]
 pub fn point_on(mechanism: &Mechanism, body: BodyId, point: PointId) -> String {
     let (name, body) = (mechanism.point_name(point), mechanism.body(body));
-    if body.points.contains(&point) {
-        name.to_owned()
-    } else {
-        coincident_name(name, &body.name)
-    }
+    if body.points.contains(&point) { name.to_owned() } else { coincident_name(name, &body.name) }
 }
 
 /// A name as it is written: what follows the first `_` and trailing digits are set low, as in `n_{b3}`, `S_{3}`.
@@ -68,11 +64,7 @@ pub fn display(name: &str) -> String {
             name.split_at(digits)
         }
     };
-    if low.is_empty() || base.is_empty() {
-        name.to_owned()
-    } else {
-        format!("{base}_{{{low}}}")
-    }
+    if low.is_empty() || base.is_empty() { name.to_owned() } else { format!("{base}_{{{low}}}") }
 }
 
 #[cfg(test)]

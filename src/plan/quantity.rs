@@ -104,9 +104,7 @@ pub fn step_names(construction: &Construction) -> Vec<String> {
                 Action::Cross { point, .. } => {
                     names.push(plan.kind.segment_name(plan.kind.pole(), point));
                 }
-                Action::Solve { unknowns, .. } => {
-                    names.extend(unknowns.iter().map(|u| u.0.clone()))
-                }
+                Action::Solve { unknowns, .. } => names.extend(unknowns.iter().map(|u| u.0.clone())),
                 _ => {}
             }
         }
@@ -229,12 +227,7 @@ impl Asked {
             _ => return Err(finder.form()),
         };
         let what = finder.what(head, argument, on_paper)?;
-        let asked = Asked {
-            name: name.to_owned(),
-            accelerates: is_acceleration(name),
-            what,
-            component,
-        };
+        let asked = Asked { name: name.to_owned(), accelerates: is_acceleration(name), what, component };
         if component.is_some() && !asked.is_of_vectors() {
             return Err(finder.form());
         }
@@ -272,10 +265,7 @@ impl Asked {
     }
 
     fn is_of_vectors(&self) -> bool {
-        matches!(
-            self.what,
-            What::Coriolis(..) | What::Velocity(..) | What::Acceleration(..) | What::Part(..)
-        )
+        matches!(self.what, What::Coriolis(..) | What::Velocity(..) | What::Acceleration(..) | What::Part(..))
     }
 
     /// Whether it can be read without the places and motions of points.
@@ -301,9 +291,7 @@ impl Asked {
             What::Segment { .. } => true,
             What::Coordinate(_, spot) => special(spot),
             What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
-            What::Velocity(a, b) | What::Acceleration(a, b) => {
-                special(a) || b.as_ref().is_some_and(special)
-            }
+            What::Velocity(a, b) | What::Acceleration(a, b) => special(a) || b.as_ref().is_some_and(special),
             _ => false,
         }
     }
@@ -322,19 +310,13 @@ impl Asked {
         if self.accelerates && !state.has_accelerations() {
             return Err(self.none("accelerations were not asked for"));
         }
-        let reader = Reader {
-            asked: self,
-            state,
-            construction,
-        };
+        let reader = Reader { asked: self, state, construction };
         let value = match &self.what {
             What::Omega(link) => Number(state.spin(*link)[0]),
             What::Alpha(link) => Number(state.spin(*link)[1]),
             What::Angle(link) => {
                 let axis = state.axis(*link);
-                Number(degrees_of(
-                    axis.ok_or_else(|| self.none("the link has no axis"))?,
-                ))
+                Number(degrees_of(axis.ok_or_else(|| self.none("the link has no axis"))?))
             }
             What::SlidePosition(id) => {
                 let position = state.slide_position(*id);
@@ -358,12 +340,9 @@ impl Asked {
                     Normality::Tangential => tangential,
                 })
             }
-            What::Segment {
-                kind,
-                from,
-                to,
-                on_paper,
-            } => Number(reader.segment(*kind, from, to, on_paper.then_some(scales))?),
+            What::Segment { kind, from, to, on_paper } => {
+                Number(reader.segment(*kind, from, to, on_paper.then_some(scales))?)
+            }
         };
         Ok(match (value, self.component) {
             (Vector(v), Some(component)) => Number(match component {
@@ -381,12 +360,7 @@ impl Asked {
     }
 }
 
-fn unknown<'n>(
-    quantity: &str,
-    what: &'static str,
-    name: &str,
-    known: impl Iterator<Item = &'n str>,
-) -> QuantityError {
+fn unknown<'n>(quantity: &str, what: &'static str, name: &str, known: impl Iterator<Item = &'n str>) -> QuantityError {
     let nearest = crate::scene::nearest_within(name, known, 2);
     QuantityError::Unknown {
         quantity: quantity.to_owned(),
@@ -457,12 +431,7 @@ impl Finder<'_> {
                 };
                 let (from, to) = pair(',')?;
                 let (from, to) = (from.to_owned(), to.to_owned());
-                What::Segment {
-                    kind,
-                    from,
-                    to,
-                    on_paper,
-                }
+                What::Segment { kind, from, to, on_paper }
             }
             _ => return Err(self.form()),
         })
@@ -485,9 +454,7 @@ impl Finder<'_> {
     /// The names of special points, with the links to which they belong.
     fn special(&self) -> impl Iterator<Item = (&str, BodyId)> {
         let points = self.mechanism.groups.iter().flat_map(|g| &g.special);
-        points
-            .filter(|s| s.target.is_none())
-            .map(|s| (s.name.as_str(), s.link))
+        points.filter(|s| s.target.is_none()).map(|s| (s.name.as_str(), s.link))
     }
 
     /// The place that a name means: a joint, a special point, or `D_2`.
@@ -516,9 +483,7 @@ impl Finder<'_> {
     fn common_link(&self, a: &Spot, b: &Spot) -> Option<BodyId> {
         let holds = |link: BodyId, spot: &Spot| match spot {
             Spot::Special(name) => self.special().any(|s| s == (name.as_str(), link)),
-            Spot::Point(body, point, _) => {
-                *body == link || self.mechanism.body(link).points.contains(point)
-            }
+            Spot::Point(body, point, _) => *body == link || self.mechanism.body(link).points.contains(point),
         };
         let links = || self.mechanism.links().map(|(id, _)| id);
         let joined = |link: BodyId| {
@@ -558,12 +523,7 @@ impl<S: State> Reader<'_, S> {
     }
 
     /// Velocity (order 0) or acceleration (order 1) of one place, less that of another.
-    fn difference(
-        &self,
-        order: usize,
-        a: &Spot,
-        b: Option<&Spot>,
-    ) -> Result<Vector, QuantityError> {
+    fn difference(&self, order: usize, a: &Spot, b: Option<&Spot>) -> Result<Vector, QuantityError> {
         let of = |spot: &Spot| -> Result<Vector, QuantityError> {
             let (body, place) = self.place(spot)?;
             Ok(self.state.motion_at(body, place)[order])
@@ -572,21 +532,15 @@ impl<S: State> Reader<'_, S> {
     }
 
     /// Normal and tangential part of the acceleration of `a` relative to `b`.
-    fn parts(
-        &self,
-        a: &Spot,
-        b: &Spot,
-        link: Option<BodyId>,
-    ) -> Result<[Vector; 2], QuantityError> {
+    fn parts(&self, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<[Vector; 2], QuantityError> {
         let plan = self.construction.and_then(|c| c.acceleration.as_ref());
         if let (Spot::Special(special), Some(plan)) = (a, plan) {
             let normal = normal_name(b.name(), special);
             let image = super::name::image_name;
             // It starts at the image of `b`, or where driven sliders have led from there.
             let laid = plan.arrows().find(|arrow| arrow.to == normal);
-            let parts = laid
-                .and_then(|laid| plan.segment(&laid.from, &normal))
-                .zip(plan.segment(&normal, &image(special)));
+            let parts =
+                laid.and_then(|laid| plan.segment(&laid.from, &normal)).zip(plan.segment(&normal, &image(special)));
             if let Some((normal, tangential)) = parts {
                 return Ok([normal, tangential]);
             }
@@ -605,9 +559,7 @@ impl<S: State> Reader<'_, S> {
         to: &str,
         scales: Option<Option<&Scales>>,
     ) -> Result<f64, QuantityError> {
-        let construction = self
-            .construction
-            .ok_or_else(|| self.none("there is no construction"))?;
+        let construction = self.construction.ok_or_else(|| self.none("there is no construction"))?;
         let mut plans = construction.plans();
         let plan = plans.find(|plan| plan.kind == kind);
         let plan = plan.ok_or_else(|| self.none("there is no such plan"))?;

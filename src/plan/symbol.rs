@@ -66,10 +66,9 @@ impl Asked {
             What::SlidePosition(_) | What::Coordinate(..) => Kind::Position,
             What::Length(..) => Kind::Length,
             What::SlideVelocity(_) | What::Velocity(..) => Kind::Velocity,
-            What::SlideAcceleration(_)
-            | What::Coriolis(..)
-            | What::Acceleration(..)
-            | What::Part(..) => Kind::Acceleration,
+            What::SlideAcceleration(_) | What::Coriolis(..) | What::Acceleration(..) | What::Part(..) => {
+                Kind::Acceleration
+            }
             What::Segment { kind, .. } => match kind {
                 super::PlanKind::Velocity => Kind::Velocity,
                 super::PlanKind::Acceleration => Kind::Acceleration,
@@ -93,18 +92,8 @@ impl Asked {
     /// How it is written, as in `ω_{4}`; a vector by its size, as in `|v_{D}|`. `shown` gives the text for a name; segments of plans
     /// are called by the points' own names.
     #[must_use]
-    pub fn symbol(
-        &self,
-        mechanism: &Mechanism,
-        notation: &Notation,
-        shown: &dyn Fn(&str) -> String,
-    ) -> String {
-        let plain = |letter, low: String| Symbol {
-            letter,
-            high: "",
-            low,
-            after: String::new(),
-        };
+    pub fn symbol(&self, mechanism: &Mechanism, notation: &Notation, shown: &dyn Fn(&str) -> String) -> String {
+        let plain = |letter, low: String| Symbol { letter, high: "", low, after: String::new() };
         let relative = |letter, high, a: &str, b: Option<&str>| Symbol {
             high,
             ..plain(letter, shown(a) + &b.map_or(String::new(), shown))
@@ -113,10 +102,7 @@ impl Asked {
         let slider = |letter, low: &str, id| {
             let name = mechanism.slider_name(id);
             let parts: Vec<String> = name.split('/').map(shown).collect();
-            Symbol {
-                after: format!("({})", parts.join("/")),
-                ..plain(letter, low.to_owned())
-            }
+            Symbol { after: format!("({})", parts.join("/")), ..plain(letter, low.to_owned()) }
         };
         let symbol = match &self.what {
             What::Omega(id) => plain("ω", link(*id)),
@@ -138,10 +124,9 @@ impl Asked {
                 };
                 relative("a", part, a.name(), Some(b.name()))
             }
-            What::Segment { kind, from, to, .. } => Symbol {
-                after: format!(" ({} {})", shown(from), shown(to)),
-                ..plain(kind.scale_name(), String::new())
-            },
+            What::Segment { kind, from, to, .. } => {
+                Symbol { after: format!(" ({} {})", shown(from), shown(to)), ..plain(kind.scale_name(), String::new()) }
+            }
         };
         let axis = match self.component {
             Some(Component::X) => ",x",
@@ -160,11 +145,7 @@ impl Asked {
 }
 
 fn script(mark: char, text: &str) -> String {
-    if text.is_empty() {
-        String::new()
-    } else {
-        format!("{mark}{{{text}}}")
-    }
+    if text.is_empty() { String::new() } else { format!("{mark}{{{text}}}") }
 }
 
 #[cfg(test)]

@@ -149,13 +149,7 @@ fn given(words: &Wording, vector: String) -> Equation {
     equation
 }
 
-pub(super) fn ray(
-    words: &Wording,
-    through: &str,
-    relation: Relation,
-    line: &str,
-    to: &str,
-) -> String {
+pub(super) fn ray(words: &Wording, through: &str, relation: Relation, line: &str, to: &str) -> String {
     let sentence = match relation {
         Relation::Perpendicular => words.language.ray_normal,
         Relation::Parallel => words.language.ray_parallel,
@@ -209,10 +203,7 @@ pub(super) fn relative_acceleration(
     equation.vector(format!("a{}", low(&[start])), Known::Entirely, None);
     for slide in &cut.slides {
         let name = mechanism.slider_name(slide.slider);
-        for (letter, part) in [
-            (notation.relative, NamedPart::Sliding),
-            (notation.coriolis, NamedPart::Coriolis),
-        ] {
+        for (letter, part) in [(notation.relative, NamedPart::Sliding), (notation.coriolis, NamedPart::Coriolis)] {
             equation.sign(&format!(" {} ", plus_or_minus(slide)));
             let added = format!("a_{letter}({name})");
             equation.vector(added, Known::Entirely, Some(part));
@@ -269,8 +260,7 @@ pub(super) fn normal(
     let body = |b: BodyId| mechanism.body(b).name.as_str();
     let (carrier, link, base) = (body(cut.carrier), body(point.link), body(cut.leg.base));
     let s = &point.name;
-    let turning =
-        |link: &str, to: &str, from: PointId| format!("ω_{link}^2 L{}", low(&[to, name(from)]));
+    let turning = |link: &str, to: &str, from: PointId| format!("ω_{link}^2 L{}", low(&[to, name(from)]));
     // A length that is nothing has no place in an equation.
     let to_special = |link: &str, from: PointId| {
         let arm = point.crossing.vector_from(pose.point(from));
@@ -345,10 +335,7 @@ pub(super) fn leg_equation(
     let link = &mechanism.body(point.link).name;
     let carrier = &mechanism.body(cut.carrier).name;
     let turning = |link: &str, from: PointId, to: &str, arm: Vector| {
-        (
-            arm.dot(&direction),
-            format!("{rate}_{{{link}}} L{}", low(&[to, name(from)])),
-        )
+        (arm.dot(&direction), format!("{rate}_{{{link}}} L{}", low(&[to, name(from)])))
     };
     let to_special = |from: PointId| {
         let arm = point.crossing.vector_from(pose.point(from));
@@ -357,14 +344,7 @@ pub(super) fn leg_equation(
     let sliding = |slider: SliderId, from: BodyId| {
         let u = pose.guide(slider) * mechanism.slide_sign(slider, from);
         let along = u.dot(&quarter_turn(direction));
-        (
-            along,
-            format!(
-                "{slide}_{}({})",
-                words.notation.relative,
-                mechanism.slider_name(slider)
-            ),
-        )
+        (along, format!("{slide}_{}({})", words.notation.relative, mechanism.slider_name(slider)))
     };
     let terms = match cut.kind {
         LegKind::Pin { outer } => {
@@ -375,14 +355,12 @@ pub(super) fn leg_equation(
             turning(carrier, outer, name(inner), pose.arm(outer, inner)),
             turning(link, inner, &point.name, to_special(inner)),
         ],
-        LegKind::PinThenSlider { outer, inner } => vec![
-            turning(carrier, outer, &point.name, to_special(outer)),
-            sliding(inner, cut.carrier),
-        ],
-        LegKind::SliderThenPin { outer, inner } => vec![
-            sliding(outer, cut.leg.base),
-            turning(link, inner, &point.name, to_special(inner)),
-        ],
+        LegKind::PinThenSlider { outer, inner } => {
+            vec![turning(carrier, outer, &point.name, to_special(outer)), sliding(inner, cut.carrier)]
+        }
+        LegKind::SliderThenPin { outer, inner } => {
+            vec![sliding(outer, cut.leg.base), turning(link, inner, &point.name, to_special(inner))]
+        }
         LegKind::Sliders => Vec::new(),
     };
     let mut left = String::new();
@@ -397,10 +375,7 @@ pub(super) fn leg_equation(
         });
         left.push_str(&term);
     }
-    format!(
-        "{left} = {}",
-        measured(kind, from, &image_name(&point.name))
-    )
+    format!("{left} = {}", measured(kind, from, &image_name(&point.name)))
 }
 
 pub(super) fn solve(words: &Wording, unknowns: &[(String, f64)]) -> String {
@@ -439,8 +414,7 @@ pub(super) fn image(words: &Wording, link: &str, from: &str, to: &str) -> (Strin
 
 /// Equation and caption of a sliding velocity.
 pub(super) fn sliding(words: &Wording, slider: &str, from: &str, to: &str) -> (String, String) {
-    let caption =
-        (words.language.lay_off_sliding_velocity)(slider, false, &written(from), &written(to));
+    let caption = (words.language.lay_off_sliding_velocity)(slider, false, &written(from), &written(to));
     (format!("v_{}({slider})", words.notation.relative), caption)
 }
 
@@ -468,18 +442,9 @@ pub(super) fn driven(
     let (language, notation) = (words.language, words.notation);
     let (r, c) = (notation.relative, notation.coriolis);
     let (equation, sentence) = match added {
-        Added::SlidingVelocity => (
-            format!("{minus}v_{r}({name})"),
-            language.lay_off_sliding_velocity,
-        ),
-        Added::SlidingAcceleration => (
-            format!("{minus}a_{r}({name})"),
-            language.lay_off_sliding_acceleration,
-        ),
-        Added::Coriolis => (
-            format!("{minus}a_{c}({name}) = {minus}2 ω_{on} v_{r}({name})"),
-            language.lay_off_coriolis,
-        ),
+        Added::SlidingVelocity => (format!("{minus}v_{r}({name})"), language.lay_off_sliding_velocity),
+        Added::SlidingAcceleration => (format!("{minus}a_{r}({name})"), language.lay_off_sliding_acceleration),
+        Added::Coriolis => (format!("{minus}a_{c}({name}) = {minus}2 ω_{on} v_{r}({name})"), language.lay_off_coriolis),
     };
     let caption = sentence(&name, backwards, &written(from), &written(to));
     (equation, caption)

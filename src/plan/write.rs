@@ -52,12 +52,7 @@ pub fn construction(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Cons
 
 /// The same in another wording, as in [`Wording::of`] a scene's figure. Points of plans and quantities keep their names.
 #[must_use]
-pub fn construction_in(
-    mechanism: &Mechanism,
-    pose: &Pose,
-    motion: &Motion,
-    words: &Wording,
-) -> Construction {
+pub fn construction_in(mechanism: &Mechanism, pose: &Pose, motion: &Motion, words: &Wording) -> Construction {
     let mut writer = Writer {
         words,
         mechanism,
@@ -65,8 +60,7 @@ pub fn construction_in(
         motion,
         scheme: Vec::new(),
         velocity: Writer::plan(PlanKind::Velocity),
-        acceleration: (motion.order == Order::Acceleration)
-            .then(|| Writer::plan(PlanKind::Acceleration)),
+        acceleration: (motion.order == Order::Acceleration).then(|| Writer::plan(PlanKind::Acceleration)),
         warnings: Vec::new(),
     };
     writer.poles();
@@ -101,20 +95,12 @@ struct Writer<'a> {
 }
 
 fn step(action: Action, equation: impl Into<Equation>, caption: String) -> Step {
-    Step {
-        action,
-        equation: equation.into(),
-        caption,
-    }
+    Step { action, equation: equation.into(), caption }
 }
 
 impl Writer<'_> {
     fn plan(kind: PlanKind) -> Plan {
-        Plan {
-            kind,
-            points: IndexMap::new(),
-            steps: Vec::new(),
-        }
+        Plan { kind, points: IndexMap::new(), steps: Vec::new() }
     }
 
     fn plans(&mut self) -> impl Iterator<Item = &mut Plan> {
@@ -124,28 +110,17 @@ impl Writer<'_> {
     /// The poles, with the images of the points at rest.
     fn poles(&mut self) {
         let grounded = self.mechanism.bodies[0].points.iter();
-        let images: Vec<String> = grounded
-            .map(|&p| image_name(self.mechanism.point_name(p)))
-            .collect();
+        let images: Vec<String> = grounded.map(|&p| image_name(self.mechanism.point_name(p))).collect();
         let words = self.words;
         for plan in self.plans() {
-            let pole = PlanPoint {
-                vector: Vector::zeros(),
-                role: PointRole::Pole,
-            };
+            let pole = PlanPoint { vector: Vector::zeros(), role: PointRole::Pole };
             let name = plan.kind.pole();
             plan.points.insert(name.to_owned(), pole);
             for image in &images {
                 plan.points.insert(image.clone(), pole);
             }
             let caption = words::pole(words, plan.kind, &images);
-            plan.steps.push(step(
-                Action::Pole {
-                    images: images.clone(),
-                },
-                String::new(),
-                caption,
-            ));
+            plan.steps.push(step(Action::Pole { images: images.clone() }, String::new(), caption));
         }
     }
 
@@ -159,28 +134,14 @@ impl Writer<'_> {
         }
         let Some(construct) = construct else {
             self.without_construction(special);
-            images(
-                self.words,
-                self.mechanism,
-                self.pose,
-                self.motion,
-                group,
-                &mut self.velocity,
-            );
+            images(self.words, self.mechanism, self.pose, self.motion, group, &mut self.velocity);
             return;
         };
         for (index, point) in special.iter().enumerate() {
             self.velocity_of(point, construct, index);
         }
         self.solve(group, special, construct, Order::Velocity);
-        images(
-            self.words,
-            self.mechanism,
-            self.pose,
-            self.motion,
-            group,
-            &mut self.velocity,
-        );
+        images(self.words, self.mechanism, self.pose, self.motion, group, &mut self.velocity);
         if self.acceleration.is_some() {
             for (index, point) in special.iter().enumerate() {
                 self.acceleration_of(point, construct, index);
@@ -211,12 +172,7 @@ impl Writer<'_> {
     /// What driven sliders add on the way of a leg.
     fn slide_parts(&self, kind: PlanKind, cut: &CutLine, leg: &LegMeasure) -> Vec<SlidePart> {
         let start = cut.start().map(|p| self.start_name(cut.leg.base, p));
-        driven::parts(
-            self.mechanism,
-            kind,
-            &start.unwrap_or_default(),
-            &leg.slides,
-        )
+        driven::parts(self.mechanism, kind, &start.unwrap_or_default(), &leg.slides)
     }
 
     fn special_point(&mut self, point: &Special) {
@@ -224,11 +180,8 @@ impl Writer<'_> {
             return;
         }
         let names = [0, 1].map(|i| point.cuts[i].name(self.words, self.mechanism, &point.name));
-        let action = Action::SpecialPoint {
-            point: point.name.clone(),
-            cuts: names.clone(),
-            sine: point.crossing.sine(),
-        };
+        let action =
+            Action::SpecialPoint { point: point.name.clone(), cuts: names.clone(), sine: point.crossing.sine() };
         let link = &self.mechanism.body(point.link).name;
         let caption = words::special_point(self.words, &point.name, link, &names, &point.place);
         self.scheme.push(step(action, String::new(), caption));
@@ -241,11 +194,7 @@ impl Writer<'_> {
                 let from = self.mechanism.point_name(end).to_owned();
                 let equation = words::length(&from, &point.name);
                 let caption = words::measure_length(self.words, &from, &point.name);
-                let action = Action::MeasureLength {
-                    from,
-                    to: point.name.clone(),
-                    value,
-                };
+                let action = Action::MeasureLength { from, to: point.name.clone(), value };
                 self.scheme.push(step(action, equation, caption));
             }
         }
@@ -278,13 +227,8 @@ impl Writer<'_> {
         for ((plan, vector), (equation, caption)) in self.plans().zip(vectors).zip(captions) {
             let role = PointRole::Known;
             plan.points.insert(name.clone(), PlanPoint { vector, role });
-            let arrow = Arrow {
-                from: plan.kind.pole().to_owned(),
-                to: name.clone(),
-                part: Part::Whole,
-            };
-            plan.steps
-                .push(step(Action::LayOff(arrow), equation, caption));
+            let arrow = Arrow { from: plan.kind.pole().to_owned(), to: name.clone(), part: Part::Whole };
+            plan.steps.push(step(Action::LayOff(arrow), equation, caption));
         }
     }
 
@@ -305,44 +249,26 @@ impl Writer<'_> {
                     plan.points.insert(name.clone(), here);
                 }
             }
-            driven::lay_off(
-                words,
-                mechanism,
-                plan,
-                PointRole::Known,
-                start.clone(),
-                parts,
-            );
+            driven::lay_off(words, mechanism, plan, PointRole::Known, start.clone(), parts);
         }
     }
 
     fn ray(&self, cut: &CutLine, point: &Special, through: String) -> Step {
         let image = image_name(&point.name);
         let (relation, line) = match cut.kind {
-            LegKind::Pin { .. } | LegKind::Pins { .. } => (
-                Relation::Perpendicular,
-                cut.name(self.words, self.mechanism, &point.name),
-            ),
+            LegKind::Pin { .. } | LegKind::Pins { .. } => {
+                (Relation::Perpendicular, cut.name(self.words, self.mechanism, &point.name))
+            }
             LegKind::PinThenSlider { inner: slider, .. }
             | LegKind::Slider { outer: slider, .. }
-            | LegKind::SliderThenPin { outer: slider, .. } => (
-                Relation::Parallel,
-                (self.words.language.guide_of)(&self.mechanism.slider_name(slider)),
-            ),
-            LegKind::Sliders => (
-                Relation::Parallel,
-                cut.name(self.words, self.mechanism, &point.name),
-            ),
+            | LegKind::SliderThenPin { outer: slider, .. } => {
+                (Relation::Parallel, (self.words.language.guide_of)(&self.mechanism.slider_name(slider)))
+            }
+            LegKind::Sliders => (Relation::Parallel, cut.name(self.words, self.mechanism, &point.name)),
         };
         let direction = cut.line.direction().unwrap_or_else(Vector::x);
         let caption = words::ray(self.words, &through, relation, &line, &image);
-        let ray = Ray {
-            through,
-            to: image,
-            direction: crate::geometry::quarter_turn(direction),
-            relation,
-            line,
-        };
+        let ray = Ray { through, to: image, direction: crate::geometry::quarter_turn(direction), relation, line };
         step(Action::Ray(ray), String::new(), caption)
     }
 
@@ -353,41 +279,20 @@ impl Writer<'_> {
             let Some(start) = cut.start() else { return };
             let name = self.start_name(cut.leg.base, start);
             let parts = self.slide_parts(PlanKind::Velocity, cut, leg);
-            let name = driven::lay_off(
-                self.words,
-                self.mechanism,
-                &mut self.velocity,
-                PointRole::Slid,
-                name,
-                parts,
-            );
+            let name = driven::lay_off(self.words, self.mechanism, &mut self.velocity, PointRole::Slid, name, parts);
             let mut ray = self.ray(cut, point, name.clone());
             let from = point_on(self.mechanism, cut.leg.base, start);
-            ray.equation = words::relative_velocity(
-                self.words,
-                self.mechanism,
-                &cut.slides,
-                &point.name,
-                &from,
-            );
+            ray.equation = words::relative_velocity(self.words, self.mechanism, &cut.slides, &point.name, &from);
             self.velocity.steps.push(ray);
             through.push(name);
         }
         let vector = construct.velocities[index];
         let role = role(point);
         let plan = &mut self.velocity;
-        plan.points
-            .insert(image.clone(), PlanPoint { vector, role });
-        plan.steps
-            .push(cross_step(self.words, point, &image, &through));
+        plan.points.insert(image.clone(), PlanPoint { vector, role });
+        plan.steps.push(cross_step(self.words, point, &image, &through));
         for (name, leg) in through.into_iter().zip(&construct.legs[index]) {
-            plan.steps.push(measure_step(
-                self.words,
-                PlanKind::Velocity,
-                name,
-                &image,
-                leg.velocity,
-            ));
+            plan.steps.push(measure_step(self.words, PlanKind::Velocity, name, &image, leg.velocity));
         }
     }
 
@@ -402,55 +307,25 @@ impl Writer<'_> {
             let Some(start) = cut.start() else { continue };
             let from = self.start_name(cut.leg.base, start);
             let parts = self.slide_parts(plan.kind, cut, leg);
-            let from = driven::lay_off(
-                self.words,
-                self.mechanism,
-                &mut plan,
-                PointRole::Slid,
-                from,
-                parts,
-            );
-            let (equation, caption) = words::normal(
-                self.words,
-                self.mechanism,
-                self.pose,
-                cut,
-                point,
-                &from,
-                &normal,
-            );
-            let arrow = Arrow {
-                from,
-                to: normal.clone(),
-                part: Part::Normal,
-            };
-            plan.steps
-                .push(step(Action::LayOff(arrow), equation, caption));
+            let from = driven::lay_off(self.words, self.mechanism, &mut plan, PointRole::Slid, from, parts);
+            let (equation, caption) = words::normal(self.words, self.mechanism, self.pose, cut, point, &from, &normal);
+            let arrow = Arrow { from, to: normal.clone(), part: Part::Normal };
+            plan.steps.push(step(Action::LayOff(arrow), equation, caption));
             let (vector, role) = (leg.acceleration_start + leg.normal, PointRole::Normal);
-            plan.points
-                .insert(normal.clone(), PlanPoint { vector, role });
+            plan.points.insert(normal.clone(), PlanPoint { vector, role });
             let mut ray = self.ray(cut, point, normal.clone());
             let start = point_on(self.mechanism, cut.leg.base, start);
-            ray.equation =
-                words::relative_acceleration(self.words, self.mechanism, cut, &point.name, &start);
+            ray.equation = words::relative_acceleration(self.words, self.mechanism, cut, &point.name, &start);
             plan.steps.push(ray);
             through.push((normal, leg.acceleration));
         }
         let vector = construct.accelerations[index];
         let role = role(point);
-        plan.points
-            .insert(image.clone(), PlanPoint { vector, role });
+        plan.points.insert(image.clone(), PlanPoint { vector, role });
         let names: Vec<String> = through.iter().map(|t| t.0.clone()).collect();
-        plan.steps
-            .push(cross_step(self.words, point, &image, &names));
+        plan.steps.push(cross_step(self.words, point, &image, &names));
         for (name, segment) in through {
-            plan.steps.push(measure_step(
-                self.words,
-                PlanKind::Acceleration,
-                name,
-                &image,
-                segment,
-            ));
+            plan.steps.push(measure_step(self.words, PlanKind::Acceleration, name, &image, segment));
         }
         self.acceleration = Some(plan);
     }
@@ -476,23 +351,12 @@ impl Writer<'_> {
                     Order::Acceleration => (normal, leg.acceleration),
                 };
                 let what = (kind, signed);
-                equations.push(words::leg_equation(
-                    self.words,
-                    self.mechanism,
-                    self.pose,
-                    cut,
-                    point,
-                    &from,
-                    what,
-                ));
+                equations.push(words::leg_equation(self.words, self.mechanism, self.pose, cut, point, &from, what));
             }
         }
         let unknowns = self.unknowns(group, order);
         let caption = words::solve(self.words, &unknowns);
-        let action = Action::Solve {
-            equations,
-            unknowns,
-        };
+        let action = Action::Solve { equations, unknowns };
         let solved = step(action, String::new(), caption);
         match order {
             Order::Velocity => self.velocity.steps.push(solved),
@@ -521,10 +385,7 @@ impl Writer<'_> {
         }
         for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
             if equations.slide_unknown(slider).is_some() {
-                let (slide, name) = (
-                    self.motion.slide(slider),
-                    self.mechanism.slider_name(slider),
-                );
+                let (slide, name) = (self.motion.slide(slider), self.mechanism.slider_name(slider));
                 unknowns.push(if second {
                     (format!("a_r({name})"), slide.acceleration)
                 } else {
@@ -537,28 +398,20 @@ impl Writer<'_> {
 
     /// Says why there is no construction.
     fn without_construction(&mut self, special: &[Special]) {
-        let far: Vec<String> = special
-            .iter()
-            .filter(|s| s.place.finite().is_none())
-            .map(|s| written(&s.name))
-            .collect();
+        let far: Vec<String> =
+            special.iter().filter(|s| s.place.finite().is_none()).map(|s| written(&s.name)).collect();
         // Warnings are messages, which are in English whatever the figure says.
         let warning = words::no_construction(&Wording::default(), &far);
         self.warnings.push(words::plain_text(&warning));
         let caption = words::no_construction(self.words, &far);
         for plan in self.plans() {
-            plan.steps
-                .push(step(Action::Note, String::new(), caption.clone()));
+            plan.steps.push(step(Action::Note, String::new(), caption.clone()));
         }
     }
 }
 
 fn role(point: &Special) -> PointRole {
-    if point.is_assur {
-        PointRole::Special
-    } else {
-        PointRole::Image
-    }
+    if point.is_assur { PointRole::Special } else { PointRole::Image }
 }
 
 /// The joint of a leg from which the length to the special point enters an equation.
@@ -573,21 +426,13 @@ fn measured_end(cut: &CutLine) -> Option<PointId> {
 fn cross_step(words: &Wording, point: &Special, image: &str, from: &[String]) -> Step {
     let from = [0, 1].map(|i| from.get(i).cloned().unwrap_or_default());
     let caption = words::cross(words, image);
-    let action = Action::Cross {
-        point: image.to_owned(),
-        from,
-        sine: point.crossing.sine(),
-    };
+    let action = Action::Cross { point: image.to_owned(), from, sine: point.crossing.sine() };
     step(action, String::new(), caption)
 }
 
 fn measure_step(words: &Wording, kind: PlanKind, from: String, to: &str, signed: f64) -> Step {
     let equation = words::measured(kind, &from, to);
     let caption = words::measure(words, &from, to);
-    let action = Action::Measure {
-        from,
-        to: to.to_owned(),
-        value: signed.abs(),
-    };
+    let action = Action::Measure { from, to: to.to_owned(), value: signed.abs() };
     step(action, equation, caption)
 }

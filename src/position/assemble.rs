@@ -64,12 +64,7 @@ impl Way {
     /// The pose of `mechanism`, which may have fewer bodies and sliders than its [`Mechanism::for_positions`], by which it was found.
     fn pose(self, mechanism: &Mechanism) -> Pose {
         let (points, guides) = places(mechanism, &self.frames);
-        let named = |id: usize| {
-            !matches!(
-                mechanism.bodies[id].role,
-                Role::Ground | Role::Carrier { .. }
-            )
-        };
+        let named = |id: usize| !matches!(mechanism.bodies[id].role, Role::Ground | Role::Carrier { .. });
         let axes = (0..mechanism.bodies.len()).map(|id| {
             let frame = self.frames.of(BodyId(id)).filter(|_| named(id))?;
             Some(frame.rotation * Vector::x())
@@ -78,11 +73,7 @@ impl Way {
             axes: axes.collect(),
             points,
             guides,
-            slides: self.slides[..mechanism.sliders.len()]
-                .iter()
-                .copied()
-                .map(Some)
-                .collect(),
+            slides: self.slides[..mechanism.sliders.len()].iter().copied().map(Some).collect(),
             assemblies: self.assemblies.into_iter().map(Some).collect(),
             warnings: searched(mechanism.for_positions()).collect(),
         }
@@ -128,11 +119,7 @@ fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError>
                         let mut assemblies = way.assemblies.clone();
                         let mode = index + 1;
                         assemblies.push(Assembly { mode, modes });
-                        Way {
-                            frames: assembled.frames,
-                            slides: assembled.slides,
-                            assemblies,
-                        }
+                        Way { frames: assembled.frames, slides: assembled.slides, assemblies }
                     }));
                 }
                 Err(no_mode) => failure = failure.or(Some(no_mode)),
@@ -176,9 +163,7 @@ fn closest(mechanism: &Mechanism, rough: &Rough, ways: Vec<Way>) -> Vec<Way> {
 /// The given angles and positions in words, as in ` at angle(1) = 70°`.
 fn given_angles(mechanism: &Mechanism) -> String {
     let turned = mechanism.bodies.iter().filter_map(|b| match b.role {
-        Role::Driver {
-            angle: Some(angle), ..
-        } => Some(format!(" at angle({}) = {angle}°", b.name)),
+        Role::Driver { angle: Some(angle), .. } => Some(format!(" at angle({}) = {angle}°", b.name)),
         _ => None,
     });
     let pushed = (0..mechanism.sliders.len()).map(SliderId).filter_map(|id| {
@@ -190,9 +175,5 @@ fn given_angles(mechanism: &Mechanism) -> String {
         let name = &mechanism.body(placing.link).name;
         format!(" at angle({name}) = {}°", placing.angle)
     });
-    turned
-        .chain(pushed)
-        .chain(in_place)
-        .collect::<Vec<_>>()
-        .join(",")
+    turned.chain(pushed).chain(in_place).collect::<Vec<_>>().join(",")
 }

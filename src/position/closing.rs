@@ -34,13 +34,7 @@ impl<'a> Closer<'a> {
     pub(super) fn new(mechanism: &'a Mechanism, index: usize) -> Closer<'a> {
         let kernel = Kernel::new(mechanism);
         let kernel = kernel.expect("only a mechanism given by lengths is put together");
-        Closer {
-            mechanism,
-            group: &mechanism.groups[index],
-            index,
-            block: Single::new(&kernel),
-            kernel,
-        }
+        Closer { mechanism, group: &mechanism.groups[index], index, block: Single::new(&kernel), kernel }
     }
 
     /// The group as the steps leave it, where its gap is smallest.
@@ -107,21 +101,13 @@ impl<'a> Closer<'a> {
             let place = self.block.place(seat.slot, 0) + self.kernel.origin;
             frames.set(link, pinned(turn, seat.local, place));
         }
-        Assembled {
-            frames,
-            slides: self.block.slides.iter().map(|[s]| *s).collect(),
-            gap,
-        }
+        Assembled { frames, slides: self.block.slides.iter().map(|[s]| *s).collect(), gap }
     }
 }
 
 /// Places of all points and unit directions of all guides; what has no frame yet stands at the origin.
 pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec<Vector>) {
-    let mut points: Vec<Point> = mechanism
-        .given
-        .iter()
-        .map(|p| p.unwrap_or_else(Point::origin))
-        .collect();
+    let mut points: Vec<Point> = mechanism.given.iter().map(|p| p.unwrap_or_else(Point::origin)).collect();
     // Known bodies last: they have the last word on shared points.
     let bodies = (0..mechanism.bodies.len()).map(BodyId);
     let (known, members): (Vec<BodyId>, Vec<BodyId>) = bodies.partition(|&b| mechanism.is_known(b));
@@ -136,9 +122,7 @@ pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec
     let guides = mechanism.sliders.iter().map(|slider| {
         let (_, direction) = local_guide(slider);
         // Frames that follow one another leave rotations a few roundings off length 1.
-        frames
-            .of(slider.on)
-            .map_or(direction, |frame| (frame.rotation * direction).normalize())
+        frames.of(slider.on).map_or(direction, |frame| (frame.rotation * direction).normalize())
     });
     (points, guides.collect())
 }

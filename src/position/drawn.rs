@@ -26,14 +26,10 @@ pub(super) fn drawn_pose(mechanism: &Mechanism) -> Pose {
             own.map(|(_, direction)| *direction)
         }
     });
-    let slides = mechanism
-        .sliders
-        .iter()
-        .zip(&guides)
-        .map(|(slider, along)| {
-            let from = slider.counted_from?;
-            Some((points[slider.at.0] - points[from.0]).dot(along))
-        });
+    let slides = mechanism.sliders.iter().zip(&guides).map(|(slider, along)| {
+        let from = slider.counted_from?;
+        Some((points[slider.at.0] - points[from.0]).dot(along))
+    });
     Pose {
         slides: slides.collect(),
         axes: axes.collect(),

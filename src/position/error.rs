@@ -2,9 +2,7 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum AssemblyError {
     /// No real assembly mode exists.
-    #[error(
-        "links {links} cannot be assembled{at}: {miss}\n  try: another drive angle, or other lengths"
-    )]
+    #[error("links {links} cannot be assembled{at}: {miss}\n  try: another drive angle, or other lengths")]
     NoMode {
         /// The group's links.
         links: String,
@@ -25,9 +23,7 @@ pub enum AssemblyError {
         way: &'static str,
     },
     /// An assembly mode was asked for by a number that it does not have.
-    #[error(
-        "there is no assembly mode {mode}: there are {count}\n  try: `kinegon modes` lists them"
-    )]
+    #[error("there is no assembly mode {mode}: there are {count}\n  try: `kinegon modes` lists them")]
     NoSuchMode {
         /// The number.
         mode: usize,

@@ -43,12 +43,7 @@ impl Frames {
     }
 
     /// Where a body holds one of its points; `None` while the body has no place.
-    pub(super) fn place(
-        &self,
-        mechanism: &Mechanism,
-        body: BodyId,
-        point: PointId,
-    ) -> Option<Point> {
+    pub(super) fn place(&self, mechanism: &Mechanism, body: BodyId, point: PointId) -> Option<Point> {
         let local = mechanism.body(body).local_of(point)?;
         Some(self.of(body)? * local)
     }
@@ -77,8 +72,7 @@ pub(super) fn local_guide(slider: &Slider) -> (Point, Vector) {
 /// The sliding link's placement in the frame of the guide's body, at slider position `s`.
 pub(super) fn slid(mechanism: &Mechanism, slider: &Slider, s: f64) -> Placement {
     let (through, direction) = local_guide(slider);
-    let turn =
-        Turn::from_cos_sin_unchecked(direction.x, direction.y) * turn_of_degrees(slider.turned);
+    let turn = Turn::from_cos_sin_unchecked(direction.x, direction.y) * turn_of_degrees(slider.turned);
     let at = local(mechanism, slider.link, slider.at);
     pinned(turn, at, through + direction * s)
 }
@@ -86,11 +80,7 @@ pub(super) fn slid(mechanism: &Mechanism, slider: &Slider, s: f64) -> Placement 
 /// The placement of `to` in the frame of `from`, across a prismatic joint at slider position `s`.
 pub(super) fn across(mechanism: &Mechanism, slider: &Slider, from: BodyId, s: f64) -> Placement {
     let forward = slid(mechanism, slider, s);
-    if slider.on == from {
-        forward
-    } else {
-        forward.inverse()
-    }
+    if slider.on == from { forward } else { forward.inverse() }
 }
 
 /// The position that a slider's drive sets; zero for a free one.
@@ -135,9 +125,7 @@ impl Hold {
             },
             JointKind::Prismatic(id) => {
                 let slider = mechanism.slider(id);
-                let at = |s: f64| {
-                    middle_frame * across(mechanism, slider, middle, s) * side_frame.inverse()
-                };
+                let at = |s: f64| middle_frame * across(mechanism, slider, middle, s) * side_frame.inverse();
                 let (frame, moved) = (at(0.0), at(1.0));
                 // Directions are differences of placements one unit of slide apart: exact enough for a start.
                 let along = (moved.translation.vector - frame.translation.vector).normalize();
@@ -150,11 +138,8 @@ impl Hold {
 /// The placement that brings local points closest to their places, by least squares; `None` unless two of either are apart.
 pub(super) fn fitted(pairs: &[(Point, Point)]) -> Option<Placement> {
     let count = pairs.len() as f64;
-    let sums = pairs
-        .iter()
-        .fold([Vector::zeros(); 2], |sums, (own, place)| {
-            [sums[0] + own.coords, sums[1] + place.coords]
-        });
+    let sums =
+        pairs.iter().fold([Vector::zeros(); 2], |sums, (own, place)| [sums[0] + own.coords, sums[1] + place.coords]);
     let [own_mean, place_mean] = sums.map(|sum| Point::from(sum / count));
     let (mut cosine, mut sine) = (0.0, 0.0);
     for (own, place) in pairs {
@@ -170,19 +155,10 @@ pub(super) fn fitted(pairs: &[(Point, Point)]) -> Option<Placement> {
 }
 
 /// The placement (in the middle frame) of a body held by a pin, when a second place of it is known.
-pub(super) fn turned_towards(
-    local_from: Point,
-    local_to: Point,
-    from: Point,
-    to: Point,
-) -> Placement {
+pub(super) fn turned_towards(local_from: Point, local_to: Point, from: Point, to: Point) -> Placement {
     let (l, w) = (local_to - local_from, to - from);
     let (cosine, sine) = (l.dot(&w), quarter_turn(l).dot(&w));
     let size = libm::hypot(cosine, sine);
-    let turn = if size > 0.0 {
-        Turn::from_cos_sin_unchecked(cosine / size, sine / size)
-    } else {
-        Turn::identity()
-    };
+    let turn = if size > 0.0 { Turn::from_cos_sin_unchecked(cosine / size, sine / size) } else { Turn::identity() };
     pinned(turn, local_from, from)
 }

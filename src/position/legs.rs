@@ -11,17 +11,9 @@ pub(super) enum LegCondition {
     /// Point `a` of body a and point `b` of body b are `length` apart.
     Distance { a: Point, b: Point, length: f64 },
     /// Point `b` of body b lies on a line of body a.
-    OnLineOfA {
-        point: Point,
-        direction: Vector,
-        b: Point,
-    },
+    OnLineOfA { point: Point, direction: Vector, b: Point },
     /// Point `a` of body a lies on a line of body b.
-    OnLineOfB {
-        point: Point,
-        direction: Vector,
-        a: Point,
-    },
+    OnLineOfB { point: Point, direction: Vector, a: Point },
     /// Body b is turned against a by this rotation.
     Turned(crate::geometry::Turn),
 }
@@ -35,20 +27,14 @@ pub(super) enum LegCondition {
 /// relative turn, counter-clockwise from 0. Placements are good to about half the digits near a double
 /// root; the caller closes the loops to full accuracy and drops what does not close.
 pub(super) fn placements(conditions: [LegCondition; 3]) -> Vec<Placement> {
-    if let Some(k) = conditions
-        .iter()
-        .position(|c| matches!(c, LegCondition::Turned(_)))
-    {
+    if let Some(k) = conditions.iter().position(|c| matches!(c, LegCondition::Turned(_))) {
         let LegCondition::Turned(turn) = conditions[k] else {
             return Vec::new();
         };
         let rest = [conditions[(k + 1) % 3], conditions[(k + 2) % 3]];
         let turn = Vector::new(turn.re, turn.im);
         let rows = rest.map(|c| Row::new(&c, turn));
-        return translations(&rows)
-            .into_iter()
-            .map(|t| placement(t, turn))
-            .collect();
+        return translations(&rows).into_iter().map(|t| placement(t, turn)).collect();
     }
     let rows_at = |turn: Vector| conditions.map(|c| Row::new(&c, turn));
     let mut found = Vec::new();
@@ -74,24 +60,14 @@ pub(super) fn joined_placements(direct: &Hold, condition: LegCondition) -> Vec<P
                 return vec![placement(at(turn), turn)];
             }
             let turns = real_roots(|turn| Row::new(&condition, turn).excess(at(turn)));
-            turns
-                .into_iter()
-                .map(|turn| placement(at(turn), turn))
-                .collect()
+            turns.into_iter().map(|turn| placement(at(turn), turn)).collect()
         }
         Hold::Slide { frame, along } => {
             let turn = Vector::new(frame.rotation.re, frame.rotation.im);
             let normal = quarter_turn(along);
-            let guide = Row {
-                circle: false,
-                arm: normal,
-                constant: normal.dot(&frame.translation.vector),
-            };
+            let guide = Row { circle: false, arm: normal, constant: normal.dot(&frame.translation.vector) };
             let rows = [guide, Row::new(&condition, turn)];
-            translations(&rows)
-                .into_iter()
-                .map(|t| placement(t, turn))
-                .collect()
+            translations(&rows).into_iter().map(|t| placement(t, turn)).collect()
         }
     }
 }
@@ -102,12 +78,8 @@ pub(super) fn smallest_miss(direct: Option<&Hold>, conditions: &[LegCondition]) 
     let is_distance = |c: &LegCondition| matches!(c, LegCondition::Distance { .. });
     let first = conditions.iter().position(is_distance)?;
     let circle = &conditions[first];
-    let others: Vec<&LegCondition> = conditions
-        .iter()
-        .enumerate()
-        .filter(|(k, _)| *k != first)
-        .map(|(_, c)| c)
-        .collect();
+    let others: Vec<&LegCondition> =
+        conditions.iter().enumerate().filter(|(k, _)| *k != first).map(|(_, c)| c).collect();
     const SAMPLES: usize = 720;
     let fixed = others.iter().find_map(|c| match c {
         LegCondition::Turned(turn) => Some(Vector::new(turn.re, turn.im)),
@@ -139,9 +111,7 @@ pub(super) fn smallest_miss(direct: Option<&Hold>, conditions: &[LegCondition]) 
         };
         found.into_iter().map(move |t| miss(circle, turn, t))
     });
-    misses
-        .filter(|m| m.is_finite())
-        .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    misses.filter(|m| m.is_finite()).min_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
 /// How much longer a distance is than it should be.
@@ -156,10 +126,7 @@ fn turned(turn: Vector, v: Vector) -> Vector {
 }
 
 fn placement(t: Vector, turn: Vector) -> Placement {
-    Placement::from_parts(
-        t.into(),
-        crate::geometry::Turn::from_cos_sin_unchecked(turn.x, turn.y),
-    )
+    Placement::from_parts(t.into(), crate::geometry::Turn::from_cos_sin_unchecked(turn.x, turn.y))
 }
 
 /// A condition at a given turn, on the translation t alone.
@@ -175,41 +142,19 @@ impl Row {
     fn new(condition: &LegCondition, turn: Vector) -> Row {
         let turned = |v: Vector| turned(turn, v);
         match *condition {
-            LegCondition::Distance { a, b, length } => Row {
-                circle: true,
-                arm: turned(b.coords) - a.coords,
-                constant: length,
-            },
-            LegCondition::OnLineOfA {
-                point,
-                direction,
-                b,
-            } => {
-                let normal = quarter_turn(direction);
-                Row {
-                    circle: false,
-                    arm: normal,
-                    constant: normal.dot(&(point.coords - turned(b.coords))),
-                }
+            LegCondition::Distance { a, b, length } => {
+                Row { circle: true, arm: turned(b.coords) - a.coords, constant: length }
             }
-            LegCondition::OnLineOfB {
-                point,
-                direction,
-                a,
-            } => {
+            LegCondition::OnLineOfA { point, direction, b } => {
+                let normal = quarter_turn(direction);
+                Row { circle: false, arm: normal, constant: normal.dot(&(point.coords - turned(b.coords))) }
+            }
+            LegCondition::OnLineOfB { point, direction, a } => {
                 let normal = turned(quarter_turn(direction));
-                Row {
-                    circle: false,
-                    arm: normal,
-                    constant: normal.dot(&(a.coords - turned(point.coords))),
-                }
+                Row { circle: false, arm: normal, constant: normal.dot(&(a.coords - turned(point.coords))) }
             }
             // Its angle is met already: no condition on t.
-            LegCondition::Turned(_) => Row {
-                circle: false,
-                arm: Vector::zeros(),
-                constant: 0.0,
-            },
+            LegCondition::Turned(_) => Row { circle: false, arm: Vector::zeros(), constant: 0.0 },
         }
     }
 
@@ -228,11 +173,7 @@ impl Row {
         let (s, d) = (self.arm + other.arm, self.arm - other.arm);
         // |t + arm|² = L²: the difference of two such equations, squares taken as products of differences.
         let lengths = (self.constant - other.constant) * (self.constant + other.constant);
-        Row {
-            circle: false,
-            arm: d,
-            constant: 0.5 * (lengths - d.dot(&s)),
-        }
+        Row { circle: false, arm: d, constant: 0.5 * (lengths - d.dot(&s)) }
     }
 }
 
@@ -269,10 +210,7 @@ fn closing_polynomial(rows: &[Row; 3]) -> f64 {
 
 /// The translation that solves two straight rows, times their determinant.
 fn undivided(p: &Row, q: &Row) -> Vector {
-    Vector::new(
-        p.constant * q.arm.y - q.constant * p.arm.y,
-        q.constant * p.arm.x - p.constant * q.arm.x,
-    )
+    Vector::new(p.constant * q.arm.y - q.constant * p.arm.y, q.constant * p.arm.x - p.constant * q.arm.x)
 }
 
 /// The translations at a root: one where two straight rows cross well, else those of a row and the remaining condition.
@@ -283,11 +221,7 @@ fn candidates(rows: &[Row; 3]) -> Vec<Vector> {
     if determinant.abs() > 1e-6 * size {
         return vec![undivided(&p, &q) / determinant];
     }
-    let stronger = if p.arm.norm_squared() >= q.arm.norm_squared() {
-        p
-    } else {
-        q
-    };
+    let stronger = if p.arm.norm_squared() >= q.arm.norm_squared() { p } else { q };
     translations(&[stronger, last])
 }
 
@@ -297,11 +231,7 @@ fn translations(rows: &[Row; 2]) -> Vec<Vector> {
         (false, false) => {
             let determinant = cross(rows[0].arm, rows[1].arm);
             let t = undivided(&rows[0], &rows[1]) / determinant;
-            return if t.x.is_finite() && t.y.is_finite() {
-                vec![t]
-            } else {
-                Vec::new()
-            };
+            return if t.x.is_finite() && t.y.is_finite() { vec![t] } else { Vec::new() };
         }
         (true, true) => (rows[1].minus(&rows[0]), rows[0]),
         (true, false) => (rows[1], rows[0]),
@@ -332,11 +262,7 @@ mod tests {
     fn planted_placement_is_found() {
         let turn = crate::geometry::turn_of_degrees(40.0);
         let planted = Placement::from_parts(Vector::new(3.0, 1.0).into(), turn);
-        let leg = |a: Point, b: Point| LegCondition::Distance {
-            a,
-            b,
-            length: (planted * b - a).norm(),
-        };
+        let leg = |a: Point, b: Point| LegCondition::Distance { a, b, length: (planted * b - a).norm() };
         let legs = [
             leg(Point::new(0.0, 0.0), Point::new(0.5, 0.2)),
             leg(Point::new(2.0, -1.0), Point::new(1.5, 0.0)),

@@ -17,11 +17,7 @@ pub(super) struct Lever {
 
 impl Lever {
     /// The levers of a group.
-    pub(super) fn all(
-        mechanism: &Mechanism,
-        group: &Group,
-        equations: &LoopEquations,
-    ) -> Vec<Lever> {
+    pub(super) fn all(mechanism: &Mechanism, group: &Group, equations: &LoopEquations) -> Vec<Lever> {
         let mut levers: Vec<Lever> = Vec::new();
         let spins = 0..equations.unknowns;
         for spin in spins {
@@ -81,10 +77,6 @@ impl Lever {
     pub(super) fn positive(&self, mechanism: &Mechanism, assembled: Assembled) -> Assembled {
         let reversed = self.reversed(mechanism, &assembled);
         let first = self.sliders[0].0;
-        if reversed.slides[first] > assembled.slides[first] {
-            reversed
-        } else {
-            assembled
-        }
+        if reversed.slides[first] > assembled.slides[first] { reversed } else { assembled }
     }
 }

@@ -65,8 +65,7 @@ pub(super) fn modes(
             let mut tried = format!("none of {} starts closes", search.starts);
             if modes.smallest_gap.is_finite() {
                 let gap = modes.smallest_gap;
-                tried +=
-                    &format!(", the nearest leaves a gap of {gap:.1e} of the mechanism's size");
+                tried += &format!(", the nearest leaves a gap of {gap:.1e} of the mechanism's size");
             }
             return Err(NoMode::NotFound(tried));
         }
@@ -130,8 +129,7 @@ impl<'a> Modes<'a> {
         let mut found = self.found.iter().zip(&self.points);
         let is_known = found.any(|(other, places)| {
             let mut pairs = places.iter().zip(&points);
-            pairs.all(|(p, q)| (p - q).norm() <= near)
-                && same_turns(mechanism, group, other, &assembled)
+            pairs.all(|(p, q)| (p - q).norm() <= near) && same_turns(mechanism, group, other, &assembled)
         });
         if !is_known {
             self.firm = self.firm || self.is_firm(&points, &guides);
@@ -159,9 +157,7 @@ impl<'a> Modes<'a> {
         let turning = links.find(|&&link| self.equations.spin_unknown(link).is_some());
         let angle = |a: &Assembled| {
             let frame = turning.and_then(|&link| a.frames.of(link));
-            frame.map_or(0.0, |f| {
-                degrees_of(f.rotation * Vector::x()).rem_euclid(360.0)
-            })
+            frame.map_or(0.0, |f| degrees_of(f.rotation * Vector::x()).rem_euclid(360.0))
         };
         found.sort_by(|a, b| {
             let slides = a.slides.iter().zip(&b.slides);
@@ -174,10 +170,7 @@ impl<'a> Modes<'a> {
 
 /// Whether two assemblies have links with one point at the same angle.
 fn same_turns(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled) -> bool {
-    let mut one_point = group
-        .bodies
-        .iter()
-        .filter(|&&link| mechanism.body(link).points.len() == 1);
+    let mut one_point = group.bodies.iter().filter(|&&link| mechanism.body(link).points.len() == 1);
     one_point.all(|&link| {
         let rotation = |assembled: &Assembled| assembled.frames.of(link).map(|f| f.rotation);
         rotation(a).zip(rotation(b)).is_none_or(|(a, b)| {

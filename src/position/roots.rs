@@ -43,18 +43,11 @@ pub(super) fn real_roots(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
     }
     angles.sort_by(f64::total_cmp);
     angles.dedup_by(|a, b| (*a - *b).abs() < 1e-14);
-    angles
-        .into_iter()
-        .map(|a| Vector::new(libm::cos(a), libm::sin(a)))
-        .collect()
+    angles.into_iter().map(|a| Vector::new(libm::cos(a), libm::sin(a))).collect()
 }
 
 /// The trigonometric polynomial times (1 + τ²)³, as coefficients of τ ascending, φ = centre + 2 atan τ.
-fn half_angle_polynomial(
-    cosines: &[f64; DEGREE + 1],
-    sines: &[f64; DEGREE + 1],
-    centre: f64,
-) -> [f64; TERMS] {
+fn half_angle_polynomial(cosines: &[f64; DEGREE + 1], sines: &[f64; DEGREE + 1], centre: f64) -> [f64; TERMS] {
     // (1 + iτ)^2k (1 + τ²)^(3−k) = (1 + τ²)³ e^{2ik atan τ}
     let mut sum = [0.0; TERMS];
     for k in 0..=DEGREE {
@@ -143,10 +136,7 @@ mod tests {
     fn planted(angles: &[f64; 6]) -> Vec<f64> {
         let roots = real_roots(|d| {
             let angle = libm::atan2(d.y, d.x);
-            angles
-                .iter()
-                .map(|a| libm::sin(0.5 * (angle - a)))
-                .product()
+            angles.iter().map(|a| libm::sin(0.5 * (angle - a))).product()
         });
         let angles = roots.iter().map(|d| libm::atan2(d.y, d.x));
         angles.map(|a| a.rem_euclid(2.0 * PI)).collect()

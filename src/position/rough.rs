@@ -102,11 +102,7 @@ fn list_ways(mechanism: &Mechanism, ways: &[Way]) -> String {
     });
     let listed = listed.collect::<Vec<_>>().join("; ");
     let more = if ways.len() > LISTED { "; …" } else { "" };
-    let links: Vec<String> = mechanism
-        .groups
-        .iter()
-        .map(|g| g.link_names(mechanism))
-        .collect();
+    let links: Vec<String> = mechanism.groups.iter().map(|g| g.link_names(mechanism)).collect();
     format!(
         "links {} can be assembled in {} ways and `near` is not given, so mode 1 is taken: {listed}{more}",
         links.join(", "),

@@ -83,8 +83,7 @@ impl<'a> Search<'a> {
     pub(super) fn is_over(&self, modes: usize, firm: bool) -> bool {
         let by_lot = self.starts.saturating_sub(GUIDED);
         let needed = 2 * modes * modes + 3 * modes + 2;
-        let enough =
-            modes == 0 || self.closed >= needed || needed > self.most || (modes > 1 && !firm);
+        let enough = modes == 0 || self.closed >= needed || needed > self.most || (modes > 1 && !firm);
         by_lot >= self.most || (by_lot >= FEWEST && enough)
     }
 
@@ -112,11 +111,7 @@ impl<'a> Search<'a> {
                 slides[id.0] = near.unwrap_or(lot);
             }
         }
-        Assembled {
-            frames,
-            slides,
-            gap: f64::INFINITY,
-        }
+        Assembled { frames, slides, gap: f64::INFINITY }
     }
 
     /// Turns a link that is not turned yet, and those that are tied to it.
@@ -160,17 +155,10 @@ impl<'a> Search<'a> {
 }
 
 /// A link's frame from the rough or known places of its points, or from its rough angle; of a compound link, from those of all its links.
-fn rough_frame(
-    mechanism: &Mechanism,
-    link: BodyId,
-    known: &Frames,
-    rough: &Rough,
-) -> Option<Placement> {
+fn rough_frame(mechanism: &Mechanism, link: BodyId, known: &Frames, rough: &Rough) -> Option<Placement> {
     let placed = |point| {
         let mut bodies = (0..mechanism.bodies.len()).map(BodyId);
-        bodies
-            .find_map(|b| known.place(mechanism, b, point))
-            .or_else(|| rough.place(point))
+        bodies.find_map(|b| known.place(mechanism, b, point)).or_else(|| rough.place(point))
     };
     let mut pairs = Vec::new();
     let mut angle = None;
@@ -178,9 +166,7 @@ fn rough_frame(
         let (body, frame) = (mechanism.body(other), within(mechanism, link, other));
         let own = body.points.iter().zip(&body.local);
         pairs.extend(own.filter_map(|(&p, own)| Some((frame * own, placed(p)?))));
-        let turned = rough
-            .angle(other)
-            .map(|turn| turn * frame.rotation.inverse());
+        let turned = rough.angle(other).map(|turn| turn * frame.rotation.inverse());
         angle = angle.or(turned);
     }
     match (angle, pairs.first()) {
@@ -215,8 +201,7 @@ mod tests {
         let known = Frames::known(&mechanism);
         let rough = Rough::new(&mechanism, &scene.near);
         let mut search = Search::new(&mechanism, &mechanism.groups[0], &known, &[0.0], &rough);
-        let angle =
-            |start: &Assembled, link: &BodyId| start.frames.of(*link).map(|f| f.rotation.angle());
+        let angle = |start: &Assembled, link: &BodyId| start.frames.of(*link).map(|f| f.rotation.angle());
         let links = mechanism.groups[0].links.clone();
         for _ in 0..GUIDED {
             let start = search.start();
@@ -226,10 +211,6 @@ mod tests {
             }
         }
         let by_lot = search.start();
-        assert!(
-            links
-                .iter()
-                .any(|link| angle(&by_lot, link).is_some_and(|a| a.abs() > 0.1))
-        );
+        assert!(links.iter().any(|link| angle(&by_lot, link).is_some_and(|a| a.abs() > 0.1)));
     }
 }

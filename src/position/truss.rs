@@ -25,11 +25,7 @@ pub(super) struct Truss<'a> {
 
 impl<'a> Truss<'a> {
     /// The truss of a group of class II, III or IV; `None` for a higher class.
-    pub(super) fn new(
-        mechanism: &'a Mechanism,
-        group: &Group,
-        known: &Frames,
-    ) -> Option<Truss<'a>> {
+    pub(super) fn new(mechanism: &'a Mechanism, group: &Group, known: &Frames) -> Option<Truss<'a>> {
         let fixed = |body: BodyId| {
             let frame = known.of(body).copied();
             (body, frame.unwrap_or_else(Placement::identity))
@@ -65,10 +61,7 @@ impl<'a> Truss<'a> {
         };
         let mut leg = |near: JointId, a, middle: BodyId, far: JointId, b| {
             let number = truss.legs.len();
-            let holds = [
-                hold(near, a, own(middle, near)),
-                hold(far, b, own(middle, far)),
-            ];
+            let holds = [hold(near, a, own(middle, near)), hold(far, b, own(middle, far))];
             truss.legs.push(holds);
             truss.names.push(name([near, far]));
             truss.middles.push((number, middle));
@@ -77,10 +70,8 @@ impl<'a> Truss<'a> {
             Class::Second => {
                 let (bodies, joints) = (&chain(0).bodies, &chain(0).joints);
                 // A link that slides on the known body keeps its angle: it is found first, by a line or a circle.
-                let from_end =
-                    mechanism.is_prismatic(joints[2]) && !mechanism.is_prismatic(joints[0]);
-                let at =
-                    |forward: usize, backward: usize| if from_end { backward } else { forward };
+                let from_end = mechanism.is_prismatic(joints[2]) && !mechanism.is_prismatic(joints[0]);
+                let at = |forward: usize, backward: usize| if from_end { backward } else { forward };
                 let (start, b) = (bodies[at(0, 3)], bodies[at(1, 2)]);
                 let (middle, end) = (bodies[at(2, 1)], bodies[at(3, 0)]);
                 let (near, far, direct) = (joints[at(2, 0)], joints[1], joints[at(0, 2)]);
@@ -92,8 +83,7 @@ impl<'a> Truss<'a> {
                 let central = chain(0).bodies[2];
                 for (k, from_end) in [(0, false), (0, true), (1, true)] {
                     let (bodies, joints) = (&chain(k).bodies, &chain(k).joints);
-                    let at =
-                        |forward: usize, backward: usize| if from_end { backward } else { forward };
+                    let at = |forward: usize, backward: usize| if from_end { backward } else { forward };
                     let (base, middle) = (bodies[at(0, 4)], bodies[at(1, 3)]);
                     let (outer, inner) = (joints[at(0, 3)], joints[at(1, 2)]);
                     leg(outer, fixed(base), middle, inner, own(central, inner));
@@ -132,9 +122,7 @@ impl<'a> Truss<'a> {
             _ => Vec::new(),
         };
         let starts = relative.iter();
-        starts
-            .filter_map(|r| self.assembled(known, slides, r))
-            .collect()
+        starts.filter_map(|r| self.assembled(known, slides, r)).collect()
     }
 
     /// All bodies placed, for a placement of b in a's frame.
@@ -159,11 +147,7 @@ impl<'a> Truss<'a> {
             let at = link * local(self.mechanism, slider.link, slider.at);
             slides[id.0] = (on.inverse() * at - through).dot(&direction);
         }
-        Some(Assembled {
-            frames,
-            slides,
-            gap: f64::INFINITY,
-        })
+        Some(Assembled { frames, slides, gap: f64::INFINITY })
     }
 
     /// By how much the legs fail to meet at best, in words.
@@ -188,27 +172,15 @@ impl<'a> Truss<'a> {
 fn condition([near, far]: [Hold; 2]) -> LegCondition {
     match (near, far) {
         (Hold::Pin { local: a, place: p }, Hold::Pin { local: b, place: q }) => {
-            LegCondition::Distance {
-                a,
-                b,
-                length: (q - p).norm(),
-            }
+            LegCondition::Distance { a, b, length: (q - p).norm() }
         }
         (Hold::Slide { frame, along }, Hold::Pin { local: b, place }) => {
             let inverse = frame.inverse();
-            LegCondition::OnLineOfA {
-                point: inverse * place,
-                direction: inverse * along,
-                b,
-            }
+            LegCondition::OnLineOfA { point: inverse * place, direction: inverse * along, b }
         }
         (Hold::Pin { local: a, place }, Hold::Slide { frame, along }) => {
             let inverse = frame.inverse();
-            LegCondition::OnLineOfB {
-                point: inverse * place,
-                direction: inverse * along,
-                a,
-            }
+            LegCondition::OnLineOfB { point: inverse * place, direction: inverse * along, a }
         }
         (Hold::Slide { frame: a, .. }, Hold::Slide { frame: b, .. }) => {
             LegCondition::Turned(a.rotation.inverse() * b.rotation)
@@ -229,22 +201,12 @@ fn middle([near, far]: &[Hold; 2], relative: &Placement) -> Option<Placement> {
             let turn = relative.rotation * frame.rotation.inverse();
             Some(pinned(turn, *place, *a))
         }
-        (
-            Hold::Slide {
-                frame: fa,
-                along: ua,
-            },
-            Hold::Slide {
-                frame: fb,
-                along: ub,
-            },
-        ) => {
+        (Hold::Slide { frame: fa, along: ua }, Hold::Slide { frame: fb, along: ub }) => {
             // In the middle frame a stands at fa + s ua and b at fb + t ub, and b is a times `relative`.
             let (from, to) = (fa.translation.vector, fb.translation.vector);
             let gap = to - from - fa.rotation * relative.translation.vector;
             let s = cross(gap, *ub) / cross(*ua, *ub);
-            s.is_finite()
-                .then(|| Placement::from_parts((from + ua * s).into(), fa.rotation).inverse())
+            s.is_finite().then(|| Placement::from_parts((from + ua * s).into(), fa.rotation).inverse())
         }
     }
 }

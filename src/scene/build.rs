@@ -125,8 +125,7 @@ impl Builder {
     /// Lets a pin, a point of another link, ride in a slot without a block.
     #[must_use]
     pub fn pin(mut self, pin: &str, slot: Guide) -> Builder {
-        self.sliders
-            .push(Object::of("pin", pin).and(slot.written()).into());
+        self.sliders.push(Object::of("pin", pin).and(slot.written()).into());
         self
     }
 
@@ -221,22 +220,10 @@ fn written_figure(figure: &Figure) -> Object {
     object.add_some("worksheet", worksheet.then_some(true));
     let other = |is_standard: bool, name: &'static str| (!is_standard).then_some(name);
     for (key, name) in [
-        (
-            "style",
-            other(*style == StyleName::default(), style.as_str()),
-        ),
-        (
-            "notation",
-            other(*notation == NotationName::default(), notation.as_str()),
-        ),
-        (
-            "language",
-            other(*language == LanguageName::default(), language.as_str()),
-        ),
-        (
-            "decimal",
-            other(*decimal == DecimalMark::default(), decimal.as_str()),
-        ),
+        ("style", other(*style == StyleName::default(), style.as_str())),
+        ("notation", other(*notation == NotationName::default(), notation.as_str())),
+        ("language", other(*language == LanguageName::default(), language.as_str())),
+        ("decimal", other(*decimal == DecimalMark::default(), decimal.as_str())),
     ] {
         object.add_some(key, name);
     }

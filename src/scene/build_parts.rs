@@ -64,11 +64,7 @@ impl NewLink {
     }
 
     fn of(points: Object) -> NewLink {
-        NewLink {
-            points,
-            lengths: Object::default(),
-            more: Object::default(),
-        }
+        NewLink { points, lengths: Object::default(), more: Object::default() }
     }
 
     /// The link as the file says it.

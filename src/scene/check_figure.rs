@@ -12,11 +12,7 @@ pub(super) fn figure(source: Source<'_>, file: Option<FigureFile>) -> Result<Fig
     let Some(file) = file else {
         return Ok(standard);
     };
-    for (key, scale) in [
-        ("mu_l", file.mu_l),
-        ("mu_v", file.mu_v),
-        ("mu_a", file.mu_a),
-    ] {
+    for (key, scale) in [("mu_l", file.mu_l), ("mu_v", file.mu_v), ("mu_a", file.mu_a)] {
         if let Some(Err(why)) = scale.map(Figure::checked_scale) {
             return Err(source
                 .error(&["figure", key], format!("`{key}` is {why}"))
@@ -30,18 +26,13 @@ pub(super) fn figure(source: Source<'_>, file: Option<FigureFile>) -> Result<Fig
         return Err(source.error(&["figure", "panels"], message).hint(hint));
     }
     if let Some(index) = (1..panels.len()).find(|&index| panels[..index].contains(&panels[index])) {
-        return Err(source.error(
-            &["figure", "panels", &index.to_string()],
-            "this panel stands twice",
-        ));
+        return Err(source.error(&["figure", "panels", &index.to_string()], "this panel stands twice"));
     }
     let page = match &file.page {
         None => standard.page,
         Some(name) => Page::from_name(name).ok_or_else(|| {
             let message = format!("there is no page \"{}\"", shortened(name));
-            source
-                .error(&["figure", "page"], message)
-                .maybe_hint(suggestion(name, Page::NAMES, "write one of"))
+            source.error(&["figure", "page"], message).maybe_hint(suggestion(name, Page::NAMES, "write one of"))
         })?,
     };
     if file.step == Some(0) {

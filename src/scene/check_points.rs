@@ -26,8 +26,7 @@ pub(super) fn ground(
     ground: Option<Ground>,
     points: Option<IndexMap<String, Vector>>,
 ) -> Result<(Vec<String>, Coordinates), SceneError> {
-    let invalid =
-        |path: &[&str], (message, hint)| source.error_with(path, Spot::Key, message, hint);
+    let invalid = |path: &[&str], (message, hint)| source.error_with(path, Spot::Key, message, hint);
     let mut coordinates = Coordinates::new();
     for (name, Vector(place)) in points.into_iter().flatten() {
         check_name("a point", &name).map_err(|wrong| invalid(&["points", &name], wrong))?;
@@ -38,20 +37,15 @@ pub(super) fn ground(
         None => {}
         Some(Ground::Names(_)) if form == Form::Lengths => {
             let hint = r#"write { "A": [x, y], … }; or give the coordinates of every point in "points": { … }"#;
-            return Err(source
-                .error(&["ground"], "the frame's points have no coordinates")
-                .hint(hint));
+            return Err(source.error(&["ground"], "the frame's points have no coordinates").hint(hint));
         }
         Some(Ground::Names(list)) => {
             let mut seen = HashSet::new();
             for (index, name) in list.into_iter().enumerate() {
                 let index = index.to_string();
-                check_name("a point", &name)
-                    .map_err(|wrong| invalid(&["ground", &index], wrong))?;
+                check_name("a point", &name).map_err(|wrong| invalid(&["ground", &index], wrong))?;
                 if !seen.insert(name.clone()) {
-                    return Err(
-                        source.error(&["ground", &index], format!("point {name} stands twice"))
-                    );
+                    return Err(source.error(&["ground", &index], format!("point {name} stands twice")));
                 }
                 names.push(name);
             }
@@ -62,9 +56,7 @@ pub(super) fn ground(
                 check_name("a point", &name).map_err(|wrong| invalid(&path, wrong))?;
                 if coordinates.get(&name).is_some_and(|other| *other != place) {
                     let message = format!("point {name} has other coordinates in `points`");
-                    return Err(source
-                        .error(&path, message)
-                        .hint("name it only in a list: \"ground\": [\"A\", …]"));
+                    return Err(source.error(&path, message).hint("name it only in a list: \"ground\": [\"A\", …]"));
                 }
                 coordinates.insert(name.clone(), place);
                 names.push(name);
@@ -87,20 +79,14 @@ pub(super) fn check_points(
         coordinates.get(point).copied().ok_or_else(|| {
             let known = close(point, coordinates.keys().map(String::as_str));
             let hint = known.unwrap_or_else(|| format!("add \"{point}\": [x, y] to `points`"));
-            (
-                format!("point {point} has no coordinates in `points`"),
-                Some(hint),
-            )
+            (format!("point {point} has no coordinates in `points`"), Some(hint))
         })
     };
     for (index, point) in ground.iter().enumerate() {
-        names
-            .check_reserved(point)
-            .and_then(|()| place_of(point))
-            .map_err(|(message, hint)| {
-                let index = index.to_string();
-                source.error_at_first(&[&["ground", &index], &["ground", point]], message, hint)
-            })?;
+        names.check_reserved(point).and_then(|()| place_of(point)).map_err(|(message, hint)| {
+            let index = index.to_string();
+            source.error_at_first(&[&["ground", &index], &["ground", point]], message, hint)
+        })?;
     }
     for (name, link) in links {
         let mut places = Vec::with_capacity(link.points.len());
@@ -122,21 +108,14 @@ pub(super) fn check_points(
             })?;
         }
         if let Some((first, second)) = coincident(places.into_iter()) {
-            let message =
-                format!("link {name} has {first} and {second} in one place: a zero-length link");
-            return Err(source
-                .error(&["links", name], message)
-                .hint("use one name for both, or move one"));
+            let message = format!("link {name} has {first} and {second} in one place: a zero-length link");
+            return Err(source.error(&["links", name], message).hint("use one name for both, or move one"));
         }
     }
     if let Some(point) = coordinates.keys().find(|point| !names.is_point(point)) {
         let message = format!("point {point} is on no link and not on the ground");
-        let all = links
-            .values()
-            .flat_map(|link| &link.points)
-            .map(String::as_str);
-        let hint = close(point, all)
-            .unwrap_or_else(|| "name it in the `points` of a link, or remove it".into());
+        let all = links.values().flat_map(|link| &link.points).map(String::as_str);
+        let hint = close(point, all).unwrap_or_else(|| "name it in the `points` of a link, or remove it".into());
         return Err(source.key_error(&["points", point], message).hint(hint));
     }
     Ok(())
@@ -151,9 +130,7 @@ pub(super) fn known(
 ) -> Result<IndexMap<String, PointMotion>, SceneError> {
     if file.is_some() && form == Form::Lengths {
         let hint = r#"give the coordinates of every point in "points": { … }, or drive a link"#;
-        return Err(source
-            .key_error(&["known"], "known motions belong to a drawn configuration")
-            .hint(hint));
+        return Err(source.key_error(&["known"], "known motions belong to a drawn configuration").hint(hint));
     }
     let mut known = IndexMap::new();
     for (name, motion) in file.into_iter().flatten() {
@@ -161,18 +138,10 @@ pub(super) fn known(
         names.point(&path, &name)?;
         if names.on_ground(&name) {
             let message = format!("point {name} is on the ground, which does not move");
-            return Err(source
-                .key_error(&path, message)
-                .hint("remove it here or from `ground`"));
+            return Err(source.key_error(&path, message).hint("remove it here or from `ground`"));
         }
         let acceleration = motion.acceleration.map_or([0.0; 2], |vector| vector.0);
-        known.insert(
-            name,
-            PointMotion {
-                velocity: motion.velocity.0,
-                acceleration,
-            },
-        );
+        known.insert(name, PointMotion { velocity: motion.velocity.0, acceleration });
     }
     Ok(known)
 }
@@ -190,8 +159,7 @@ pub(super) fn check_given_once(
     let mut give = |point, whose: &str, path: &[&str]| match given.insert(point, whose.to_owned()) {
         None => Ok(()),
         Some(first) => {
-            let message =
-                format!("the motion of point {point} is given twice: by {first} and by {whose}");
+            let message = format!("the motion of point {point} is given twice: by {first} and by {whose}");
             Err(source.error(path, message).hint("keep one of them"))
         }
     };
@@ -218,9 +186,7 @@ pub(super) fn check_given_once(
     for point in known.keys() {
         if let Some(whose) = given.get(point.as_str()) {
             let message = format!("the motion of point {point} is given already, by {whose}");
-            return Err(source
-                .key_error(&["known", point], message)
-                .hint("keep one of them"));
+            return Err(source.key_error(&["known", point], message).hint("keep one of them"));
         }
     }
     Ok(())
@@ -235,25 +201,19 @@ pub(super) fn near(
 ) -> Result<Near, SceneError> {
     if file.is_some() && form == Form::Drawn {
         let message = "a drawn configuration needs no `near`";
-        return Err(source
-            .key_error(&["near"], message)
-            .hint(format!("remove it: {DRAWN}")));
+        return Err(source.key_error(&["near"], message).hint(format!("remove it: {DRAWN}")));
     }
     let mut near = Near::default();
     for (key, value) in file.into_iter().flatten() {
         let path = ["near", &key];
-        let link = key
-            .strip_prefix("angle(")
-            .and_then(|rest| rest.strip_suffix(')'));
+        let link = key.strip_prefix("angle(").and_then(|rest| rest.strip_suffix(')'));
         match (link, value) {
             (Some(link), NearValue::Degrees(degrees)) => {
                 names.link(&path, link)?;
                 near.angles_deg.insert(link.to_owned(), degrees);
             }
             (Some(_), NearValue::Vector(_)) => {
-                return Err(
-                    source.error(&path, format!("{key} is one number, in degrees, not two"))
-                );
+                return Err(source.error(&path, format!("{key} is one number, in degrees, not two")));
             }
             (None, NearValue::Vector(place)) => {
                 names.point(&path, &key)?;
@@ -261,10 +221,7 @@ pub(super) fn near(
             }
             (None, NearValue::Degrees(_)) => {
                 names.point(&path, &key)?;
-                return Err(source.error(
-                    &path,
-                    format!("point {key} needs two numbers [x, y], found one"),
-                ));
+                return Err(source.error(&path, format!("point {key} needs two numbers [x, y], found one")));
             }
         }
     }

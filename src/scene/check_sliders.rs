@@ -27,57 +27,33 @@ pub(super) fn sliders(
     let mut pushed: IndexMap<String, usize> = IndexMap::new();
     for (index, given) in file.into_iter().enumerate() {
         let index = index.to_string();
-        let check = Check {
-            source,
-            form,
-            names,
-            coordinates,
-            index: &index,
-        };
+        let check = Check { source, form, names, coordinates, index: &index };
         let mut slider = check.slider(given)?;
-        if let Some((link, push)) = slider
-            .link
-            .as_ref()
-            .and_then(|link| pushes.swap_remove_entry(link))
-        {
+        if let Some((link, push)) = slider.link.as_ref().and_then(|link| pushes.swap_remove_entry(link)) {
             if slider.drive.is_some() {
                 let message = format!("link {link} has a drive, and so has its slider");
-                return Err(check
-                    .key_error(&["drive"], message)
-                    .hint("keep one of them"));
+                return Err(check.key_error(&["drive"], message).hint("keep one of them"));
             }
             slider.drive = Some(push);
             pushed.insert(link, sliders.len());
-        } else if let Some(link) = slider
-            .link
-            .as_ref()
-            .filter(|link| pushed.contains_key(*link))
-        {
-            let message = format!(
-                "link {link} has two sliders, and its drive does not say which one it pushes"
-            );
+        } else if let Some(link) = slider.link.as_ref().filter(|link| pushed.contains_key(*link)) {
+            let message = format!("link {link} has two sliders, and its drive does not say which one it pushes");
             let hint = "move the drive into one of the entries of `sliders`";
-            return Err(source
-                .key_error(&["links", link, "drive"], message)
-                .hint(hint));
+            return Err(source.key_error(&["links", link, "drive"], message).hint(hint));
         }
         sliders.push(slider);
     }
     if let Some(link) = pushes.keys().next() {
         let message = format!("link {link} is pushed by its drive, but it has no slider");
         let hint = "add an entry to `sliders` with this `link`, or turn the link with `omega`";
-        return Err(source
-            .key_error(&["links", link, "drive"], message)
-            .hint(hint));
+        return Err(source.key_error(&["links", link, "drive"], message).hint(hint));
     }
     let carriers: HashSet<&On> = sliders.iter().map(|slider| &slider.on).collect();
     for (name, link) in names.links() {
         let idle = link.points.is_empty() && link.motion.is_none();
         if idle && !carriers.contains(&On::Link(name.clone())) {
             let message = format!("link {name} has no points, and nothing slides on it");
-            return Err(source
-                .error(&["links", name], message)
-                .hint("remove it, or name its points"));
+            return Err(source.error(&["links", name], message).hint("remove it, or name its points"));
         }
     }
     Ok(sliders)
@@ -113,25 +89,12 @@ impl Check<'_> {
                 On::Link(given.on)
             }
         };
-        self.check_who(
-            &on,
-            given.link.as_deref(),
-            given.at.as_deref(),
-            given.pin.as_deref(),
-        )?;
-        let through = given
-            .through
-            .map(|through| self.through(&on, through))
-            .transpose()?;
+        self.check_who(&on, given.link.as_deref(), given.at.as_deref(), given.pin.as_deref())?;
+        let through = given.through.map(|through| self.through(&on, through)).transpose()?;
         let along = self.along(&on, given.along)?;
-        let placed = through.is_some()
-            || matches!(along, Along::Points(..))
-            || !self.points_of(&on).is_empty();
+        let placed = through.is_some() || matches!(along, Along::Points(..)) || !self.points_of(&on).is_empty();
         if self.form == Form::Lengths && !placed {
-            let message = format!(
-                "nothing says where the guide is: {} has no points",
-                carrier(&on)
-            );
+            let message = format!("nothing says where the guide is: {} has no points", carrier(&on));
             let hint = match on {
                 On::Ground => r#"add "through": [x, y], a place on the guide"#.into(),
                 On::Link(link) => format!("name a point of link {link} that is on the guide"),
@@ -140,53 +103,23 @@ impl Check<'_> {
         }
         if self.form == Form::Drawn && given.turned.is_some() {
             let message = "`turned` has no place in a drawn configuration";
-            return Err(self
-                .key_error(&["turned"], message)
-                .hint(format!("remove it: {DRAWN}")));
+            return Err(self.key_error(&["turned"], message).hint(format!("remove it: {DRAWN}")));
         }
-        if self.form == Form::Drawn
-            && given
-                .drive
-                .as_ref()
-                .is_some_and(|drive| drive.position.is_some())
-        {
+        if self.form == Form::Drawn && given.drive.as_ref().is_some_and(|drive| drive.position.is_some()) {
             let message = "this drive has `position`, but this scene is a drawn configuration";
-            return Err(self
-                .key_error(&["drive", "position"], message)
-                .hint(format!("remove `position`: {DRAWN}")));
+            return Err(self.key_error(&["drive", "position"], message).hint(format!("remove `position`: {DRAWN}")));
         }
-        let drive = given.drive.map(
-            |SliderDriveFile {
-                 position,
-                 speed,
-                 acceleration,
-             }| SliderDrive {
-                position,
-                speed,
-                acceleration: acceleration.unwrap_or(0.0),
-            },
-        );
+        let drive = given.drive.map(|SliderDriveFile { position, speed, acceleration }| SliderDrive {
+            position,
+            speed,
+            acceleration: acceleration.unwrap_or(0.0),
+        });
         let turned_deg = given.turned.unwrap_or(0.0);
-        Ok(Slider {
-            link: given.link,
-            at: given.at,
-            pin: given.pin,
-            on,
-            through,
-            along,
-            turned_deg,
-            drive,
-        })
+        Ok(Slider { link: given.link, at: given.at, pin: given.pin, on, through, along, turned_deg, drive })
     }
 
     /// Errors at a link, point or pin that cannot slide on `on`.
-    fn check_who(
-        &self,
-        on: &On,
-        link: Option<&str>,
-        at: Option<&str>,
-        pin: Option<&str>,
-    ) -> Result<(), SceneError> {
+    fn check_who(&self, on: &On, link: Option<&str>, at: Option<&str>, pin: Option<&str>) -> Result<(), SceneError> {
         match (link, at, pin) {
             (Some(link), Some(at), None) => {
                 self.names.link(&self.path(&["link"]), link)?;
@@ -202,24 +135,18 @@ impl Check<'_> {
             }
             (None, None, None) => {
                 let hint = r#"give "link" and "at", the link and its point on the guide; or "pin""#;
-                Err(self
-                    .error(&[], "this slider does not say what slides")
-                    .hint(hint))
+                Err(self.error(&[], "this slider does not say what slides").hint(hint))
             }
             (_, _, Some(_)) => {
                 let message = "`pin` stands in place of `link` and `at`, not beside them";
-                Err(self
-                    .key_error(&["pin"], message)
-                    .hint("keep `link` and `at` for a block, `pin` for a bare pin"))
+                Err(self.key_error(&["pin"], message).hint("keep `link` and `at` for a block, `pin` for a bare pin"))
             }
             (Some(link), None, None) => {
                 let hint = format!(r#"add "at", the point of link {link} that is on the guide"#);
                 Err(self.error(&[], "`at` is missing").hint(hint))
             }
             (None, Some(at), None) => {
-                let hint = format!(
-                    r#"add "link", the sliding link; or write "pin": "{at}" for a pin in a slot"#
-                );
+                let hint = format!(r#"add "link", the sliding link; or write "pin": "{at}" for a pin in a slot"#);
                 Err(self.error(&[], "`link` is missing").hint(hint))
             }
         }
@@ -229,11 +156,8 @@ impl Check<'_> {
     fn check_free(&self, on: &On, key: &str, point: &str) -> Result<(), SceneError> {
         let carrier = carrier(on);
         if self.is_point_of(on, point) {
-            let message =
-                format!("point {point} is a point of {carrier}, so it cannot slide on it");
-            return Err(self
-                .error(&[key], message)
-                .hint("use another name for the point that slides"));
+            let message = format!("point {point} is a point of {carrier}, so it cannot slide on it");
+            return Err(self.error(&[key], message).hint("use another name for the point that slides"));
         }
         Ok(())
     }
@@ -264,8 +188,7 @@ impl Check<'_> {
                 if let On::Link(name) = on
                     && !self.names.get(name).is_some_and(shape)
                 {
-                    let message =
-                        format!("coordinates need a frame, and link {name} has no `shape`");
+                    let message = format!("coordinates need a frame, and link {name} has no `shape`");
                     let hint = match self.form {
                         Form::Lengths => {
                             format!("name a point of link {name}, or give the link a `shape`")
@@ -285,29 +208,23 @@ impl Check<'_> {
         let absent = given.is_none();
         match given.unwrap_or(Direction::Degrees(0.0)) {
             Direction::Points(key) => self.along_points(on, &key),
-            Direction::Vector([0.0, 0.0]) => Err(self
-                .error(&["along"], "a direction of size zero points nowhere")
-                .hint("give [dx, dy] or degrees")),
+            Direction::Vector([0.0, 0.0]) => {
+                Err(self.error(&["along"], "a direction of size zero points nowhere").hint("give [dx, dy] or degrees"))
+            }
             Direction::Vector(direction) => Ok(Along::Direction(direction)),
             Direction::Degrees(degrees) => {
                 let axis = match on {
                     On::Ground => true,
                     On::Link(link) => {
-                        self.form == Form::Lengths
-                            || self.names.get(link).is_some_and(|l| !l.points.is_empty())
+                        self.form == Form::Lengths || self.names.get(link).is_some_and(|l| !l.points.is_empty())
                     }
                 };
                 if axis {
                     return Ok(Along::Degrees(degrees));
                 }
-                let message = format!(
-                    "{} has no points and so no axis to count degrees from",
-                    carrier(on)
-                );
+                let message = format!("{} has no points and so no axis to count degrees from", carrier(on));
                 let rest: &[&str] = if absent { &[] } else { &["along"] };
-                Err(self
-                    .error(rest, message)
-                    .hint(r#"give the direction as drawn: "along": [dx, dy]"#))
+                Err(self.error(rest, message).hint(r#"give the direction as drawn: "along": [dx, dy]"#))
             }
         }
     }
@@ -315,11 +232,8 @@ impl Check<'_> {
     fn along_points(&self, on: &On, key: &str) -> Result<Along, SceneError> {
         let (from, to) = pair(key, |point| self.is_point_of(on, point)).map_err(|wrong| {
             let (message, hint) = wrong.explain("along", key, &carrier(on), self.points_of(on));
-            let degrees = key
-                .trim()
-                .parse::<f64>()
-                .is_ok()
-                .then(|| format!("write {} without quotes for degrees", key.trim()));
+            let degrees =
+                key.trim().parse::<f64>().is_ok().then(|| format!("write {} without quotes for degrees", key.trim()));
             self.error(&["along"], message).maybe_hint(degrees.or(hint))
         })?;
         if let (Some(a), Some(b)) = (self.coordinates.get(&from), self.coordinates.get(&to))

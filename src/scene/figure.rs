@@ -78,18 +78,12 @@ impl Figure {
     /// Says in words what is wrong with it.
     pub fn checked_scale(scale: f64) -> Result<f64, String> {
         if scale > LARGEST {
-            return Err(format!(
-                "{}; numbers are at most {LARGEST:e}",
-                number(scale)
-            ));
+            return Err(format!("{}; numbers are at most {LARGEST:e}", number(scale)));
         }
         if scale > 0.0 {
             return Ok(scale);
         }
-        Err(format!(
-            "{}; a scale, in units per millimetre of paper, is positive",
-            number(scale)
-        ))
+        Err(format!("{}; a scale, in units per millimetre of paper, is positive", number(scale)))
     }
 }
 
@@ -135,12 +129,7 @@ pub enum StyleName {
 
 impl StyleName {
     /// All of them.
-    pub const ALL: [StyleName; 4] = [
-        StyleName::Paper,
-        StyleName::Print,
-        StyleName::Lecture,
-        StyleName::Board,
-    ];
+    pub const ALL: [StyleName; 4] = [StyleName::Paper, StyleName::Print, StyleName::Lecture, StyleName::Board];
 
     /// The style as a scene file writes it: `"paper"`.
     #[must_use]
@@ -172,12 +161,8 @@ pub enum NotationName {
 
 impl NotationName {
     /// All of them.
-    pub const ALL: [NotationName; 4] = [
-        NotationName::Paper,
-        NotationName::English,
-        NotationName::Russian,
-        NotationName::German,
-    ];
+    pub const ALL: [NotationName; 4] =
+        [NotationName::Paper, NotationName::English, NotationName::Russian, NotationName::German];
 
     /// The notation as a scene file writes it: `"paper"`.
     #[must_use]
@@ -282,10 +267,7 @@ impl PageSize {
 impl Default for Page {
     /// A4 landscape.
     fn default() -> Self {
-        Page {
-            size: PageSize::A4,
-            landscape: true,
-        }
+        Page { size: PageSize::A4, landscape: true }
     }
 }
 
@@ -331,10 +313,6 @@ impl Page {
             PageSize::A3 => [297.0, 420.0],
             PageSize::Letter => [215.9, 279.4],
         };
-        if self.landscape {
-            [long, short]
-        } else {
-            [short, long]
-        }
+        if self.landscape { [long, short] } else { [short, long] }
     }
 }

@@ -47,10 +47,7 @@ fn version(_: &mut SchemaGenerator) -> Schema {
 
 /// Units of every length and time of the scene.
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"units as { "length": "mm", "time": "s" }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"units as { "length": "mm", "time": "s" }"#)]
 #[schemars(rename = "units")]
 pub(super) struct UnitsFile {
     /// Unit of length.
@@ -61,10 +58,7 @@ pub(super) struct UnitsFile {
 
 /// A vector by size and angle.
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"a vector as { "size": 150, "angle": 210 }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"a vector as { "size": 150, "angle": 210 }"#)]
 #[schemars(rename = "sizeAngle")]
 pub(super) struct SizeAngle {
     /// Size, not negative.
@@ -76,10 +70,7 @@ pub(super) struct SizeAngle {
 
 /// Known motion of a point.
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"a motion as { "velocity": [x, y], "acceleration": [x, y] }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"a motion as { "velocity": [x, y], "acceleration": [x, y] }"#)]
 #[schemars(rename = "pointMotion")]
 pub(super) struct PointMotionFile {
     /// Velocity, in length per time.
@@ -109,10 +100,7 @@ pub(super) struct LinkFields {
 
 /// A drive: it turns the link (angle, omega or rpm, alpha), or pushes a sliding link (position, speed, acceleration).
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"a drive as { "angle": 70, "omega": -1 }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"a drive as { "angle": 70, "omega": -1 }"#)]
 #[schemars(rename = "linkDrive")]
 pub(super) struct LinkDriveFile {
     /// Angle of the link's axis from +x, in degrees.
@@ -133,10 +121,7 @@ pub(super) struct LinkDriveFile {
 
 /// Known motion of a link.
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"a motion as { "at": "B", "velocity": [x, y], "omega": 1 }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"a motion as { "at": "B", "velocity": [x, y], "omega": 1 }"#)]
 #[schemars(rename = "linkMotion")]
 pub(super) struct LinkMotionFile {
     /// The point or the place where the link has the velocity and the acceleration given here.
@@ -153,10 +138,7 @@ pub(super) struct LinkMotionFile {
 
 /// A link, by its point `at`, slides on a guide of `on`; or a pin rides in a slot of `on`.
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"a slider as { "link": "3", "at": "D", "on": "2", "along": "BE" }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"a slider as { "link": "3", "at": "D", "on": "2", "along": "BE" }"#)]
 #[schemars(rename = "slider")]
 pub(super) struct SliderFile {
     /// The sliding link.
@@ -181,10 +163,7 @@ pub(super) struct SliderFile {
 
 /// A drive that pushes a slider along its guide.
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"a drive as { "position": 40, "speed": 10 }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"a drive as { "position": 40, "speed": 10 }"#)]
 #[schemars(rename = "sliderDrive")]
 pub(super) struct SliderDriveFile {
     /// Distance along the guide from `through`.
@@ -197,10 +176,7 @@ pub(super) struct SliderDriveFile {
 
 /// What the figure shows, and how large.
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"a figure as { "panels": ["scheme", "velocity"] }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"a figure as { "panels": ["scheme", "velocity"] }"#)]
 #[schemars(rename = "figure")]
 pub(super) struct FigureFile {
     /// The panels, in order; left out: all three.

@@ -119,11 +119,7 @@ impl<'de> Visitor<'de> for OneOf {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Given, A::Error> {
-        let wrong = |count: usize| {
-            A::Error::custom(format!(
-                "expected two numbers [x, y], found a list of {count}"
-            ))
-        };
+        let wrong = |count: usize| A::Error::custom(format!("expected two numbers [x, y], found a list of {count}"));
         let x = seq.next_element::<f64>()?.ok_or_else(|| wrong(0))?;
         let y = seq.next_element::<f64>()?.ok_or_else(|| wrong(1))?;
         let mut more = 0;
@@ -140,10 +136,7 @@ impl<'de> Visitor<'de> for OneOf {
         let SizeAngle { size, angle } = SizeAngle::deserialize(MapAccessDeserializer::new(map))?;
         if size < 0.0 {
             let turned = "a size is not negative: turn the angle by 180 instead";
-            return Err(A::Error::custom(format!(
-                "size is {}; {turned}",
-                super::words::number(size)
-            )));
+            return Err(A::Error::custom(format!("size is {}; {turned}", super::words::number(size))));
         }
         Ok(Given::Vector(polar(size, angle)))
     }
@@ -158,18 +151,12 @@ pub fn polar(size: f64, angle_deg: f64) -> [f64; 2] {
         90.0 | -270.0 => [0.0, size],
         180.0 | -180.0 => [0.0 - size, 0.0],
         270.0 | -90.0 => [0.0, 0.0 - size],
-        _ => [
-            size * libm::cos(angle.to_radians()),
-            size * libm::sin(angle.to_radians()),
-        ],
+        _ => [size * libm::cos(angle.to_radians()), size * libm::sin(angle.to_radians())],
     }
 }
 
-const VECTOR: OneOf = OneOf {
-    number: false,
-    text: false,
-    expecting: r#"two numbers [x, y] or { "size": …, "angle": … }"#,
-};
+const VECTOR: OneOf =
+    OneOf { number: false, text: false, expecting: r#"two numbers [x, y] or { "size": …, "angle": … }"# };
 
 impl<'de> Deserialize<'de> for Vector {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -183,11 +170,7 @@ impl<'de> Deserialize<'de> for Vector {
 impl<'de> Deserialize<'de> for ShapePoint {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let expecting = "two numbers [x, y] or one number, the distance along the axis";
-        match deserializer.deserialize_any(OneOf {
-            number: true,
-            text: false,
-            expecting,
-        })? {
+        match deserializer.deserialize_any(OneOf { number: true, text: false, expecting })? {
             Given::Vector(vector) => Ok(ShapePoint(vector)),
             Given::Number(x) => Ok(ShapePoint([x, 0.0])),
             Given::Text(_) => Err(D::Error::custom(expecting)),
@@ -198,11 +181,7 @@ impl<'de> Deserialize<'de> for ShapePoint {
 impl<'de> Deserialize<'de> for NearValue {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let expecting = "two numbers [x, y], or for an \"angle(…)\" one number, its degrees";
-        match deserializer.deserialize_any(OneOf {
-            number: true,
-            text: false,
-            expecting,
-        })? {
+        match deserializer.deserialize_any(OneOf { number: true, text: false, expecting })? {
             Given::Vector(vector) => Ok(NearValue::Vector(vector)),
             Given::Number(degrees) => Ok(NearValue::Degrees(degrees)),
             Given::Text(_) => Err(D::Error::custom(expecting)),
@@ -213,11 +192,7 @@ impl<'de> Deserialize<'de> for NearValue {
 impl<'de> Deserialize<'de> for NameOrPlace {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let expecting = "the name of a point in double quotes, or its coordinates [x, y]";
-        match deserializer.deserialize_any(OneOf {
-            number: false,
-            text: true,
-            expecting,
-        })? {
+        match deserializer.deserialize_any(OneOf { number: false, text: true, expecting })? {
             Given::Vector(vector) => Ok(NameOrPlace::Place(vector)),
             Given::Text(name) => Ok(NameOrPlace::Name(name)),
             Given::Number(_) => Err(D::Error::custom(expecting)),
@@ -228,17 +203,11 @@ impl<'de> Deserialize<'de> for NameOrPlace {
 impl<'de> Deserialize<'de> for Direction {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let expecting = "two points as \"BE\", or a number of degrees, or [dx, dy]";
-        Ok(
-            match deserializer.deserialize_any(OneOf {
-                number: true,
-                text: true,
-                expecting,
-            })? {
-                Given::Vector(vector) => Direction::Vector(vector),
-                Given::Number(degrees) => Direction::Degrees(degrees),
-                Given::Text(points) => Direction::Points(points),
-            },
-        )
+        Ok(match deserializer.deserialize_any(OneOf { number: true, text: true, expecting })? {
+            Given::Vector(vector) => Direction::Vector(vector),
+            Given::Number(degrees) => Direction::Degrees(degrees),
+            Given::Text(points) => Direction::Points(points),
+        })
     }
 }
 
@@ -248,9 +217,7 @@ impl<'de> Deserialize<'de> for Ground {
         impl<'de> Visitor<'de> for Forms {
             type Value = Ground;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(
-                    r#"the frame's points as { "A": [x, y], … }, or their names as ["A", …]"#,
-                )
+                f.write_str(r#"the frame's points as { "A": [x, y], … }, or their names as ["A", …]"#)
             }
             fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Ground, A::Error> {
                 Vec::deserialize(SeqAccessDeserializer::new(seq)).map(Ground::Names)
@@ -269,16 +236,11 @@ impl<'de> Deserialize<'de> for LinkForm {
         impl<'de> Visitor<'de> for Forms {
             type Value = LinkForm;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(
-                    r#"a link as { "points": ["A", "B"], … }, or a list of its points ["A", "B"]"#,
-                )
+                f.write_str(r#"a link as { "points": ["A", "B"], … }, or a list of its points ["A", "B"]"#)
             }
             fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<LinkForm, A::Error> {
                 let points = Vec::deserialize(SeqAccessDeserializer::new(seq))?;
-                Ok(LinkForm(LinkFields {
-                    points: Some(points),
-                    ..LinkFields::default()
-                }))
+                Ok(LinkForm(LinkFields { points: Some(points), ..LinkFields::default() }))
             }
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<LinkForm, A::Error> {
                 LinkFields::deserialize(MapAccessDeserializer::new(map)).map(LinkForm)

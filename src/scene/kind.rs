@@ -13,11 +13,7 @@ pub(crate) struct FileKind {
 
 impl FileKind {
     /// A mechanism.
-    pub(super) const SCENE: FileKind = FileKind {
-        what: "scene",
-        key: "kinegon",
-        version: 1,
-    };
+    pub(super) const SCENE: FileKind = FileKind { what: "scene", key: "kinegon", version: 1 };
 
     /// How such a file begins, for a hint.
     pub(super) fn beginning(&self) -> String {

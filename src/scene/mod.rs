@@ -38,9 +38,7 @@ mod words;
 pub use build::Builder;
 pub use build_parts::{Guide, NewLink, Push, Turn};
 pub use error::{Place, SceneError};
-pub use figure::{
-    DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, Panel, StyleName,
-};
+pub use figure::{DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, Panel, StyleName};
 pub use forms::{Direction, polar};
 pub use link::{At, Drive, Length, Link, LinkMotion, Shape};
 pub use slider::{Along, On, Slider, SliderDrive};
@@ -135,15 +133,8 @@ impl Scene {
     /// An error at a JSON path of this scene, for findings of later stages; an index of a list is written in digits.
     ///
     /// Where the scene has nothing at the path, the place is that of the nearest part around it.
-    pub fn error_at(
-        &self,
-        path: &[&str],
-        message: impl Into<String>,
-        hint: Option<String>,
-    ) -> SceneError {
-        place::Source(&self.text)
-            .error(path, message)
-            .maybe_hint(hint)
+    pub fn error_at(&self, path: &[&str], message: impl Into<String>, hint: Option<String>) -> SceneError {
+        place::Source(&self.text).error(path, message).maybe_hint(hint)
     }
 
     /// The JSON Schema (draft 2020-12) of the scene file, with descriptions, for editors.

@@ -15,43 +15,25 @@ const LONGEST: usize = 64;
 /// Checks what a name is made of; `what` is "a point" or "a link".
 pub(super) fn check_name(what: &str, name: &str) -> Result<(), (String, Option<String>)> {
     if name.is_empty() {
-        return Err((
-            format!("{what} has no name"),
-            Some("write a letter or a number between the quotes".into()),
-        ));
+        return Err((format!("{what} has no name"), Some("write a letter or a number between the quotes".into())));
     }
     if name.chars().count() > LONGEST {
-        return Err((
-            format!("the name of {what} has more than {LONGEST} characters"),
-            None,
-        ));
+        return Err((format!("the name of {what} has more than {LONGEST} characters"), None));
     }
-    if let Some(bad) = name
-        .chars()
-        .find(|c| !(c.is_alphanumeric() || *c == '\'' || *c == '_'))
-    {
+    if let Some(bad) = name.chars().find(|c| !(c.is_alphanumeric() || *c == '\'' || *c == '_')) {
         let hint = match bad {
             '′' | '’' | '`' | '´' => "write ' for a prime",
             '-' => "write _ in place of -, which joins two points",
             _ => "names have letters, digits, ' and _",
         };
         let bad = bad.escape_debug();
-        return Err((
-            format!("the name `{}` of {what} contains `{bad}`", shortened(name)),
-            Some(hint.into()),
-        ));
+        return Err((format!("the name `{}` of {what} contains `{bad}`", shortened(name)), Some(hint.into())));
     }
     if name == "note" {
-        return Err((
-            format!("{what} cannot be called `note`: that key is for notes"),
-            None,
-        ));
+        return Err((format!("{what} cannot be called `note`: that key is for notes"), None));
     }
     if what == "a link" && name == "ground" {
-        return Err((
-            "a link cannot be called `ground`: that is the frame".into(),
-            None,
-        ));
+        return Err(("a link cannot be called `ground`: that is the frame".into(), None));
     }
     Ok(())
 }
@@ -72,14 +54,8 @@ pub(super) struct Names<'a> {
 
 impl<'a> Names<'a> {
     /// The names of the frame and the links.
-    pub fn new(
-        source: Source<'a>,
-        ground: &'a [String],
-        links: &'a IndexMap<String, Link>,
-    ) -> Names<'a> {
-        let pairs = links
-            .iter()
-            .flat_map(|(name, link)| link.points.iter().map(move |p| (name.as_str(), p.as_str())));
+    pub fn new(source: Source<'a>, ground: &'a [String], links: &'a IndexMap<String, Link>) -> Names<'a> {
+        let pairs = links.iter().flat_map(|(name, link)| link.points.iter().map(move |p| (name.as_str(), p.as_str())));
         let mut images = HashMap::new();
         let on_links = links.values().flat_map(|link| &link.points);
         for point in ground.iter().chain(on_links) {
@@ -130,9 +106,11 @@ impl<'a> Names<'a> {
     pub fn link(&self, path: &[&str], name: &str) -> Result<&'a Link, SceneError> {
         self.links.get(name).ok_or_else(|| {
             let names = self.links.keys().map(String::as_str);
-            self.source
-                .error(path, format!("there is no link {}", shortened(name)))
-                .maybe_hint(suggestion(name, names, "the links are"))
+            self.source.error(path, format!("there is no link {}", shortened(name))).maybe_hint(suggestion(
+                name,
+                names,
+                "the links are",
+            ))
         })
     }
 
@@ -142,18 +120,14 @@ impl<'a> Names<'a> {
             return Ok(());
         }
         let mut names: Vec<&str> = self.ground.iter().map(String::as_str).collect();
-        names.extend(
-            self.links
-                .values()
-                .flat_map(|link| &link.points)
-                .map(String::as_str),
-        );
+        names.extend(self.links.values().flat_map(|link| &link.points).map(String::as_str));
         let mut seen = HashSet::new();
         names.retain(|name| seen.insert(*name));
-        Err(self
-            .source
-            .error(path, format!("there is no point {}", shortened(name)))
-            .maybe_hint(suggestion(name, names.iter().copied(), "the points are")))
+        Err(self.source.error(path, format!("there is no point {}", shortened(name))).maybe_hint(suggestion(
+            name,
+            names.iter().copied(),
+            "the points are",
+        )))
     }
 
     /// An error at `path` if the point is not on the link; it names the link's points.
@@ -162,9 +136,7 @@ impl<'a> Names<'a> {
             return Ok(());
         }
         let points = self.links.get(link).map_or(&[][..], |link| &link.points);
-        Err(self
-            .source
-            .error(path, no_point(&format!("link {link}"), point, points)))
+        Err(self.source.error(path, no_point(&format!("link {link}"), point, points)))
     }
 
     /// What is wrong with a name that results need: `S3` beside link 3, `D_2` beside link 2, `d` beside D.
@@ -172,29 +144,15 @@ impl<'a> Names<'a> {
         let hint = Some("choose another name for the point".into());
         let first = self.images.get(&point.to_lowercase());
         if let Some(first) = first.filter(|first| **first != point) {
-            return Err((
-                format!("the name `{point}` is kept for the image of {first} in the plans"),
-                hint,
-            ));
+            return Err((format!("the name `{point}` is kept for the image of {first} in the plans"), hint));
         }
-        if let Some(link) = point
-            .strip_prefix('S')
-            .filter(|link| self.links.contains_key(*link))
-        {
-            return Err((
-                format!("the name `{point}` is kept for the special point of link {link}"),
-                hint,
-            ));
+        if let Some(link) = point.strip_prefix('S').filter(|link| self.links.contains_key(*link)) {
+            return Err((format!("the name `{point}` is kept for the special point of link {link}"), hint));
         }
         for (at, _) in point.match_indices('_') {
             let (before, link) = (&point[..at], &point[at + 1..]);
             if !before.is_empty() && self.links.contains_key(link) {
-                return Err((
-                    format!(
-                        "the name `{point}` is kept for the point of link {link} under {before}"
-                    ),
-                    hint,
-                ));
+                return Err((format!("the name `{point}` is kept for the point of link {link} under {before}"), hint));
             }
         }
         Ok(())
@@ -207,10 +165,7 @@ pub(super) fn no_point(carrier: &str, point: &str, points: &[String]) -> String 
     match points {
         [] => format!("{carrier} has no point {point}; it has no points"),
         [only] => format!("{carrier} has no point {point}; its only point is {only}"),
-        _ => format!(
-            "{carrier} has no point {point}; its points are {}",
-            list(points.iter().map(String::as_str))
-        ),
+        _ => format!("{carrier} has no point {point}; its points are {}", list(points.iter().map(String::as_str))),
     }
 }
 
@@ -225,10 +180,7 @@ pub(super) enum NotAPair {
 }
 
 /// The two points that a key like `AB` or `A-B` names, among the points that `is_point` accepts.
-pub(super) fn pair(
-    key: &str,
-    is_point: impl Fn(&str) -> bool,
-) -> Result<(String, String), NotAPair> {
+pub(super) fn pair(key: &str, is_point: impl Fn(&str) -> bool) -> Result<(String, String), NotAPair> {
     let unknown = |name: &str| NotAPair::Unknown(name.to_owned());
     let (from, to) = if let Some((from, to)) = key.split_once('-') {
         if let Some(name) = [from, to].into_iter().find(|name| !is_point(name)) {
@@ -239,25 +191,16 @@ pub(super) fn pair(
         return Err(unknown(key));
     } else {
         let cuts = key.char_indices().skip(1).map(|(at, _)| key.split_at(at));
-        let mut pairs = cuts
-            .clone()
-            .filter(|(from, to)| is_point(from) && is_point(to));
+        let mut pairs = cuts.clone().filter(|(from, to)| is_point(from) && is_point(to));
         match (pairs.next(), pairs.next()) {
             (Some(pair), None) => pair,
             (Some((a, b)), Some((c, d))) => {
-                return Err(NotAPair::Ambiguous(
-                    [a.into(), b.into()],
-                    [c.into(), d.into()],
-                ));
+                return Err(NotAPair::Ambiguous([a.into(), b.into()], [c.into(), d.into()]));
             }
             (None, _) => {
                 // The part that is not a point: beside the longest part that is one.
-                let known = cuts
-                    .flat_map(|(from, to)| [(from, to), (to, from)])
-                    .filter(|(part, _)| is_point(part));
-                let rest = known
-                    .max_by_key(|(part, _)| part.len())
-                    .map_or(key, |(_, rest)| rest);
+                let known = cuts.flat_map(|(from, to)| [(from, to), (to, from)]).filter(|(part, _)| is_point(part));
+                let rest = known.max_by_key(|(part, _)| part.len()).map_or(key, |(_, rest)| rest);
                 return Err(unknown(rest));
             }
         }
@@ -270,21 +213,12 @@ pub(super) fn pair(
 
 impl NotAPair {
     /// The message for a key of `carrier`, whose points are `points`, and a hint.
-    pub fn explain(
-        &self,
-        what: &str,
-        key: &str,
-        carrier: &str,
-        points: &[String],
-    ) -> (String, Option<String>) {
+    pub fn explain(&self, what: &str, key: &str, carrier: &str, points: &[String]) -> (String, Option<String>) {
         let key = shortened(key);
         match self {
             NotAPair::Unknown(name) => {
                 let hint = close(name, points.iter().map(String::as_str));
-                (
-                    format!("{what} `{key}`: {}", no_point(carrier, name, points)),
-                    hint,
-                )
+                (format!("{what} `{key}`: {}", no_point(carrier, name, points)), hint)
             }
             NotAPair::Ambiguous([a, b], [c, d]) => (
                 format!("{what} `{key}` can mean {a} and {b}, or {c} and {d}"),

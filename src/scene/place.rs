@@ -33,59 +33,24 @@ impl<'a> Source<'a> {
     }
 
     /// An error about a part of `path`, or of the nearest part around it that is there.
-    pub fn error_with(
-        self,
-        path: &[&str],
-        spot: Spot,
-        message: String,
-        hint: Option<String>,
-    ) -> SceneError {
+    pub fn error_with(self, path: &[&str], spot: Spot, message: String, hint: Option<String>) -> SceneError {
         self.make(&[path], spot, message, hint)
     }
 
     /// An error about the first of these paths that the scene has: a part may be written in several ways.
-    pub fn error_at_first(
-        self,
-        paths: &[&[&str]],
-        message: String,
-        hint: Option<String>,
-    ) -> SceneError {
+    pub fn error_at_first(self, paths: &[&[&str]], message: String, hint: Option<String>) -> SceneError {
         self.make(paths, Spot::Key, message, hint)
     }
 
-    fn make(
-        self,
-        paths: &[&[&str]],
-        spot: Spot,
-        message: String,
-        hint: Option<String>,
-    ) -> SceneError {
+    fn make(self, paths: &[&[&str]], spot: Spot, message: String, hint: Option<String>) -> SceneError {
         let (body, offset) = without_mark(self.0);
-        let Ok(ParseResult {
-            value: Some(root), ..
-        }) = parse_tree(body)
-        else {
-            return SceneError {
-                path: String::new(),
-                place: None,
-                message,
-                hint,
-            };
+        let Ok(ParseResult { value: Some(root), .. }) = parse_tree(body) else {
+            return SceneError { path: String::new(), place: None, message, hint };
         };
         let walks = paths.iter().map(|path| walk(&root, path, spot));
-        let found = walks
-            .clone()
-            .find(|walk| walk.complete)
-            .or_else(|| walks.clone().next());
-        let place = found
-            .as_ref()
-            .map(|walk| self.place(walk.span.start + offset..walk.span.end + offset));
-        SceneError {
-            path: found.map(|walk| walk.shown).unwrap_or_default(),
-            place,
-            message,
-            hint,
-        }
+        let found = walks.clone().find(|walk| walk.complete).or_else(|| walks.clone().next());
+        let place = found.as_ref().map(|walk| self.place(walk.span.start + offset..walk.span.end + offset));
+        SceneError { path: found.map(|walk| walk.shown).unwrap_or_default(), place, message, hint }
     }
 
     /// The place of a range of bytes of the text.
@@ -93,11 +58,7 @@ impl<'a> Source<'a> {
         let before = &self.0[..span.start];
         let line_start = before.rfind('\n').map_or(0, |at| at + 1);
         let line_text = before[line_start..].trim_start_matches(MARK);
-        Place {
-            line: before.matches('\n').count() + 1,
-            column: line_text.chars().count() + 1,
-            span,
-        }
+        Place { line: before.matches('\n').count() + 1, column: line_text.chars().count() + 1, span }
     }
 }
 
@@ -162,19 +123,13 @@ fn walk(root: &Value<'_>, path: &[&str], spot: Spot) -> Walk {
         let last = depth + 1 == path.len();
         let next = match node {
             Some(Value::Array(array)) => {
-                let element = part
-                    .parse::<usize>()
-                    .ok()
-                    .and_then(|index| array.elements.get(index));
+                let element = part.parse::<usize>().ok().and_then(|index| array.elements.get(index));
                 push_index(&mut shown, part);
                 element.map(|element| (element, None))
             }
             Some(Value::Object(object)) => {
                 push_key(&mut shown, part);
-                let property = object
-                    .properties
-                    .iter()
-                    .find(|property| property.name.as_str() == *part);
+                let property = object.properties.iter().find(|property| property.name.as_str() == *part);
                 property.map(|property| (&property.value, Some(property)))
             }
             _ => {
@@ -190,11 +145,7 @@ fn walk(root: &Value<'_>, path: &[&str], spot: Spot) -> Walk {
             };
         }
     }
-    Walk {
-        shown,
-        span,
-        complete: node.is_some(),
-    }
+    Walk { shown, span, complete: node.is_some() }
 }
 
 /// Adds `.key` to a shown path.

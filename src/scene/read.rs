@@ -22,11 +22,7 @@ pub(super) fn read(text: &str) -> Result<Scene, SceneError> {
     let source = Source(text);
     let file: SceneFile = read_as(text, &FileKind::SCENE)?;
 
-    let form = if file.points.is_some() {
-        Form::Drawn
-    } else {
-        Form::Lengths
-    };
+    let form = if file.points.is_some() { Form::Drawn } else { Form::Lengths };
     let (links, pushes) = links(source, form, file.units.time, file.links)?;
     let (ground, coordinates) = ground(source, form, file.ground, file.points)?;
     let names = Names::new(source, &ground, &links);
@@ -39,10 +35,7 @@ pub(super) fn read(text: &str) -> Result<Scene, SceneError> {
     let figure = figure(source, file.figure)?;
     Ok(Scene {
         title: file.title,
-        units: Units {
-            length: file.units.length,
-            time: file.units.time,
-        },
+        units: Units { length: file.units.length, time: file.units.time },
         form,
         ground,
         coordinates,
@@ -75,15 +68,12 @@ fn check_version(source: Source<'_>, json: &Json, kind: &FileKind) -> Result<(),
     match object.get(key) {
         None => {
             // An unknown key that is nearly this one is the better message.
-            let near = object
-                .keys()
-                .find(|other| super::words::nearest(other, [key]).is_some());
+            let near = object.keys().find(|other| super::words::nearest(other, [key]).is_some());
             let hint = match near {
                 Some(other) => format!("did you mean `{key}` by `{}`?", shortened(other)),
                 None => format!(r#"add "{key}": {version}, the version of the {what} format"#),
             };
-            let message =
-                format!("`{key}` is missing, so this may be something other than a {what}");
+            let message = format!("`{key}` is missing, so this may be something other than a {what}");
             Err(source.error(&[], message).hint(hint))
         }
         Some(Json::Number(said)) if said.as_f64() == Some(version as f64) => Ok(()),
@@ -92,13 +82,9 @@ fn check_version(source: Source<'_>, json: &Json, kind: &FileKind) -> Result<(),
             Err(source.error(&[key], message))
         }
         Some(other) => {
-            let message = format!(
-                "expected the number {version}, the version of the format, found {}",
-                describe(other)
-            );
-            Err(source
-                .error(&[key], message)
-                .hint(format!(r#"write "{key}": {version}"#)))
+            let message =
+                format!("expected the number {version}, the version of the format, found {}", describe(other));
+            Err(source.error(&[key], message).hint(format!(r#"write "{key}": {version}"#)))
         }
     }
 }

@@ -7,17 +7,12 @@ use serde_json::{Value as Json, json};
 
 /// The JSON Schema (draft 2020-12) of a kind of file that is read strictly.
 pub(crate) fn schema_of<T: JsonSchema>(title: &str) -> Json {
-    let mut schema = SchemaSettings::draft2020_12()
-        .into_generator()
-        .into_root_schema_for::<T>();
+    let mut schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<T>();
     RecursiveTransform(forbid_null).transform(&mut schema);
     RecursiveTransform(allow_note).transform(&mut schema);
     if let Some(properties) = schema.get_mut("properties").and_then(Json::as_object_mut) {
         let description = "Where an editor finds this schema; ignored";
-        properties.insert(
-            "$schema".into(),
-            json!({ "type": "string", "description": description }),
-        );
+        properties.insert("$schema".into(), json!({ "type": "string", "description": description }));
     }
     schema.insert("title".into(), title.into());
     schema.to_value()
@@ -35,10 +30,7 @@ fn forbid_null(schema: &mut Schema) {
     {
         *types = only.clone();
     }
-    if let Some([only, other]) = object
-        .get("anyOf")
-        .and_then(Json::as_array)
-        .map(Vec::as_slice)
+    if let Some([only, other]) = object.get("anyOf").and_then(Json::as_array).map(Vec::as_slice)
         && null(other)
         && let Some(only) = only.as_object().cloned()
     {
@@ -54,14 +46,8 @@ fn allow_note(schema: &mut Schema) {
     if schema.get("type").and_then(Json::as_str) != Some("object") {
         return;
     }
-    let properties = schema
-        .ensure_object()
-        .entry("properties")
-        .or_insert_with(|| json!({}));
+    let properties = schema.ensure_object().entry("properties").or_insert_with(|| json!({}));
     if let Some(properties) = properties.as_object_mut() {
-        properties.insert(
-            "note".into(),
-            json!({ "description": "For people; ignored" }),
-        );
+        properties.insert("note".into(), json!({ "description": "For people; ignored" }));
     }
 }

@@ -34,19 +34,12 @@ pub(super) fn parse(source: Source<'_>, kind: &FileKind) -> Result<Json, SceneEr
         hint: hint.map(str::to_owned),
     };
     if source.0.len() > MAX_BYTES {
-        let message = format!(
-            "the {what} has {} bytes; at most {MAX_BYTES} ({} MiB) are read",
-            source.0.len(),
-            MAX_BYTES >> 20
-        );
+        let message =
+            format!("the {what} has {} bytes; at most {MAX_BYTES} ({} MiB) are read", source.0.len(), MAX_BYTES >> 20);
         return Err(failure(None, message, None));
     }
     if body.trim().is_empty() {
-        return Err(failure(
-            None,
-            format!("the {what} is empty"),
-            Some(&kind.beginning()),
-        ));
+        return Err(failure(None, format!("the {what} is empty"), Some(&kind.beginning())));
     }
     if let Some((span, message, hint)) = scan(body) {
         return Err(failure(Some(span), message, hint));
@@ -63,18 +56,10 @@ pub(super) fn parse(source: Source<'_>, kind: &FileKind) -> Result<Json, SceneEr
         let start = offset_of(body, error.line(), error.column());
         let whole = error.to_string();
         let what = whole.split(" at line ").next().unwrap_or(&whole);
-        return Err(failure(
-            Some(start..start),
-            format!("this is not JSON: {what}"),
-            None,
-        ));
+        return Err(failure(Some(start..start), format!("this is not JSON: {what}"), None));
     }
     let root = tree.expect("a text that is not blank has a value");
-    let mut reader = ToJson {
-        source,
-        offset,
-        path: String::new(),
-    };
+    let mut reader = ToJson { source, offset, path: String::new() };
     reader.value(&root)
 }
 
@@ -85,11 +70,7 @@ fn scan(body: &str) -> Option<Wrong> {
         match (in_text, byte) {
             (true, b'\n' | b'\r') => {
                 let message = "a text ends on the line it begins on".into();
-                return Some((
-                    at..at + 1,
-                    message,
-                    Some(r#"add the missing ", or write \n for a line break"#),
-                ));
+                return Some((at..at + 1, message, Some(r#"add the missing ", or write \n for a line break"#)));
             }
             (true, 0..0x20) => {
                 let message = "a text holds a tab or another control character".into();
@@ -112,11 +93,7 @@ fn scan(body: &str) -> Option<Wrong> {
 
 /// The byte at a line and a column of bytes, both counted from 1, moved back to the start of its character.
 fn offset_of(body: &str, line: usize, column: usize) -> usize {
-    let line_start: usize = body
-        .split_inclusive('\n')
-        .take(line.saturating_sub(1))
-        .map(str::len)
-        .sum();
+    let line_start: usize = body.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
     let mut at = (line_start + column.saturating_sub(1)).min(body.len());
     while !body.is_char_boundary(at) {
         at -= 1;
@@ -128,38 +105,26 @@ fn offset_of(body: &str, line: usize, column: usize) -> usize {
 fn not_json(body: &str, error: &ParseError, kind: &FileKind) -> NotJson {
     let what = kind.what;
     let span = range_of(&error.range());
-    let word: String = body[span.start..]
-        .chars()
-        .take_while(|c| c.is_alphanumeric() || "_+-.".contains(*c))
-        .collect();
+    let word: String = body[span.start..].chars().take_while(|c| c.is_alphanumeric() || "_+-.".contains(*c)).collect();
     let word: String = word.chars().take(40).collect();
     let shown = span.start..span.end.max(span.start + word.len()).min(body.len());
-    let not_a_number =
-        format!("every number of a {what} is finite; leave the key out where a value is not known");
+    let not_a_number = format!("every number of a {what} is finite; leave the key out where a value is not known");
     let beginning = kind.beginning();
     let one = format!("a file holds one {what}, in one pair of {{ }}");
     let (message, hint): (String, Option<&str>) = match error.kind() {
-        Kind::CommentsNotAllowed | Kind::UnterminatedCommentBlock => (
-            "JSON has no comments".into(),
-            Some(r#"write "note": "…", which is allowed anywhere"#),
-        ),
-        Kind::TrailingCommasNotAllowed => (
-            "a comma stands before the closing bracket".into(),
-            Some("remove the comma"),
-        ),
-        _ if body[..span.start].trim().is_empty()
-            && !body[span.start..].starts_with(['{', '[']) =>
-        {
+        Kind::CommentsNotAllowed | Kind::UnterminatedCommentBlock => {
+            ("JSON has no comments".into(), Some(r#"write "note": "…", which is allowed anywhere"#))
+        }
+        Kind::TrailingCommasNotAllowed => {
+            ("a comma stands before the closing bracket".into(), Some("remove the comma"))
+        }
+        _ if body[..span.start].trim().is_empty() && !body[span.start..].starts_with(['{', '[']) => {
             ("this is not JSON".into(), Some(&beginning))
         }
         Kind::ExpectedComma
-            if body[..span.start].ends_with('0')
-                && body[span.start..].starts_with(|c: char| c.is_ascii_digit()) =>
+            if body[..span.start].ends_with('0') && body[span.start..].starts_with(|c: char| c.is_ascii_digit()) =>
         {
-            (
-                "a number does not begin with 0".into(),
-                Some("remove the leading 0"),
-            )
+            ("a number does not begin with 0".into(), Some("remove the leading 0"))
         }
         Kind::ExpectedComma => ("a comma is missing here".into(), None),
         Kind::UnterminatedObject => ("this { is never closed".into(), Some("add the missing }")),
@@ -170,70 +135,39 @@ fn not_json(body: &str, error: &ParseError, kind: &FileKind) -> NotJson {
         Kind::UnexpectedColon => ("a colon stands where a value should be".into(), None),
         Kind::ExpectedColonAfterObjectKey => ("a colon is missing after this key".into(), None),
         Kind::ExpectedObjectValue => ("the value of this key is missing".into(), None),
-        Kind::MultipleRootJsonValues => (
-            format!("something stands after the end of the {what}"),
-            Some(&one),
-        ),
-        Kind::SingleQuotedStringsNotAllowed => (
-            "texts stand in double quotes".into(),
-            Some(r#"write "A" in place of 'A'"#),
-        ),
-        Kind::ExpectedStringObjectProperty => (
-            format!("the key {word} needs double quotes"),
-            Some(r#"write "key": value"#),
-        ),
-        Kind::NonFiniteNumbersNotAllowed => {
-            (format!("{word} is not a number"), Some(&not_a_number))
+        Kind::MultipleRootJsonValues => (format!("something stands after the end of the {what}"), Some(&one)),
+        Kind::SingleQuotedStringsNotAllowed => {
+            ("texts stand in double quotes".into(), Some(r#"write "A" in place of 'A'"#))
         }
+        Kind::ExpectedStringObjectProperty => {
+            (format!("the key {word} needs double quotes"), Some(r#"write "key": value"#))
+        }
+        Kind::NonFiniteNumbersNotAllowed => (format!("{word} is not a number"), Some(&not_a_number)),
         Kind::UnexpectedWord | Kind::ExpectedDigitFollowingNegativeSign
             if ["nan", "inf", "infinity"].contains(&word.to_lowercase().as_str()) =>
         {
             (format!("{word} is not a number"), Some(&not_a_number))
         }
-        Kind::UnexpectedWord | Kind::UnexpectedToken | Kind::UnexpectedTokenInObject => {
-            match word.as_str() {
-                "" => (
-                    format!(
-                        "{:?} does not belong here",
-                        body[span.start..].chars().next().unwrap_or(' ')
-                    ),
-                    None,
-                ),
-                "None" => ("None is not a value".into(), Some("leave the key out")),
-                "True" => ("True is not a value".into(), Some("write true")),
-                "False" => ("False is not a value".into(), Some("write false")),
-                _ => (
-                    format!("{word} is not a value"),
-                    Some("texts and names stand in double quotes"),
-                ),
-            }
-        }
-        Kind::UnaryPlusNumbersNotAllowed => (
-            "a number has no plus sign before it".into(),
-            Some("remove the +"),
-        ),
+        Kind::UnexpectedWord | Kind::UnexpectedToken | Kind::UnexpectedTokenInObject => match word.as_str() {
+            "" => (format!("{:?} does not belong here", body[span.start..].chars().next().unwrap_or(' ')), None),
+            "None" => ("None is not a value".into(), Some("leave the key out")),
+            "True" => ("True is not a value".into(), Some("write true")),
+            "False" => ("False is not a value".into(), Some("write false")),
+            _ => (format!("{word} is not a value"), Some("texts and names stand in double quotes")),
+        },
+        Kind::UnaryPlusNumbersNotAllowed => ("a number has no plus sign before it".into(), Some("remove the +")),
         Kind::HexadecimalNumbersNotAllowed => ("numbers are decimal".into(), None),
-        Kind::BareDecimalPointNumbersNotAllowed => (
-            "a decimal point needs digits on both sides".into(),
-            Some("write 0.5 for .5, and 5.0 for 5."),
-        ),
+        Kind::BareDecimalPointNumbersNotAllowed => {
+            ("a decimal point needs digits on both sides".into(), Some("write 0.5 for .5, and 5.0 for 5."))
+        }
         Kind::ExpectedDigit
         | Kind::ExpectedDigitFollowingNegativeSign
-        | Kind::ExpectedPlusMinusOrDigitInNumberLiteral => {
-            ("this number is not complete".into(), None)
+        | Kind::ExpectedPlusMinusOrDigitInNumberLiteral => ("this number is not complete".into(), None),
+        Kind::String(_) if body[span.clone()].trim_start_matches('"').contains('\\') => {
+            (r"a \ in a text begins an escape, and this is none".into(), Some(r"write \\ for the character \"))
         }
-        Kind::String(_) if body[span.clone()].trim_start_matches('"').contains('\\') => (
-            r"a \ in a text begins an escape, and this is none".into(),
-            Some(r"write \\ for the character \"),
-        ),
-        Kind::String(_) => (
-            "this text is never closed".into(),
-            Some("add the missing \""),
-        ),
-        other => (
-            format!("this is not JSON: {}", other.to_string().to_lowercase()),
-            None,
-        ),
+        Kind::String(_) => ("this text is never closed".into(), Some("add the missing \"")),
+        other => (format!("this is not JSON: {}", other.to_string().to_lowercase()), None),
     };
     (shown, message, hint.map(str::to_owned))
 }
@@ -247,15 +181,8 @@ struct ToJson<'a> {
 
 impl ToJson<'_> {
     fn error(&self, span: Range<usize>, message: String, hint: &str) -> SceneError {
-        let place = self
-            .source
-            .place(span.start + self.offset..span.end + self.offset);
-        SceneError {
-            path: self.path.clone(),
-            place: Some(place),
-            message,
-            hint: Some(hint.to_owned()),
-        }
+        let place = self.source.place(span.start + self.offset..span.end + self.offset);
+        SceneError { path: self.path.clone(), place: Some(place), message, hint: Some(hint.to_owned()) }
     }
 
     fn value(&mut self, value: &Value<'_>) -> Result<Json, SceneError> {
@@ -263,11 +190,7 @@ impl ToJson<'_> {
             Value::StringLit(text) => Json::String(text.value.clone().into_owned()),
             Value::BooleanLit(truth) => Json::Bool(truth.value),
             Value::NullKeyword(null) => {
-                return Err(self.error(
-                    range_of(null),
-                    "null is not a value here".into(),
-                    "leave the key out",
-                ));
+                return Err(self.error(range_of(null), "null is not a value here".into(), "leave the key out"));
             }
             Value::NumberLit(number) => Json::Number(self.number(number.value, range_of(number))?),
             Value::Array(array) => {
@@ -295,19 +218,10 @@ impl ToJson<'_> {
             let length = self.path.len();
             push_key(&mut self.path, name);
             if map.contains_key(name) {
-                let first = object
-                    .properties
-                    .iter()
-                    .find(|other| other.name.as_str() == name);
+                let first = object.properties.iter().find(|other| other.name.as_str() == name);
                 let first = first.map_or(0..0, key_range);
-                let line = self
-                    .source
-                    .place(first.start + self.offset..first.end + self.offset)
-                    .line;
-                let message = format!(
-                    "key `{}` stands twice: first at line {line}",
-                    shortened(name)
-                );
+                let line = self.source.place(first.start + self.offset..first.end + self.offset).line;
+                let message = format!("key `{}` stands twice: first at line {line}", shortened(name));
                 return Err(self.error(key_range(property), message, "keep one of them"));
             }
             map.insert(name.to_owned(), self.value(&property.value)?);

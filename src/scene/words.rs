@@ -4,13 +4,8 @@ use serde_json::Value as Json;
 
 /// The text on one line for a message, cut after 80 characters; control characters cannot reach a terminal.
 pub(super) fn shortened(text: &str) -> String {
-    let end = text
-        .char_indices()
-        .nth(80)
-        .map_or(text.len(), |(end, _)| end);
-    let shown = text[..end]
-        .chars()
-        .map(|c| if c.is_control() { '\u{fffd}' } else { c });
+    let end = text.char_indices().nth(80).map_or(text.len(), |(end, _)| end);
+    let shown = text[..end].chars().map(|c| if c.is_control() { '\u{fffd}' } else { c });
     let more = if end < text.len() { "…" } else { "" };
     shown.chain(more.chars()).collect()
 }
@@ -26,12 +21,7 @@ pub(super) fn number(value: f64) -> String {
 /// Names joined by commas; of many the first twelve.
 pub(super) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let mut names = names.into_iter();
-    let mut shown = names
-        .by_ref()
-        .take(12)
-        .map(shortened)
-        .collect::<Vec<_>>()
-        .join(", ");
+    let mut shown = names.by_ref().take(12).map(shortened).collect::<Vec<_>>().join(", ");
     if names.next().is_some() {
         shown.push_str(", …");
     }
@@ -55,11 +45,7 @@ pub(crate) fn nearest_within<'a>(
     for name in names.into_iter().take(4096) {
         let lower = name.to_lowercase();
         let begins = word.chars().count() >= 3 && lower.starts_with(&word);
-        let distance = if begins {
-            1
-        } else {
-            strsim::osa_distance(&word, &lower)
-        };
+        let distance = if begins { 1 } else { strsim::osa_distance(&word, &lower) };
         let slips = lower.chars().count().max(word.chars().count()) / letters;
         if (distance <= slips || begins) && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, name));
@@ -126,11 +112,7 @@ pub(super) fn plain(message: &str, path: &[&str], found: Option<&Json>) -> Plain
     }
     if let Some(rest) = message.strip_prefix("missing field `") {
         let key = rest.trim_end_matches('`');
-        return Plain {
-            message: format!("`{key}` is missing"),
-            hint: missing_hint(path, key),
-            key: None,
-        };
+        return Plain { message: format!("`{key}` is missing"), hint: missing_hint(path, key), key: None };
     }
     let typed = message.starts_with("invalid type") || message.starts_with("invalid value");
     match (message.rsplit_once(", expected "), found) {
@@ -145,36 +127,22 @@ pub(super) fn plain(message: &str, path: &[&str], found: Option<&Json>) -> Plain
                 other => other,
             };
             let message = format!("expected {expected}, found {}", describe(found));
-            Plain {
-                message,
-                hint: type_hint(expected, found),
-                key: None,
-            }
+            Plain { message, hint: type_hint(expected, found), key: None }
         }
-        _ => Plain {
-            message: message.to_owned(),
-            hint: None,
-            key: None,
-        },
+        _ => Plain { message: message.to_owned(), hint: None, key: None },
     }
 }
 
 /// The word and the names allowed in a message like ``unknown field `x`, expected one of `a`, `b` ``.
 fn unknown<'a>(message: &'a str, start: &str) -> Option<(&'a str, Vec<&'a str>)> {
     let rest = message.strip_prefix(start)?;
-    let (word, rest) = rest
-        .split_once("`, expected ")
-        .or_else(|| rest.split_once("`, there are "))?;
+    let (word, rest) = rest.split_once("`, expected ").or_else(|| rest.split_once("`, there are "))?;
     Some((word, rest.split('`').skip(1).step_by(2).collect()))
 }
 
 fn unknown_key(word: &str, names: &[&str]) -> Plain {
     let key = Some(word.to_owned());
-    let names = names
-        .iter()
-        .copied()
-        .filter(|name| !name.starts_with("kinegon"))
-        .chain(["note"]);
+    let names = names.iter().copied().filter(|name| !name.starts_with("kinegon")).chain(["note"]);
     Plain {
         message: format!("unknown key `{}`", shortened(word)),
         hint: suggestion(word, names, "the keys here are"),
@@ -200,9 +168,7 @@ fn type_hint(expected: &str, found: &Json) -> Option<String> {
     match found {
         Json::String(text) if expected.contains("number") => {
             let text = text.trim();
-            let number = text
-                .trim_end_matches(|c: char| !c.is_ascii_digit())
-                .trim_end();
+            let number = text.trim_end_matches(|c: char| !c.is_ascii_digit()).trim_end();
             let pointed = text.replacen(',', ".", 1);
             if text.parse::<f64>().is_ok_and(f64::is_finite) {
                 Some(format!("write {text} without quotes"))
@@ -213,9 +179,7 @@ fn type_hint(expected: &str, found: &Json) -> Option<String> {
             } else if expected.contains(" mm") {
                 Some(format!("write {number} without quotes"))
             } else {
-                Some(format!(
-                    "write {number} without quotes; units stand in `units`, angles are in degrees"
-                ))
+                Some(format!("write {number} without quotes; units stand in `units`, angles are in degrees"))
             }
         }
         Json::Number(number) if expected.contains("text") || expected.contains("name") => {

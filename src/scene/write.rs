@@ -104,9 +104,7 @@ fn written(value: &Written, depth: usize) -> String {
             }
         }
         Written::Object(Object(entries)) => {
-            let parts = entries
-                .iter()
-                .map(|(key, value)| format!("{}: {}", quoted(key), written(value, depth + 1)));
+            let parts = entries.iter().map(|(key, value)| format!("{}: {}", quoted(key), written(value, depth + 1)));
             let long = depth == 1 && entries.iter().any(|(_, value)| is_object(value));
             match depth == 0 || long {
                 true => in_lines(["{", "}"], parts, depth),
@@ -123,10 +121,7 @@ fn is_object(value: &Written) -> bool {
 /// The parts with a line each.
 fn in_lines([open, close]: [&str; 2], parts: impl Iterator<Item = String>, depth: usize) -> String {
     let line = format!("\n{}", "  ".repeat(depth));
-    format!(
-        "{open}{line}  {}{line}{close}",
-        joined(parts, &format!(",{line}  "))
-    )
+    format!("{open}{line}  {}{line}{close}", joined(parts, &format!(",{line}  ")))
 }
 
 fn joined(parts: impl Iterator<Item = String>, between: &str) -> String {

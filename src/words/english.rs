@@ -10,9 +10,7 @@ pub(super) const ENGLISH: Language = Language {
 
     choose_pole: |pole, scale| format!("Choose the pole {pole} and the scale {scale}."),
     choose_pole_with: |pole, scale, images| {
-        format!(
-            "Choose the pole {pole} and the scale {scale}; points at rest have their images there: {images}."
-        )
+        format!("Choose the pole {pole} and the scale {scale}; points at rest have their images there: {images}.")
     },
     special_point: |point, link, first, second| {
         format!("{point}, special point of link {link}: where {first} meets {second}.")
@@ -27,9 +25,7 @@ pub(super) const ENGLISH: Language = Language {
         format!("Lay off the velocity of {point}, normal to {arm}, in the sense of ω_{link}.")
     },
     lay_off_normal_acceleration: |point, pivot, link| {
-        format!(
-            "Lay off the acceleration of {point}, from {point} towards {pivot}: link {link} turns uniformly."
-        )
+        format!("Lay off the acceleration of {point}, from {point} towards {pivot}: link {link} turns uniformly.")
     },
     lay_off_whole_acceleration: |point, pivot, arm| {
         format!(
@@ -37,12 +33,8 @@ pub(super) const ENGLISH: Language = Language {
         )
     },
     lay_off_given: |vector| format!("Lay off the given vector {vector} from the pole."),
-    lay_off_point_under: |body, point| {
-        format!("Lay off the known vector of the point of {body} under {point}.")
-    },
-    ray_normal: |through, line, on_it| {
-        format!("Draw the ray through {through} normal to {line}; {on_it} lies on it.")
-    },
+    lay_off_point_under: |body, point| format!("Lay off the known vector of the point of {body} under {point}."),
+    ray_normal: |through, line, on_it| format!("Draw the ray through {through} normal to {line}; {on_it} lies on it."),
     ray_parallel: |through, line, on_it| {
         format!("Draw the ray through {through} parallel to the {line}; {on_it} lies on it.")
     },
@@ -65,27 +57,19 @@ pub(super) const ENGLISH: Language = Language {
         )
     },
     lay_off_relative: |link, point, from, arm| {
-        format!(
-            "From ω_{link}: lay off the velocity of {point} relative to {from}, normal to {arm}."
-        )
+        format!("From ω_{link}: lay off the velocity of {point} relative to {from}, normal to {arm}.")
     },
     lay_off_sliding_velocity: |slider, backwards, from, to| {
         let reversed = reversed(backwards);
-        format!(
-            "Lay off the sliding velocity of {slider}{reversed} along its guide, from {from} to {to}."
-        )
+        format!("Lay off the sliding velocity of {slider}{reversed} along its guide, from {from} to {to}.")
     },
     lay_off_sliding_acceleration: |slider, backwards, from, to| {
         let reversed = reversed(backwards);
-        format!(
-            "Lay off the sliding acceleration of {slider}{reversed} along its guide, from {from} to {to}."
-        )
+        format!("Lay off the sliding acceleration of {slider}{reversed} along its guide, from {from} to {to}.")
     },
     lay_off_coriolis: |slider, backwards, from, to| {
         let reversed = reversed(backwards);
-        format!(
-            "Lay off the Coriolis acceleration of {slider}{reversed}, normal to its guide, from {from} to {to}."
-        )
+        format!("Lay off the Coriolis acceleration of {slider}{reversed}, normal to its guide, from {from} to {to}.")
     },
 
     given: " given",
@@ -147,15 +131,9 @@ pub(super) const ENGLISH: Language = Language {
 
     scales: |scales| format!("Scales: {scales}"),
     scale_per_mm: |scale, value, unit| format!("{scale} = {value} {unit} per mm"),
-    bands: |mm, degrees| {
-        format!(
-            "± is what honest hand drawings (±{mm} mm, ±{degrees}°) keep to, at least 95 of 100."
-        )
-    },
+    bands: |mm, degrees| format!("± is what honest hand drawings (±{mm} mm, ±{degrees}°) keep to, at least 95 of 100."),
     no_band_no_construction: "A value has no ± where it depends on a group without a construction (a special point at infinity, or a higher class).",
-    no_band_no_sheet: |panel| {
-        format!("A value has no ± where the figure has no {panel}, so no scale.")
-    },
+    no_band_no_sheet: |panel| format!("A value has no ± where the figure has no {panel}, so no scale."),
     on_the_mechanism: "On the mechanism",
     routes_differ: |difference, allowed| {
         format!(

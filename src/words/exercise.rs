@@ -13,20 +13,14 @@ pub struct ExerciseWords {
 
 pub(super) const ENGLISH: ExerciseWords = ExerciseWords {
     given: |all| format!("Given: {all}."),
-    draw: |scales| {
-        format!("Draw the plans at {scales}. Measure, on this sheet too, and fill in the boxes.")
-    },
+    draw: |scales| format!("Draw the plans at {scales}. Measure, on this sheet too, and fill in the boxes."),
     rates: |all| format!("Rates, ± what a careful hand may be off by: {all}."),
     quantity: "quantity",
 };
 
 pub(super) const SPANISH: ExerciseWords = ExerciseWords {
     given: |all| format!("Datos: {all}."),
-    draw: |scales| {
-        format!(
-            "Dibujar los planos a {scales}. Medir, también en esta hoja, y rellenar las casillas."
-        )
-    },
+    draw: |scales| format!("Dibujar los planos a {scales}. Medir, también en esta hoja, y rellenar las casillas."),
     rates: |all| format!("Velocidades y aceleraciones, ± lo que admite una mano cuidadosa: {all}."),
     quantity: "magnitud",
 };

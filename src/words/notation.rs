@@ -29,26 +29,13 @@ pub(super) const PAPER: Notation = Notation {
 };
 
 /// C. E. Wilson, J. P. Sadler, *Kinematics and Dynamics of Machinery*, 3rd ed., Pearson 2003.
-pub(super) const ENGLISH: Notation = Notation {
-    velocity_pole: "o",
-    acceleration_pole: "o′",
-    primes: true,
-    ..PAPER
-};
+pub(super) const ENGLISH: Notation = Notation { velocity_pole: "o", acceleration_pole: "o′", primes: true, ..PAPER };
 
 /// K. V. Frolov (ed.), *Теория механизмов и машин*, Высшая школа, Moscow 1987.
-pub(super) const RUSSIAN: Notation = Notation {
-    tangential: "τ",
-    coriolis: "k",
-    ..PAPER
-};
+pub(super) const RUSSIAN: Notation = Notation { tangential: "τ", coriolis: "k", ..PAPER };
 
 /// H. Kerle, B. Corves, M. Hüsing, *Getriebetechnik*, 5th ed., Springer Vieweg 2015.
-pub(super) const GERMAN: Notation = Notation {
-    velocity_pole: "P_{v}",
-    acceleration_pole: "P_{a}",
-    ..PAPER
-};
+pub(super) const GERMAN: Notation = Notation { velocity_pole: "P_{v}", acceleration_pole: "P_{a}", ..PAPER };
 
 /// A name with a prime after its letter: `b′`, `d′_2`, `s′3`.
 #[must_use]
@@ -65,13 +52,8 @@ mod tests {
 
     #[test]
     fn primes_stand_by_the_letter() {
-        for (name, primed) in [
-            ("b", "b′"),
-            ("s3", "s′3"),
-            ("d_2", "d′_2"),
-            ("s_{24}", "s′_{24}"),
-            ("b'", "b'′"),
-        ] {
+        for (name, primed) in [("b", "b′"), ("s3", "s′3"), ("d_2", "d′_2"), ("s_{24}", "s′_{24}"), ("b'", "b'′")]
+        {
             assert_eq!(with_prime(name), primed);
         }
     }

@@ -10,9 +10,7 @@ pub(super) const SPANISH: Language = Language {
 
     choose_pole: |pole, scale| format!("Elegir el polo {pole} y la escala {scale}."),
     choose_pole_with: |pole, scale, images| {
-        format!(
-            "Elegir el polo {pole} y la escala {scale}; los puntos en reposo tienen allí sus imágenes: {images}."
-        )
+        format!("Elegir el polo {pole} y la escala {scale}; los puntos en reposo tienen allí sus imágenes: {images}.")
     },
     special_point: |point, link, first, second| {
         format!("{point}, punto especial del eslabón {link}: donde se cortan {first} y {second}.")
@@ -27,9 +25,7 @@ pub(super) const SPANISH: Language = Language {
         format!("Trazar la velocidad de {point}, normal a {arm}, en el sentido de ω_{link}.")
     },
     lay_off_normal_acceleration: |point, pivot, link| {
-        format!(
-            "Trazar la aceleración de {point}, de {point} hacia {pivot}: el eslabón {link} gira uniformemente."
-        )
+        format!("Trazar la aceleración de {point}, de {point} hacia {pivot}: el eslabón {link} gira uniformemente.")
     },
     lay_off_whole_acceleration: |point, pivot, arm| {
         format!(
@@ -37,9 +33,7 @@ pub(super) const SPANISH: Language = Language {
         )
     },
     lay_off_given: |vector| format!("Trazar desde el polo el vector dado {vector}."),
-    lay_off_point_under: |body, point| {
-        format!("Trazar el vector conocido del punto de {body} situado bajo {point}.")
-    },
+    lay_off_point_under: |body, point| format!("Trazar el vector conocido del punto de {body} situado bajo {point}."),
     ray_normal: |through, line, on_it| {
         format!("Trazar por {through} la recta normal a {line}; {on_it} está sobre ella.")
     },
@@ -69,21 +63,15 @@ pub(super) const SPANISH: Language = Language {
     },
     lay_off_sliding_velocity: |slider, backwards, from, to| {
         let reversed = reversed(backwards);
-        format!(
-            "Trazar la velocidad de deslizamiento de {slider}{reversed} a lo largo de su guía, de {from} a {to}."
-        )
+        format!("Trazar la velocidad de deslizamiento de {slider}{reversed} a lo largo de su guía, de {from} a {to}.")
     },
     lay_off_sliding_acceleration: |slider, backwards, from, to| {
         let reversed = reversed(backwards);
-        format!(
-            "Trazar la aceleración de deslizamiento de {slider}{reversed} a lo largo de su guía, de {from} a {to}."
-        )
+        format!("Trazar la aceleración de deslizamiento de {slider}{reversed} a lo largo de su guía, de {from} a {to}.")
     },
     lay_off_coriolis: |slider, backwards, from, to| {
         let reversed = reversed(backwards);
-        format!(
-            "Trazar la aceleración de Coriolis de {slider}{reversed}, normal a su guía, de {from} a {to}."
-        )
+        format!("Trazar la aceleración de Coriolis de {slider}{reversed}, normal a su guía, de {from} a {to}.")
     },
 
     given: " (dado)",
@@ -146,9 +134,7 @@ pub(super) const SPANISH: Language = Language {
     scales: |scales| format!("Escalas: {scales}"),
     scale_per_mm: |scale, value, unit| format!("{scale} = {value} {unit} por mm"),
     bands: |mm, degrees| {
-        format!(
-            "± es lo que cumplen los dibujos a mano cuidadosos (±{mm} mm, ±{degrees}°), al menos 95 de 100."
-        )
+        format!("± es lo que cumplen los dibujos a mano cuidadosos (±{mm} mm, ±{degrees}°), al menos 95 de 100.")
     },
     no_band_no_construction: "Un valor no tiene ± cuando depende de un grupo sin construcción (un punto especial en el infinito, o una clase superior).",
     no_band_no_sheet: |panel| {

@@ -47,13 +47,7 @@ impl Browser {
             Some(format!("ws://127.0.0.1:{port}{path}"))
         });
         let (socket, _) = tungstenite::connect(address).expect("the browser answers");
-        let mut browser = Browser {
-            process,
-            socket,
-            session: String::new(),
-            last: 0,
-            errors: Vec::new(),
-        };
+        let mut browser = Browser { process, socket, session: String::new(), last: 0, errors: Vec::new() };
         let target = wait(|| {
             let targets = browser.call("Target.getTargets", json!({}));
             let mut targets = targets["targetInfos"].as_array()?.iter();
@@ -62,10 +56,7 @@ impl Browser {
         });
         let attach = json!({ "targetId": target, "flatten": true });
         let attached = browser.call("Target.attachToTarget", attach);
-        browser.session = attached["sessionId"]
-            .as_str()
-            .expect("a session")
-            .to_owned();
+        browser.session = attached["sessionId"].as_str().expect("a session").to_owned();
         for domain in ["Runtime.enable", "Log.enable", "Page.enable"] {
             browser.call(domain, json!({}));
         }
@@ -110,8 +101,7 @@ impl Browser {
 
     /// The value of an expression in the page; a promise's value.
     pub fn value(&mut self, expression: &str) -> Value {
-        let asked =
-            json!({ "expression": expression, "returnByValue": true, "awaitPromise": true });
+        let asked = json!({ "expression": expression, "returnByValue": true, "awaitPromise": true });
         let answer = self.call("Runtime.evaluate", asked);
         let thrown = &answer["exceptionDetails"];
         assert!(thrown.is_null(), "{expression}: {thrown}");
@@ -136,11 +126,7 @@ impl Browser {
 
     /// Presses the mouse at a place, moves to another, and lets go.
     pub fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
-        for (kind, [x, y]) in [
-            ("mousePressed", from),
-            ("mouseMoved", to),
-            ("mouseReleased", to),
-        ] {
+        for (kind, [x, y]) in [("mousePressed", from), ("mouseMoved", to), ("mouseReleased", to)] {
             let event = json!({ "type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1 });
             self.call("Input.dispatchMouseEvent", event);
         }

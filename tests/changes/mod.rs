@@ -28,14 +28,7 @@ pub struct Change<'a> {
 
 impl Default for Change<'_> {
     fn default() -> Self {
-        Change {
-            place: &|p| p,
-            vector: &|v| v,
-            length: 1.0,
-            order: [1.0, 1.0],
-            turn: 1.0,
-            names: Names::default(),
-        }
+        Change { place: &|p| p, vector: &|v| v, length: 1.0, order: [1.0, 1.0], turn: 1.0, names: Names::default() }
     }
 }
 
@@ -50,30 +43,18 @@ pub struct Sizes {
 
 impl Sizes {
     pub fn of(result: &ResultFile) -> Sizes {
-        let largest =
-            |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |m: f64, x| m.max(x.abs()));
-        let named = || {
-            result
-                .points
-                .iter()
-                .filter(|(_, p)| p.on.is_none())
-                .map(|(_, p)| p)
-        };
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |m: f64, x| m.max(x.abs()));
+        let named = || result.points.iter().filter(|(_, p)| p.on.is_none()).map(|(_, p)| p);
         let places: Vec<Pair> = named().filter_map(|p| p.position).collect();
         let spread = |axis: usize| {
-            let (low, high) = places.iter().fold((f64::MAX, f64::MIN), |(l, h), p| {
-                (l.min(p[axis]), h.max(p[axis]))
-            });
+            let (low, high) = places.iter().fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p[axis]), h.max(p[axis])));
             high - low
         };
         let omega = largest(&mut result.links.values().map(|l| l.omega));
         let alpha = largest(&mut result.links.values().filter_map(|l| l.alpha));
         let length = spread(0).max(spread(1));
         let velocity = largest(
-            &mut named()
-                .filter_map(|p| p.velocity)
-                .flatten()
-                .chain(result.sliders.values().map(|s| s.velocity)),
+            &mut named().filter_map(|p| p.velocity).flatten().chain(result.sliders.values().map(|s| s.velocity)),
         );
         let acceleration = largest(
             &mut named()
@@ -81,13 +62,7 @@ impl Sizes {
                 .flatten()
                 .chain(result.sliders.values().filter_map(|s| s.acceleration)),
         );
-        Sizes {
-            omega,
-            alpha,
-            length,
-            velocity,
-            acceleration,
-        }
+        Sizes { omega, alpha, length, velocity, acceleration }
     }
 }
 
@@ -110,11 +85,7 @@ impl Differences {
     pub fn see(&mut self, what: &str, difference: f64, scale: f64) {
         let measured = ratio(difference, scale * self.unit);
         let accelerates = what.starts_with('a');
-        let worst = if accelerates {
-            &mut self.acceleration
-        } else {
-            &mut self.velocity
-        };
+        let worst = if accelerates { &mut self.acceleration } else { &mut self.velocity };
         keep_worst(worst, measured, what);
     }
 
@@ -131,30 +102,17 @@ impl Differences {
         let difference = got.0 - want.0;
         // The changes of a result round once themselves.
         let rounding = 2.0 * U * want.0.abs();
-        keep_worst(
-            &mut self.stated,
-            ratio(
-                difference,
-                got.1 + want.1 + rounding + self.placing * largest,
-            ),
-            what,
-        );
+        keep_worst(&mut self.stated, ratio(difference, got.1 + want.1 + rounding + self.placing * largest), what);
     }
 
     pub fn merge(&mut self, other: Differences) {
         keep_worst(&mut self.velocity, other.velocity.0, &other.velocity.1);
-        keep_worst(
-            &mut self.acceleration,
-            other.acceleration.0,
-            &other.acceleration.1,
-        );
+        keep_worst(&mut self.acceleration, other.acceleration.0, &other.acceleration.1);
         keep_worst(&mut self.stated, other.stated.0, &other.stated.1);
     }
 
     pub fn small(&self) -> bool {
-        self.velocity.0 <= BOUND
-            && self.acceleration.0 <= ACCELERATION_BOUND
-            && self.stated.0 <= 1.0
+        self.velocity.0 <= BOUND && self.acceleration.0 <= ACCELERATION_BOUND && self.stated.0 <= 1.0
     }
 }
 
@@ -170,11 +128,7 @@ impl std::fmt::Display for Differences {
 }
 
 pub fn ratio(difference: f64, to: f64) -> f64 {
-    if difference == 0.0 {
-        0.0
-    } else {
-        difference.abs() / to
-    }
+    if difference == 0.0 { 0.0 } else { difference.abs() / to }
 }
 
 /// Keeps the larger one with its name; a NaN is the worst of all.
@@ -185,18 +139,8 @@ pub fn keep_worst(worst: &mut (f64, String), measured: f64, what: &str) {
 }
 
 /// Compares them in units of `unit`; `placing` is what places that are found add to rates.
-pub fn compare(
-    before: &ResultFile,
-    after: &ResultFile,
-    change: &Change<'_>,
-    unit: f64,
-    placing: f64,
-) -> Differences {
-    let mut seen = Differences {
-        unit,
-        placing,
-        ..Differences::default()
-    };
+pub fn compare(before: &ResultFile, after: &ResultFile, change: &Change<'_>, unit: f64, placing: f64) -> Differences {
+    let mut seen = Differences { unit, placing, ..Differences::default() };
     let sizes = Sizes::of(after);
     let names = &change.names;
     let [first, second] = change.order;
@@ -205,12 +149,7 @@ pub fn compare(
         let got = &after.links[&names.link(name)];
         let by = first * change.turn;
         let want = (link.omega * by, link.omega_error * first.abs());
-        seen.see_rate(
-            &format!("omega({name})"),
-            (got.omega, got.omega_error),
-            want,
-            sizes.omega,
-        );
+        seen.see_rate(&format!("omega({name})"), (got.omega, got.omega_error), want, sizes.omega);
         let by = second * change.turn;
         let want = (option(link.alpha) * by, option(link.alpha_error) * second);
         let got = (option(got.alpha), option(got.alpha_error));
@@ -224,19 +163,11 @@ pub fn compare(
         let got = (after.velocity, after.velocity_error);
         seen.see_rate(&format!("v_r({name})"), got, want, sizes.velocity);
         let by = second * change.length;
-        let want = (
-            option(slider.acceleration) * by,
-            option(slider.acceleration_error) * by,
-        );
+        let want = (option(slider.acceleration) * by, option(slider.acceleration_error) * by);
         let got = (option(after.acceleration), option(after.acceleration_error));
         seen.see_rate(&format!("a_r({name})"), got, want, sizes.acceleration);
         let coriolis = slider.coriolis.map(|c| times((change.vector)(c), second));
-        seen.see_pair(
-            &format!("a_c({name})"),
-            after.coriolis,
-            coriolis,
-            sizes.acceleration,
-        );
+        seen.see_pair(&format!("a_c({name})"), after.coriolis, coriolis, sizes.acceleration);
     }
     // Any joint: what counts is how many sizes of the mechanism a special point is away.
     let (_, home) = after.points.first().expect("there are joints");
@@ -269,18 +200,8 @@ pub fn compare(
             point.position.map(|p| (change.place)(p)),
             sizes.length,
         );
-        seen.see_pair(
-            &format!("v({name})"),
-            got.velocity,
-            motion(point.velocity, first),
-            sizes.velocity,
-        );
-        seen.see_pair(
-            &format!("a({name})"),
-            got.acceleration,
-            motion(point.acceleration, second),
-            sizes.acceleration,
-        );
+        seen.see_pair(&format!("v({name})"), got.velocity, motion(point.velocity, first), sizes.velocity);
+        seen.see_pair(&format!("a({name})"), got.acceleration, motion(point.acceleration, second), sizes.acceleration);
     }
     seen
 }
@@ -288,12 +209,9 @@ pub fn compare(
 /// The one or two links after which a special point is named.
 fn legs<'a>(links: &'a str, result: &ResultFile) -> [&'a str; 2] {
     let is_link = |name: &str| name.is_empty() || result.links.contains_key(name);
-    let mut cuts = (1..=links.len())
-        .rev()
-        .filter_map(|at| links.split_at_checked(at));
+    let mut cuts = (1..=links.len()).rev().filter_map(|at| links.split_at_checked(at));
     let cut = cuts.find(|(a, b)| is_link(a) && is_link(b));
-    cut.unwrap_or_else(|| panic!("S{links} is named after no link"))
-        .into()
+    cut.unwrap_or_else(|| panic!("S{links} is named after no link")).into()
 }
 
 /// A special point's error grows with the square of its distance; very far away it may turn into a direction.
@@ -310,11 +228,7 @@ pub fn special(
     let expected = before.position.map(|p| (change.place)(p));
     let (Some(want), Some(place)) = (expected, got.position) else {
         if let Some(place) = expected.or(got.position) {
-            seen.see(
-                &format!("{name} at infinity"),
-                if far(place) > 1e8 { 0.0 } else { f64::INFINITY },
-                1.0,
-            );
+            seen.see(&format!("{name} at infinity"), if far(place) > 1e8 { 0.0 } else { f64::INFINITY }, 1.0);
         }
         return;
     };
@@ -326,22 +240,7 @@ pub fn special(
     let motion = |value: Option<Pair>, by: f64| value.map(|v| times((change.vector)(v), by));
     // It is the motion of the link there, so a blurred place blurs it.
     let omega = sizes.omega;
-    let rates = [
-        sizes.velocity.max(blur * omega),
-        sizes
-            .acceleration
-            .max(blur * sizes.alpha.max(omega * omega)),
-    ];
-    seen.see_pair(
-        &format!("v({name})"),
-        got.velocity,
-        motion(before.velocity, first),
-        rates[0],
-    );
-    seen.see_pair(
-        &format!("a({name})"),
-        got.acceleration,
-        motion(before.acceleration, second),
-        rates[1],
-    );
+    let rates = [sizes.velocity.max(blur * omega), sizes.acceleration.max(blur * sizes.alpha.max(omega * omega))];
+    seen.see_pair(&format!("v({name})"), got.velocity, motion(before.velocity, first), rates[0]);
+    seen.see_pair(&format!("a({name})"), got.acceleration, motion(before.acceleration, second), rates[1]);
 }

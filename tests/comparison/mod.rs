@@ -12,10 +12,7 @@ use crate::exact::{Exact, minus};
 const NEXT_TO_INFINITY: f64 = 1e8;
 
 pub fn entries(json: &Value) -> impl Iterator<Item = (&str, &Value)> {
-    json.as_object()
-        .into_iter()
-        .flatten()
-        .map(|(k, v)| (k.as_str(), v))
+    json.as_object().into_iter().flatten().map(|(k, v)| (k.as_str(), v))
 }
 
 /// As in results: the cases write the guide's body only where a link has several sliders.
@@ -42,11 +39,8 @@ enum Kind {
     Acceleration,
 }
 
-const MOTIONS: [(&str, Kind); 3] = [
-    ("position", Kind::Position),
-    ("velocity", Kind::Velocity),
-    ("acceleration", Kind::Acceleration),
-];
+const MOTIONS: [(&str, Kind); 3] =
+    [("position", Kind::Position), ("velocity", Kind::Velocity), ("acceleration", Kind::Acceleration)];
 
 struct Scales {
     of: BTreeMap<Kind, f64>,
@@ -68,11 +62,7 @@ impl Scales {
         let points = || entries(&expect["points"]).chain(entries(&expect["coincident"]));
         for (_, point) in points() {
             for (key, kind) in MOTIONS {
-                point[key]
-                    .as_array()
-                    .into_iter()
-                    .flatten()
-                    .for_each(|v| put(kind, v));
+                point[key].as_array().into_iter().flatten().for_each(|v| put(kind, v));
             }
         }
         for (_, slider) in entries(&expect["sliders"]) {
@@ -85,9 +75,7 @@ impl Scales {
         let get = |kind| scale_or_zero(&of, kind);
         let (omega, alpha) = (get(Kind::Omega), get(Kind::Alpha));
         let velocity = get(Kind::Velocity).max(omega * length);
-        let acceleration = get(Kind::Acceleration)
-            .max(alpha * length)
-            .max(omega * omega * length);
+        let acceleration = get(Kind::Acceleration).max(alpha * length).max(omega * omega * length);
         let fallback = [
             (Kind::Omega, velocity / length),
             (Kind::Velocity, velocity),
@@ -132,14 +120,7 @@ pub struct Comparison<'a> {
 
 impl<'a> Comparison<'a> {
     pub fn new(expect: &'a Value, scene: &'a Value, result: &'a ResultFile) -> Self {
-        Comparison {
-            expect,
-            scene,
-            result,
-            scales: Scales::new(expect),
-            errors: Vec::new(),
-            problems: Vec::new(),
-        }
+        Comparison { expect, scene, result, scales: Scales::new(expect), errors: Vec::new(), problems: Vec::new() }
     }
 
     pub fn all(&mut self) {
@@ -149,18 +130,8 @@ impl<'a> Comparison<'a> {
                 self.problems.push(format!("no link {name}"));
                 continue;
             };
-            self.number(
-                Kind::Omega,
-                format!("omega({name})"),
-                Some(link.omega),
-                &truth["omega"],
-            );
-            self.number(
-                Kind::Alpha,
-                format!("alpha({name})"),
-                link.alpha,
-                &truth["alpha"],
-            );
+            self.number(Kind::Omega, format!("omega({name})"), Some(link.omega), &truth["omega"]);
+            self.number(Kind::Alpha, format!("alpha({name})"), link.alpha, &truth["alpha"]);
             if let Some(angle) = truth.get("angle") {
                 self.angle(format!("angle({name})"), link.angle, decimal(angle));
             }
@@ -189,18 +160,12 @@ impl<'a> Comparison<'a> {
             return;
         };
         let scale = approximate(truth).abs().max(self.scales.of[&kind]);
-        self.errors
-            .push((minus(x, decimal(truth)).abs() / scale, what));
+        self.errors.push((minus(x, decimal(truth)).abs() / scale, what));
     }
 
     fn pair(&mut self, kind: Kind, what: &str, got: Option<[f64; 2]>, truth: &Value) {
         for (axis, name) in ["x", "y"].into_iter().enumerate() {
-            self.number(
-                kind,
-                format!("{what}.{name}"),
-                got.map(|v| v[axis]),
-                &truth[axis],
-            );
+            self.number(kind, format!("{what}.{name}"), got.map(|v| v[axis]), &truth[axis]);
         }
     }
 
@@ -235,8 +200,7 @@ impl<'a> Comparison<'a> {
             return;
         };
         if truth["on"].as_str() != Some(slider.on.as_str()) {
-            self.problems
-                .push(format!("slider {name} is on {}", slider.on));
+            self.problems.push(format!("slider {name} is on {}", slider.on));
         }
         let values = [Some(slider.velocity), slider.acceleration, slider.position];
         let keys = [MOTIONS[1], MOTIONS[2], MOTIONS[0]];
@@ -246,15 +210,8 @@ impl<'a> Comparison<'a> {
             }
         }
         // The truth is signed along the turned guide; the result is a vector: sizes are compared.
-        let coriolis = slider
-            .coriolis
-            .map(|[x, y]| libm::hypot(x, y).copysign(approximate(&truth["coriolis"])));
-        self.number(
-            Kind::Acceleration,
-            format!("coriolis of {name}"),
-            coriolis,
-            &truth["coriolis"],
-        );
+        let coriolis = slider.coriolis.map(|[x, y]| libm::hypot(x, y).copysign(approximate(&truth["coriolis"])));
+        self.number(Kind::Acceleration, format!("coriolis of {name}"), coriolis, &truth["coriolis"]);
     }
 
     /// The place, whose error grows with the square of its distance, and its motion: that of its link wherever the result puts it.
@@ -278,8 +235,7 @@ impl<'a> Comparison<'a> {
         let Some(truth_place) = truth.get("position").map(read_pair) else {
             let Some(direction) = got.at_infinity else {
                 let place = got.position;
-                self.problems
-                    .push(format!("{name} is at infinity, not at {place:?}"));
+                self.problems.push(format!("{name} is at infinity, not at {place:?}"));
                 return;
             };
             let [x, y] = read_pair(&truth["at_infinity"]);
@@ -297,39 +253,20 @@ impl<'a> Comparison<'a> {
         };
         let far = distance(truth_place).max(1.0);
         let scale = (size * far * far).max(length(truth_place));
-        self.errors.push((
-            length(differ(place, truth_place)) / scale,
-            format!("position of {name}"),
-        ));
+        self.errors.push((length(differ(place, truth_place)) / scale, format!("position of {name}")));
         self.special_motion(name, got, own, place, &self.expect["links"][link]);
     }
 
-    fn special_motion(
-        &mut self,
-        name: &str,
-        got: &PointResult,
-        own: &Value,
-        place: [Exact; 2],
-        link: &Value,
-    ) {
+    fn special_motion(&mut self, name: &str, got: &PointResult, own: &Value, place: [Exact; 2], link: &Value) {
         let arm = differ(place, read_pair(&own["position"]));
-        let (omega, alpha) = (
-            Exact::read(decimal(&link["omega"])),
-            Exact::read(decimal(&link["alpha"])),
-        );
+        let (omega, alpha) = (Exact::read(decimal(&link["omega"])), Exact::read(decimal(&link["alpha"])));
         let [v, a] = ["velocity", "acceleration"].map(|key| read_pair(&own[key]));
         let velocity = [v[0] - omega * arm[1], v[1] + omega * arm[0]];
         let square = omega * omega;
-        let acceleration = [
-            a[0] - alpha * arm[1] - square * arm[0],
-            a[1] + alpha * arm[0] - square * arm[1],
-        ];
+        let acceleration = [a[0] - alpha * arm[1] - square * arm[0], a[1] + alpha * arm[0] - square * arm[1]];
         let reach = length(arm).max(length(place));
         let of = &self.scales.of;
-        let rates = [
-            of[&Kind::Omega],
-            of[&Kind::Alpha].max(of[&Kind::Omega].powi(2)),
-        ];
+        let rates = [of[&Kind::Omega], of[&Kind::Alpha].max(of[&Kind::Omega].powi(2))];
         let kinds = [Kind::Velocity, Kind::Acceleration];
         for ((kind, truth), rate) in kinds.into_iter().zip([velocity, acceleration]).zip(rates) {
             let Some(value) = part(got, kind) else {
@@ -345,15 +282,8 @@ impl<'a> Comparison<'a> {
 
 /// By how many degrees an angle is wrong, whole turns aside.
 pub fn angle_error(x: f64, truth: &str) -> f64 {
-    let turned = |by: f64| {
-        (Exact::from(x) + Exact::from(by) - Exact::read(truth))
-            .rounded()
-            .abs()
-    };
-    [-720.0, -360.0, 0.0, 360.0, 720.0]
-        .map(turned)
-        .into_iter()
-        .fold(f64::MAX, f64::min)
+    let turned = |by: f64| (Exact::from(x) + Exact::from(by) - Exact::read(truth)).rounded().abs();
+    [-720.0, -360.0, 0.0, 360.0, 720.0].map(turned).into_iter().fold(f64::MAX, f64::min)
 }
 
 fn part(point: &PointResult, kind: Kind) -> Option<[f64; 2]> {

@@ -90,8 +90,7 @@ impl Seen {
             };
             let here = position.pose();
             if let Some(before) = before {
-                let mut all =
-                    poses(&standing(path.mechanism, &here), &Near::default()).unwrap_or_default();
+                let mut all = poses(&standing(path.mechanism, &here), &Near::default()).unwrap_or_default();
                 all.sort_by(|a, b| distance(a, &before).total_cmp(&distance(b, &before)));
                 let away = |i: usize| all.get(i).map_or(f64::INFINITY, |p| distance(p, &before));
                 if away(0) < (away(1) / CLEARLY).min(0.2 * size) {
@@ -120,8 +119,7 @@ impl Seen {
                 self.turns += 1;
                 continue;
             };
-            let [inside, outside] =
-                [-beyond, beyond].map(|by| modes(path.mechanism, end.at + by).len());
+            let [inside, outside] = [-beyond, beyond].map(|by| modes(path.mechanism, end.at + by).len());
             match end.what {
                 Happening::Limit { .. } if inside == outside + 2 => self.limits += 1,
                 Happening::RunsOff { .. } if inside == outside => self.run_off += 1,
@@ -149,17 +147,14 @@ impl Seen {
                 let (here, there) = (walker.position(value), others.position(value));
                 match (here, there) {
                     (Some(a), Some(b)) => self.same(&a.pose(), &b.pose(), size, value),
-                    _ => self
-                        .problems
-                        .push(format!("from {start}: no position at {value}")),
+                    _ => self.problems.push(format!("from {start}: no position at {value}")),
                 }
             }
             for above in [false, true] {
                 let [a, b] = [path, &other].map(|p| p.end(above).map(|e| e.at));
                 let apart = a.zip(b).map(|(a, b)| (a - b).abs());
                 if a.is_some() && !apart.is_some_and(|apart| apart < 1e-12 * TURN) {
-                    self.problems
-                        .push(format!("from {start}: it ends at {b:?}, not {a:?}"));
+                    self.problems.push(format!("from {start}: it ends at {b:?}, not {a:?}"));
                 }
             }
         }
@@ -187,12 +182,7 @@ fn follow(class: &str, seed: u64) {
         seen.is_nearest(&path, size);
         seen.ends(&path);
         seen.starts_anywhere(&path, size);
-        let turns_back = |e: &Event| {
-            matches!(
-                e.what,
-                Happening::TurnsBack { .. } | Happening::SlidesBack { .. }
-            )
-        };
+        let turns_back = |e: &Event| matches!(e.what, Happening::TurnsBack { .. } | Happening::SlidesBack { .. });
         if let Some(event) = path.events().iter().find(|e| !e.is_end() && !turns_back(e)) {
             seen.problems.push(format!("{event:?}"));
         }
@@ -200,15 +190,7 @@ fn follow(class: &str, seed: u64) {
             seen.problems.push(format!("{kinds}\n{}", planted.scene()));
         }
     }
-    let Seen {
-        positions,
-        unclear,
-        turns,
-        limits,
-        run_off,
-        largest_error,
-        ..
-    } = seen;
+    let Seen { positions, unclear, turns, limits, run_off, largest_error, .. } = seen;
     println!(
         "{class}: {positions} positions, {unclear} unclear, largest error {largest_error:.1e}; \
          ends: {turns} full turns, {limits} limits, {run_off} to infinity"
@@ -242,16 +224,8 @@ fn starting_scenes() {
         let mut seen = Seen::default();
         let size = span(pose.points.iter().copied());
         seen.is_nearest(&followed(&mechanism, &pose), size);
-        let Seen {
-            positions,
-            unclear,
-            largest_error,
-            problems,
-            ..
-        } = seen;
-        println!(
-            "{name}: {positions} positions, {unclear} unclear, largest error {largest_error:.1e}"
-        );
+        let Seen { positions, unclear, largest_error, problems, .. } = seen;
+        println!("{name}: {positions} positions, {unclear} unclear, largest error {largest_error:.1e}");
         assert!(problems.is_empty(), "{name}: {}", problems.join("\n"));
         assert!(unclear * 20 < positions, "{name}");
     }

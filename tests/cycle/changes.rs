@@ -18,21 +18,13 @@ fn changes(path: &Path, expected: &[f64]) -> Vec<f64> {
     let events = path.events().into_iter();
     let found = events.filter(|e| matches!(e.what, Happening::Change { .. }));
     let found: Vec<f64> = found.map(|e| e.at).collect();
-    let off = |at: f64| {
-        expected
-            .iter()
-            .map(|e| apart(*e, at))
-            .fold(f64::MAX, f64::min)
-    };
+    let off = |at: f64| expected.iter().map(|e| apart(*e, at)).fold(f64::MAX, f64::min);
     for at in &found {
         assert!(off(*at) < LOCATED * TURN, "{at} {expected:?}");
     }
     let within = |at: &f64| (path.low()..=path.high()).contains(at);
     let turns = (-2..4).map(|turn| f64::from(turn) * TURN);
-    let count = turns
-        .flat_map(|t| expected.iter().map(move |e| e + t))
-        .filter(within)
-        .count();
+    let count = turns.flat_map(|t| expected.iter().map(move |e| e + t)).filter(within).count();
     assert_eq!(found.len(), count, "{found:?}");
     found
 }
@@ -54,19 +46,13 @@ fn four_bars() {
         ([0.7, 1.1, 1.3, 0.9], &[0.0]),
     ];
     for ([crank, coupler, rocker, ground], expected) in bars {
-        let bar = FourBar {
-            crank,
-            coupler,
-            rocker,
-            ground,
-        };
+        let bar = FourBar { crank, coupler, rocker, ground };
         for hand in [1.0, -1.0] {
             for start in [50.0, 230.0, 359.0] {
                 let (place, _) = bar.joint(start, hand).expect("it can be assembled");
                 let (mechanism, pose) = posed(&bar.scene(start, place));
                 let mut path = path(&mechanism, &pose);
-                path.cover(Some(-300.0), Some(700.0))
-                    .expect("it can be followed");
+                path.cover(Some(-300.0), Some(700.0)).expect("it can be followed");
                 let found = changes(&path, expected);
                 let joint = mechanism.point("C").expect("a point");
                 let size = crank + coupler + rocker + ground;
@@ -74,22 +60,15 @@ fn four_bars() {
                 for value in (-3000..7000).map(|k| 0.1 * f64::from(k)) {
                     let passed = found.iter().filter(|at| (start < **at) != (value < **at));
                     let hand = if passed.count() % 2 == 0 { hand } else { -hand };
-                    let away = found
-                        .iter()
-                        .map(|at| (at - value).abs())
-                        .fold(f64::MAX, f64::min);
+                    let away = found.iter().map(|at| (at - value).abs()).fold(f64::MAX, f64::min);
                     let position = walker.position(value);
                     assert_eq!(position.is_none(), away < BLANK * TURN, "{bar:?} {value}");
-                    let (Some(position), Some((place, sine))) = (position, bar.joint(value, hand))
-                    else {
+                    let (Some(position), Some((place, sine))) = (position, bar.joint(value, hand)) else {
                         continue;
                     };
                     let got = position.place(joint);
                     let off = libm::hypot(got.x - place[0], got.y - place[1]) / size;
-                    assert!(
-                        off < 20.0 * U / sine,
-                        "{bar:?} {hand} from {start} at {value}: {off:e}"
-                    );
+                    assert!(off < 20.0 * U / sine, "{bar:?} {hand} from {start} at {value}: {off:e}");
                 }
             }
         }
@@ -98,12 +77,7 @@ fn four_bars() {
 
 /// A parallelogram at a crank angle of 50°.
 pub fn parallelogram() -> String {
-    let bar = FourBar {
-        crank: 30.0,
-        coupler: 80.0,
-        rocker: 30.0,
-        ground: 80.0,
-    };
+    let bar = FourBar { crank: 30.0, coupler: 80.0, rocker: 30.0, ground: 80.0 };
     let (place, _) = bar.joint(50.0, 1.0).expect("it can be assembled");
     bar.scene(50.0, place)
 }
@@ -113,20 +87,14 @@ pub fn parallelogram() -> String {
 fn a_parallelogram() {
     let (mechanism, pose) = posed(&parallelogram());
     let mut path = path(&mechanism, &pose);
-    path.cover(Some(50.0), Some(770.0))
-        .expect("it can be followed");
+    path.cover(Some(50.0), Some(770.0)).expect("it can be followed");
     let [coupler, rocker] = ["2", "3"].map(|name| mechanism.link(name).expect("a link"));
     let mut walker = path.walker();
     for value in (500..7700).map(|k| 0.1 * f64::from(k) + 0.04) {
         let position = walker.position(value).expect("it is on the path");
         let sine = libm::sin(value.to_radians()).abs();
         let [omega, alpha] = position.spin(rocker);
-        let off = [
-            omega - 1.0,
-            alpha,
-            position.spin(coupler)[0],
-            position.spin(coupler)[1],
-        ];
+        let off = [omega - 1.0, alpha, position.spin(coupler)[0], position.spin(coupler)[1]];
         let allowed = [2, 3, 2, 3].map(|power| 40.0 * U / sine.powi(power));
         for k in 0..4 {
             assert!(off[k].abs() < allowed[k], "{value}: {off:?} {allowed:?}");
@@ -141,14 +109,10 @@ fn a_rod_as_long_as_the_crank() {
         let scene = slider_crank(50.0, 50.0, 0.0, [TURNS, ""]);
         let place = if stays { [0.0, 0.0] } else { [100.0, 0.0] };
         let near = format!("\"near\": {{ \"C\": {place:?} }} }}");
-        let scene = format!(
-            "{}{near}",
-            &scene[..scene.find("\"near\"").expect("it has one")]
-        );
+        let scene = format!("{}{near}", &scene[..scene.find("\"near\"").expect("it has one")]);
         let (mechanism, pose) = posed(&scene);
         let mut path = path(&mechanism, &pose);
-        path.cover(Some(2.0), Some(722.0))
-            .expect("it can be followed");
+        path.cover(Some(2.0), Some(722.0)).expect("it can be followed");
         changes(&path, &[90.0, 270.0]);
         let piston = SliderId(0);
         let mut walker = path.walker();
@@ -158,17 +122,10 @@ fn a_rod_as_long_as_the_crank() {
             let factor = if stays { 0.0 } else { 100.0 };
             let expected = [cosine, -sine, -cosine].map(|x| factor * x);
             let [speed, second] = position.slide_rates(piston);
-            let got = [
-                position.slide_position(piston).expect("it has one"),
-                speed,
-                second,
-            ];
+            let got = [position.slide_position(piston).expect("it has one"), speed, second];
             for k in 0..3 {
                 let allowed = 4000.0 * U / cosine.abs().powi(k as i32 + 1);
-                assert!(
-                    (got[k] - expected[k]).abs() < allowed,
-                    "{value}: {got:?} {expected:?}"
-                );
+                assert!((got[k] - expected[k]).abs() < allowed, "{value}: {got:?} {expected:?}");
             }
         }
     }
@@ -176,20 +133,14 @@ fn a_rod_as_long_as_the_crank() {
 /// A path that begins next to a change position takes a run-up from the other side.
 #[test]
 fn a_start_next_to_a_change_position() {
-    let bar = FourBar {
-        crank: 30.0,
-        coupler: 80.0,
-        rocker: 30.0,
-        ground: 80.0,
-    };
+    let bar = FourBar { crank: 30.0, coupler: 80.0, rocker: 30.0, ground: 80.0 };
     for away in [1.0, 0.1, 1e-2, 1e-3, 1e-4, -1e-4, -1e-3, -1e-2, -0.1, -1.0] {
         for hand in [1.0, -1.0] {
             let start = 180.0 + away;
             let (place, _) = bar.joint(start, hand).expect("it can be assembled");
             let (mechanism, pose) = posed(&bar.scene(start, place));
             let mut path = path(&mechanism, &pose);
-            path.cover(Some(0.5), Some(700.0))
-                .expect("it can be followed");
+            path.cover(Some(0.5), Some(700.0)).expect("it can be followed");
             changes(&path, &[0.0, 180.0]);
         }
     }
@@ -205,8 +156,7 @@ fn two_parallelograms_in_a_row() {
       "near": { "C": [100, 23], "F": [170, 23] } }"#;
     let (mechanism, pose) = posed(scene);
     let mut path = path(&mechanism, &pose);
-    path.cover(Some(50.0), Some(770.0))
-        .expect("it can be followed");
+    path.cover(Some(50.0), Some(770.0)).expect("it can be followed");
     changes(&path, &[0.0, 180.0]);
     let [three, five] = ["3", "5"].map(|name| mechanism.link(name).expect("a link"));
     let mut walker = path.walker();
@@ -214,10 +164,7 @@ fn two_parallelograms_in_a_row() {
         let position = walker.position(value).expect("it is on the path");
         for link in [three, five] {
             let [omega, alpha] = position.spin(link);
-            assert!(
-                (omega - 1.0).abs() < 1e-9 && alpha.abs() < 1e-6,
-                "{value}: {omega} {alpha}"
-            );
+            assert!((omega - 1.0).abs() < 1e-9 && alpha.abs() < 1e-6, "{value}: {omega} {alpha}");
         }
     }
 }

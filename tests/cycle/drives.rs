@@ -43,12 +43,7 @@ fn transformed(text: &str, factor: f64, by: [f64; 2]) -> String {
         if let Some(through) = slider.get_mut("through") {
             place(through, on_ground);
         }
-        for (_, value) in slider
-            .get_mut("drive")
-            .and_then(Value::as_object_mut)
-            .into_iter()
-            .flatten()
-        {
+        for (_, value) in slider.get_mut("drive").and_then(Value::as_object_mut).into_iter().flatten() {
             scale(value);
         }
     }
@@ -67,9 +62,7 @@ fn numbers(position: &Position, mechanism: &Mechanism) -> [Vec<f64>; 3] {
 /// Values of the drive on a path, well inside of it.
 fn inside(path: &Path) -> Vec<f64> {
     let width = path.high() - path.low();
-    (1..100)
-        .map(|k| path.low() + width * f64::from(k) / 100.0)
-        .collect()
+    (1..100).map(|k| path.low() + width * f64::from(k) / 100.0).collect()
 }
 
 /// A power of two changes no digit, and so no decision: all tolerances are relative.
@@ -85,17 +78,11 @@ fn size_does_not_matter() {
             assert_eq!(scaled.node_count(), path.node_count(), "{name} {factor}");
             let (mut own, mut others) = (path.walker(), scaled.walker());
             for value in inside(&path) {
-                let [spins, rates, places] =
-                    numbers(&own.position(value).expect("inside"), &mechanism);
+                let [spins, rates, places] = numbers(&own.position(value).expect("inside"), &mechanism);
                 let position = others.position(value * unit).expect("inside");
-                let scale =
-                    |numbers: Vec<f64>| numbers.into_iter().map(|x| x * factor).collect::<Vec<_>>();
+                let scale = |numbers: Vec<f64>| numbers.into_iter().map(|x| x * factor).collect::<Vec<_>>();
                 let expected = [spins, scale(rates), scale(places)];
-                assert_eq!(
-                    numbers(&position, &other),
-                    expected,
-                    "{name} {factor} at {value}"
-                );
+                assert_eq!(numbers(&position, &other), expected, "{name} {factor} at {value}");
             }
         }
     }
@@ -104,14 +91,9 @@ fn size_does_not_matter() {
 /// The numbers agree to this part of the largest of their kind.
 fn agree(name: &str, got: &[Vec<f64>; 3], expected: &[Vec<f64>; 3], within: f64) {
     for (got, expected) in got.iter().zip(expected) {
-        let largest = expected
-            .iter()
-            .fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let largest = expected.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
         for (a, b) in got.iter().zip(expected) {
-            assert!(
-                (a - b).abs() <= within * largest,
-                "{name}: {got:?} {expected:?}"
-            );
+            assert!((a - b).abs() <= within * largest, "{name}: {got:?} {expected:?}");
         }
     }
 }
@@ -134,10 +116,7 @@ fn place_does_not_matter() {
             let [near, far] = [&path, &far].map(|path| path.end(above).map(|end| end.at));
             let apart = near.zip(far).map_or(0.0, |(a, b)| (a - b).abs());
             let size = if path.drive.is_angle() { TURN } else { 100.0 };
-            assert!(
-                near.is_some() == far.is_some() && apart < 1e-12 * size,
-                "{name}: {near:?} {far:?}"
-            );
+            assert!(near.is_some() == far.is_some() && apart < 1e-12 * size, "{name}: {near:?} {far:?}");
         }
     }
 }
@@ -147,10 +126,7 @@ fn place_does_not_matter() {
 fn cycles_close() {
     for (name, text) in scenes() {
         let (mechanism, pose) = posed(&text);
-        let drives = mechanism
-            .bodies
-            .iter()
-            .filter(|b| matches!(b.role, Role::Driver { .. } | Role::Pushed { .. }));
+        let drives = mechanism.bodies.iter().filter(|b| matches!(b.role, Role::Driver { .. } | Role::Pushed { .. }));
         let mut path = path(&mechanism, &pose);
         path.follow_to(path.low() + 5.0 * TURN);
         if drives.count() > 1 || path.end(true).is_some() || !path.drive.is_angle() {
@@ -160,9 +136,7 @@ fn cycles_close() {
         for start in (0..36).map(|k| path.low() + 7.0 + 10.0 * f64::from(k)) {
             let first = numbers(&walker.position(start).expect("inside"), &mechanism);
             for turn in 1..4 {
-                let again = walker
-                    .position(start + TURN * f64::from(turn))
-                    .expect("inside");
+                let again = walker.position(start + TURN * f64::from(turn)).expect("inside");
                 agree(&name, &numbers(&again, &mechanism), &first, 1e-12);
             }
         }
@@ -171,10 +145,7 @@ fn cycles_close() {
 
 fn scene(name: &str) -> String {
     let mut scenes = scenes().into_iter();
-    scenes
-        .find(|(found, _)| found == name)
-        .expect("it is there")
-        .1
+    scenes.find(|(found, _)| found == name).expect("it is there").1
 }
 
 /// Another drive runs in proportion to its speed, and rates are those of both; alone it stands.
@@ -183,10 +154,7 @@ fn two_cranks_together_and_one_alone() {
     let (mechanism, pose) = posed(&scene("five-bar"));
     let [first, second] = ["1", "4"].map(|name| mechanism.link(name).expect("a link"));
     let standing = alone(&mechanism, "1");
-    for (mechanism, ratio, rates) in [
-        (&mechanism, -0.75, [-3.0, 5.0]),
-        (&standing, 0.0, [0.0, 0.0]),
-    ] {
+    for (mechanism, ratio, rates) in [(&mechanism, -0.75, [-3.0, 5.0]), (&standing, 0.0, [0.0, 0.0])] {
         let path = followed(mechanism, &pose);
         let mut walker = path.walker();
         for value in inside(&path) {
@@ -209,8 +177,7 @@ fn two_cranks_together_and_one_alone() {
     let (mut own, mut other) = (path.walker(), led.walker());
     for value in (0..50).map(f64::from) {
         let leading = 120.0 + (value - 50.0) * 4.0 / -3.0;
-        let [a, b] =
-            [own.position(leading), other.position(value)].map(|p| p.expect("inside").pose());
+        let [a, b] = [own.position(leading), other.position(value)].map(|p| p.expect("inside").pose());
         let off = a.points.iter().zip(&b.points).map(|(a, b)| (a - b).norm());
         assert!(off.fold(0.0, f64::max) < 1e-11);
     }
@@ -226,15 +193,9 @@ fn a_standing_drive_has_a_path() {
     assert_eq!(moving.end(true), still.end(true));
     let (mut a, mut b) = (moving.walker(), still.walker());
     for value in inside(&moving) {
-        let (a, b) = (
-            a.position(value).expect("inside"),
-            b.position(value).expect("inside"),
-        );
+        let (a, b) = (a.position(value).expect("inside"), b.position(value).expect("inside"));
         assert_eq!(a.pose().points, b.pose().points);
         let [spins, rates, _] = numbers(&b, &standing);
-        assert!(
-            spins.iter().chain(&rates).all(|rate| *rate == 0.0),
-            "{spins:?} {rates:?}"
-        );
+        assert!(spins.iter().chain(&rates).all(|rate| *rate == 0.0), "{spins:?} {rates:?}");
     }
 }

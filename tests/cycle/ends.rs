@@ -26,17 +26,10 @@ pub fn apart(a: f64, b: f64) -> f64 {
 
 /// Checks that something happens at just these angles of the crank, whole turns aside.
 fn happen(events: &[Event], what: impl Fn(&Happening) -> bool, expected: &[f64]) {
-    let found: Vec<f64> = events
-        .iter()
-        .filter(|e| what(&e.what))
-        .map(|e| e.at)
-        .collect();
+    let found: Vec<f64> = events.iter().filter(|e| what(&e.what)).map(|e| e.at).collect();
     assert_eq!(found.len(), expected.len(), "{expected:?} {events:#?}");
     for at in expected {
-        let nearest = found
-            .iter()
-            .map(|f| apart(*f, *at))
-            .fold(f64::MAX, f64::min);
+        let nearest = found.iter().map(|f| apart(*f, *at)).fold(f64::MAX, f64::min);
         assert!(nearest < LOCATED * TURN, "{at}: {nearest:e} from {found:?}");
     }
 }
@@ -60,20 +53,10 @@ fn asin(x: f64) -> f64 {
 /// The rocker turns back where crank and coupler are in line.
 #[test]
 fn a_rocker() {
-    for [a, b, c, d] in [
-        [60.0, 140.0, 110.0, 150.0],
-        [20.0, 33.0, 45.0, 50.0],
-        [1.0, 77.5, 80.0, 4.0],
-    ] {
-        let bar = FourBar {
-            crank: a,
-            coupler: b,
-            rocker: c,
-            ground: d,
-        };
+    for [a, b, c, d] in [[60.0, 140.0, 110.0, 150.0], [20.0, 33.0, 45.0, 50.0], [1.0, 77.5, 80.0, 4.0]] {
+        let bar = FourBar { crank: a, coupler: b, rocker: c, ground: d };
         let (place, _) = bar.joint(70.0, 1.0).expect("it can be assembled");
-        let triangle =
-            |side: f64| libm::acos((side * side + d * d - c * c) / (2.0 * side * d)).to_degrees();
+        let triangle = |side: f64| libm::acos((side * side + d * d - c * c) / (2.0 * side * d)).to_degrees();
         let expected = [triangle(a + b), 180.0 + triangle(b - a)];
         happen(&events(&bar.scene(70.0, place)), turns_back("3"), &expected);
     }
@@ -98,17 +81,9 @@ pub const TURNS: &str = r#", "drive": { "angle": 2, "omega": 1 }"#;
 fn a_piston() {
     for [a, b, e] in [[50.0, 150.0, -20.0], [30.0, 40.0, 6.5], [10.0, 200.0, 0.0]] {
         let events = events(&slider_crank(a, b, e, [TURNS, ""]));
-        happen(
-            &events,
-            slides_back,
-            &[asin(e / (a + b)), 180.0 + asin(e / (b - a))],
-        );
+        happen(&events, slides_back, &[asin(e / (a + b)), 180.0 + asin(e / (b - a))]);
         happen(&events, turns_back("2"), &[90.0, 270.0]);
-        happen(
-            &events,
-            |what| !slides_back(what) && !turns_back("2")(what),
-            &[],
-        );
+        happen(&events, |what| !slides_back(what) && !turns_back("2")(what), &[]);
     }
 }
 
@@ -119,11 +94,7 @@ fn a_crank_too_long() {
         let events = events(&slider_crank(a, b, e, [TURNS, ""]));
         let high = asin((e + b) / a);
         // Where the rod reaches below the circle of the crank, the crank swings through there.
-        let low = if b - e < a {
-            asin((e - b) / a)
-        } else {
-            180.0 - high
-        };
+        let low = if b - e < a { asin((e - b) / a) } else { 180.0 - high };
         happen(&events, limit, &[high, low]);
     }
 }
@@ -134,18 +105,11 @@ fn a_pushed_piston() {
     for [a, b, e] in [[50.0, 150.0, -20.0], [30.0, 40.0, 6.5]] {
         let push = format!(r#", "drive": {{ "position": {b:?}, "speed": 1 }}"#);
         let events = events(&slider_crank(a, b, e, ["", &push]));
-        let ends: Vec<f64> = events
-            .iter()
-            .filter(|e| limit(&e.what))
-            .map(|e| e.at)
-            .collect();
+        let ends: Vec<f64> = events.iter().filter(|e| limit(&e.what)).map(|e| e.at).collect();
         let expected = [b - a, a + b].map(|reach| ((reach - e) * (reach + e)).sqrt());
         assert_eq!(ends.len(), 2, "{events:?}");
         for (end, expected) in ends.iter().zip(expected) {
-            assert!(
-                (end - expected).abs() < LOCATED * (a + b),
-                "{end} {expected}"
-            );
+            assert!((end - expected).abs() < LOCATED * (a + b), "{end} {expected}");
         }
     }
 }
@@ -176,11 +140,7 @@ fn a_slotted_lever() {
 /// An offset slot stops the crank where its pin comes as near to the pivot as the slot.
 #[test]
 fn an_offset_slot() {
-    for [a, d, h] in [
-        [60.0, 120.0, 80.0],
-        [60.0, 50.0, 12.0],
-        [30.0, 100.0, 70.001],
-    ] {
+    for [a, d, h] in [[60.0, 120.0, 80.0], [60.0, 50.0, 12.0], [30.0, 100.0, 70.001]] {
         let events = events(&slotted_lever(a, d, h));
         let low = asin((h * h - a * a - d * d) / (2.0 * a * d));
         happen(&events, limit, &[low, 180.0 - low]);

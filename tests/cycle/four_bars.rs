@@ -28,12 +28,7 @@ pub struct FourBar {
 impl FourBar {
     /// The scene at a crank angle in degrees, with C near a place.
     pub fn scene(&self, angle: f64, near: [f64; 2]) -> String {
-        let FourBar {
-            crank,
-            coupler,
-            rocker,
-            ground,
-        } = self;
+        let FourBar { crank, coupler, rocker, ground } = self;
         format!(
             r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }},
               "ground": {{ "A": [0, 0], "D": [{ground:?}, 0] }},
@@ -75,8 +70,7 @@ impl FourBar {
         });
         let real = half_sines.into_iter().filter(|s| (0.0..=1.0).contains(s));
         // The angle from both its sine and its cosine is exact near 0 and near 180.
-        real.map(|s| 2.0 * libm::atan2(s.sqrt(), (1.0 - s).sqrt()).to_degrees())
-            .collect()
+        real.map(|s| 2.0 * libm::atan2(s.sqrt(), (1.0 - s).sqrt()).to_degrees()).collect()
     }
 }
 
@@ -91,17 +85,8 @@ fn random_bar(random: &mut Random, deficit: f64) -> FourBar {
         1 => ground - coupler + crank + deficit,
         _ => coupler - ground + crank + deficit,
     };
-    let bar = FourBar {
-        crank,
-        coupler,
-        rocker,
-        ground,
-    };
-    if rocker > 1.05 * crank {
-        bar
-    } else {
-        random_bar(random, deficit)
-    }
+    let bar = FourBar { crank, coupler, rocker, ground };
+    if rocker > 1.05 * crank { bar } else { random_bar(random, deficit) }
 }
 
 /// Follows a branch once around or from limit to limit, and compares its positions with the closed form. Returns what happens, and the
@@ -118,9 +103,7 @@ fn followed(bar: &FourBar, start: f64, hand: f64) -> (Vec<(f64, Happening)>, f64
     for k in 1..POSITIONS {
         let angle = low + (high - low) * f64::from(k) / f64::from(POSITIONS);
         let position = walker.position(angle);
-        let got = position
-            .unwrap_or_else(|| panic!("{bar:?}: nothing at {angle}"))
-            .place(joint);
+        let got = position.unwrap_or_else(|| panic!("{bar:?}: nothing at {angle}")).place(joint);
         let (place, sine) = bar.joint(angle, hand).expect("the closed form has it too");
         let off = libm::hypot(got.x - place[0], got.y - place[1]);
         worst = worst.max(off * sine / (size * U));
@@ -165,12 +148,7 @@ fn very_unequal_links_stay_on_their_branch() {
             [long, 1.5, short, rest],
         ];
         for [crank, coupler, rocker, ground] in bars {
-            let bar = FourBar {
-                crank,
-                coupler,
-                rocker,
-                ground,
-            };
+            let bar = FourBar { crank, coupler, rocker, ground };
             for start in [20.0, 170.0, 300.0] {
                 for hand in [1.0, -1.0] {
                     if bar.joint(start, hand).is_none() {
@@ -197,9 +175,7 @@ fn limits_are_those_of_the_diagonal() {
             let limits = bar.limits();
             for hand in [1.0, -1.0] {
                 let (events, _) = followed(&bar, 90.0, hand);
-                let ends = events
-                    .iter()
-                    .filter(|(_, what)| matches!(what, Happening::Limit { .. }));
+                let ends = events.iter().filter(|(_, what)| matches!(what, Happening::Limit { .. }));
                 let ends: Vec<f64> = ends.map(|e| e.0).collect();
                 assert_eq!(ends.len(), 2, "{bar:?} {events:?}");
                 seen += 2;

@@ -64,9 +64,7 @@ fn scenes() -> Vec<(String, String)> {
     let mut named = files::templates();
     let paper = files::read("examples/figure-2.json");
     named.push(("figure-2".to_owned(), paper));
-    let movable = named
-        .into_iter()
-        .filter(|(_, text)| text.contains("\"near\""));
+    let movable = named.into_iter().filter(|(_, text)| text.contains("\"near\""));
     let more = MORE.map(|(name, text)| (name.to_owned(), text.to_owned()));
     let scenes: Vec<_> = movable.chain(more).collect();
     assert_eq!(scenes.len(), 13 + MORE.len());

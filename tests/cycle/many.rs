@@ -22,10 +22,7 @@ fn together_is_as_one_by_one() {
             let (count, together) = many.motions(rest);
             let (same, alone) = bare.motions(rest);
             assert_eq!(count, same);
-            assert!(
-                (1..=MANY.min(rest.len())).contains(&count),
-                "{name} {count}"
-            );
+            assert!((1..=MANY.min(rest.len())).contains(&count), "{name} {count}");
             assert_eq!(together.is_some(), alone.is_some(), "{name} {first}");
             let (Some(together), Some(alone)) = (together, alone) else {
                 assert!(rest[..count].iter().any(|v| one.motions(&[*v]).is_none()));
@@ -36,92 +33,36 @@ fn together_is_as_one_by_one() {
                 let position = one.position(rest[lane]).expect("as together");
                 let solved = motion(&mechanism, &position.pose(), Order::Acceleration);
                 let groups = solved.expect("regular").groups;
-                let condition = groups
-                    .iter()
-                    .fold(1.0, |most: f64, g| most.max(g.condition));
+                let condition = groups.iter().fold(1.0, |most: f64, g| most.max(g.condition));
                 let single = one.motions(&[rest[lane]]).expect("as before").clone();
                 let near = |a: Vector, b: Vector, size: f64, times: f64, what: &str| {
                     let off = (a - b).norm() / size.max(f64::MIN_POSITIVE);
                     let allowed = 100.0 * U * times;
-                    assert!(
-                        off <= allowed,
-                        "{name} {} {what} {off:e} {allowed:e}",
-                        rest[lane]
-                    );
+                    assert!(off <= allowed, "{name} {} {what} {off:e} {allowed:e}", rest[lane]);
                 };
-                let sizes = |rows: &[[[f64; 1]; 2]]| {
-                    rows.iter().map(|r| vector(r, 0).norm()).fold(0.0, f64::max)
-                };
-                let largest =
-                    |rows: &[[f64; 1]]| rows.iter().fold(0.0, |m: f64, r| m.max(r[0].abs()));
+                let sizes = |rows: &[[[f64; 1]; 2]]| rows.iter().map(|r| vector(r, 0).norm()).fold(0.0, f64::max);
+                let largest = |rows: &[[f64; 1]]| rows.iter().fold(0.0, |m: f64, r| m.max(r[0].abs()));
                 for (class, turn) in single.turns.iter().enumerate() {
-                    near(
-                        vector(&together.turns[class], lane),
-                        vector(turn, 0),
-                        1.0,
-                        condition,
-                        "turn",
-                    );
+                    near(vector(&together.turns[class], lane), vector(turn, 0), 1.0, condition, "turn");
                 }
                 for (slot, place) in single.points.iter().enumerate() {
                     let size = sizes(&single.points);
-                    near(
-                        vector(&together.points[slot], lane),
-                        vector(place, 0),
-                        size,
-                        condition,
-                        "place",
-                    );
-                    let (a, b) = (
-                        &together.point_accelerations[slot],
-                        &single.point_accelerations[slot],
-                    );
+                    near(vector(&together.points[slot], lane), vector(place, 0), size, condition, "place");
+                    let (a, b) = (&together.point_accelerations[slot], &single.point_accelerations[slot]);
                     let size = sizes(&single.point_accelerations);
-                    near(
-                        vector(a, lane),
-                        vector(b, 0),
-                        size,
-                        condition.powi(3),
-                        "acceleration",
-                    );
+                    near(vector(a, lane), vector(b, 0), size, condition.powi(3), "acceleration");
                 }
                 let rates = [
-                    (
-                        &together.omegas,
-                        &alone.omegas,
-                        &single.omegas,
-                        condition.powi(2),
-                    ),
-                    (
-                        &together.alphas,
-                        &alone.alphas,
-                        &single.alphas,
-                        condition.powi(3),
-                    ),
-                    (
-                        &together.speeds,
-                        &alone.speeds,
-                        &single.speeds,
-                        condition.powi(2),
-                    ),
-                    (
-                        &together.accelerations,
-                        &alone.accelerations,
-                        &single.accelerations,
-                        condition.powi(3),
-                    ),
+                    (&together.omegas, &alone.omegas, &single.omegas, condition.powi(2)),
+                    (&together.alphas, &alone.alphas, &single.alphas, condition.powi(3)),
+                    (&together.speeds, &alone.speeds, &single.speeds, condition.powi(2)),
+                    (&together.accelerations, &alone.accelerations, &single.accelerations, condition.powi(3)),
                 ];
                 for (together, alone, single, times) in rates {
                     for ((a, b), c) in together.iter().zip(alone).zip(single) {
                         assert_eq!(a[lane].to_bits(), b[lane].to_bits(), "{name}");
                         let number = |x: f64| Vector::new(x, 0.0);
-                        near(
-                            number(a[lane]),
-                            number(c[0]),
-                            largest(single),
-                            times,
-                            "rate",
-                        );
+                        near(number(a[lane]), number(c[0]), largest(single), times, "rate");
                     }
                 }
             }
@@ -153,9 +94,5 @@ fn blocks_end_where_values_leave_the_segment() {
     assert!(block.is_some());
     values[MANY - 2] = f64::NAN;
     let (count, block) = many.motions(&values);
-    assert!(
-        count == MANY - 2 && block.is_some(),
-        "{name} {count} {}",
-        block.is_some()
-    );
+    assert!(count == MANY - 2 && block.is_some(), "{name} {count} {}", block.is_some());
 }

@@ -19,11 +19,7 @@ const TRUTH: &str = include_str!("../reference/paper.jsonl");
 const LIMIT: &str = "137.582082139174023594169921565";
 
 /// Near the limit each quantity is x* + c √δ; c of the angles of links 2 and 4 in rad, and of the slider in mm.
-const GROWTH: [f64; 3] = [
-    0.208_316_168_621_543_87,
-    -0.497_530_652_798_679_3,
-    146.364_838_782_531_67,
-];
+const GROWTH: [f64; 3] = [0.208_316_168_621_543_87, -0.497_530_652_798_679_3, 146.364_838_782_531_67];
 
 /// The largest error in units u·cond; careful code stays below 2.
 const BOUND: f64 = 4.0;
@@ -36,22 +32,12 @@ fn both_limits_are_located() {
         let end = path.end(above).expect("the branch ends");
         let error = minus(end.at, &limit);
         assert!(error.abs() <= 1e-12 * TURN, "{limit} is wrong by {error:e}");
-        let Happening::Limit { links } = &end.what else {
-            panic!("{end:?}")
-        };
+        let Happening::Limit { links } = &end.what else { panic!("{end:?}") };
         assert_eq!(links, "2, 3, 4, 5");
     }
     // Beyond there is nothing, and nothing is made up.
     let mut walker = path.walker();
-    for value in [
-        137.5821,
-        -137.5821,
-        150.0,
-        180.0,
-        -179.0,
-        f64::NAN,
-        f64::INFINITY,
-    ] {
+    for value in [137.5821, -137.5821, 150.0, 180.0, -179.0, f64::NAN, f64::INFINITY] {
         assert!(walker.position(value).is_none(), "{value}");
     }
 }
@@ -99,24 +85,12 @@ impl<'a> Kinds<'a> {
     fn error(&self) -> f64 {
         let mut largest: f64 = 0.0;
         for numbers in self.0.values() {
-            let decimal = |truth: &Value| {
-                truth
-                    .as_str()
-                    .expect("true numbers are decimal strings")
-                    .to_owned()
-            };
+            let decimal = |truth: &Value| truth.as_str().expect("true numbers are decimal strings").to_owned();
             let size = |truth: &Value| decimal(truth).parse::<f64>().expect("a number").abs();
-            let scale = numbers
-                .iter()
-                .map(|(_, truth)| size(truth))
-                .fold(0.0, f64::max);
+            let scale = numbers.iter().map(|(_, truth)| size(truth)).fold(0.0, f64::max);
             for (got, truth) in numbers {
                 let error = minus(*got, &decimal(truth)).abs() / scale;
-                largest = if exceeds(error, largest) {
-                    error
-                } else {
-                    largest
-                };
+                largest = if exceeds(error, largest) { error } else { largest };
             }
         }
         largest
@@ -136,34 +110,19 @@ fn error(position: &Position, mechanism: &Mechanism, expect: &Value) -> f64 {
         kinds.put("alpha", alpha, &truth["alpha"]);
         // The truth counts angles from 0 to 360.
         let angle = degrees_of(position.axis(link).expect("an axis"));
-        let rough: f64 = truth["angle"]
-            .as_str()
-            .expect("a decimal string")
-            .parse()
-            .expect("a number");
-        kinds.put(
-            "angle",
-            angle + TURN * ((rough - angle) / TURN).round(),
-            &truth["angle"],
-        );
+        let rough: f64 = truth["angle"].as_str().expect("a decimal string").parse().expect("a number");
+        kinds.put("angle", angle + TURN * ((rough - angle) / TURN).round(), &truth["angle"]);
     }
     for (name, truth) in entries(&expect["points"]) {
         let point = mechanism.point(name).expect("a point");
-        let body = mechanism
-            .bodies
-            .iter()
-            .position(|b| b.points.contains(&point));
+        let body = mechanism.bodies.iter().position(|b| b.points.contains(&point));
         let place = position.place(point);
         let body = kinegon::mechanism::BodyId(body.expect("a point of a body"));
         let [velocity, acceleration] = position.motion_at(body, place);
         for axis in 0..2 {
             kinds.put("position", place[axis], &truth["position"][axis]);
             kinds.put("velocity", velocity[axis], &truth["velocity"][axis]);
-            kinds.put(
-                "acceleration",
-                acceleration[axis],
-                &truth["acceleration"][axis],
-            );
+            kinds.put("acceleration", acceleration[axis], &truth["acceleration"][axis]);
         }
     }
     let truth = &expect["sliders"]["3"];
@@ -197,9 +156,7 @@ fn two_paths_give_72_true_motions() {
                 continue;
             }
             seen += 1;
-            let position = walker
-                .position(number("angle"))
-                .expect("it is on the branch");
+            let position = walker.position(number("angle")).expect("it is on the branch");
             let condition = case["cond"].as_f64().expect("a number").max(1.0);
             let error = error(&position, &mechanism, &case["expect"]) / (U * condition);
             println!("{} {error}", case["name"]);

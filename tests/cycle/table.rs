@@ -27,12 +27,7 @@ fn steps_are_decimals() {
     assert_eq!(tenths.count(), 3601);
     for (k, value) in values(&tenths).into_iter().enumerate() {
         let tenth = k as i64 - 1800;
-        let text = format!(
-            "{}{}.{}",
-            if tenth < 0 { "-" } else { "" },
-            tenth.abs() / 10,
-            tenth.abs() % 10
-        );
+        let text = format!("{}{}.{}", if tenth < 0 { "-" } else { "" }, tenth.abs() / 10, tenth.abs() % 10);
         assert_eq!(value, text.parse::<f64>().expect("a number"));
     }
     // What is no short decimal is added up.
@@ -65,10 +60,7 @@ fn steps_at_the_edges() {
         [-1e308, 1e308, 1.0],
     ] {
         let refused = Steps::new(from, to, step);
-        assert!(
-            matches!(refused, Err(CycleError::Range(_))),
-            "{from} {to} {step}: {refused:?}"
-        );
+        assert!(matches!(refused, Err(CycleError::Range(_))), "{from} {to} {step}: {refused:?}");
     }
 }
 
@@ -76,10 +68,7 @@ fn steps_at_the_edges() {
 fn multiples_lie_within() {
     let multiples = |low, high, step| Steps::multiples(low, high, step).expect("a good range");
     let tenths = multiples(-137.582_082, 137.582_082, 0.1);
-    assert_eq!(
-        (tenths.count(), tenths.value(0), tenths.value(2750)),
-        (2751, -137.5, 137.5)
-    );
+    assert_eq!((tenths.count(), tenths.value(0), tenths.value(2750)), (2751, -137.5, 137.5));
     assert_eq!(values(&multiples(-0.05, 0.05, 0.1)), [0.0]);
     assert_eq!(values(&multiples(0.3, 0.6, 0.1)), [0.3, 0.4, 0.5, 0.6]);
     assert_eq!(multiples(0.31, 0.39, 0.1).count(), 0);
@@ -97,27 +86,14 @@ fn sweep<'a>(path: &'a Path<'a>, steps: Steps, names: &[&str]) -> Sweep<'a> {
 fn the_last_row_is_there() {
     let (mechanism, pose) = posed(FIGURE_2);
     let mut path = path(&mechanism, &pose);
-    path.cover(Some(69.7), Some(70.0))
-        .expect("it can be followed");
-    let names = [
-        "L(B,S3)",
-        "vplan(b,s3)",
-        "position(3/2)",
-        "v_r(3/2)",
-        "a(D).size",
-    ];
+    path.cover(Some(69.7), Some(70.0)).expect("it can be followed");
+    let names = ["L(B,S3)", "vplan(b,s3)", "position(3/2)", "v_r(3/2)", "a(D).size"];
     let sweep = sweep(&path, steps(69.7, 70.0, 0.1), &names);
     let numbers = sweep.rows(0..sweep.steps().count());
     assert_eq!(numbers.len(), 4 * 6);
     assert!(numbers.iter().all(Option::is_some));
     // `FACTS` of the paper, to 12 digits.
-    let expected = [
-        70.0,
-        370.964_757_433_2,
-        59.407_646_430_3,
-        307.739_262_481_6,
-        62.600_851_289_6,
-    ];
+    let expected = [70.0, 370.964_757_433_2, 59.407_646_430_3, 307.739_262_481_6, 62.600_851_289_6];
     for (got, expected) in numbers[18..].iter().flatten().zip(expected) {
         assert!((got - expected).abs() < 1e-9, "{numbers:?}");
     }
@@ -128,8 +104,7 @@ fn the_last_row_is_there() {
 fn blanks_are_no_numbers() {
     let (mechanism, pose) = posed(&parallelogram());
     let mut path = path(&mechanism, &pose);
-    path.cover(Some(178.0), Some(182.0))
-        .expect("it can be followed");
+    path.cover(Some(178.0), Some(182.0)).expect("it can be followed");
     let names = ["omega(3)", "angle(1)", "v(C)", "L(A,C)", "omega(3)"];
     let sweep = sweep(&path, steps(178.0, 182.0, 1.0), &names);
     let numbers = sweep.rows(0..5);
@@ -140,10 +115,7 @@ fn blanks_are_no_numbers() {
     assert!(!csv.contains("NaN") && !csv.contains("inf"));
     assert_eq!(csv.matches(",,").count(), 2);
     let json = format::json_lines(&sweep, &numbers);
-    let rows: Vec<serde_json::Value> = json
-        .lines()
-        .map(|l| serde_json::from_str(l).expect("JSON"))
-        .collect();
+    let rows: Vec<serde_json::Value> = json.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
     let blank = serde_json::json!({ "angle(1)": 180.0, "omega(3)": null, "v(C)": [null, null], "L(A,C)": null });
     assert_eq!(rows[2], blank);
     assert_eq!(rows[0].as_object().expect("an object").len(), 4);
@@ -167,10 +139,7 @@ fn rows_are_positions() {
         assert_eq!(numbers.len(), count * width);
         #[cfg(feature = "parallel")]
         assert_eq!(table.rows_on_all_cores(0..count), numbers);
-        let pieces: Vec<_> = (0..count)
-            .step_by(704)
-            .flat_map(|k| table.rows(k..(k + 704).min(count)))
-            .collect();
+        let pieces: Vec<_> = (0..count).step_by(704).flat_map(|k| table.rows(k..(k + 704).min(count))).collect();
         assert_eq!(pieces, numbers);
         let mut walker = path.walker();
         for row in numbers.chunks(width).step_by(7) {
@@ -191,10 +160,7 @@ fn rows_are_positions() {
                 // places, known to u / √d there, are the square root of d: of a rate u / d is left open. The path ends at d = 1e-11.
                 let away = (value - low).min(high - value) / wide;
                 let scale = (1.0 + expected.abs()) * (1.0 + 1e-7 / away.max(1e-11));
-                assert!(
-                    (number - expected).abs() < 1e-9 * scale,
-                    "{name} {value} {header}: {number} {expected}"
-                );
+                assert!((number - expected).abs() < 1e-9 * scale, "{name} {value} {header}: {number} {expected}");
             }
         }
     }
@@ -210,14 +176,8 @@ fn unknown_quantities_are_refused() {
     };
     assert!(matches!(refused("speed(4)"), QuantityError::Form(_)));
     assert!(matches!(refused("omega(6)"), QuantityError::Unknown { .. }));
-    assert!(matches!(
-        refused("vplan(b,s9)"),
-        QuantityError::Unknown { .. }
-    ));
-    assert!(matches!(
-        refused("vplan(b,s3)/mu"),
-        QuantityError::NoValue(..)
-    ));
+    assert!(matches!(refused("vplan(b,s9)"), QuantityError::Unknown { .. }));
+    assert!(matches!(refused("vplan(b,s3)/mu"), QuantityError::NoValue(..)));
 }
 
 /// A range is asked for in any turn; what is not on the branch is refused, and what lies on it in part is kept in part.
@@ -240,28 +200,12 @@ fn ranges() {
     let (covered, reached) = cover(-900.0, -760.0);
     assert_eq!(covered, Ok([-900.0, -760.0]));
     assert!((reached[0] + 720.0 + limit).abs() < 1e-7 && reached[1] >= -760.0);
-    for [from, to] in [
-        [138.0, 222.0],
-        [221.0, 138.0],
-        [-222.0, -138.0],
-        [498.0, 582.0],
-    ] {
+    for [from, to] in [[138.0, 222.0], [221.0, 138.0], [-222.0, -138.0], [498.0, 582.0]] {
         let (covered, _) = cover(from, to);
-        assert!(
-            matches!(covered, Err(CycleError::OutOfReach { .. })),
-            "{from} {covered:?}"
-        );
+        assert!(matches!(covered, Err(CycleError::OutOfReach { .. })), "{from} {covered:?}");
     }
-    for [from, to] in [
-        [0.0, 1e9],
-        [f64::NAN, 0.0],
-        [0.0, f64::NEG_INFINITY],
-        [-36_000.0, 0.0],
-    ] {
+    for [from, to] in [[0.0, 1e9], [f64::NAN, 0.0], [0.0, f64::NEG_INFINITY], [-36_000.0, 0.0]] {
         let (covered, _) = cover(from, to);
-        assert!(
-            matches!(covered, Err(CycleError::Range(_))),
-            "{from} {covered:?}"
-        );
+        assert!(matches!(covered, Err(CycleError::Range(_))), "{from} {covered:?}");
     }
 }

@@ -41,9 +41,7 @@ fn varied(text: &str, dice: &mut Random, angle: f64) -> String {
 fn angle_of(text: &str) -> f64 {
     let scene: Value = serde_json::from_str(text).expect("JSON");
     let mut links = scene["links"].as_object().expect("links").values();
-    links
-        .find_map(|l| l["drive"]["angle"].as_f64())
-        .expect("a drive")
+    links.find_map(|l| l["drive"]["angle"].as_f64()).expect("a drive")
 }
 
 fn alone(text: &str) -> Option<(Mechanism, Pose)> {
@@ -75,11 +73,7 @@ fn each_moves_as_it_does_alone() {
                 for (link, _) in mechanism.links() {
                     let body = expected.body(link);
                     let [omega, alpha] = position.spin(link);
-                    let condition = expected
-                        .groups
-                        .iter()
-                        .map(|g| g.condition)
-                        .fold(1.0, f64::max);
+                    let condition = expected.groups.iter().map(|g| g.condition).fold(1.0, f64::max);
                     let sizes = |spin: fn(&kinegon::motion::BodyMotion) -> f64| {
                         let all = mechanism.links().map(|(l, _)| spin(expected.body(l)).abs());
                         all.fold(0.0, f64::max)
@@ -109,10 +103,7 @@ fn one_that_cannot_get_there_holds_up_no_other() {
     assert_eq!(found, [true, true, false, true, true]);
     let spin = |index: usize| {
         let position = variants.position(index).expect("it gets there");
-        mechanisms[0]
-            .links()
-            .map(|(l, _)| position.spin(l))
-            .collect::<Vec<_>>()
+        mechanisms[0].links().map(|(l, _)| position.spin(l)).collect::<Vec<_>>()
     };
     assert_eq!(spin(0), spin(4));
     assert_ne!(spin(0), spin(3));

@@ -40,10 +40,7 @@ impl From<f64> for Exact {
 impl Add for Exact {
     type Output = Exact;
     fn add(self, other: Exact) -> Exact {
-        let (high, low) = (
-            Exact::sum(self.high, other.high),
-            Exact::sum(self.low, other.low),
-        );
+        let (high, low) = (Exact::sum(self.high, other.high), Exact::sum(self.low, other.low));
         let once = Exact::sum(high.high, high.low + low.high);
         Exact::sum(once.high, once.low + low.low)
     }
@@ -52,10 +49,7 @@ impl Add for Exact {
 impl Neg for Exact {
     type Output = Exact;
     fn neg(self) -> Exact {
-        Exact {
-            high: -self.high,
-            low: -self.low,
-        }
+        Exact { high: -self.high, low: -self.low }
     }
 }
 
@@ -98,11 +92,7 @@ impl Decimal {
 
     /// The power of ten just above the number.
     fn top(&self) -> i32 {
-        let count = self
-            .digits
-            .unsigned_abs()
-            .checked_ilog10()
-            .map_or(0, |log| log + 1);
+        let count = self.digits.unsigned_abs().checked_ilog10().map_or(0, |log| log + 1);
         self.exponent + i32::try_from(count).expect("at most 38 digits")
     }
 
@@ -149,10 +139,7 @@ fn differences_from_decimals_are_exact() {
     // 0.1 is 0.1000000000000000055511151231257827… in binary.
     let tenth = minus(0.1, "0.1");
     assert!((tenth / 5.551_115_123_125_783e-18 - 1.0).abs() < 1e-14);
-    assert_eq!(
-        libm::log10(minus(-2.5e-300, "-2.5E-300").abs()).floor(),
-        -317.0
-    );
+    assert_eq!(libm::log10(minus(-2.5e-300, "-2.5E-300").abs()).floor(), -317.0);
     assert_eq!(minus(3.0, "0"), 3.0);
     assert_eq!(minus(0.0, "-3.0"), 3.0);
     assert_eq!(minus(0.0, "0"), 0.0);

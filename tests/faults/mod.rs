@@ -17,23 +17,14 @@ pub fn id(mark: &Mark) -> &str {
 
 /// The boxes of the panels, in drawing order, and the marks drawn in each.
 pub fn panels(drawing: &Drawing) -> Vec<(Rect, &[Mark])> {
-    let is_frame = |mark: &Mark| {
-        mark.pen == Pen::Frame
-            && matches!(&mark.shape, Shape::Polygon(corners) if corners.len() == 4)
-    };
-    let starts: Vec<usize> = (0..drawing.marks.len())
-        .filter(|&index| is_frame(&drawing.marks[index]))
-        .collect();
+    let is_frame =
+        |mark: &Mark| mark.pen == Pen::Frame && matches!(&mark.shape, Shape::Polygon(corners) if corners.len() == 4);
+    let starts: Vec<usize> = (0..drawing.marks.len()).filter(|&index| is_frame(&drawing.marks[index])).collect();
     let ends = starts.iter().skip(1).copied().chain([drawing.marks.len()]);
     starts
         .iter()
         .zip(ends)
-        .map(|(&start, end)| {
-            (
-                drawing.marks[start].shape.bounds(),
-                &drawing.marks[start + 1..end],
-            )
-        })
+        .map(|(&start, end)| (drawing.marks[start].shape.bounds(), &drawing.marks[start + 1..end]))
         .collect()
 }
 
@@ -62,10 +53,7 @@ pub fn faults(drawing: &Drawing) -> Vec<String> {
         if let Shape::Text(text) = &mark.shape {
             let height = -RichText::plain("x").ink_box(text.size).y0;
             if height < LEAST_HEIGHT {
-                faults.push(format!(
-                    "small letters of {} are {height} mm high",
-                    text.text.content()
-                ));
+                faults.push(format!("small letters of {} are {height} mm high", text.text.content()));
             }
         }
         if let (Shape::Arrow { from, to }, Some(head)) = (&mark.shape, mark.shape.head()) {
@@ -79,10 +67,7 @@ pub fn faults(drawing: &Drawing) -> Vec<String> {
     }
     let frames = panels(drawing);
     for (index, (frame, _)) in frames.iter().enumerate() {
-        if frames[..index]
-            .iter()
-            .any(|(other, _)| overlap(*frame, *other))
-        {
+        if frames[..index].iter().any(|(other, _)| overlap(*frame, *other)) {
             faults.push(format!("the panel {frame:?} lies on another"));
         }
     }
@@ -109,16 +94,12 @@ pub fn faults(drawing: &Drawing) -> Vec<String> {
             for mark in marks {
                 let heading = text.pen == Pen::Heading;
                 let taken = match &mark.shape {
-                    Shape::Line(a, b)
-                        if heading && matches!(mark.pen, Pen::Construction | Pen::Ray) =>
-                    {
+                    Shape::Line(a, b) if heading && matches!(mark.pen, Pen::Construction | Pen::Ray) => {
                         covers(&[*a, *b], ink).then_some(ink)
                     }
                     Shape::Circle { .. } => Some(mark.shape.drawn_box()),
                     Shape::Line(..) if mark.pen == Pen::Hatch => Some(mark.shape.drawn_box()),
-                    Shape::Polygon(corners) if mark.pen == Pen::Slider && covers(corners, ink) => {
-                        Some(ink)
-                    }
+                    Shape::Polygon(corners) if mark.pen == Pen::Slider && covers(corners, ink) => Some(ink),
                     _ => mark.shape.head_box(),
                 };
                 if taken.is_some_and(|taken| overlap(ink, taken)) {
@@ -152,9 +133,7 @@ pub fn covers(corners: &[Point], area: Rect) -> bool {
             let span = |of: &[Point]| {
                 of.iter()
                     .map(along)
-                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-                        (low.min(x), high.max(x))
-                    })
+                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
             };
             let ((a, b), (c, d)) = (span(one), span(other));
             b <= c || d <= a

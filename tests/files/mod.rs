@@ -17,9 +17,7 @@ pub fn read(of: &str) -> String {
 pub fn list(folder: &str) -> Vec<String> {
     let entries = std::fs::read_dir(path(folder)).expect("the folder is there");
     let names = entries.map(|entry| entry.expect("it can be listed").file_name());
-    let mut names: Vec<String> = names
-        .map(|name| name.into_string().expect("a plain name"))
-        .collect();
+    let mut names: Vec<String> = names.map(|name| name.into_string().expect("a plain name")).collect();
     names.sort();
     names
 }
@@ -39,9 +37,7 @@ pub fn scenes(folder: &str) -> Vec<(String, String)> {
         (name, text)
     };
     let scenes = scenes.map(with_text);
-    scenes
-        .filter(|(_, text)| text.contains("\"kinegon\":"))
-        .collect()
+    scenes.filter(|(_, text)| text.contains("\"kinegon\":")).collect()
 }
 
 /// The text of the scene in a line of `tests/reference`, so that its numbers are read by the library and nobody before it.

@@ -73,11 +73,7 @@ impl Group {
             acceleration: dice.pair(),
             spin: guide.map(|_| dice.pair()),
         });
-        Group {
-            places,
-            guides,
-            bases,
-        }
+        Group { places, guides, bases }
     }
 
     /// A group with something difficult about it. Its coordinates are multiples of 2^−`bits`, below 2^5.
@@ -96,10 +92,7 @@ impl Group {
             // CD, GF and BE nearly through one point: nearly singular; the hardest, so three times as often.
             2 | 8 | 9 => {
                 let center = times(add(b, e), 0.5);
-                let (along, across) = (
-                    [c[0] - center[0], c[1] - center[1]],
-                    [g[0] - center[0], g[1] - center[1]],
-                );
+                let (along, across) = ([c[0] - center[0], c[1] - center[1]], [g[0] - center[0], g[1] - center[1]]);
                 group.places[2] = add(add(center, times(along, 1.5)), shift);
                 group.places[4] = add(center, times(across, -0.75));
             }
@@ -147,15 +140,9 @@ impl Group {
         let bases = self.bases.clone().map(|base| Base {
             velocity: times(vector(base.velocity), order[0]),
             acceleration: times(vector(base.acceleration), order[1]),
-            spin: base
-                .spin
-                .map(|[omega, alpha]| [turn * omega * order[0], turn * alpha * order[1]]),
+            spin: base.spin.map(|[omega, alpha]| [turn * omega * order[0], turn * alpha * order[1]]),
         });
-        Group {
-            places: self.places.map(place),
-            guides: self.guides.map(|g| g.map(&vector)),
-            bases,
-        }
+        Group { places: self.places.map(place), guides: self.guides.map(|g| g.map(&vector)), bases }
     }
 
     pub fn scene(&self) -> Value {
@@ -201,10 +188,7 @@ impl Group {
                     let own = names.point(&format!("{name}i"));
                     points.insert(own.clone(), json!(self.places[joint]));
                     let motion = json!({ "at": own, "velocity": base.velocity, "acceleration": base.acceleration, "omega": omega, "alpha": alpha });
-                    carriers.insert(
-                        link_name(guide_side),
-                        json!({ "points": [own], "motion": motion }),
-                    );
+                    carriers.insert(link_name(guide_side), json!({ "points": [own], "motion": motion }));
                 }
             }
         }
@@ -217,9 +201,7 @@ impl Group {
             links.reverse();
             sliders.reverse();
             for (_, link) in &mut links {
-                link.as_array_mut()
-                    .into_iter()
-                    .for_each(|points| points.reverse());
+                link.as_array_mut().into_iter().for_each(|points| points.reverse());
             }
         }
         let links: Map<String, Value> = links.into_iter().collect();
@@ -240,11 +222,7 @@ pub struct Names {
 
 impl Names {
     pub fn point(&self, name: &str) -> String {
-        if self.renamed {
-            format!("X{name}'")
-        } else {
-            name.to_owned()
-        }
+        if self.renamed { format!("X{name}'") } else { name.to_owned() }
     }
 
     /// A link; a known moving body, whose name begins with an i, is called as a point is.
@@ -261,17 +239,13 @@ impl Names {
 /// A pattern is singular in every position where two of the lines CD, GF, BE lie at infinity.
 pub fn is_singular(pattern: &str) -> bool {
     let prismatic = |joint: usize| pattern.as_bytes()[joint] == b'P';
-    let at_infinity = [[1, 2], [5, 4], [0, 3]]
-        .into_iter()
-        .filter(|pair| pair.iter().all(|&j| prismatic(j)));
+    let at_infinity = [[1, 2], [5, 4], [0, 3]].into_iter().filter(|pair| pair.iter().all(|&j| prismatic(j)));
     at_infinity.count() >= 2
 }
 
 pub fn patterns() -> Vec<String> {
     let letter = |n: u32, joint: u32| if n >> joint & 1 == 1 { 'P' } else { 'R' };
-    (0..64)
-        .map(|n| (0..6).map(|joint| letter(n, joint)).collect())
-        .collect()
+    (0..64).map(|n| (0..6).map(|joint| letter(n, joint)).collect()).collect()
 }
 
 pub fn regular_patterns() -> Vec<String> {

@@ -17,20 +17,11 @@ struct Imaged {
 
 /// The points of a link that have images.
 fn images(stages: &Stages, plan: &Plan, link: BodyId) -> Vec<Imaged> {
-    let Stages {
-        mechanism,
-        pose,
-        construction,
-        ..
-    } = stages;
+    let Stages { mechanism, pose, construction, .. } = stages;
     let mut points = Vec::new();
     let mut see = |name: &str, place: Point| {
         if let Some(point) = plan.points.get(&image_name(name)) {
-            points.push(Imaged {
-                name: name.to_owned(),
-                place,
-                image: point.vector,
-            });
+            points.push(Imaged { name: name.to_owned(), place, image: point.vector });
         }
     };
     let body = mechanism.body(link);
@@ -71,16 +62,12 @@ pub fn dissimilarity(stages: &Stages, result: &ResultFile, condition: f64) -> (u
                     let is_special = [p, q].iter().any(|x| x.name.starts_with('S'));
                     let blur = sizes.length * if is_special { far * far } else { 0.0 };
                     let (expected, size, error, bound) = match plan.kind {
-                        PlanKind::Velocity => (
-                            quarter_turn(side) * omega,
-                            sizes.velocity + 2.0 * sizes.omega * blur,
-                            omega_error,
-                            BOUND,
-                        ),
+                        PlanKind::Velocity => {
+                            (quarter_turn(side) * omega, sizes.velocity + 2.0 * sizes.omega * blur, omega_error, BOUND)
+                        }
                         PlanKind::Acceleration => (
                             quarter_turn(side) * alpha - side * (omega * omega),
-                            sizes.acceleration
-                                + 2.0 * (sizes.alpha + sizes.omega * sizes.omega) * blur,
+                            sizes.acceleration + 2.0 * (sizes.alpha + sizes.omega * sizes.omega) * blur,
                             alpha_error + 2.0 * omega.abs() * omega_error,
                             ACCELERATION_BOUND,
                         ),
@@ -90,10 +77,7 @@ pub fn dissimilarity(stages: &Stages, result: &ResultFile, condition: f64) -> (u
                     pairs += 1;
                     let part = if gap == 0.0 { 0.0 } else { gap / allowed };
                     if part.is_nan() || part > worst.0 {
-                        worst = (
-                            part,
-                            format!("{:?}, link {}, {}{}", plan.kind, body.name, p.name, q.name),
-                        );
+                        worst = (part, format!("{:?}, link {}, {}{}", plan.kind, body.name, p.name, q.name));
                     }
                 }
             }

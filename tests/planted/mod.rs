@@ -80,19 +80,11 @@ pub struct Planted {
 
 impl Planted {
     pub fn new(random: &mut Random, kinds: &str, joints: &[(usize, usize)]) -> Planted {
-        let links = 1 + joints
-            .iter()
-            .map(|j| j.0.max(if j.1 == KNOWN { 0 } else { j.1 }))
-            .max()
-            .unwrap_or(0);
+        let links = 1 + joints.iter().map(|j| j.0.max(if j.1 == KNOWN { 0 } else { j.1 })).max().unwrap_or(0);
         let mut bodies: Vec<Body> = (0..links + 2)
             .map(|body| Body {
                 angle: if body == 0 { 0.0 } else { random.angle() },
-                origin: if body == 0 {
-                    [0.0, 0.0]
-                } else {
-                    random.place()
-                },
+                origin: if body == 0 { [0.0, 0.0] } else { random.place() },
                 points: Vec::new(),
             })
             .collect();
@@ -126,11 +118,7 @@ impl Planted {
                 continue;
             }
             // The frame and the crank carry guides; between two links either does.
-            let (link, on) = if b >= 2 && random.below(2) == 0 {
-                (b, a)
-            } else {
-                (a, b)
-            };
+            let (link, on) = if b >= 2 && random.below(2) == 0 { (b, a) } else { (a, b) };
             let own = &mut planted.bodies[link].points;
             let (at, place) = if own.len() > 1 && random.below(2) == 0 {
                 own[1 + random.below(own.len() - 1)].clone()
@@ -144,14 +132,7 @@ impl Planted {
             let t = random.within(1.0);
             let through = [place[0] + t * cos, place[1] + t * sin];
             planted.joints.push((link, on, place, Some(along)));
-            planted.sliders.push(Slider {
-                link,
-                at,
-                on,
-                through,
-                along,
-                drive: None,
-            });
+            planted.sliders.push(Slider { link, at, on, through, along, drive: None });
         }
         planted
     }
@@ -166,11 +147,7 @@ impl Planted {
         for point in own {
             let goes = random.below(2) == 0;
             moved.push((point.1, goes));
-            let to = if goes {
-                &mut points
-            } else {
-                &mut self.bodies[link].points
-            };
+            let to = if goes { &mut points } else { &mut self.bodies[link].points };
             to.push(point);
         }
         let goes = |place: Pair| moved.iter().any(|(at, goes)| *at == place && *goes);
@@ -191,19 +168,11 @@ impl Planted {
                 Some(_) => false,
             });
         }
-        self.bodies.push(Body {
-            angle: random.angle(),
-            origin: random.place(),
-            points,
-        });
+        self.bodies.push(Body { angle: random.angle(), origin: random.place(), points });
         let (along, speed) = (random.angle(), random.within(1.0));
         let (sin, cos) = libm::sincos(along);
         let position = random.within(1.0);
-        let (slides, on) = if random.below(2) == 0 {
-            (piece, link)
-        } else {
-            (link, piece)
-        };
+        let (slides, on) = if random.below(2) == 0 { (piece, link) } else { (link, piece) };
         let (at, place) = self.bodies[slides].points[0].clone();
         self.sliders.push(Slider {
             link: slides,
@@ -231,11 +200,7 @@ impl Planted {
         let pivot = self.bodies[0].points[0].1;
         for (index, &(a, b, place, guide)) in self.joints.iter().enumerate() {
             for (body, sign) in [(a, 1.0), (b, -1.0)] {
-                let origin = if body == 1 {
-                    pivot
-                } else {
-                    self.bodies[body].origin
-                };
+                let origin = if body == 1 { pivot } else { self.bodies[body].origin };
                 let [x, y] = [place[0] - origin[0], place[1] - origin[1]];
                 let rows = match guide {
                     None => [[1.0, 0.0, -y], [0.0, 1.0, x]],
@@ -247,9 +212,7 @@ impl Planted {
                 // What moves the body's point besides the unknown rates: the crank, or the slider of a link cut in two.
                 let known = match &self.piece {
                     _ if body == 1 => [0.0, 0.0, 1.0],
-                    Some((link, on_piece, [x, y])) if body == *link && on_piece[index] => {
-                        [*x, *y, 0.0]
-                    }
+                    Some((link, on_piece, [x, y])) if body == *link && on_piece[index] => [*x, *y, 0.0],
                     _ => [0.0; 3],
                 };
                 for (row, values) in rows.into_iter().enumerate() {
@@ -267,34 +230,22 @@ impl Planted {
 
     pub fn scene(&self) -> String {
         let pair = |[x, y]: Pair| format!("[{:?}, {:?}]", self.scale * x, self.scale * y);
-        let ground: Vec<String> = self.bodies[0]
-            .points
-            .iter()
-            .map(|(name, place)| format!("\"{name}\": {}", pair(*place)))
-            .collect();
+        let ground: Vec<String> =
+            self.bodies[0].points.iter().map(|(name, place)| format!("\"{name}\": {}", pair(*place))).collect();
         let mut text = format!(
             "{{ \"kinegon\": 1, \"units\": {{ \"length\": \"mm\", \"time\": \"s\" }},\n  \"ground\": {{ {} }},\n  \"links\": {{",
             ground.join(", ")
         );
         for (index, body) in self.bodies.iter().enumerate().skip(1) {
-            let shape: Vec<String> = body
-                .points
-                .iter()
-                .map(|(name, place)| format!("\"{name}\": {}", pair(body.own(*place))))
-                .collect();
+            let shape: Vec<String> =
+                body.points.iter().map(|(name, place)| format!("\"{name}\": {}", pair(body.own(*place)))).collect();
             let drive = match index {
-                1 => format!(
-                    ", \"drive\": {{ \"angle\": {:?}, \"omega\": 1 }}",
-                    body.angle.to_degrees()
-                ),
+                1 => format!(", \"drive\": {{ \"angle\": {:?}, \"omega\": 1 }}", body.angle.to_degrees()),
                 _ => String::new(),
             };
             let comma = if index == 1 { "" } else { "," };
             let shape = shape.join(", ");
-            let _ = write!(
-                text,
-                "{comma}\n    \"b{index}\": {{ \"shape\": {{ {shape} }}{drive} }}"
-            );
+            let _ = write!(text, "{comma}\n    \"b{index}\": {{ \"shape\": {{ {shape} }}{drive} }}");
         }
         text.push_str(" },\n  \"sliders\": [");
         for (index, slider) in self.sliders.iter().enumerate() {
@@ -319,20 +270,15 @@ impl Planted {
                 pair(on.own(slider.through)),
             );
         }
-        let near: Vec<String> = self
-            .inner()
-            .map(|(name, place)| format!("\"{name}\": {}", pair(place)))
-            .collect();
+        let near: Vec<String> = self.inner().map(|(name, place)| format!("\"{name}\": {}", pair(place))).collect();
         let _ = write!(text, " ],\n  \"near\": {{ {} }} }}", near.join(", "));
         text
     }
 
     /// The points of the group.
     pub fn inner(&self) -> impl Iterator<Item = (&str, Pair)> {
-        let points: BTreeMap<&str, Pair> = self.bodies[2..]
-            .iter()
-            .flat_map(|body| body.points.iter().map(|(n, p)| (n.as_str(), *p)))
-            .collect();
+        let points: BTreeMap<&str, Pair> =
+            self.bodies[2..].iter().flat_map(|body| body.points.iter().map(|(n, p)| (n.as_str(), *p))).collect();
         let known = self.bodies[..2].iter().flat_map(|body| &body.points);
         let known: Vec<&str> = known.map(|(n, _)| n.as_str()).collect();
         points.into_iter().filter(move |(n, _)| !known.contains(n))

@@ -18,12 +18,7 @@ pub struct Look {
 }
 
 impl Look {
-    pub const SAME: Look = Look {
-        turned: 0.0,
-        sense: 1.0,
-        length: 1.0,
-        pace: 1.0,
-    };
+    pub const SAME: Look = Look { turned: 0.0, sense: 1.0, length: 1.0, pace: 1.0 };
 
     /// A vector of the fixed frame, in lengths.
     pub fn vector(&self, [x, y]: Pair) -> Pair {
@@ -119,10 +114,7 @@ impl Look {
         }
         self.rate(&mut slider["turned"], self.sense, 0);
         if slider["drive"].is_object() {
-            for (order, key) in ["position", "speed", "acceleration"]
-                .into_iter()
-                .enumerate()
-            {
+            for (order, key) in ["position", "speed", "acceleration"].into_iter().enumerate() {
                 self.rate(&mut slider["drive"][key], self.length, order);
             }
         }
@@ -137,10 +129,7 @@ impl Look {
     /// A place in a link's own frame.
     fn put_own(&self, place: &mut Value) {
         *place = match place {
-            Value::Array(_) => json!([
-                self.length * number(&place[0]),
-                self.sense * self.length * number(&place[1])
-            ]),
+            Value::Array(_) => json!([self.length * number(&place[0]), self.sense * self.length * number(&place[1])]),
             _ => json!(self.length * number(place)),
         };
     }
@@ -161,8 +150,7 @@ fn entries(node: &mut Value) -> impl Iterator<Item = (&String, &mut Value)> {
 }
 
 fn number(node: &Value) -> f64 {
-    node.as_f64()
-        .unwrap_or_else(|| panic!("{node} is no number"))
+    node.as_f64().unwrap_or_else(|| panic!("{node} is no number"))
 }
 
 /// Without the nulls that asking for absent keys has left.
@@ -190,8 +178,7 @@ pub fn renamed(scene: &Value, names: &Names) -> Value {
     let pair = |text: &str| {
         let split = text.split_once('-').or_else(|| {
             let cuts = text.char_indices().map(|(at, _)| text.split_at(at));
-            cuts.into_iter()
-                .find(|(a, b)| [a, b].iter().all(|name| known.iter().any(|k| k == *name)))
+            cuts.into_iter().find(|(a, b)| [a, b].iter().all(|name| known.iter().any(|k| k == *name)))
         });
         let (a, b) = split.unwrap_or_else(|| panic!("{text} is no pair of points"));
         format!("{}-{}", names.point(a), names.point(b))
@@ -202,14 +189,9 @@ pub fn renamed(scene: &Value, names: &Names) -> Value {
             other => rename_keys(other, |name| names.point(name)),
         }
     }
-    rename_keys(&mut scene["near"], |name| {
-        match name
-            .strip_prefix("angle(")
-            .and_then(|rest| rest.strip_suffix(')'))
-        {
-            Some(link) => format!("angle({})", names.link(link)),
-            None => names.point(name),
-        }
+    rename_keys(&mut scene["near"], |name| match name.strip_prefix("angle(").and_then(|rest| rest.strip_suffix(')')) {
+        Some(link) => format!("angle({})", names.link(link)),
+        None => names.point(name),
     });
     rename_keys(&mut scene["links"], |name| names.link(name));
     for (_, link) in entries(&mut scene["links"]) {
@@ -217,11 +199,7 @@ pub fn renamed(scene: &Value, names: &Names) -> Value {
             list.iter_mut().for_each(point);
             continue;
         }
-        link["points"]
-            .as_array_mut()
-            .into_iter()
-            .flatten()
-            .for_each(point);
+        link["points"].as_array_mut().into_iter().flatten().for_each(point);
         rename_keys(&mut link["shape"], |name| names.point(name));
         rename_keys(&mut link["lengths"], pair);
         if link["motion"].is_object() {
@@ -229,9 +207,7 @@ pub fn renamed(scene: &Value, names: &Names) -> Value {
         }
     }
     for slider in scene["sliders"].as_array_mut().into_iter().flatten() {
-        ["at", "pin", "through"]
-            .into_iter()
-            .for_each(|key| point(&mut slider[key]));
+        ["at", "pin", "through"].into_iter().for_each(|key| point(&mut slider[key]));
         for key in ["link", "on"] {
             if let Value::String(name) = &mut slider[key] {
                 *name = names.link(name);
@@ -246,10 +222,7 @@ pub fn renamed(scene: &Value, names: &Names) -> Value {
 
 fn rename_keys(node: &mut Value, name: impl Fn(&str) -> String) {
     if let Value::Object(entries) = node {
-        *entries = std::mem::take(entries)
-            .into_iter()
-            .map(|(key, value)| (name(&key), value))
-            .collect();
+        *entries = std::mem::take(entries).into_iter().map(|(key, value)| (name(&key), value)).collect();
     }
 }
 
@@ -277,9 +250,7 @@ pub fn reversed(scene: &Value) -> Value {
     for key in ["ground", "points", "known", "links", "sliders"] {
         match &mut scene[key] {
             Value::Array(list) => list.reverse(),
-            Value::Object(entries) => {
-                *entries = std::mem::take(entries).into_iter().rev().collect()
-            }
+            Value::Object(entries) => *entries = std::mem::take(entries).into_iter().rev().collect(),
             _ => {}
         }
     }

@@ -68,17 +68,9 @@ fn solved(scene: &Value) -> Result<Option<Solved>, TestCaseError> {
         Ok(stages) => {
             let result = stages.result();
             let condition = result.groups.iter().map(|group| group.condition).product();
-            Ok(Some(Solved {
-                stages,
-                result,
-                condition,
-            }))
+            Ok(Some(Solved { stages, result, condition }))
         }
-        Err(
-            Error::Assembly(_)
-            | Error::Motion(_)
-            | Error::Structure(StructureError::Singular { .. }),
-        ) => Ok(None),
+        Err(Error::Assembly(_) | Error::Motion(_) | Error::Structure(StructureError::Singular { .. })) => Ok(None),
         // Varied lengths of a thin triangle.
         Err(Error::Scene(error)) if error.message.contains("cannot form a triangle") => Ok(None),
         Err(error) => Err(TestCaseError::fail(format!("{error}\n{scene}"))),
@@ -86,21 +78,11 @@ fn solved(scene: &Value) -> Result<Option<Solved>, TestCaseError> {
 }
 
 /// The scene and the scene changed differ as they should.
-fn changed(
-    scene: &Value,
-    other: &Value,
-    change: &Change<'_>,
-) -> Result<[ResultFile; 2], TestCaseError> {
+fn changed(scene: &Value, other: &Value, change: &Change<'_>) -> Result<[ResultFile; 2], TestCaseError> {
     let before = solved(scene)?;
-    prop_assume!(
-        before
-            .as_ref()
-            .is_some_and(|before| before.condition < HARDEST)
-    );
+    prop_assume!(before.as_ref().is_some_and(|before| before.condition < HARDEST));
     let (Some(before), Some(after)) = (before, solved(other)?) else {
-        return Err(TestCaseError::fail(format!(
-            "only one of two can be solved\n{other}"
-        )));
+        return Err(TestCaseError::fail(format!("only one of two can be solved\n{other}")));
     };
     // Positions that are found, not given, carry errors of their own; and so do the rates that follow from them.
     let found = scene.get("points").is_none();
@@ -133,12 +115,7 @@ fn looked_at(scene: &Scene, look: Look) -> Result<(), TestCaseError> {
         // Of a link with one point as drawn it is that of its guide.
         let off = after.links[name].angle.unwrap_or(f64::NAN) - look.angle(angle);
         let turns = (off / 360.0).round();
-        prop_assert!(
-            (off - 360.0 * turns).abs() < 1e-6,
-            "angle({}) is {} off",
-            name,
-            off
-        );
+        prop_assert!((off - 360.0 * turns).abs() < 1e-6, "angle({}) is {} off", name, off);
     }
     Ok(())
 }

@@ -48,16 +48,10 @@ pub fn varied() -> impl Strategy<Value = Scene> {
     (0..TEMPLATES.len(), vec(-1.0..1.0_f64, 8..32), drive).prop_map(|(which, lots, drive)| {
         let mut scene = TEMPLATES[which].clone();
         let mut lots = lots.into_iter().cycle();
-        vary(&mut scene, &mut || {
-            1.0 + VARIES * lots.next().expect("they begin again")
-        });
+        vary(&mut scene, &mut || 1.0 + VARIES * lots.next().expect("they begin again"));
         let (turn, omega, reversed, alpha) = drive;
         let omega = if reversed { -omega } else { omega };
-        for link in scene["links"]
-            .as_object_mut()
-            .expect("links by name")
-            .values_mut()
-        {
+        for link in scene["links"].as_object_mut().expect("links by name").values_mut() {
             if let Some(drive) = link.get_mut("drive") {
                 let angle = drive["angle"].as_f64().expect("from lengths");
                 *drive = json!({ "angle": angle + TURNED * turn, "omega": omega, "alpha": alpha * omega * omega });
@@ -93,11 +87,8 @@ fn bare(scene: &Value) -> Value {
     const IDLE: [&str; 4] = ["note", "title", "figure", "$schema"];
     match scene {
         Value::Object(entries) => {
-            let kept = entries
-                .iter()
-                .filter(|(key, _)| !IDLE.contains(&key.as_str()));
-            kept.map(|(key, value)| (key.clone(), bare(value)))
-                .collect()
+            let kept = entries.iter().filter(|(key, _)| !IDLE.contains(&key.as_str()));
+            kept.map(|(key, value)| (key.clone(), bare(value))).collect()
         }
         Value::Array(elements) => elements.iter().map(bare).collect(),
         other => other.clone(),
@@ -109,11 +100,7 @@ fn vary(scene: &mut Value, factor: &mut impl FnMut() -> f64) {
     for key in ["ground", "points", "known"] {
         each_number(&mut scene[key], factor);
     }
-    for link in scene["links"]
-        .as_object_mut()
-        .expect("links by name")
-        .values_mut()
-    {
+    for link in scene["links"].as_object_mut().expect("links by name").values_mut() {
         for key in ["lengths", "shape", "motion"] {
             if let Some(part) = link.get_mut(key) {
                 each_number(part, factor);
@@ -127,10 +114,7 @@ fn vary(scene: &mut Value, factor: &mut impl FnMut() -> f64) {
             }
         }
     }
-    scene
-        .as_object_mut()
-        .expect("an object")
-        .retain(|_, value| !value.is_null());
+    scene.as_object_mut().expect("an object").retain(|_, value| !value.is_null());
 }
 
 fn each_number(node: &mut Value, factor: &mut impl FnMut() -> f64) {

@@ -29,13 +29,7 @@ impl Stages {
         let motion = motion(&mechanism, &pose, Order::Acceleration)?;
         let words = Wording::of(&scene.figure);
         let construction = construction_in(&mechanism, &pose, &motion, &words);
-        Ok(Stages {
-            scene,
-            mechanism,
-            pose,
-            motion,
-            construction,
-        })
+        Ok(Stages { scene, mechanism, pose, motion, construction })
     }
 
     pub fn result(&self) -> ResultFile {

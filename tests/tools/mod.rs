@@ -8,9 +8,7 @@ use std::process::{Command, Stdio};
 /// Where a program is, or none with a word on stderr: the test that needs it is then skipped.
 pub fn find(program: &str) -> Option<PathBuf> {
     let folders = std::env::var_os("PATH")?;
-    let found = std::env::split_paths(&folders)
-        .map(|folder| folder.join(program))
-        .find(|path| path.is_file());
+    let found = std::env::split_paths(&folders).map(|folder| folder.join(program)).find(|path| path.is_file());
     if found.is_none() {
         eprintln!("skipped: {program} is not installed");
     }
@@ -23,16 +21,9 @@ pub fn run<A: AsRef<OsStr>>(program: &Path, arguments: impl IntoIterator<Item = 
 }
 
 /// The same, in a folder of its own.
-pub fn run_in<A: AsRef<OsStr>>(
-    folder: &Path,
-    program: &Path,
-    arguments: impl IntoIterator<Item = A>,
-) -> Vec<u8> {
+pub fn run_in<A: AsRef<OsStr>>(folder: &Path, program: &Path, arguments: impl IntoIterator<Item = A>) -> Vec<u8> {
     let mut command = Command::new(program);
-    command
-        .args(arguments)
-        .current_dir(folder)
-        .stdin(Stdio::null());
+    command.args(arguments).current_dir(folder).stdin(Stdio::null());
     let output = command.output().expect("the program starts");
     assert!(
         output.status.success(),

@@ -26,13 +26,7 @@ pub fn whole_way(text: &str) -> Result<(), Error> {
     add_quantities(&stages, &mut result);
     result_is_finite(&result);
     drawing_is_finite(&stages.drawing());
-    let Stages {
-        scene,
-        mechanism,
-        pose,
-        motion,
-        construction,
-    } = &stages;
+    let Stages { scene, mechanism, pose, motion, construction } = &stages;
     let all = stepwise(scene, mechanism, pose, construction);
     for step in [1, all.steps.len() / 2 + 1, all.steps.len() + 1] {
         drawing_is_finite(&all.after_step(step));
@@ -50,9 +44,7 @@ pub fn whole_way(text: &str) -> Result<(), Error> {
         construction,
         &scales(scene, mechanism, pose, construction),
         Tolerance::default(),
-        asked
-            .map(|a| a.expect("steps measure quantities"))
-            .collect(),
+        asked.map(|a| a.expect("steps measure quantities")).collect(),
     );
     assert!(!format::steps(scene, construction, &pencil).is_empty());
     Ok(())
@@ -61,10 +53,7 @@ pub fn whole_way(text: &str) -> Result<(), Error> {
 fn can_be_shown(text: &str, error: &Error) {
     if let Error::Scene(finding) = error {
         let span = finding.place.as_ref().map(|place| place.span.clone());
-        assert!(
-            span.is_none_or(|span| text.get(span).is_some()),
-            "the span of {error} is not in the text"
-        );
+        assert!(span.is_none_or(|span| text.get(span).is_some()), "the span of {error} is not in the text");
     }
     let message = error.to_string();
     assert!(!message.is_empty());
@@ -76,18 +65,11 @@ fn can_be_shown(text: &str, error: &Error) {
 
 /// All that the construction measures.
 fn add_quantities(stages: &Stages, result: &mut ResultFile) {
-    let Stages {
-        scene,
-        mechanism,
-        pose,
-        motion,
-        construction,
-    } = stages;
+    let Stages { scene, mechanism, pose, motion, construction } = stages;
     let scales = scales(scene, mechanism, pose, construction);
     for name in measured_names(construction) {
         let value = quantity(&name, mechanism, pose, motion, construction, Some(&scales));
-        let value = match value.unwrap_or_else(|error| panic!("{name} was measured, but: {error}"))
-        {
+        let value = match value.unwrap_or_else(|error| panic!("{name} was measured, but: {error}")) {
             Quantity::Number(x) => format::QuantityResult::Number(x),
             Quantity::Vector(v) => format::QuantityResult::Vector([v.x, v.y]),
         };
@@ -99,11 +81,7 @@ fn add_quantities(stages: &Stages, result: &mut ResultFile) {
 fn result_is_finite(result: &ResultFile) {
     let text = format::json(result);
     let mut json: Value = serde_json::from_str(&text).expect("a result is JSON");
-    for (group, shown) in result
-        .groups
-        .iter()
-        .zip(json["groups"].as_array_mut().expect("a list"))
-    {
+    for (group, shown) in result.groups.iter().zip(json["groups"].as_array_mut().expect("a list")) {
         assert!(group.condition >= 1.0, "condition {}", group.condition);
         let routes = [group.disagreement, group.disagreement_allowed];
         assert!(
@@ -117,15 +95,9 @@ fn result_is_finite(result: &ResultFile) {
     assert!(!has_null(&json), "not finite:\n{text}");
     for (name, link) in &result.links {
         let turned = link.angle.unwrap_or(0.0);
-        assert!(
-            turned > -180.0 && turned <= 180.0,
-            "angle({name}) is {turned}"
-        );
+        assert!(turned > -180.0 && turned <= 180.0, "angle({name}) is {turned}");
         let errors = [link.omega_error, link.alpha_error.unwrap_or(0.0)];
-        assert!(
-            errors.iter().all(|error| *error >= 0.0),
-            "{name}: {errors:?}"
-        );
+        assert!(errors.iter().all(|error| *error >= 0.0), "{name}: {errors:?}");
     }
 }
 
@@ -147,8 +119,7 @@ fn drawing_is_finite(drawing: &Drawing) {
     for attribute in document.descendants().flat_map(|node| node.attributes()) {
         let is_number = attribute.name() != "id";
         assert!(
-            !(is_number
-                && (attribute.value().contains("NaN") || attribute.value().contains("inf"))),
+            !(is_number && (attribute.value().contains("NaN") || attribute.value().contains("inf"))),
             "{attribute:?}"
         );
     }

@@ -4,12 +4,7 @@ use super::{Candidate, Mistake, Site, Stand};
 use crate::check::entry::Entry;
 
 /// Entries that stand for something else, gone on with as they were written where `goes_on` and somebody could.
-fn misread(
-    site: &Site<'_>,
-    mistake: Mistake,
-    stands: Vec<Stand>,
-    blanks: Vec<String>,
-) -> Vec<Candidate> {
+fn misread(site: &Site<'_>, mistake: Mistake, stands: Vec<Stand>, blanks: Vec<String>) -> Vec<Candidate> {
     let Some(first) = stands.first().map(|s| s.entry) else {
         return Vec::new();
     };
@@ -23,11 +18,7 @@ fn misread(
         if let Some(act) = site.model.makers[number.0].filter(|_| site.model.used[number.0]) {
             let exact = site.model.exact.number(number);
             let senseless = reading.is_magnitude || reading.is_distance || entry.is_magnitude;
-            let value = if senseless {
-                libm::copysign(entry.value, exact)
-            } else {
-                entry.value
-            };
+            let value = if senseless { libm::copysign(entry.value, exact) } else { entry.value };
             goes_on.push((act, number, value));
         }
     }
@@ -43,10 +34,7 @@ fn misread(
     let mut found = Vec::new();
     // What is gone on with is one number, whatever names the form has for it.
     if !goes_on.is_empty() && is_first_name(site, &only_written.stands) {
-        found.push(Candidate {
-            goes_on,
-            ..only_written.clone()
-        });
+        found.push(Candidate { goes_on, ..only_written.clone() });
     }
     found.push(only_written);
     found
@@ -60,11 +48,7 @@ fn is_first_name(site: &Site<'_>, stands: &[Stand]) -> bool {
 }
 
 fn stand(entry: usize, value: f64, rounding: f64) -> Stand {
-    Stand {
-        entry,
-        value: Some(value),
-        rounding,
-    }
+    Stand { entry, value: Some(value), rounding }
 }
 
 fn named(entry: &Entry) -> String {
@@ -109,12 +93,7 @@ pub(super) fn transposed(site: &Site<'_>) -> Vec<Candidate> {
             };
             let meant_value = stand(index, number * entry.factor, entry.rounding);
             let blanks = vec![named(entry), entry.text.clone(), meant];
-            found.extend(misread(
-                site,
-                Mistake::DigitsTransposed,
-                vec![meant_value],
-                blanks,
-            ));
+            found.extend(misread(site, Mistake::DigitsTransposed, vec![meant_value], blanks));
         }
     }
     found
@@ -123,12 +102,8 @@ pub(super) fn transposed(site: &Site<'_>) -> Vec<Candidate> {
 /// The number with two neighbouring digits in each other's place; the decimal point stays where it is. Nobody begins a number with a zero too many.
 fn transpositions(text: &str) -> Vec<String> {
     let characters: Vec<char> = text.chars().collect();
-    let digits: Vec<usize> = (0..characters.len())
-        .filter(|&i| characters[i].is_ascii_digit())
-        .collect();
-    let pairs = digits
-        .windows(2)
-        .filter(|p| characters[p[0]] != characters[p[1]]);
+    let digits: Vec<usize> = (0..characters.len()).filter(|&i| characters[i].is_ascii_digit()).collect();
+    let pairs = digits.windows(2).filter(|p| characters[p[0]] != characters[p[1]]);
     let swapped = pairs.map(|pair| {
         let mut other = characters.clone();
         other.swap(pair[0], pair[1]);
@@ -151,12 +126,7 @@ pub(super) fn swapped(site: &Site<'_>) -> Vec<Candidate> {
                 continue;
             }
             let stands = vec![stand(i, b.value, b.rounding), stand(j, a.value, a.rounding)];
-            found.extend(misread(
-                site,
-                Mistake::Swapped,
-                stands,
-                vec![named(a), named(b)],
-            ));
+            found.extend(misread(site, Mistake::Swapped, stands, vec![named(a), named(b)]));
         }
     }
     found
@@ -195,13 +165,7 @@ pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
         let Some(unit) = &entry.unit else { continue };
         let factor = entry.factor_without_unit / entry.factor;
         let right = entry.asked.kind().unit(site.drawn.units);
-        found.extend(in_unit(
-            site,
-            Mistake::WrongUnit,
-            index,
-            factor,
-            [unit, &right],
-        ));
+        found.extend(in_unit(site, Mistake::WrongUnit, index, factor, [unit, &right]));
     }
     found
 }
@@ -220,13 +184,7 @@ pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
         }
         for (name, size) in METRIC.iter().filter(|m| m.0 != head) {
             let other = own.replacen(head, name, 1);
-            found.extend(in_unit(
-                site,
-                Mistake::OtherUnit,
-                index,
-                size / metric.1,
-                [&other, &own],
-            ));
+            found.extend(in_unit(site, Mistake::OtherUnit, index, size / metric.1, [&other, &own]));
         }
     }
     found
@@ -245,12 +203,7 @@ fn in_unit(
     }
     let entry = &site.entries[index];
     let meant = stand(index, entry.value * factor, entry.rounding * factor.abs());
-    let blanks = vec![
-        named(entry),
-        entry.text.clone(),
-        written.to_owned(),
-        right.to_owned(),
-    ];
+    let blanks = vec![named(entry), entry.text.clone(), written.to_owned(), right.to_owned()];
     misread(site, mistake, vec![meant], blanks)
 }
 
@@ -258,11 +211,7 @@ fn in_unit(
 pub(super) fn unknown(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, entry) in written(site) {
-        let stands = vec![Stand {
-            entry: index,
-            value: None,
-            rounding: entry.rounding,
-        }];
+        let stands = vec![Stand { entry: index, value: None, rounding: entry.rounding }];
         let all = misread(site, Mistake::Unknown, stands, vec![named(entry)]);
         found.extend(all.into_iter().filter(|c| !c.goes_on.is_empty()));
     }

@@ -20,16 +20,9 @@ fn same_sense(site: &Site<'_>, act: usize, put: Put, number: NumberId) -> Vec<(u
 }
 
 /// The acts that measure a length of the construction or one that is read off.
-fn measures<'a>(
-    site: &'a Site<'a>,
-) -> impl Iterator<Item = (usize, &'a Act, NumberId, [crate::drafting::PlaceId; 2])> {
+fn measures<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, &'a Act, NumberId, [crate::drafting::PlaceId; 2])> {
     site.acts().filter_map(|(index, act)| match act.deed {
-        Deed::Measure {
-            number,
-            from,
-            to,
-            how: How::Along(_) | How::Size,
-        } => Some((index, act, number, [from, to])),
+        Deed::Measure { number, from, to, how: How::Along(_) | How::Size } => Some((index, act, number, [from, to])),
         _ => None,
     })
 }
@@ -38,12 +31,7 @@ pub(super) fn component(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, act, number, [from, to]) in measures(site) {
         for (how, axis) in [(How::X, "x"), (How::Y, "y")] {
-            let deed = Deed::Measure {
-                number,
-                from,
-                to,
-                how,
-            };
+            let deed = Deed::Measure { number, from, to, how };
             let put = site.instead(index, deed);
             let ends = [from, to].map(|p| site.place_name(p));
             let blanks = [act.makes.as_str(), axis, ends[0], ends[1]];
@@ -60,11 +48,7 @@ pub(super) fn wrong_segment(site: &Site<'_>) -> Vec<Candidate> {
     ends_elsewhere(site, Mistake::WrongSegment, |sheet| sheet != Sheet::Scheme)
 }
 
-fn ends_elsewhere(
-    site: &Site<'_>,
-    mistake: Mistake,
-    is_meant: fn(Sheet) -> bool,
-) -> Vec<Candidate> {
+fn ends_elsewhere(site: &Site<'_>, mistake: Mistake, is_meant: fn(Sheet) -> bool) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, act, number, [from, to]) in measures(site) {
         if !is_meant(act.sheet) {
@@ -75,12 +59,7 @@ fn ends_elsewhere(
                 continue;
             }
             for ends in [[other, to], [from, other]] {
-                let deed = Deed::Measure {
-                    number,
-                    from: ends[0],
-                    to: ends[1],
-                    how: How::Size,
-                };
+                let deed = Deed::Measure { number, from: ends[0], to: ends[1], how: How::Size };
                 let put = site.instead(index, deed);
                 let [a, b] = ends.map(|p| site.place_name(p));
                 let blanks = [act.makes.as_str(), a, b];

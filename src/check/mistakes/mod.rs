@@ -118,11 +118,7 @@ pub(super) struct Stand {
 impl Stand {
     /// The value as it is meant; none where the written one says nothing.
     pub fn read(&self, written: &Datum) -> Option<Datum> {
-        self.value.map(|value| Datum {
-            value,
-            rounding: self.rounding.max(f64::MIN_POSITIVE),
-            ..*written
-        })
+        self.value.map(|value| Datum { value, rounding: self.rounding.max(f64::MIN_POSITIVE), ..*written })
     }
 }
 
@@ -215,10 +211,7 @@ pub(super) struct Site<'a> {
 impl Site<'_> {
     /// All candidates of the catalogue.
     pub fn candidates(&self) -> Vec<Candidate> {
-        CATALOGUE
-            .iter()
-            .flat_map(|listed| (listed.find)(self))
-            .collect()
+        CATALOGUE.iter().flat_map(|listed| (listed.find)(self)).collect()
     }
 
     /// The candidates of one mistake.
@@ -245,11 +238,7 @@ impl Site<'_> {
     /// The act with another deed.
     fn instead(&self, act: usize, deed: Deed) -> Put {
         let Act { sheet, makes, .. } = &self.model.drafting.acts[act];
-        Put::Act(Act {
-            sheet: *sheet,
-            makes: makes.clone(),
-            deed,
-        })
+        Put::Act(Act { sheet: *sheet, makes: makes.clone(), deed })
     }
 
     fn number_name(&self, number: NumberId) -> &str {
@@ -263,16 +252,12 @@ impl Site<'_> {
     /// The sums from which vectors' sizes are computed: the act, the sum, the names of the vector's ends.
     fn sums(&self) -> Vec<(usize, &[Product], [&str; 2])> {
         let laid = self.acts().filter_map(|(_, act)| match &act.deed {
-            Deed::LayOff {
-                place, from, size, ..
-            } => {
+            Deed::LayOff { place, from, size, .. } => {
                 let maker = self.model.makers[size.0]?;
                 match &self.model.drafting.acts[maker].deed {
-                    Deed::Compute { sum, .. } => Some((
-                        maker,
-                        sum.as_slice(),
-                        [self.place_name(*from), self.place_name(*place)],
-                    )),
+                    Deed::Compute { sum, .. } => {
+                        Some((maker, sum.as_slice(), [self.place_name(*from), self.place_name(*place)]))
+                    }
                     _ => None,
                 }
             }

@@ -12,14 +12,8 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, &'a s
             Deed::Solve { .. } | Deed::Take { .. } => numbers_made(&act.deed),
             _ => smallvec::SmallVec::new(),
         };
-        let named = numbers
-            .into_iter()
-            .map(move |n| (index, n, site.number_name(n)));
-        named.filter(|(_, _, name)| {
-            ["omega(", "alpha(", "v_r(", "a_r("]
-                .iter()
-                .any(|head| name.starts_with(head))
-        })
+        let named = numbers.into_iter().map(move |n| (index, n, site.number_name(n)));
+        named.filter(|(_, _, name)| ["omega(", "alpha(", "v_r(", "a_r("].iter().any(|head| name.starts_with(head)))
     })
 }
 
@@ -44,10 +38,7 @@ fn by_factor(site: &Site<'_>, mistake: Mistake, heads: &[&str], factor: f64) -> 
         }
     }
     for (index, entry) in site.entries.iter().enumerate() {
-        if !heads
-            .iter()
-            .any(|head| entry.asked.name().starts_with(head))
-        {
+        if !heads.iter().any(|head| entry.asked.name().starts_with(head)) {
             continue;
         }
         for factor in [factor, 1.0 / factor] {
@@ -76,12 +67,7 @@ pub(super) fn revolutions(site: &Site<'_>) -> Vec<Candidate> {
 
 pub(super) fn degrees(site: &Site<'_>) -> Vec<Candidate> {
     let factor = 180.0 / core::f64::consts::PI;
-    by_factor(
-        site,
-        Mistake::DegreesForRadians,
-        &["omega(", "alpha("],
-        factor,
-    )
+    by_factor(site, Mistake::DegreesForRadians, &["omega(", "alpha("], factor)
 }
 
 /// Segments turned into values by the scale of another sheet: one of them, or all of a sheet.
@@ -119,11 +105,7 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
                 if let Some(index) = written {
                     let entry = &site.entries[index];
                     one.puts.clear();
-                    one.stands.push(Stand {
-                        entry: index,
-                        value: Some(entry.value),
-                        rounding: entry.rounding,
-                    });
+                    one.stands.push(Stand { entry: index, value: Some(entry.value), rounding: entry.rounding });
                     let exact = site.model.exact.number(number);
                     let value = libm::copysign(entry.value, exact) * ratio;
                     if site.model.used[number.0] {

@@ -30,22 +30,11 @@ fn turned_lines(
     blanks: impl Fn(&Act, &str) -> Option<[String; 2]>,
 ) -> Vec<Candidate> {
     let lines = site.acts().filter_map(|(index, act)| {
-        let Deed::Draw {
-            line,
-            through,
-            reference,
-            quarter_turns,
-        } = act.deed
-        else {
+        let Deed::Draw { line, through, reference, quarter_turns } = act.deed else {
             return None;
         };
         let blanks = blanks(act, site.place_name(through))?;
-        let deed = Deed::Draw {
-            line,
-            through,
-            reference,
-            quarter_turns: quarter_turns + 1,
-        };
+        let deed = Deed::Draw { line, through, reference, quarter_turns: quarter_turns + 1 };
         let put = site.instead(index, deed);
         let blanks = blanks.each_ref().map(String::as_str);
         Some(site.candidate(mistake, index, put, &blanks))
@@ -56,13 +45,7 @@ fn turned_lines(
 pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, act) in site.acts() {
-        let Deed::Draw {
-            line,
-            through,
-            reference,
-            quarter_turns,
-        } = act.deed
-        else {
+        let Deed::Draw { line, through, reference, quarter_turns } = act.deed else {
             continue;
         };
         let Some((from, to)) = ends(&act.makes) else {
@@ -72,12 +55,7 @@ pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
             if wrong == through {
                 continue;
             }
-            let deed = Deed::Draw {
-                line,
-                through: wrong,
-                reference,
-                quarter_turns,
-            };
+            let deed = Deed::Draw { line, through: wrong, reference, quarter_turns };
             let put = site.instead(index, deed);
             let blanks = [to, site.place_name(wrong), from];
             found.push(site.candidate(Mistake::RayFromWrongPoint, index, put, &blanks));
@@ -105,10 +83,7 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
                 }
                 let mut taken = lines;
                 taken[side] = wrong;
-                let deed = Deed::Cross {
-                    place,
-                    lines: taken,
-                };
+                let deed = Deed::Cross { place, lines: taken };
                 let put = site.instead(index, deed);
                 let [wrong, right] = [wrong, lines[side]].map(|line| line_name(site, line));
                 let blanks = [act.makes.as_str(), &wrong, &right];

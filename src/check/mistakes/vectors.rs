@@ -18,27 +18,14 @@ fn is_coriolis(product: &Product) -> bool {
 
 pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
     let laid = site.acts().filter_map(|(index, act)| {
-        let Deed::LayOff {
-            place,
-            from,
-            size,
-            reference,
-            quarter_turns,
-        } = act.deed
-        else {
+        let Deed::LayOff { place, from, size, reference, quarter_turns } = act.deed else {
             return None;
         };
         let (start, end) = (site.place_name(from), site.place_name(place));
         if end.is_empty() {
             return None;
         }
-        let deed = Deed::LayOff {
-            place,
-            from,
-            size,
-            reference,
-            quarter_turns: quarter_turns + 2,
-        };
+        let deed = Deed::LayOff { place, from, size, reference, quarter_turns: quarter_turns + 2 };
         let put = site.instead(index, deed);
         Some(site.candidate(Mistake::ReversedVector, index, put, &[start, end]))
     });
@@ -74,10 +61,7 @@ fn products(
 }
 
 fn times(product: &Product, factor: f64) -> Option<Product> {
-    Some(Product {
-        factor: product.factor * factor,
-        of: product.of.clone(),
-    })
+    Some(Product { factor: product.factor * factor, of: product.of.clone() })
 }
 
 pub(super) fn outward(site: &Site<'_>) -> Vec<Candidate> {
@@ -105,10 +89,7 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
     let absolute = |product: &Product| -> Option<f64> {
         let length = *product.of.last()?;
         let name = site.number_name(length);
-        let (_, end) = name
-            .strip_prefix("L(")?
-            .strip_suffix(')')?
-            .split_once(',')?;
+        let (_, end) = name.strip_prefix("L(")?.strip_suffix(')')?.split_once(',')?;
         let plan = &site.drawn.construction.velocity;
         let velocity = plan.points.get(&image_name(end))?.vector.norm();
         let length = site.model.exact.number(length);
@@ -135,22 +116,16 @@ pub(super) fn coriolis_forgotten(site: &Site<'_>) -> Vec<Candidate> {
 }
 
 pub(super) fn coriolis_without_two(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisWithoutTwo, is_coriolis, |p| {
-        times(p, 0.5)
-    })
+    products(site, Mistake::CoriolisWithoutTwo, is_coriolis, |p| times(p, 0.5))
 }
 
 pub(super) fn coriolis_turned(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisTurned, is_coriolis, |p| {
-        times(p, -1.0)
-    })
+    products(site, Mistake::CoriolisTurned, is_coriolis, |p| times(p, -1.0))
 }
 
 /// 2 ω v added to a link between pins, where v = ω L: it lies along the link, with the normal part, and makes three of it.
 pub(super) fn coriolis_where_none(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisWhereNone, is_normal, |p| {
-        times(p, 3.0)
-    })
+    products(site, Mistake::CoriolisWhereNone, is_normal, |p| times(p, 3.0))
 }
 
 /// The image of a link with three points: one of its sides laid off on the wrong side of another.
@@ -158,14 +133,7 @@ pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
     // Vectors of the velocity plan from one point, normal to lines of the mechanism.
     let mut laid: Vec<(usize, [&str; 2], NumberId, Vector)> = Vec::new();
     for (index, act) in site.acts() {
-        let Deed::LayOff {
-            place,
-            from,
-            size,
-            reference: Reference::Line(line),
-            quarter_turns: 1,
-        } = act.deed
-        else {
+        let Deed::LayOff { place, from, size, reference: Reference::Line(line), quarter_turns: 1 } = act.deed else {
             continue;
         };
         let ends = [from, place].map(|p| site.place_name(p));
@@ -173,11 +141,7 @@ pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
             continue;
         }
         let joined = site.acts().find_map(|(_, a)| match a.deed {
-            Deed::Join {
-                line: own,
-                from,
-                towards,
-            } if own == line => Some([from, towards]),
+            Deed::Join { line: own, from, towards } if own == line => Some([from, towards]),
             _ => None,
         });
         let Some(joined) = joined else { continue };
@@ -189,25 +153,16 @@ pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for &(index, [from, to], size, along) in &laid {
         for &(other, [from_other, to_other], _, axis) in &laid {
-            let same_sheet =
-                site.model.drafting.acts[other].sheet == site.model.drafting.acts[index].sheet;
+            let same_sheet = site.model.drafting.acts[other].sheet == site.model.drafting.acts[index].sheet;
             if other >= index || from_other != from || !same_sheet {
                 continue;
             }
             let mirrored = axis * (2.0 * along.dot(&axis)) - along;
-            let Deed::LayOff {
-                place, from: start, ..
-            } = site.model.drafting.acts[index].deed
-            else {
+            let Deed::LayOff { place, from: start, .. } = site.model.drafting.acts[index].deed else {
                 continue;
             };
-            let deed = Deed::LayOff {
-                place,
-                from: start,
-                size,
-                reference: Reference::Given(mirrored),
-                quarter_turns: 1,
-            };
+            let deed =
+                Deed::LayOff { place, from: start, size, reference: Reference::Given(mirrored), quarter_turns: 1 };
             let put = site.instead(index, deed);
             found.push(site.candidate(Mistake::MirroredImage, index, put, &[from, to, to_other]));
         }

@@ -102,9 +102,7 @@ pub fn redrawn(
         cells: {
             let mut cells = cells(page.row(value));
             cells[0] = value.entry.asked.name().to_owned();
-            let follow = (1..)
-                .zip(findings)
-                .filter(|(_, f)| f.follows.contains(&index));
+            let follow = (1..).zip(findings).filter(|(_, f)| f.follows.contains(&index));
             cells[5].extend(follow.map(|(number, _)| format!(" ({number})")));
             cells
         },
@@ -134,17 +132,11 @@ fn wrong_steps(drawn: &Drawn<'_>, found: &[&Candidate], words: &CheckWords) -> V
         // Of the rates that a step solves for only that of one link is wrong; its sense is shown on the scheme.
         let solves = matches!(own.step.action, Action::Solve { .. });
         let rate = candidate.blanks.first().map_or("", String::as_str);
-        let link = ["omega(", "alpha("]
-            .iter()
-            .find_map(|h| rate.strip_prefix(h));
+        let link = ["omega(", "alpha("].iter().find_map(|h| rate.strip_prefix(h));
         let link = link.map_or("", |link| link.trim_end_matches(')'));
         wrong.push(WrongStep {
             step: own.number,
-            panel: if solves {
-                Panel::Scheme
-            } else {
-                panel(own.sheet)
-            },
+            panel: if solves { Panel::Scheme } else { panel(own.sheet) },
             label: (words.step)(own.number),
             link: solves.then(|| link.to_owned()),
         });

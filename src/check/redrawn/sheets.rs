@@ -130,12 +130,7 @@ impl<'a> Sheets<'a> {
                 Deed::Cross { place, ref lines } if self.is_elsewhere(sheet, place) => {
                     self.crossing(sheet, place, lines);
                 }
-                Deed::Measure {
-                    number,
-                    from,
-                    to,
-                    how,
-                } if is_changed => {
+                Deed::Measure { number, from, to, how } if is_changed => {
                     let value = self.values.number(number);
                     self.measured(sheet, [from, to], how, value);
                 }
@@ -154,10 +149,7 @@ impl<'a> Sheets<'a> {
             let next = places.iter().cycle().skip(1);
             let count = if places.len() > 2 { places.len() } else { 1 };
             for (&a, &b) in places.iter().zip(next).take(count) {
-                if [a, b]
-                    .into_iter()
-                    .any(|p| self.is_elsewhere(Sheet::Scheme, p))
-                {
+                if [a, b].into_iter().any(|p| self.is_elsewhere(Sheet::Scheme, p)) {
                     let ends = [a, b].map(|p| self.at(Sheet::Scheme, p));
                     self.line(Sheet::Scheme, b, ends, OwnKind::Line, None);
                 }
@@ -172,15 +164,10 @@ impl<'a> Sheets<'a> {
         };
         let mut acts = self.own.drafting.acts.iter();
         let drawn = acts.find_map(|act| match act.deed {
-            Deed::Measure {
-                number,
-                from,
-                to,
-                how: How::Size | How::Along(_),
-            } if number == reading.number => Some((act.sheet, from, to)),
-            Deed::LayOff {
-                place, from, size, ..
-            } if size == reading.number => Some((act.sheet, from, place)),
+            Deed::Measure { number, from, to, how: How::Size | How::Along(_) } if number == reading.number => {
+                Some((act.sheet, from, to))
+            }
+            Deed::LayOff { place, from, size, .. } if size == reading.number => Some((act.sheet, from, place)),
             _ => None,
         });
         let Some((sheet, from, to)) = drawn else {
@@ -241,11 +228,7 @@ impl<'a> Sheets<'a> {
             };
             let (_, along) = self.values.line(*line);
             let half = along * (LONG * self.per_mm(sheet));
-            let ends = if meets {
-                [start, at]
-            } else {
-                [start - half, start + half]
-            };
+            let ends = if meets { [start, at] } else { [start - half, start + half] };
             self.line(sheet, place, ends, OwnKind::Line, None);
         }
     }
@@ -254,14 +237,8 @@ impl<'a> Sheets<'a> {
     fn starts(&self, line: LineId) -> Vec<PlaceId> {
         let acts = (0..self.own.drafting.acts.len()).map(|index| self.deed(index));
         let mut starts = acts.filter_map(|deed| match deed {
-            Deed::Draw {
-                line: own, through, ..
-            } if *own == line => Some(vec![*through]),
-            Deed::Join {
-                line: own,
-                from,
-                towards,
-            } if *own == line => Some(vec![*from, *towards]),
+            Deed::Draw { line: own, through, .. } if *own == line => Some(vec![*through]),
+            Deed::Join { line: own, from, towards } if *own == line => Some(vec![*from, *towards]),
             _ => None,
         });
         starts.next().unwrap_or_default()
@@ -271,9 +248,7 @@ impl<'a> Sheets<'a> {
     fn deed(&self, index: usize) -> &'a Deed {
         let mut instead = self.instead.iter();
         let changed = instead.find(|(act, _)| *act == index);
-        &changed
-            .map_or(&self.own.drafting.acts[index], |(_, act)| act)
-            .deed
+        &changed.map_or(&self.own.drafting.acts[index], |(_, act)| act).deed
     }
 
     /// The pole of a plan; the scheme has none.
@@ -345,9 +320,7 @@ impl<'a> Sheets<'a> {
     fn leads_to(&self, place: PlaceId) -> PlaceId {
         let sheets = self.own.drafting.acts.iter();
         let mut next = sheets.filter_map(|act| match act.deed {
-            Deed::LayOff {
-                place: end, from, ..
-            } if from == place => Some(end),
+            Deed::LayOff { place: end, from, .. } if from == place => Some(end),
             _ => None,
         });
         match self.own.place_names[place.0] {
@@ -375,14 +348,7 @@ impl<'a> Sheets<'a> {
         }
     }
 
-    fn line(
-        &mut self,
-        sheet: Sheet,
-        leads_to: PlaceId,
-        ends: [Vector; 2],
-        kind: OwnKind,
-        label: Option<String>,
-    ) {
+    fn line(&mut self, sheet: Sheet, leads_to: PlaceId, ends: [Vector; 2], kind: OwnKind, label: Option<String>) {
         let there = ends.iter().all(|end| end.norm().is_finite()) && ends[0] != ends[1];
         if let Some(name) = self.name(sheet, leads_to).filter(|_| there) {
             self.lines.push(OwnLine {
@@ -415,11 +381,7 @@ fn best_turn(pairs: &[(Vector, Vector)], near: f64) -> f64 {
         let mut sums = Vector::zeros();
         for (q, r) in pairs.iter().filter(|(_, r)| r.norm().is_finite()) {
             let apart = (turn_of_degrees(degrees).transform_vector(q) - r).norm();
-            let weight = if round == 0 {
-                1.0
-            } else {
-                1.0 / apart.max(near)
-            };
+            let weight = if round == 0 { 1.0 } else { 1.0 / apart.max(near) };
             sums += Vector::new(q.dot(r), cross(*q, *r)) * weight;
         }
         degrees = degrees_of(sums);

@@ -2,10 +2,8 @@ use crate::drawing::view::next_of;
 use crate::words::Wording;
 
 /// Steps of angles, in degrees, that are round.
-const DEGREES: [f64; 17] = [
-    1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0, 720.0, 1800.0, 3600.0, 7200.0,
-    18000.0, 36000.0,
-];
+const DEGREES: [f64; 17] =
+    [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0, 720.0, 1800.0, 3600.0, 7200.0, 18000.0, 36000.0];
 
 /// How far beyond an end, in steps, rounding may have pushed a round value.
 const ROUNDING: f64 = 1e-6;
@@ -27,13 +25,7 @@ pub(super) struct Axis {
 
 impl Axis {
     /// The axis from `ends[0]` at `places[0]` to `ends[1]` at `places[1]`, with round values at least `apart` mm from each other.
-    pub fn new(
-        words: Wording,
-        ends: [f64; 2],
-        places: [f64; 2],
-        apart: f64,
-        degrees: bool,
-    ) -> Axis {
+    pub fn new(words: Wording, ends: [f64; 2], places: [f64; 2], apart: f64, degrees: bool) -> Axis {
         let width = ends[1] - ends[0];
         let least = width * apart / (places[1] - places[0]).abs();
         let of_degrees = DEGREES.into_iter().find(|step| *step >= least);
@@ -43,11 +35,7 @@ impl Axis {
         };
         let largest = ends[0].abs().max(ends[1].abs());
         let decade = libm::floor(libm::log10(largest)) as i32;
-        let power = if degrees || (-2..5).contains(&decade) {
-            0
-        } else {
-            3 * decade.div_euclid(3)
-        };
+        let power = if degrees || (-2..5).contains(&decade) { 0 } else { 3 * decade.div_euclid(3) };
         // A rounding of the step must not cost a decimal.
         let step_decade = libm::floor(libm::log10(step) + 1e-9) as i32 - power;
         let first = (ends[0] / step - ROUNDING).ceil();
@@ -99,11 +87,7 @@ pub(super) fn digits(x: f64, count: i32) -> String {
 }
 
 fn trimmed(number: &str) -> &str {
-    if number.contains('.') {
-        number.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        number
-    }
+    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
 }
 
 /// A number with the sign that is as wide as a plus.
@@ -122,24 +106,12 @@ mod tests {
 
     #[test]
     fn ticks_are_round() {
-        assert_eq!(
-            ticks([-0.13, 0.31], 45.0, false),
-            ["−0.1", "0.0", "0.1", "0.2", "0.3"]
-        );
-        assert_eq!(
-            ticks([0.0, 360.0], 60.0, true),
-            ["0", "60", "120", "180", "240", "300", "360"]
-        );
-        assert_eq!(
-            ticks([0.0, 360.0], 50.0, true),
-            ["0", "90", "180", "270", "360"]
-        );
+        assert_eq!(ticks([-0.13, 0.31], 45.0, false), ["−0.1", "0.0", "0.1", "0.2", "0.3"]);
+        assert_eq!(ticks([0.0, 360.0], 60.0, true), ["0", "60", "120", "180", "240", "300", "360"]);
+        assert_eq!(ticks([0.0, 360.0], 50.0, true), ["0", "90", "180", "270", "360"]);
         assert_eq!(ticks([3.0, 9.5], 40.0, true), ["4", "6", "8"]);
         assert_eq!(ticks([0.0, 4e6], 45.0, false), ["0", "1", "2", "3", "4"]);
-        assert_eq!(
-            ticks([-2e-5, 2e-5], 45.0, false),
-            ["−20", "−10", "0", "10", "20"]
-        );
+        assert_eq!(ticks([-2e-5, 2e-5], 45.0, false), ["−20", "−10", "0", "10", "20"]);
     }
 
     #[test]

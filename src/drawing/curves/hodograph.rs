@@ -20,14 +20,7 @@ use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 
 /// Ids of what is in each panel; so many find room on a sheet.
-const PREFIXES: [&str; 6] = [
-    "hodograph-a",
-    "hodograph-b",
-    "hodograph-c",
-    "hodograph-d",
-    "hodograph-e",
-    "hodograph-f",
-];
+const PREFIXES: [&str; 6] = ["hodograph-a", "hodograph-b", "hodograph-c", "hodograph-d", "hodograph-e", "hodograph-f"];
 /// Between panels.
 const GAP: f64 = 4.0;
 /// White around the way inside a panel, for names and numbers.
@@ -55,18 +48,8 @@ pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesErro
     if wanted > room {
         return Err(CurvesError::Panels { wanted, room });
     }
-    let bare = Curves {
-        path: all.path,
-        range: all.range,
-        curves: Vec::new(),
-        events: all.events.clone(),
-    };
-    let sheet = Sheet {
-        scene,
-        words: Wording::of(&scene.figure),
-        curves: &bare,
-        numbers: Vec::new(),
-    };
+    let bare = Curves { path: all.path, range: all.range, curves: Vec::new(), events: all.events.clone() };
+    let sheet = Sheet { scene, words: Wording::of(&scene.figure), curves: &bare, numbers: Vec::new() };
     let [width, height] = scene.figure.page.size_mm();
     let mut drawing = Drawing::new(width, height);
     drawing.style = Style::named(scene.figure.style);
@@ -75,32 +58,12 @@ pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesErro
     let half = 0.5 * line.width(CAPTION);
     let middle = Point::new(0.5 * width, height - MARGIN - 1.8);
     let center = middle + Vec2::new(-half - 2.2, -1.3);
-    drawing.draw(
-        Pen::Pole,
-        Shape::Circle {
-            center,
-            radius: DOT,
-        },
-    );
+    drawing.draw(Pen::Pole, Shape::Circle { center, radius: DOT });
     line.centred(&mut drawing, middle, CAPTION);
-    let whole = Rect::new(
-        MARGIN,
-        MARGIN + TITLE,
-        width - MARGIN,
-        height - MARGIN - FOOT,
-    );
+    let whole = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN - FOOT);
     let mut said = Vec::new();
-    for (index, (frame, one)) in frames(&sheet, whole, &all.hodographs)
-        .into_iter()
-        .zip(&all.hodographs)
-        .enumerate()
-    {
-        let panel = Panel {
-            sheet: &sheet,
-            index,
-            frame,
-            one,
-        };
+    for (index, (frame, one)) in frames(&sheet, whole, &all.hodographs).into_iter().zip(&all.hodographs).enumerate() {
+        let panel = Panel { sheet: &sheet, index, frame, one };
         panel.draw(&mut drawing);
         said.push((sheet.words.language.hodograph)(one.asked.name()));
     }
@@ -183,11 +146,7 @@ impl Panel<'_> {
         drawing.draw(Pen::Frame, Shape::Polygon(corners(frame)));
         let symbol = self.symbol();
         drawing.panels.push((one.asked.name().to_owned(), frame));
-        let head = self.heading(&symbol).starting(
-            drawing,
-            Point::new(frame.x0 + 2.5, frame.y0 + 6.0),
-            1.05 * CAPTION,
-        );
+        let head = self.heading(&symbol).starting(drawing, Point::new(frame.x0 + 2.5, frame.y0 + 6.0), 1.05 * CAPTION);
         let own_pen = match one.asked.kind() {
             Kind::Acceleration => Pen::Acceleration,
             _ => Pen::Velocity,
@@ -201,12 +160,7 @@ impl Panel<'_> {
         // Lines keep off the scale.
         let mut room = canvas.room();
         room.y1 = frame.y1 - SCALE;
-        canvas.keep_off(Rect::new(
-            frame.x0,
-            foot.y - 4.4,
-            foot.x + entry.width(),
-            frame.y1,
-        ));
+        canvas.keep_off(Rect::new(frame.x0, foot.y - 4.4, foot.x + entry.width(), frame.y1));
         for (a, b) in [
             (Point::new(room.x0, pole.y), Point::new(room.x1, pole.y)),
             (Point::new(pole.x, room.y0), Point::new(pole.x, room.y1)),
@@ -227,54 +181,20 @@ impl Panel<'_> {
         if let Some(tip) = one.own.map(at)
             && (tip - pole).hypot() > 1e-3
         {
-            canvas.draw_named(
-                "own",
-                own_pen,
-                Shape::Arrow {
-                    from: pole,
-                    to: tip,
-                },
-            );
+            canvas.draw_named("own", own_pen, Shape::Arrow { from: pole, to: tip });
             let beside = pole.lerp(tip, 0.6);
             let along = (tip - pole).normalize();
             let prefer = Vec2::new(along.y, -along.x);
-            self.label(
-                &mut canvas,
-                "own",
-                RichText::math(&symbol),
-                beside,
-                0.9,
-                Some(prefer),
-                2,
-            );
+            self.label(&mut canvas, "own", RichText::math(&symbol), beside, 0.9, Some(prefer), 2);
         }
-        self.marks(
-            &mut canvas,
-            one.marks.iter().map(|(value, tip)| (*value, at(*tip))),
-            pole,
-        );
+        self.marks(&mut canvas, one.marks.iter().map(|(value, tip)| (*value, at(*tip))), pole);
         let notation = self.sheet.words.notation;
         let name = match one.asked.kind() {
             Kind::Acceleration => notation.acceleration_pole,
             _ => notation.velocity_pole,
         };
-        canvas.draw_named(
-            "pole",
-            Pen::Pole,
-            Shape::Circle {
-                center: pole,
-                radius: 0.9,
-            },
-        );
-        self.label(
-            &mut canvas,
-            "pole",
-            RichText::math(name),
-            pole,
-            1.5,
-            None,
-            3,
-        );
+        canvas.draw_named("pole", Pen::Pole, Shape::Circle { center: pole, radius: 0.9 });
+        self.label(&mut canvas, "pole", RichText::math(name), pole, 1.5, None, 3);
         canvas.finish();
     }
 
@@ -282,10 +202,7 @@ impl Panel<'_> {
     fn symbol(&self) -> String {
         let sheet = self.sheet;
         let mechanism = sheet.curves.path.mechanism;
-        let symbol = self
-            .one
-            .asked
-            .symbol(mechanism, sheet.words.notation, &|name| sheet.shown(name));
+        let symbol = self.one.asked.symbol(mechanism, sheet.words.notation, &|name| sheet.shown(name));
         symbol.trim_matches('|').to_owned()
     }
 
@@ -307,35 +224,15 @@ impl Panel<'_> {
         prefer: Option<Vec2>,
         priority: u8,
     ) {
-        let request = LabelRequest {
-            text,
-            size: LABEL,
-            anchor,
-            clearance,
-            prefer,
-            priority,
-        };
-        canvas.want(Wanted {
-            request,
-            name: format!("label-{name}"),
-            pen: Pen::Label,
-            number: None,
-            optional: false,
-        });
+        let request = LabelRequest { text, size: LABEL, anchor, clearance, prefer, priority };
+        canvas.want(Wanted { request, name: format!("label-{name}"), pen: Pen::Label, number: None, optional: false });
     }
 
     /// Dots at round values of the drive, with their numbers; tips in one place share them.
-    fn marks(
-        &self,
-        canvas: &mut Canvas<'_>,
-        marks: impl Iterator<Item = (f64, Point)>,
-        pole: Point,
-    ) {
+    fn marks(&self, canvas: &mut Canvas<'_>, marks: impl Iterator<Item = (f64, Point)>, pole: Point) {
         let mut places: Vec<(Point, Vec<f64>)> = Vec::new();
         for (value, tip) in marks {
-            let shared = places
-                .iter_mut()
-                .find(|(place, _)| (*place - tip).hypot() < SHARED);
+            let shared = places.iter_mut().find(|(place, _)| (*place - tip).hypot() < SHARED);
             match shared {
                 Some((_, values)) => values.push(value),
                 None => places.push((tip, vec![value])),
@@ -346,25 +243,14 @@ impl Panel<'_> {
                 continue;
             }
             let name = super::digits(values[0], 6);
-            let dot = Shape::Circle {
-                center,
-                radius: DOT,
-            };
+            let dot = Shape::Circle { center, radius: DOT };
             let mark = canvas.draw_named(&format!("tip-{name}"), Pen::Curve, dot);
             mark.number = Some(self.index);
             let numbers: Vec<String> = values.iter().map(|v| self.sheet.number(*v, 6)).collect();
             let away = center - pole;
             let prefer = (away.hypot() > 1.0).then(|| away.normalize());
             let text = RichText::plain(&numbers.join("; "));
-            self.label(
-                canvas,
-                &format!("tip-{name}"),
-                text,
-                center,
-                DOT + 0.6,
-                prefer,
-                1,
-            );
+            self.label(canvas, &format!("tip-{name}"), text, center, DOT + 0.6, prefer, 1);
         }
     }
 
@@ -393,11 +279,7 @@ impl Panel<'_> {
             }
             let across = Vec2::new(-way.y, way.x).normalize() * STROKE;
             canvas.draw(Pen::Zero, Shape::Line(end - across, end + across));
-            let unit = if self.sheet.curves.path.drive.is_angle() {
-                "°"
-            } else {
-                ""
-            };
+            let unit = if self.sheet.curves.path.drive.is_angle() { "°" } else { "" };
             let word = self.sheet.words.language.limit;
             let words = format!("{word} {}{unit}", self.sheet.number(event.at, 5));
             let name = format!("limit-{}", if near(event.at, low) { "low" } else { "high" });

@@ -9,11 +9,7 @@ pub(super) fn clipped_chain(area: Rect, points: &[Point]) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for ends in points.windows(2) {
         let whole = area.contains(ends[0]) && area.contains(ends[1]);
-        let inside = if whole {
-            Some((ends[0], ends[1]))
-        } else {
-            clipped_segment(area, ends[0], ends[1])
-        };
+        let inside = if whole { Some((ends[0], ends[1])) } else { clipped_segment(area, ends[0], ends[1]) };
         let Some((a, b)) = inside else { continue };
         match parts.last_mut() {
             Some(part) if part.last() == Some(&a) => part.push(b),
@@ -49,11 +45,7 @@ pub(super) fn simplified(points: &[Point]) -> Vec<Point> {
 pub(super) fn distance(p: Point, a: Point, b: Point) -> f64 {
     let along = b - a;
     let size = along.hypot2();
-    let share = if size > 0.0 {
-        ((p - a).dot(along) / size).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let share = if size > 0.0 { ((p - a).dot(along) / size).clamp(0.0, 1.0) } else { 0.0 };
     (p - (a + along * share)).hypot2().sqrt()
 }
 
@@ -66,10 +58,7 @@ mod tests {
         let area = Rect::new(0.0, 0.0, 10.0, 10.0);
         let points = [(1.0, 5.0), (3.0, 15.0), (5.0, 5.0), (6.0, 5.0)].map(Point::from);
         let parts = clipped_chain(area, &points);
-        let cut = [
-            vec![(1.0, 5.0), (2.0, 10.0)],
-            vec![(4.0, 10.0), (5.0, 5.0), (6.0, 5.0)],
-        ];
+        let cut = [vec![(1.0, 5.0), (2.0, 10.0)], vec![(4.0, 10.0), (5.0, 5.0), (6.0, 5.0)]];
         let cut = cut.map(|part| part.into_iter().map(Point::from).collect::<Vec<_>>());
         assert_eq!(parts, cut);
     }

@@ -96,12 +96,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     }
     let each = (bottom - top + GAP) / kinds.len() as f64 - HEADING - GAP;
     let each = each.min(SLENDER * (width - 2.0 * MARGIN));
-    let sheet = Sheet {
-        scene,
-        words: Wording::of(&scene.figure),
-        curves,
-        numbers: numbers(curves, &kinds),
-    };
+    let sheet = Sheet { scene, words: Wording::of(&scene.figure), curves, numbers: numbers(curves, &kinds) };
     // The first panel's heading stands above the row of the vertical lines' names.
     let mut y = top - BAND;
     let mut panels: Vec<Panel> = Vec::new();
@@ -217,11 +212,7 @@ impl Sheet<'_> {
     /// Names the vertical lines above the first panel, as far as there is room.
     fn name_verticals(&self, drawing: &mut Drawing, y: f64, drive: &Axis) {
         const SIZE: f64 = CAPTION;
-        let unit = if self.curves.path.drive.is_angle() {
-            "°"
-        } else {
-            ""
-        };
+        let unit = if self.curves.path.drive.is_angle() { "°" } else { "" };
         let language = self.words.language;
         let request = |(pen, value): (Pen, f64)| {
             let word = match pen {
@@ -242,11 +233,7 @@ impl Sheet<'_> {
         let requests: Vec<LabelRequest> = self.verticals().into_iter().map(request).collect();
         // One row of letters, all on one line.
         let row = Rect::new(MARGIN, y - 0.7 - SIZE, drawing.width - MARGIN, y);
-        let obstacles = Obstacles {
-            boxes: Vec::new(),
-            lines: Vec::new(),
-            bounds: row,
-        };
+        let obstacles = Obstacles { boxes: Vec::new(), lines: Vec::new(), bounds: row };
         for label in place(&requests, &obstacles) {
             if !label.crowded {
                 let mut text = label.text;
@@ -261,8 +248,7 @@ impl Sheet<'_> {
         for tick in &drive.ticks {
             let text = RichText::plain(&drive.tick(*tick));
             let x = drive.at(*tick) - 0.5 * text.width(CAPTION);
-            let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 3.2))
-                .anchored(Anchor::Middle);
+            let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 3.2)).anchored(Anchor::Middle);
             drawing.draw(Pen::Caption, Shape::Text(text));
         }
         let baseline = y + FOOT - 1.8;
@@ -294,11 +280,7 @@ impl Sheet<'_> {
 
     /// What the figure is called, and how the drives run.
     fn title(&self, drawing: &mut Drawing, across: [f64; 2]) {
-        let title = self
-            .scene
-            .title
-            .as_deref()
-            .unwrap_or(self.words.language.curves);
+        let title = self.scene.title.as_deref().unwrap_or(self.words.language.curves);
         drawing.title = title.to_owned();
         drawing.language = self.words.language.code;
         let y = MARGIN + 5.6;

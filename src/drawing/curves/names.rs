@@ -115,12 +115,7 @@ fn gap_to_line(area: Rect, a: Point, b: Point) -> f64 {
     if ends == 0.0 || clipped_segment(area, a, b).is_some() {
         return 0.0;
     }
-    let corners = [
-        (area.x0, area.y0),
-        (area.x1, area.y0),
-        (area.x0, area.y1),
-        (area.x1, area.y1),
-    ];
+    let corners = [(area.x0, area.y0), (area.x1, area.y0), (area.x0, area.y1), (area.x1, area.y1)];
     let corners = corners.map(|c| distance(c.into(), a, b));
     corners.into_iter().fold(ends, f64::min)
 }

@@ -39,20 +39,12 @@ pub(super) struct Panel {
 }
 
 impl Panel {
-    pub(super) fn new(
-        sheet: &Sheet,
-        index: usize,
-        kind: Kind,
-        members: Vec<usize>,
-        rows: [f64; 3],
-    ) -> Panel {
+    pub(super) fn new(sheet: &Sheet, index: usize, kind: Kind, members: Vec<usize>, rows: [f64; 3]) -> Panel {
         let curves = members.iter().map(|i| &sheet.curves.curves[*i]);
         let windows = curves.flat_map(|c| c.window);
         let zero = kind.is_rate().then_some(0.0);
         let shown = windows.chain(zero);
-        let [mut low, mut high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], y| {
-            [a.min(y), b.max(y)]
-        });
+        let [mut low, mut high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], y| [a.min(y), b.max(y)]);
         if low == high {
             // A lone constant.
             let room = if low == 0.0 { 1.0 } else { 0.5 * low.abs() };
@@ -64,13 +56,7 @@ impl Panel {
         let ends = [low - more, high + more];
         let apart = APART.max(LEAST_APART * height);
         Panel {
-            axis: Axis::new(
-                sheet.words,
-                ends,
-                [rows[2], rows[1]],
-                apart,
-                kind == Kind::Angle,
-            ),
+            axis: Axis::new(sheet.words, ends, [rows[2], rows[1]], apart, kind == Kind::Angle),
             letter: char::from(b'a' + index as u8),
             kind,
             members,
@@ -158,20 +144,9 @@ impl Panel {
         }
     }
 
-    fn curves(
-        &self,
-        sheet: &Sheet,
-        canvas: &mut Canvas<'_>,
-        drive: &Axis,
-        frame: Rect,
-        straight: &[(Point, Point)],
-    ) {
+    fn curves(&self, sheet: &Sheet, canvas: &mut Canvas<'_>, drive: &Axis, frame: Rect, straight: &[(Point, Point)]) {
         let place = |at: f64, value: f64| Point::new(drive.at(at), self.axis.at(value));
-        let own = || {
-            self.members
-                .iter()
-                .map(|i| (&sheet.curves.curves[*i], Some(sheet.numbers[*i])))
-        };
+        let own = || self.members.iter().map(|i| (&sheet.curves.curves[*i], Some(sheet.numbers[*i])));
         let mut lines: Vec<Vec<Vec<Point>>> = Vec::new();
         for (curve, number) in own() {
             let pieces = curve.pieces.iter();
@@ -200,11 +175,7 @@ impl Panel {
                 canvas.draw(Pen::Curve, dot).number = number;
             }
         }
-        let around = Surroundings {
-            frame,
-            curves: &lines,
-            lines: straight,
-        };
+        let around = Surroundings { frame, curves: &lines, lines: straight };
         // Names keep off the values, which stand where they like best.
         let mut taken = Vec::new();
         for (curve, number) in own() {
@@ -217,14 +188,8 @@ impl Panel {
                 continue;
             };
             taken.push(area);
-            let request = LabelRequest {
-                text,
-                size: LABEL,
-                anchor,
-                clearance: CLEARANCE,
-                prefer: Some(toward),
-                priority: 3,
-            };
+            let request =
+                LabelRequest { text, size: LABEL, anchor, clearance: CLEARANCE, prefer: Some(toward), priority: 3 };
             canvas.want(Wanted {
                 request,
                 name: format!("label-{}", curve.asked[0].name()),

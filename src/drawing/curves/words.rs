@@ -101,24 +101,14 @@ pub(super) fn speeds(sheet: &Sheet) -> Line {
         let name = sheet.shown(&mechanism.push_name(SliderId(index)));
         add(format!("v_{{{name}}}"), drive.speed, Kind::Velocity);
         if drive.acceleration != 0.0 {
-            add(
-                format!("a_{{{name}}}"),
-                drive.acceleration,
-                Kind::Acceleration,
-            );
+            add(format!("a_{{{name}}}"), drive.acceleration, Kind::Acceleration);
         }
     }
     let count = parts.len();
-    let texts = parts
-        .iter()
-        .enumerate()
-        .flat_map(|(index, [symbol, value])| {
-            let comma = if index + 1 < count { "," } else { "" };
-            [
-                RichText::math(symbol),
-                RichText::plain(&(value.clone() + comma)),
-            ]
-        });
+    let texts = parts.iter().enumerate().flat_map(|(index, [symbol, value])| {
+        let comma = if index + 1 < count { "," } else { "" };
+        [RichText::math(symbol), RichText::plain(&(value.clone() + comma))]
+    });
     Line(texts.collect())
 }
 

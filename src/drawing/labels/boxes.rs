@@ -16,24 +16,14 @@ impl Clipped {
         // all of its length or for none.
         let reciprocal = |run: f64| if run.abs() < 1e-12 { 1e12 } else { 1.0 / run };
         let run = end - start;
-        Self {
-            start,
-            reciprocal: Vec2::new(reciprocal(run.x), reciprocal(run.y)),
-            length: run.hypot2().sqrt(),
-        }
+        Self { start, reciprocal: Vec2::new(reciprocal(run.x), reciprocal(run.y)), length: run.hypot2().sqrt() }
     }
 
     /// The share of the line inside a box, between 0 and 1 (Liang and Barsky, "A New Concept and
     /// Method for Line Clipping", 1984).
     pub(super) fn share_inside(&self, area: Rect) -> f64 {
-        let (x0, x1) = (
-            (area.x0 - self.start.x) * self.reciprocal.x,
-            (area.x1 - self.start.x) * self.reciprocal.x,
-        );
-        let (y0, y1) = (
-            (area.y0 - self.start.y) * self.reciprocal.y,
-            (area.y1 - self.start.y) * self.reciprocal.y,
-        );
+        let (x0, x1) = ((area.x0 - self.start.x) * self.reciprocal.x, (area.x1 - self.start.x) * self.reciprocal.x);
+        let (y0, y1) = ((area.y0 - self.start.y) * self.reciprocal.y, (area.y1 - self.start.y) * self.reciprocal.y);
         let enters = greater(greater(lesser(x0, x1), lesser(y0, y1)), 0.0);
         let leaves = lesser(lesser(greater(x0, x1), greater(y0, y1)), 1.0);
         greater(leaves - enters, 0.0)

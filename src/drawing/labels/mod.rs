@@ -71,28 +71,16 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
     search.make_room();
     search.improve();
     search.look_everywhere();
-    let found = search
-        .labels
-        .iter()
-        .map(|label| label.chosen.map(|chosen| label.places[chosen]));
+    let found = search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen]));
     let found: Vec<Option<Place>> = found.collect();
-    let placed = requests
-        .iter()
-        .zip(found)
-        .enumerate()
-        .map(|(index, (request, found))| {
-            let crowded = found.is_none();
-            let place = found.unwrap_or_else(|| search.least_bad(index));
-            let ink = request.text.ink_box(request.size);
-            let origin = Point::ORIGIN + (place.ink.origin() - ink.origin());
-            let text = PlacedText::new(request.text.clone(), request.size, origin)
-                .anchored(Anchor::Middle);
-            PlacedLabel {
-                text,
-                leader: place.leader,
-                crowded: crowded && !request.text.is_empty(),
-            }
-        });
+    let placed = requests.iter().zip(found).enumerate().map(|(index, (request, found))| {
+        let crowded = found.is_none();
+        let place = found.unwrap_or_else(|| search.least_bad(index));
+        let ink = request.text.ink_box(request.size);
+        let origin = Point::ORIGIN + (place.ink.origin() - ink.origin());
+        let text = PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle);
+        PlacedLabel { text, leader: place.leader, crowded: crowded && !request.text.is_empty() }
+    });
     placed.collect()
 }
 
@@ -111,30 +99,14 @@ mod tests {
         ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn crowd(
-        seed: u64,
-        labels: usize,
-        lines: usize,
-        size: (f64, f64),
-    ) -> (Vec<LabelRequest>, Obstacles) {
+    fn crowd(seed: u64, labels: usize, lines: usize, size: (f64, f64)) -> (Vec<LabelRequest>, Obstacles) {
         let mut seed = seed;
         let bounds = Rect::new(10.0, 10.0, 10.0 + size.0, 10.0 + size.1);
         let at = |seed: &mut u64| {
             let (x, y) = (random(seed), random(seed));
-            Point::new(
-                bounds.x0 + 2.0 + (size.0 - 4.0) * x,
-                bounds.y0 + 2.0 + (size.1 - 4.0) * y,
-            )
+            Point::new(bounds.x0 + 2.0 + (size.0 - 4.0) * x, bounds.y0 + 2.0 + (size.1 - 4.0) * y)
         };
-        let names = [
-            "A",
-            "S_3",
-            "n_{s3b}",
-            "v_{CB} ⊥ CB",
-            "a^n_{DG}",
-            "ω_2",
-            "b'",
-        ];
+        let names = ["A", "S_3", "n_{s3b}", "v_{CB} ⊥ CB", "a^n_{DG}", "ω_2", "b'"];
         let anchors: Vec<Point> = (0..labels).map(|_| at(&mut seed)).collect();
         let request = |(index, &anchor): (usize, &Point)| LabelRequest {
             text: RichText::math(names[index % names.len()]),
@@ -145,39 +117,19 @@ mod tests {
             priority: 0,
         };
         let requests = anchors.iter().enumerate().map(request).collect();
-        let boxes = anchors
-            .iter()
-            .map(|&anchor| Rect::from_center_size(anchor, (2.2, 2.2)))
-            .collect();
+        let boxes = anchors.iter().map(|&anchor| Rect::from_center_size(anchor, (2.2, 2.2))).collect();
         let lines = (0..lines).map(|_| (at(&mut seed), at(&mut seed))).collect();
-        (
-            requests,
-            Obstacles {
-                boxes,
-                lines,
-                bounds,
-            },
-        )
+        (requests, Obstacles { boxes, lines, bounds })
     }
 
     fn check(placed: &[PlacedLabel], obstacles: &Obstacles) {
         for (index, label) in placed.iter().enumerate() {
             let ink = label.text.ink_box();
             assert!(!label.crowded, "label {index} found no place");
-            assert_eq!(
-                ink.union(obstacles.bounds),
-                obstacles.bounds,
-                "label {index} leaves the panel"
-            );
-            assert!(
-                !obstacles.boxes.iter().any(|&other| touch(ink, other, 0.0)),
-                "label {index} touches an obstacle"
-            );
+            assert_eq!(ink.union(obstacles.bounds), obstacles.bounds, "label {index} leaves the panel");
+            assert!(!obstacles.boxes.iter().any(|&other| touch(ink, other, 0.0)), "label {index} touches an obstacle");
             for (other_index, other) in placed[..index].iter().enumerate() {
-                assert!(
-                    !touch(ink, other.text.ink_box(), 0.0),
-                    "labels {other_index} and {index} touch"
-                );
+                assert!(!touch(ink, other.text.ink_box(), 0.0), "labels {other_index} and {index} touch");
             }
         }
     }
@@ -200,19 +152,8 @@ mod tests {
 
     #[test]
     fn a_lone_label_stands_where_it_likes() {
-        let obstacles = Obstacles {
-            boxes: vec![],
-            lines: vec![],
-            bounds: Rect::new(0.0, 0.0, 100.0, 100.0),
-        };
-        for (x, y) in [
-            (1.0, 0.0),
-            (-1.0, 0.0),
-            (0.0, 1.0),
-            (0.0, -1.0),
-            (1.0, 1.0),
-            (-1.0, -1.0),
-        ] {
+        let obstacles = Obstacles { boxes: vec![], lines: vec![], bounds: Rect::new(0.0, 0.0, 100.0, 100.0) };
+        for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1.0, 1.0), (-1.0, -1.0)] {
             let wish = Vec2::new(x, y);
             let anchor = Point::new(50.0, 50.0);
             let request = LabelRequest {
@@ -225,10 +166,7 @@ mod tests {
             };
             let placed = place(&[request], &obstacles);
             let away = placed[0].text.ink_box().center() - anchor;
-            assert!(
-                away.dot(wish) > 0.7 * away.hypot2().sqrt() * wish.hypot2().sqrt(),
-                "{away:?} for {wish:?}"
-            );
+            assert!(away.dot(wish) > 0.7 * away.hypot2().sqrt() * wish.hypot2().sqrt(), "{away:?} for {wish:?}");
             assert!((gap(placed[0].text.ink_box(), anchor) - 1.5).abs() < 1e-9);
             assert_eq!(placed[0].leader, None);
         }
@@ -238,19 +176,9 @@ mod tests {
     fn a_label_without_room_beside_its_point_gets_a_leader() {
         let anchor = Point::new(50.0, 50.0);
         let boxes = vec![Rect::from_center_size(anchor, (14.0, 14.0))];
-        let obstacles = Obstacles {
-            boxes,
-            lines: vec![],
-            bounds: Rect::new(0.0, 0.0, 100.0, 100.0),
-        };
-        let request = LabelRequest {
-            text: RichText::math("S_3"),
-            size: 4.0,
-            anchor,
-            clearance: 1.5,
-            prefer: None,
-            priority: 0,
-        };
+        let obstacles = Obstacles { boxes, lines: vec![], bounds: Rect::new(0.0, 0.0, 100.0, 100.0) };
+        let request =
+            LabelRequest { text: RichText::math("S_3"), size: 4.0, anchor, clearance: 1.5, prefer: None, priority: 0 };
         let placed = place(&[request], &obstacles);
         check(&placed, &obstacles);
         assert!(placed[0].leader.is_some());
@@ -258,11 +186,7 @@ mod tests {
 
     #[test]
     fn a_panel_without_room_says_so() {
-        let obstacles = Obstacles {
-            boxes: vec![],
-            lines: vec![],
-            bounds: Rect::new(0.0, 0.0, 4.0, 4.0),
-        };
+        let obstacles = Obstacles { boxes: vec![], lines: vec![], bounds: Rect::new(0.0, 0.0, 4.0, 4.0) };
         let request = |x| LabelRequest {
             text: RichText::math("v_{CB} ⊥ CB"),
             size: 4.0,

@@ -25,13 +25,7 @@ impl Search<'_> {
     /// Every label takes its cheapest place, those with the least choice first.
     pub(super) fn choose_first(&mut self, requests: &[LabelRequest]) {
         let mut order: Vec<usize> = (0..requests.len()).collect();
-        order.sort_by_key(|&index| {
-            (
-                u8::MAX - requests[index].priority,
-                self.labels[index].places.len(),
-                index,
-            )
-        });
+        order.sort_by_key(|&index| (u8::MAX - requests[index].priority, self.labels[index].places.len(), index));
         for index in order {
             self.labels[index].chosen = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
         }
@@ -58,13 +52,7 @@ impl Search<'_> {
 
     /// Finds a place for a label by moving at most two others, which may move others in turn;
     /// changes nothing if it fails.
-    fn push(
-        &mut self,
-        index: usize,
-        depth: usize,
-        fixed: &mut Vec<usize>,
-        tries: &mut usize,
-    ) -> bool {
+    fn push(&mut self, index: usize, depth: usize, fixed: &mut Vec<usize>, tries: &mut usize) -> bool {
         if let Some((place, _)) = self.cheapest(index, f64::INFINITY) {
             self.labels[index].chosen = Some(place);
             return true;
@@ -73,9 +61,8 @@ impl Search<'_> {
             return false;
         }
         fixed.push(index);
-        let mut order: Vec<(f64, usize)> = (0..self.labels[index].places.len())
-            .map(|place| (self.cost(index, place), place))
-            .collect();
+        let mut order: Vec<(f64, usize)> =
+            (0..self.labels[index].places.len()).map(|place| (self.cost(index, place), place)).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         for (_, place) in order {
             let (others, count) = self.blockers(index, place, 2);
@@ -89,10 +76,7 @@ impl Search<'_> {
             for &other in others {
                 self.labels[other].chosen = None;
             }
-            if others
-                .iter()
-                .all(|&other| self.push(other, depth - 1, fixed, tries))
-            {
+            if others.iter().all(|&other| self.push(other, depth - 1, fixed, tries)) {
                 fixed.pop();
                 return true;
             }
@@ -145,8 +129,7 @@ impl Search<'_> {
                     };
                     let others_cost = self.cost(other, others_place);
                     self.labels[index].chosen = Some(place);
-                    if let Some((there, cost)) = self.cheapest(other, others_cost + own_gain - gain)
-                    {
+                    if let Some((there, cost)) = self.cheapest(other, others_cost + own_gain - gain) {
                         gain = own_gain + others_cost - cost;
                         best = Some((place, Some((other, there))));
                     }
@@ -175,11 +158,7 @@ impl Search<'_> {
             }
             let (bounds, size) = (self.obstacles.bounds, label.ink.size());
             let steps = |room: f64| {
-                if room >= 0.0 {
-                    (room / LAST_STEP).min(1000.0) as usize + 1
-                } else {
-                    0
-                }
+                if room >= 0.0 { (room / LAST_STEP).min(1000.0) as usize + 1 } else { 0 }
             };
             let mut best: Option<(f64, Place)> = None;
             for row in 0..steps(bounds.height() - size.height) {
@@ -219,10 +198,7 @@ impl Search<'_> {
         let label = &self.labels[index];
         let bounds = self.obstacles.bounds;
         let covered = |ink: Rect| {
-            let taken = self
-                .labels
-                .iter()
-                .filter_map(|other| other.chosen.map(|chosen| other.places[chosen].ink));
+            let taken = self.labels.iter().filter_map(|other| other.chosen.map(|chosen| other.places[chosen].ink));
             let all = taken.chain(self.obstacles.boxes.iter().copied());
             all.map(|other| {
                 let both = other.intersect(ink);
@@ -245,11 +221,6 @@ impl Search<'_> {
             }
         }
         let ink = best.map_or(label.ink + label.anchor.to_vec2(), |(_, ink)| ink);
-        Place {
-            ink,
-            least: 0.0,
-            known: false,
-            leader: None,
-        }
+        Place { ink, least: 0.0, known: false, leader: None }
     }
 }

@@ -46,21 +46,13 @@ pub(super) const fn beside(align: (f64, f64), shift: (f64, f64)) -> Side {
     let straight = align.0 == shift.0 && align.1 == shift.1;
     let scale = if straight { 1.0 } else { MAIN };
     let toward = Vec2::new(align.0 * scale, align.1 * scale);
-    Side {
-        align: Vec2::new(align.0, align.1),
-        shift: Vec2::new(shift.0, shift.1),
-        toward,
-    }
+    Side { align: Vec2::new(align.0, align.1), shift: Vec2::new(shift.0, shift.1), toward }
 }
 
 /// Off a corner of the box.
 pub(super) const fn corner(align: (f64, f64), shift: (f64, f64)) -> Side {
     let shift = Vec2::new(shift.0, shift.1);
-    Side {
-        align: Vec2::new(align.0, align.1),
-        shift,
-        toward: shift,
-    }
+    Side { align: Vec2::new(align.0, align.1), shift, toward: shift }
 }
 
 pub(super) const HALF_ROOT_2: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -151,60 +143,36 @@ impl Label {
     /// The box around all places up to a distance.
     pub(super) fn reach_at(&self, distance: f64) -> Rect {
         let most = self.clearance + distance;
-        Rect::from_center_size(
-            self.anchor,
-            (
-                2.0 * (most + self.ink.width()),
-                2.0 * (most + self.ink.height()),
-            ),
-        )
+        Rect::from_center_size(self.anchor, (2.0 * (most + self.ink.width()), 2.0 * (most + self.ink.height())))
     }
 
     /// The ink box beside the anchor at a distance.
     pub(super) fn ink_beside(&self, side: &Side, distance: f64) -> Rect {
         let (width, height) = (self.ink.width(), self.ink.height());
-        let center = self.anchor
-            + side.shift * distance
-            + Vec2::new(side.align.x * 0.5 * width, side.align.y * 0.5 * height);
+        let center =
+            self.anchor + side.shift * distance + Vec2::new(side.align.x * 0.5 * width, side.align.y * 0.5 * height);
         Rect::from_center_size(center, (width, height))
     }
 
     /// What it costs to stand in each direction.
     pub(super) fn dislikes(&self) -> [f64; SIDES.len()] {
-        let (wanted, weight) = self
-            .prefer
-            .map_or((HABITUAL, HABIT), |prefer| (prefer, DEVIATION));
+        let (wanted, weight) = self.prefer.map_or((HABITUAL, HABIT), |prefer| (prefer, DEVIATION));
         std::array::from_fn(|side| weight * (1.0 - SIDES[side].toward.dot(wanted)))
     }
 
     /// A place for the ink, `distance` beyond the clearance and in a direction of that cost.
     #[inline]
     pub(super) fn place_at(&self, ink: Rect, distance: f64, dislike: f64) -> Place {
-        let leader = if distance < FAR[0] {
-            None
-        } else {
-            self.leader_to(ink)
-        };
+        let leader = if distance < FAR[0] { None } else { self.leader_to(ink) };
         let apart = if leader.is_some() { LEADER } else { 0.0 };
-        Place {
-            ink,
-            least: distance + dislike + apart,
-            known: false,
-            leader,
-        }
+        Place { ink, least: distance + dislike + apart, known: false, leader }
     }
 
     /// The line from the edge of the anchor's clearance to just before the ink.
     pub(super) fn leader_to(&self, ink: Rect) -> Option<(Point, Point)> {
-        let foot = Point::new(
-            self.anchor.x.max(ink.x0).min(ink.x1),
-            self.anchor.y.max(ink.y0).min(ink.y1),
-        );
+        let foot = Point::new(self.anchor.x.max(ink.x0).min(ink.x1), self.anchor.y.max(ink.y0).min(ink.y1));
         let direction = unit(foot - self.anchor)?;
-        Some((
-            self.anchor + direction * self.clearance,
-            foot - direction * LEADER_GAP,
-        ))
+        Some((self.anchor + direction * self.clearance, foot - direction * LEADER_GAP))
     }
 }
 
@@ -222,16 +190,10 @@ impl Place {
     /// How often a leader of one crosses the other or its leader.
     pub(super) fn crossings(&self, other: &Self) -> usize {
         let strikes = |leader: Option<(Point, Point)>, ink: Rect| {
-            leader.is_some_and(|leader| {
-                Clipped::new(leader).share_inside(ink.inflate(LINE_GAP, LINE_GAP)) > 0.0
-            })
+            leader.is_some_and(|leader| Clipped::new(leader).share_inside(ink.inflate(LINE_GAP, LINE_GAP)) > 0.0)
         };
-        let leaders =
-            matches!((self.leader, other.leader), (Some(one), Some(two)) if cross(one, two));
-        let struck = [
-            strikes(self.leader, other.ink),
-            strikes(other.leader, self.ink),
-        ];
+        let leaders = matches!((self.leader, other.leader), (Some(one), Some(two)) if cross(one, two));
+        let struck = [strikes(self.leader, other.ink), strikes(other.leader, self.ink)];
         usize::from(leaders) + struck.into_iter().filter(|is| *is).count()
     }
 }

@@ -24,11 +24,7 @@ impl<'a> Search<'a> {
     pub(super) fn new(requests: &[LabelRequest], obstacles: &'a Obstacles) -> Self {
         let lines = obstacles.lines.iter().copied().map(Clipped::new).collect();
         let labels: Vec<Label> = requests.iter().map(Label::new).collect();
-        let mut search = Self {
-            labels,
-            lines,
-            obstacles,
-        };
+        let mut search = Self { labels, lines, obstacles };
         for index in 0..search.labels.len() {
             search.survey(index);
             search.add_places(index, &NEAR);
@@ -39,20 +35,14 @@ impl<'a> Search<'a> {
     /// Finds what the places of a label could touch.
     fn survey(&mut self, index: usize) {
         let (reach, anchor) = (self.labels[index].reach, self.labels[index].anchor);
-        let near = self
-            .lines
-            .iter()
-            .filter(|line| line.share_inside(reach) > 0.0);
+        let near = self.lines.iter().filter(|line| line.share_inside(reach) > 0.0);
         let lines = near.copied().collect();
         let others = self.labels.iter().map(|other| other.anchor);
         // Labels of one point do not compete for it.
-        let anchors = others
-            .filter(|&other| inside(reach, other) && (other - anchor).hypot2() > 1e-6)
-            .collect();
+        let anchors = others.filter(|&other| inside(reach, other) && (other - anchor).hypot2() > 1e-6).collect();
         let touching = |other: &Label| touch(other.reach, reach, LABEL_GAP);
-        let neighbours = (0..self.labels.len())
-            .filter(|&other| other != index && touching(&self.labels[other]))
-            .collect();
+        let neighbours =
+            (0..self.labels.len()).filter(|&other| other != index && touching(&self.labels[other])).collect();
         let label = &mut self.labels[index];
         (label.lines, label.anchors, label.neighbours) = (lines, anchors, neighbours);
     }
@@ -62,13 +52,8 @@ impl<'a> Search<'a> {
         let label = &self.labels[index];
         let bounds = self.obstacles.bounds;
         let reach = label.reach;
-        let boxes: Vec<Rect> = self
-            .obstacles
-            .boxes
-            .iter()
-            .copied()
-            .filter(|&other| touch(other, reach, OBSTACLE_GAP))
-            .collect();
+        let boxes: Vec<Rect> =
+            self.obstacles.boxes.iter().copied().filter(|&other| touch(other, reach, OBSTACLE_GAP)).collect();
         let free = |ink: Rect| {
             ink.x0 >= bounds.x0
                 && ink.x1 <= bounds.x1
@@ -111,12 +96,7 @@ impl<'a> Search<'a> {
     /// The whole cost of a place if it is less than `limit`.
     pub(super) fn cost_below(&mut self, index: usize, place: usize, limit: f64) -> Option<f64> {
         let label = &mut self.labels[index];
-        let Place {
-            ink,
-            mut least,
-            known,
-            leader,
-        } = label.places[place];
+        let Place { ink, mut least, known, leader } = label.places[place];
         if known || least >= limit {
             return (least < limit).then_some(least);
         }
@@ -153,8 +133,7 @@ impl<'a> Search<'a> {
 
     /// The whole cost of a place.
     pub(super) fn cost(&mut self, index: usize, place: usize) -> f64 {
-        self.cost_below(index, place, f64::INFINITY)
-            .unwrap_or(f64::INFINITY)
+        self.cost_below(index, place, f64::INFINITY).unwrap_or(f64::INFINITY)
     }
 
     /// The labels in the way of a place, up to `most` of them; none in the list means that the
@@ -185,9 +164,7 @@ impl<'a> Search<'a> {
         let mut best = None;
         let mut limit = limit;
         for place in 0..self.labels[index].places.len() {
-            if self.labels[index].places[place].least >= limit
-                || self.blockers(index, place, 0).1 > 0
-            {
+            if self.labels[index].places[place].least >= limit || self.blockers(index, place, 0).1 > 0 {
                 continue;
             }
             if let Some(cost) = self.cost_below(index, place, limit) {

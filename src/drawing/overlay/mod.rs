@@ -149,12 +149,7 @@ impl Overlay {
     }
 
     /// Draws the key at the upper edge of an area; how many lines it takes.
-    pub(in crate::drawing) fn draw_key(
-        &self,
-        drawing: &mut Drawing,
-        area: Rect,
-        words: &Wording,
-    ) -> usize {
+    pub(in crate::drawing) fn draw_key(&self, drawing: &mut Drawing, area: Rect, words: &Wording) -> usize {
         let is_column = area.width() < 0.5 * drawing.width;
         let mut at = legend::baseline(area, 0);
         for (line, sample) in (1..).zip(self.key()) {
@@ -169,12 +164,7 @@ impl Overlay {
     }
 
     /// Makes the marks of a panel pale but for the student's and those of wrong steps, and lets none of them wait for its step.
-    pub(in crate::drawing) fn emphasise(
-        &self,
-        marks: &mut Vec<Mark>,
-        from: usize,
-        scheme: &Scheme<'_>,
-    ) {
+    pub(in crate::drawing) fn emphasise(&self, marks: &mut Vec<Mark>, from: usize, scheme: &Scheme<'_>) {
         let drawn = marks.split_off(from);
         for mut mark in drawn {
             let is_wrong = self.steps.iter().any(|wrong| is_of(&mark, scheme, wrong));

@@ -18,13 +18,7 @@ const SHARED: f64 = 0.35;
 
 impl Overlay {
     /// Keeps what is drawn before the student's marks off them.
-    pub(in crate::drawing) fn announce(
-        &self,
-        canvas: &mut Canvas<'_>,
-        view: &View,
-        scheme: &Scheme<'_>,
-        panel: Panel,
-    ) {
+    pub(in crate::drawing) fn announce(&self, canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, panel: Panel) {
         canvas.overlay();
         for line in self.lines_in(scheme, panel) {
             canvas.expect(&Shape::Line(view.at(line.ends[0]), view.at(line.ends[1])));
@@ -37,13 +31,7 @@ impl Overlay {
     }
 
     /// Draws what a panel has of it, over all else.
-    pub(in crate::drawing) fn draw(
-        &self,
-        canvas: &mut Canvas<'_>,
-        view: &View,
-        scheme: &Scheme<'_>,
-        panel: Panel,
-    ) {
+    pub(in crate::drawing) fn draw(&self, canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, panel: Panel) {
         let plan = plan_of(scheme, panel);
         for wrong in self.steps.iter().filter(|wrong| wrong.panel == panel) {
             self.name_step(canvas, scheme, wrong);
@@ -130,14 +118,7 @@ impl Overlay {
     }
 
     /// A point outside its panel: how far it lies beyond the edge, where a line that leads to it leaves the panel, else at an arrow towards it.
-    fn beyond(
-        &self,
-        canvas: &mut Canvas<'_>,
-        view: &View,
-        scheme: &Scheme<'_>,
-        point: &OwnPoint,
-        label: &str,
-    ) {
+    fn beyond(&self, canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, point: &OwnPoint, label: &str) {
         const ARROW: f64 = 9.0;
         let room = canvas.room().inset(-2.0);
         let target = view.at(point.at);
@@ -154,10 +135,7 @@ impl Overlay {
         let tail = edge - way * ARROW;
         let name = format!("student-{}", point.name);
         if seen.is_none() {
-            let shape = Shape::Arrow {
-                from: tail,
-                to: edge,
-            };
+            let shape = Shape::Arrow { from: tail, to: edge };
             canvas.draw_named(&name, Pen::StudentPoint, shape);
         }
         let mm = (target - edge).hypot();
@@ -168,20 +146,12 @@ impl Overlay {
         wanted.pen = Pen::StudentPoint;
     }
 
-    fn points_in<'a>(
-        &'a self,
-        scheme: &'a Scheme<'_>,
-        panel: Panel,
-    ) -> impl Iterator<Item = &'a OwnPoint> {
+    fn points_in<'a>(&'a self, scheme: &'a Scheme<'_>, panel: Panel) -> impl Iterator<Item = &'a OwnPoint> {
         let own = self.points.iter();
         own.filter(move |p| p.panel == panel && shows(scheme, panel, &p.name))
     }
 
-    fn lines_in<'a>(
-        &'a self,
-        scheme: &'a Scheme<'_>,
-        panel: Panel,
-    ) -> impl Iterator<Item = &'a OwnLine> {
+    fn lines_in<'a>(&'a self, scheme: &'a Scheme<'_>, panel: Panel) -> impl Iterator<Item = &'a OwnLine> {
         let own = self.lines.iter();
         own.filter(move |l| l.panel == panel && shows(scheme, panel, &l.leads_to))
     }

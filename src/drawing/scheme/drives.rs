@@ -27,27 +27,17 @@ impl Scheme<'_> {
     }
 
     /// The senses of the angular rates that a step finds: a curved arrow around the middle of each link.
-    pub(super) fn senses(
-        &self,
-        canvas: &mut Canvas<'_>,
-        view: &View,
-        step: u16,
-        unknowns: &[(String, f64)],
-    ) {
+    pub(super) fn senses(&self, canvas: &mut Canvas<'_>, view: &View, step: u16, unknowns: &[(String, f64)]) {
         const RADIUS: f64 = 5.0;
         const SWEEP: f64 = 4.2;
         for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0) {
-            let link = name
-                .split_once('(')
-                .map(|(_, link)| link.trim_end_matches(')'));
+            let link = name.split_once('(').map(|(_, link)| link.trim_end_matches(')'));
             let link = link.and_then(|link| self.mechanism.link(link));
             let Some(link) = link.filter(|_| !name.contains("_r(")) else {
                 continue;
             };
             let places = &self.mechanism.body(link).points;
-            let sum = places.iter().fold(Vec2::ZERO, |sum, &point| {
-                sum + self.at(view, point).to_vec2()
-            });
+            let sum = places.iter().fold(Vec2::ZERO, |sum, &point| sum + self.at(view, point).to_vec2());
             if places.is_empty() {
                 continue;
             }
@@ -63,14 +53,7 @@ impl Scheme<'_> {
     }
 
     /// The sense in which a driven link turns.
-    fn turning(
-        &self,
-        canvas: &mut Canvas<'_>,
-        view: &View,
-        link: BodyId,
-        pivot: PointId,
-        omega: f64,
-    ) {
+    fn turning(&self, canvas: &mut Canvas<'_>, view: &View, link: BodyId, pivot: PointId, omega: f64) {
         const RADIUS: f64 = 7.5;
         const SWEEP: f64 = 1.5;
         let body = self.mechanism.body(link);
@@ -95,14 +78,8 @@ impl Scheme<'_> {
         // behind it, or smaller.
         let (bounds, foot) = (canvas.bounds(), self.pivot_box(view, pivot));
         let behind = -0.35 - SWEEP;
-        let tries = [
-            (RADIUS, 0.35),
-            (RADIUS, behind),
-            (0.8 * RADIUS, 0.35),
-            (0.8 * RADIUS, behind),
-        ];
-        let fits =
-            |&&(radius, lead): &&(f64, f64)| arc(radius, lead).drawn_box().union(bounds) == bounds;
+        let tries = [(RADIUS, 0.35), (RADIUS, behind), (0.8 * RADIUS, 0.35), (0.8 * RADIUS, behind)];
+        let fits = |&&(radius, lead): &&(f64, f64)| arc(radius, lead).drawn_box().union(bounds) == bounds;
         let clear = |&&(radius, lead): &&(f64, f64)| {
             let both = arc(radius, lead).drawn_box().intersect(foot);
             both.area() <= 0.0
@@ -146,9 +123,7 @@ impl Scheme<'_> {
         let arm = along * (0.5 * LENGTH * speed.signum());
         // Beside the block or a little further on: where the panel has room and the least is in the way.
         let bounds = canvas.bounds();
-        let places = sides
-            .into_iter()
-            .flat_map(|side| [0.0, -LENGTH, LENGTH].map(|shift| (side, shift)));
+        let places = sides.into_iter().flat_map(|side| [0.0, -LENGTH, LENGTH].map(|shift| (side, shift)));
         let arrows = places.map(|(side, shift)| {
             let middle = block + along * shift + side * (half.y + BESIDE);
             (side, middle - arm, middle + arm)

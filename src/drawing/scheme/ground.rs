@@ -34,10 +34,7 @@ impl Scheme<'_> {
     pub(super) fn pivot_box(&self, view: &View, point: PointId) -> Rect {
         let (apex, down) = (self.at(view, point), self.down(view, point));
         let across = Vec2::new(PIVOT_HALF, 0.0);
-        Rect::from_points(
-            apex + down * PIVOT - across,
-            apex + down * (PIVOT + HATCH) + across,
-        )
+        Rect::from_points(apex + down * PIVOT - across, apex + down * (PIVOT + HATCH) + across)
     }
 
     /// Where the ground lies from a pivot: below it, but above it where links hang down and none stands up.

@@ -63,9 +63,8 @@ impl Scheme<'_> {
         let at = self.at(view, self.mechanism.slider(slot).at);
         let along = on_sheet(self.pose.guide(slot));
         let points = &self.mechanism.body(link).points;
-        let (ends, others): (Vec<PointId>, Vec<PointId>) = points
-            .iter()
-            .partition(|&&point| (self.at(view, point) - at).cross(along).abs() <= ON_LINE);
+        let (ends, others): (Vec<PointId>, Vec<PointId>) =
+            points.iter().partition(|&&point| (self.at(view, point) - at).cross(along).abs() <= ON_LINE);
         let slides = |point| self.mechanism.sliders.iter().any(|s| s.at == point);
         let held = |&point: &PointId| self.is_pin(point) || slides(point);
         let &[a, b] = ends.as_slice() else {
@@ -158,10 +157,7 @@ impl Scheme<'_> {
         // Outwards, or as little beside it as keeps the piece on the panel and clear of the links and the guides that it meets.
         let turned = |degrees: f64| {
             let turn = geometry::direction_of_degrees(degrees);
-            Vec2::new(
-                turn.x * outward.x - turn.y * outward.y,
-                turn.y * outward.x + turn.x * outward.y,
-            )
+            Vec2::new(turn.x * outward.x - turn.y * outward.y, turn.y * outward.x + turn.x * outward.y)
         };
         let turns = [0.0, 30.0, -30.0, 60.0, -60.0, 90.0, -90.0, 120.0, -120.0];
         let bounds = canvas.bounds();
@@ -202,10 +198,7 @@ impl Scheme<'_> {
         let lines = links.flat_map(|(id, _)| self.shape(view, id).lines());
         let here = lines.filter(|&ends| is_on(ends, from));
         let ends = here.flat_map(|ends| ends.map(|end| end - from));
-        let mut directions: Vec<Vec2> = ends
-            .filter(|end| end.hypot() > ON_LINE)
-            .map(Vec2::normalize)
-            .collect();
+        let mut directions: Vec<Vec2> = ends.filter(|end| end.hypot() > ON_LINE).map(Vec2::normalize).collect();
         for id in (0..self.mechanism.sliders.len()).map(SliderId) {
             if self.mechanism.slider(id).at == point {
                 let along = on_sheet(self.pose.guide(id));

@@ -127,11 +127,7 @@ impl<'a> Scheme<'a> {
             let ends = match &step.action {
                 Action::MeasureLength { from, to, .. } => {
                     let joint = self.mechanism.point(from).map(|p| self.pose.point(p));
-                    joint.zip(
-                        self.construction
-                            .special_point(to)
-                            .and_then(|s| s.place.finite()),
-                    )
+                    joint.zip(self.construction.special_point(to).and_then(|s| s.place.finite()))
                 }
                 Action::Ray(ray) => self.line_of(ray),
                 Action::Solve { unknowns, .. } => {

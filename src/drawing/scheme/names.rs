@@ -33,14 +33,7 @@ impl Scheme<'_> {
             let twin = named.iter().any(|p| (*p - center).hypot() < 0.3);
             let priority = if twin { 1 } else { 2 };
             named.push(center);
-            canvas.label(
-                name,
-                &display(name),
-                center,
-                clearance,
-                self.outward(view, center),
-                priority,
-            );
+            canvas.label(name, &display(name), center, clearance, self.outward(view, center), priority);
         }
     }
 
@@ -81,9 +74,7 @@ impl Scheme<'_> {
                     // Square off the line, on its outer side.
                     let along = towards(a, b, Vec2::new(1.0, 0.0));
                     let beside = Vec2::new(-along.y, along.x);
-                    let outer = self
-                        .outward(view, anchor)
-                        .is_some_and(|o| o.dot(beside) < 0.0);
+                    let outer = self.outward(view, anchor).is_some_and(|o| o.dot(beside) < 0.0);
                     (anchor, 1.3, Some(if outer { -beside } else { beside }))
                 }
                 LinkShape::Nothing => match self.own_place(view, id) {

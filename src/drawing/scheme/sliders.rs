@@ -20,20 +20,17 @@ impl Scheme<'_> {
         const SHARE: f64 = 0.06;
         let reach = SHARE * span(self.pose.points.iter().copied());
         let sliders = (0..self.mechanism.sliders.len()).map(SliderId);
-        sliders
-            .filter(|&id| self.mechanism.slider(id).on == GROUND)
-            .flat_map(move |id| {
-                let at = self.pose.point(self.mechanism.slider(id).at);
-                let arm = self.pose.guide(id) * reach;
-                [at - arm, at + arm]
-            })
+        sliders.filter(|&id| self.mechanism.slider(id).on == GROUND).flat_map(move |id| {
+            let at = self.pose.point(self.mechanism.slider(id).at);
+            let arm = self.pose.guide(id) * reach;
+            [at - arm, at + arm]
+        })
     }
 
     /// The sliders in drawing order: those on the ground lie behind.
     pub(super) fn sliders(&self) -> Vec<SliderId> {
         let ids = (0..self.mechanism.sliders.len()).map(SliderId);
-        let (back, front): (Vec<SliderId>, Vec<SliderId>) =
-            ids.partition(|&id| self.mechanism.slider(id).on == GROUND);
+        let (back, front): (Vec<SliderId>, Vec<SliderId>) = ids.partition(|&id| self.mechanism.slider(id).on == GROUND);
         [back, front].concat()
     }
 

@@ -15,11 +15,7 @@ const REACH: f64 = 2.5;
 impl Scheme<'_> {
     pub(in crate::drawing) fn special(&self) -> impl Iterator<Item = &Special> {
         let shown = self.figure.special_points;
-        self.construction
-            .special
-            .iter()
-            .flatten()
-            .filter(move |s| shown && s.is_assur)
+        self.construction.special.iter().flatten().filter(move |s| shown && s.is_assur)
     }
 
     /// Whether a special point can be drawn at its place without making the rest small.
@@ -45,23 +41,17 @@ impl Scheme<'_> {
             // A far special point: the cut line runs to the panel's edge, towards it.
             let to = match special.place {
                 Place::At(place) => view.at(place),
-                Place::AtInfinity(_) => {
-                    from + on_sheet(direction) * (bounds.width() + bounds.height())
-                }
+                Place::AtInfinity(_) => from + on_sheet(direction) * (bounds.width() + bounds.height()),
             };
             let name = format!("cut-{}-{}", special.name, self.mechanism.point_name(start));
             // A special point may lie on the joint.
             let way = towards(from, to, on_sheet(direction));
-            let end = if self.is_near(special) {
-                to + way * 3.0
-            } else {
-                to
-            };
+            let end = if self.is_near(special) { to + way * 3.0 } else { to };
             if let Some((a, b)) = clipped_segment(bounds, from, end) {
                 canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b));
             }
-            if let LegKind::PinThenSlider { inner: slider, .. }
-            | LegKind::SliderThenPin { outer: slider, .. } = cut.kind
+            if let LegKind::PinThenSlider { inner: slider, .. } | LegKind::SliderThenPin { outer: slider, .. } =
+                cut.kind
             {
                 let along = on_sheet(self.pose.guide(slider));
                 self.right_angle(canvas, from, along, way);
@@ -72,11 +62,7 @@ impl Scheme<'_> {
     /// The mark of a right angle at `corner`.
     fn right_angle(&self, canvas: &mut Canvas<'_>, corner: Point, a: Vec2, b: Vec2) {
         const SIDE: f64 = 2.4;
-        let chain = vec![
-            corner + a * SIDE,
-            corner + (a + b) * SIDE,
-            corner + b * SIDE,
-        ];
+        let chain = vec![corner + a * SIDE, corner + (a + b) * SIDE, corner + b * SIDE];
         canvas.draw(Pen::Frame, Shape::Polyline(chain));
     }
 
@@ -89,20 +75,14 @@ impl Scheme<'_> {
             };
             let center = view.at(place);
             let name = format!("point-{}", special.name);
-            let shape = Shape::Circle {
-                center,
-                radius: JOINT,
-            };
+            let shape = Shape::Circle { center, radius: JOINT };
             canvas.draw_named(&name, Pen::Special, shape);
             canvas.label(&special.name, &label, center, JOINT + 0.7, None, 3);
             return;
         }
         // The arrow lies on the first cut line that reaches the panel's edge.
         let bounds = canvas.room().inset(-2.0);
-        let start = special
-            .cuts
-            .iter()
-            .find_map(|c| Some((c.start()?, c.line.direction()?)));
+        let start = special.cuts.iter().find_map(|c| Some((c.start()?, c.line.direction()?)));
         let Some((start, direction)) = start else {
             return;
         };
@@ -126,14 +106,7 @@ impl Scheme<'_> {
             Place::AtInfinity(_) => (self.words.language.at_infinity)(&label),
         };
         let name = format!("point-{}", special.name);
-        canvas.draw_named(
-            &name,
-            Pen::Special,
-            Shape::Arrow {
-                from: tail,
-                to: edge,
-            },
-        );
+        canvas.draw_named(&name, Pen::Special, Shape::Arrow { from: tail, to: edge });
         canvas.words(&special.name, &distance, tail);
     }
 }

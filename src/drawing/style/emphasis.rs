@@ -39,9 +39,7 @@ impl Style {
         let is_tint = self.is_tint(&look);
         Look {
             stroke: look.stroke.map(pale),
-            fill: look
-                .fill
-                .map(|fill| if is_tint { fill } else { pale(fill) }),
+            fill: look.fill.map(|fill| if is_tint { fill } else { pale(fill) }),
             ink: look.ink.towards(background, 0.5 * CALM),
             ..look
         }
@@ -51,9 +49,6 @@ impl Style {
     fn is_tint(&self, look: &Look) -> bool {
         let sum = |c: Colour| i32::from(c.red) + i32::from(c.green) + i32::from(c.blue);
         let from = |fill: Colour, to: Colour| (sum(fill) - sum(to)).abs();
-        look.stroke.is_none()
-            && look
-                .fill
-                .is_some_and(|fill| from(fill, self.background()) < from(fill, self.0.ink))
+        look.stroke.is_none() && look.fill.is_some_and(|fill| from(fill, self.background()) < from(fill, self.0.ink))
     }
 }

@@ -15,10 +15,7 @@ use std::sync::Arc;
 
 /// How a figure looks: colours, widths and dashes of its pens. What is left out is as in the style that this one is based on.
 #[derive(Debug, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r#"a style as { "kinegon_style": 1, … }"#
-)]
+#[serde(deny_unknown_fields, expecting = r#"a style as { "kinegon_style": 1, … }"#)]
 #[schemars(rename = "style")]
 pub(super) struct StyleFile {
     /// Version of the style format.
@@ -73,10 +70,7 @@ impl<'de> Deserialize<'de> for PenName {
 
 /// How one kind of mark looks.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = r##"a pen as { "stroke": "#b5361c", "width": 0.25 }"##
-)]
+#[serde(deny_unknown_fields, expecting = r##"a pen as { "stroke": "#b5361c", "width": 0.25 }"##)]
 #[schemars(rename = "pen")]
 pub(super) struct PenFile {
     /// Colour of lines and arrowheads.

@@ -12,11 +12,7 @@ use file::{PenFile, StyleFile};
 use paint::{Dashes, Paint};
 use std::sync::{Arc, LazyLock};
 
-const STYLE: FileKind = FileKind {
-    what: "style",
-    key: "kinegon_style",
-    version: 1,
-};
+const STYLE: FileKind = FileKind { what: "style", key: "kinegon_style", version: 1 };
 
 /// How the marks of a drawing look. Copies share one table.
 #[derive(Clone, Debug, PartialEq)]

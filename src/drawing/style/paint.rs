@@ -84,10 +84,7 @@ impl<T> Visitor<'_> for Word<T> {
 impl<'de> Deserialize<'de> for Colour {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let expecting = "a colour as \"#b5361c\"";
-        deserializer.deserialize_str(Word {
-            value: colour,
-            expecting,
-        })
+        deserializer.deserialize_str(Word { value: colour, expecting })
     }
 }
 
@@ -102,7 +99,8 @@ impl<'de> Deserialize<'de> for Paint {
             "curve" => Some(Paint::Curve),
             _ => colour(text).map(Paint::Of),
         };
-        let expecting = "a colour as \"#b5361c\", or one of \"none\", \"ink\", \"background\", \"link\", \"tint\", \"curve\"";
+        let expecting =
+            "a colour as \"#b5361c\", or one of \"none\", \"ink\", \"background\", \"link\", \"tint\", \"curve\"";
         deserializer.deserialize_str(Word { value, expecting })
     }
 }

@@ -20,8 +20,7 @@ pub(super) struct Fonts {
 impl Fonts {
     pub(super) fn new() -> Self {
         static FONTS: OnceLock<[Font; 2]> = OnceLock::new();
-        let parse =
-            |face: &'static [u8]| Font::new(face.into(), 0).expect("the bundled fonts are sound");
+        let parse = |face: &'static [u8]| Font::new(face.into(), 0).expect("the bundled fonts are sound");
         let [upright, italic] = FONTS.get_or_init(|| [REGULAR, ITALIC].map(parse)).clone();
         Self { upright, italic }
     }
@@ -63,22 +62,10 @@ impl Fonts {
         let ends = set.iter().skip(1).map(|next| next.2).chain([end]);
         let glyphs = set.iter().zip(ends).map(|((glyph, letters, x), end)| {
             let glyph = GlyphId::new(u32::from(*glyph));
-            KrillaGlyph::new(
-                glyph,
-                (end - x) as f32,
-                0.0,
-                0.0,
-                0.0,
-                letters.clone(),
-                None,
-            )
+            KrillaGlyph::new(glyph, (end - x) as f32, 0.0, 0.0, 0.0, letters.clone(), None)
         });
         let glyphs: Vec<KrillaGlyph> = glyphs.collect();
-        let font = if run.italic {
-            &self.italic
-        } else {
-            &self.upright
-        };
+        let font = if run.italic { &self.italic } else { &self.upright };
         let [x, y, size] = [run.origin.x, run.origin.y, run.size].map(paths::length);
         let start = geom::Point::from_xy(x, y);
         surface.draw_glyphs(start, &glyphs, font.clone(), run.content, size, false);
@@ -104,11 +91,7 @@ fn reading(runs: &[Run]) -> String {
 
 /// A space that ends where a run starts.
 fn space_before(run: PlacedRun<'_>) -> PlacedRun<'_> {
-    let mut space = PlacedRun {
-        content: " ",
-        italic: false,
-        ..run
-    };
+    let mut space = PlacedRun { content: " ", italic: false, ..run };
     space.origin.x -= space.glyphs(|_, _, _| {}) * space.size;
     space
 }

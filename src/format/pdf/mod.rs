@@ -23,9 +23,7 @@ const MOST_MM: f64 = 14_400.0 / POINTS;
 #[derive(Debug, thiserror::Error)]
 pub enum PdfError {
     /// The sheet has no size that a page can have.
-    #[error(
-        "a sheet of {width} x {height} mm: a page of PDF has sides of more than 0 and up to {MOST_MM} mm"
-    )]
+    #[error("a sheet of {width} x {height} mm: a page of PDF has sides of more than 0 and up to {MOST_MM} mm")]
     Size {
         /// Width in mm.
         width: f64,
@@ -92,17 +90,9 @@ pub fn pdf(drawing: &Drawing) -> Result<Vec<u8>, PdfError> {
     let mut tags = TagTree::new();
     tags.push(figure);
     document.set_tag_tree(tags);
-    let about = Metadata::new()
-        .title(drawing.title.clone())
-        .language(drawing.language.into());
-    document.set_metadata(
-        about
-            .description(drawing.description.clone())
-            .creator("Kinegon".into()),
-    );
-    document
-        .finish()
-        .map_err(|error| PdfError::Writing(format!("{error:?}")))
+    let about = Metadata::new().title(drawing.title.clone()).language(drawing.language.into());
+    document.set_metadata(about.description(drawing.description.clone()).creator("Kinegon".into()));
+    document.finish().map_err(|error| PdfError::Writing(format!("{error:?}")))
 }
 
 fn is_text(mark: &Mark) -> bool {
@@ -139,12 +129,7 @@ fn draw(surface: &mut Surface<'_>, look: &Look, shape: &Shape) {
 /// The line in the background's colour around the letters of a text, as outlines, so that the letters are found once only.
 fn halo(surface: &mut Surface<'_>, background: Colour, look: &Look, shape: &Shape) {
     let Shape::Text(text) = shape else { return };
-    let around = Look {
-        stroke: Some(background),
-        width: look.halo,
-        dash: Dash::new(),
-        ..look.clone()
-    };
+    let around = Look { stroke: Some(background), width: look.halo, dash: Dash::new(), ..look.clone() };
     pens(surface, stroke(&around), Some(fill(background)));
     draw_path(surface, letters::outlines(text));
 }
@@ -168,19 +153,12 @@ fn paint(Colour { red, green, blue }: Colour) -> krilla::paint::Paint {
 }
 
 fn fill(colour: Colour) -> Fill {
-    Fill {
-        paint: paint(colour),
-        opacity: NormalizedF32::ONE,
-        rule: FillRule::NonZero,
-    }
+    Fill { paint: paint(colour), opacity: NormalizedF32::ONE, rule: FillRule::NonZero }
 }
 
 /// The line of a look; none for areas without outline.
 fn stroke(look: &Look) -> Option<Stroke> {
-    let dash = StrokeDash {
-        array: look.dash.iter().map(|&length| length as f32).collect(),
-        offset: 0.0,
-    };
+    let dash = StrokeDash { array: look.dash.iter().map(|&length| length as f32).collect(), offset: 0.0 };
     Some(Stroke {
         paint: paint(look.stroke?),
         width: look.width as f32,

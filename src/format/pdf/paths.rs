@@ -21,12 +21,7 @@ pub(super) fn path(shape: &Shape) -> Option<Path> {
             path.close();
             path.finish()
         }
-        Shape::Arc {
-            center,
-            radius,
-            start,
-            sweep,
-        } => {
+        Shape::Arc { center, radius, start, sweep } => {
             let mut path = PathBuilder::new();
             arc(&mut path, center, radius, start, sweep);
             path.finish()
@@ -58,18 +53,12 @@ fn arc(path: &mut PathBuilder, center: Point, radius: f64, start: f64, sweep: f6
     let handle = 4.0 / 3.0 * libm::tan(0.25 * step) * radius;
     let on = |angle: f64, aside: f64| {
         let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-        [
-            length(center.x + radius * cos - aside * sin),
-            length(center.y + radius * sin + aside * cos),
-        ]
+        [length(center.x + radius * cos - aside * sin), length(center.y + radius * sin + aside * cos)]
     };
     let [x, y] = on(start, 0.0);
     path.move_to(x, y);
     for part in 0..parts as u32 {
-        let (from, to) = (
-            start + step * f64::from(part),
-            start + step * f64::from(part + 1),
-        );
+        let (from, to) = (start + step * f64::from(part), start + step * f64::from(part + 1));
         let ([x1, y1], [x2, y2], [x, y]) = (on(from, handle), on(to, -handle), on(to, 0.0));
         path.cubic_to(x1, y1, x2, y2, x, y);
     }

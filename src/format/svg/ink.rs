@@ -14,22 +14,15 @@ pub(crate) fn ink_in(svg: &str) -> [f64; 4] {
                 }
                 Node::Text(text) => text.flattened().abs_bounding_box(),
                 Node::Path(path) => match path.fill().map(usvg::Fill::paint) {
-                    Some(Paint::Color(colour)) if *colour != usvg::Color::white() => {
-                        path.abs_bounding_box()
-                    }
+                    Some(Paint::Color(colour)) if *colour != usvg::Color::white() => path.abs_bounding_box(),
                     _ => continue,
                 },
                 Node::Image(_) => continue,
             };
             // 96 pixels in an inch.
-            let own = [own.left(), own.top(), own.right(), own.bottom()]
-                .map(|side| f64::from(side) * 25.4 / 96.0);
+            let own = [own.left(), own.top(), own.right(), own.bottom()].map(|side| f64::from(side) * 25.4 / 96.0);
             for (side, own) in own.into_iter().enumerate() {
-                ink[side] = if side < 2 {
-                    ink[side].min(own)
-                } else {
-                    ink[side].max(own)
-                };
+                ink[side] = if side < 2 { ink[side].min(own) } else { ink[side].max(own) };
             }
         }
     }
@@ -38,10 +31,7 @@ pub(crate) fn ink_in(svg: &str) -> [f64; 4] {
         fonts.load_font_source(Source::Binary(Arc::new(face)));
     }
     let fontdb = Arc::new(fonts);
-    let options = Options {
-        fontdb,
-        ..Options::default()
-    };
+    let options = Options { fontdb, ..Options::default() };
     let tree = Tree::from_str(svg, &options).expect("it is SVG");
     let (least, most) = (f64::INFINITY, f64::NEG_INFINITY);
     let mut ink = [least, least, most, most];

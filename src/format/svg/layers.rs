@@ -24,19 +24,13 @@ pub(in crate::format) fn layers(drawing: &Drawing, text: Text) -> Vec<Layer> {
     for below in [true, false] {
         for step in 0..=last.unwrap_or_default() {
             for passing in [false, true] {
-                let here = |(mark, _): &&Drawn<'_>| {
-                    (mark.since, mark.passing, lies_below(mark)) == (step, passing, below)
-                };
+                let here =
+                    |(mark, _): &&Drawn<'_>| (mark.since, mark.passing, lies_below(mark)) == (step, passing, below);
                 let marks: Vec<Drawn<'_>> = all.iter().filter(here).copied().collect();
                 if !marks.is_empty() {
                     let mut svg = String::new();
                     write_marks(&mut svg, drawing, text, &marks);
-                    layers.push(Layer {
-                        step,
-                        passing,
-                        below,
-                        svg,
-                    });
+                    layers.push(Layer { step, passing, below, svg });
                 }
             }
         }
@@ -55,11 +49,7 @@ pub(super) fn groups(drawing: &Drawing, text: Text) -> String {
         }
         let suffix = if layer.below { "-under" } else { "" };
         written.push_str("<g");
-        attribute(
-            &mut written,
-            "id",
-            &format!("step-{:0digits$}{suffix}", layer.step),
-        );
+        attribute(&mut written, "id", &format!("step-{:0digits$}{suffix}", layer.step));
         written.push_str(">\n");
         let words = drawing.steps.get(usize::from(layer.step) - 1);
         if let (false, Some(words)) = (layer.below, words) {
@@ -73,8 +63,5 @@ pub(super) fn groups(drawing: &Drawing, text: Text) -> String {
 }
 
 fn lies_below(mark: &Mark) -> bool {
-    matches!(
-        mark.pen,
-        Pen::LinkFill | Pen::ImageFill | Pen::Construction | Pen::Hint
-    )
+    matches!(mark.pen, Pen::LinkFill | Pen::ImageFill | Pen::Construction | Pen::Hint)
 }

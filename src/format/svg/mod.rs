@@ -79,11 +79,7 @@ fn document(drawing: &Drawing, text: Text, marks: String) -> String {
     }
     root.append(element(
         "rect",
-        [
-            ("width", width),
-            ("height", height),
-            ("fill", drawing.style.background().to_string()),
-        ],
+        [("width", width), ("height", height), ("fill", drawing.style.background().to_string())],
     ));
     root.append(Blob::new(marks));
     let mut file = root.to_string();
@@ -164,13 +160,7 @@ fn open_line_group(written: &mut String, look: &Look) {
 /// Texts of one pen, those with a halo (marked true) twice: outlined in the background's colour first. The attribute
 /// that would put a stroke behind its letters is not understood everywhere. All halos come before
 /// all letters, so that none covers a neighbour.
-fn write_texts(
-    written: &mut String,
-    text: Text,
-    look: &Look,
-    background: Colour,
-    marks: &[Drawn<'_>],
-) {
+fn write_texts(written: &mut String, text: Text, look: &Look, background: Colour, marks: &[Drawn<'_>]) {
     if marks.iter().any(|mark| mark.1) {
         written.push_str("<g");
         attribute(written, "fill", &background.to_string());
@@ -330,16 +320,11 @@ mod tests {
     fn hostile_texts_are_escaped() {
         let mut drawing = Drawing::new(10.0, 10.0);
         drawing.title = "a < b & \"c\" \u{1}".into();
-        let text = PlacedText::new(
-            RichText::verbatim("<tspan>&\u{0}"),
-            4.0,
-            Point::new(1.0, 5.0),
-        );
+        let text = PlacedText::new(RichText::verbatim("<tspan>&\u{0}"), 4.0, Point::new(1.0, 5.0));
         drawing.draw_named("x\"><script>", Pen::Label, Shape::Text(text));
         let file = svg(&drawing);
         assert!(
-            file.contains("<title>a &lt; b &amp; \"c\" </title>")
-                || file.contains("a &lt; b &amp; \"c\" \n"),
+            file.contains("<title>a &lt; b &amp; \"c\" </title>") || file.contains("a &lt; b &amp; \"c\" \n"),
             "{file}"
         );
         assert!(file.contains("&lt;tspan&gt;&amp;</text>"), "{file}");
@@ -368,26 +353,14 @@ mod tests {
         assert_eq!(data(halo), data("id=\"label-S3\" d=\""));
         assert!(file.contains("stroke-width=\"60\" transform=\"scale(.01)\""));
         // A letter that the font lacks is an empty box: a path inside another.
-        assert!(
-            file.contains("m92-215l192 0 0 264-192 0zm20 244l152 0 0-224-152 0z"),
-            "{file}"
-        );
+        assert!(file.contains("m92-215l192 0 0 264-192 0zm20 244l152 0 0-224-152 0z"), "{file}");
     }
 
     #[test]
     fn marks_that_are_not_finite_are_left_out() {
         let mut drawing = Drawing::new(10.0, 10.0);
-        drawing.draw(
-            Pen::Link,
-            Shape::Line(Point::new(f64::NAN, 0.0), Point::new(1.0, 1.0)),
-        );
-        drawing.draw(
-            Pen::Link,
-            Shape::Circle {
-                center: Point::ORIGIN,
-                radius: f64::INFINITY,
-            },
-        );
+        drawing.draw(Pen::Link, Shape::Line(Point::new(f64::NAN, 0.0), Point::new(1.0, 1.0)));
+        drawing.draw(Pen::Link, Shape::Circle { center: Point::ORIGIN, radius: f64::INFINITY });
         let file = svg(&drawing);
         assert!(!file.contains("<path") && !file.contains("<circle"));
     }
@@ -398,10 +371,7 @@ mod tests {
         drawing.draw_named(
             "vector-v",
             Pen::Velocity,
-            Shape::Arrow {
-                from: Point::new(0.0, 10.0),
-                to: Point::new(20.0, 10.0),
-            },
+            Shape::Arrow { from: Point::new(0.0, 10.0), to: Point::new(20.0, 10.0) },
         );
         let file = svg(&drawing);
         let arrow = "<g id=\"vector-v\"><path d=\"M0 10L18.18 10\"/><path fill=\"#0b4f8a\" stroke=\"none\" \

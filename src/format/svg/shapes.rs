@@ -7,15 +7,9 @@ use crate::drawing::{Look, Point, Shape};
 /// One shape in the group of its pen.
 pub(super) fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: Option<&str>) {
     // An open line stays clear inside whatever its pen does to areas.
-    let open = if look.fill.is_some() {
-        " fill=\"none\""
-    } else {
-        ""
-    };
+    let open = if look.fill.is_some() { " fill=\"none\"" } else { "" };
     match shape {
-        Shape::Line(from, to) => {
-            write_path(written, id, "", |data| chain(data, &[*from, *to], false))
-        }
+        Shape::Line(from, to) => write_path(written, id, "", |data| chain(data, &[*from, *to], false)),
         Shape::Polyline(points) => write_path(written, id, open, |data| chain(data, points, false)),
         Shape::Polygon(points) => write_path(written, id, "", |data| chain(data, points, true)),
         Shape::Circle { center, radius } => {
@@ -26,15 +20,8 @@ pub(super) fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: 
             }
             written.push_str("/>");
         }
-        Shape::Arc {
-            center,
-            radius,
-            start,
-            sweep,
-        } => {
-            write_path(written, id, open, |data| {
-                arc(data, *center, *radius, *start, *sweep)
-            });
+        Shape::Arc { center, radius, start, sweep } => {
+            write_path(written, id, open, |data| arc(data, *center, *radius, *start, *sweep));
         }
         Shape::Arrow { .. } | Shape::ArcArrow { .. } => {
             // Shaft and head, together under one name.
@@ -57,12 +44,7 @@ pub(super) fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: 
     }
 }
 
-pub(super) fn write_path(
-    written: &mut String,
-    id: Option<&str>,
-    attributes: &str,
-    data: impl FnOnce(&mut String),
-) {
+pub(super) fn write_path(written: &mut String, id: Option<&str>, attributes: &str, data: impl FnOnce(&mut String)) {
     written.push_str("<path");
     write_id(written, id);
     written.push_str(attributes);
@@ -88,12 +70,7 @@ fn arc(data: &mut String, center: Point, radius: f64, start: f64, sweep: f64) {
     // thirds of a turn are safe.
     let sweep = sweep.clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
     let parts = (sweep.abs() / 2.1).ceil().max(1.0);
-    let at = |angle: f64| {
-        Point::new(
-            center.x + radius * libm::cos(angle),
-            center.y + radius * libm::sin(angle),
-        )
-    };
+    let at = |angle: f64| Point::new(center.x + radius * libm::cos(angle), center.y + radius * libm::sin(angle));
     data.push('M');
     push_point(data, at(start));
     let (size, turning) = (number(radius.abs()), if sweep > 0.0 { "1" } else { "0" });
@@ -118,16 +95,7 @@ mod tests {
     #[test]
     fn a_full_turn_is_drawn() {
         let mut data = String::new();
-        arc(
-            &mut data,
-            Point::new(5.0, 5.0),
-            2.0,
-            0.0,
-            std::f64::consts::TAU,
-        );
-        assert_eq!(
-            data,
-            "M7 5A2 2 0 0 1 4 6.732A2 2 0 0 1 4 3.268A2 2 0 0 1 7 5"
-        );
+        arc(&mut data, Point::new(5.0, 5.0), 2.0, 0.0, std::f64::consts::TAU);
+        assert_eq!(data, "M7 5A2 2 0 0 1 4 6.732A2 2 0 0 1 4 3.268A2 2 0 0 1 7 5");
     }
 }

@@ -32,15 +32,10 @@ pub fn tikz(drawing: &Drawing) -> String {
         write_style(&mut file, &name, &look, used);
     }
     let [width, height] = [drawing.width, drawing.height].map(number);
-    let _ = write!(
-        file,
-        "\\begin{{tikzpicture}}[x=1mm,y=-1mm]\n\\useasboundingbox (0,0) rectangle ({width},{height});\n"
-    );
+    let _ =
+        write!(file, "\\begin{{tikzpicture}}[x=1mm,y=-1mm]\n\\useasboundingbox (0,0) rectangle ({width},{height});\n");
     if background != Colour::new(0xffffff) {
-        let _ = writeln!(
-            file,
-            "\\fill[kinegon-background] (0,0) rectangle ({width},{height});"
-        );
+        let _ = writeln!(file, "\\fill[kinegon-background] (0,0) rectangle ({width},{height});");
     }
     // Stretches of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
     for marks in marks.chunk_by(|a, b| a.0.pen == b.0.pen) {
@@ -151,15 +146,8 @@ fn write_mark(file: &mut String, drawing: &Drawing, mark: &Mark, halo: bool) {
 
 fn write_line(file: &mut String, name: &str, look: &Look, shape: &Shape) {
     // An open line stays clear inside whatever its pen does to areas.
-    let open = matches!(
-        shape,
-        Shape::Line(..) | Shape::Polyline(_) | Shape::Arc { .. }
-    );
-    let clear = if open && look.fill.is_some() {
-        ",fill=none"
-    } else {
-        ""
-    };
+    let open = matches!(shape, Shape::Line(..) | Shape::Polyline(_) | Shape::Arc { .. });
+    let clear = if open && look.fill.is_some() { ",fill=none" } else { "" };
     let _ = write!(file, "\\path[kinegon/{name}{clear}] ");
     write_path(file, shape);
     file.push(';');
@@ -176,18 +164,11 @@ fn write_text(file: &mut String, name: &str, look: &Look, text: &PlacedText, hal
         Anchor::Middle => ("middle", 0.5),
         Anchor::End => ("right", 1.0),
     };
-    let [x, y] = [
-        text.origin.x + share * text.text.width(text.size),
-        text.origin.y,
-    ]
-    .map(number);
+    let [x, y] = [text.origin.x + share * text.text.width(text.size), text.origin.y].map(number);
     let options = format!("kinegon/{name},kinegon/{anchor}={}", number(text.size));
     let _ = if halo {
         let around = number(0.5 * look.halo);
-        write!(
-            file,
-            "\\kinegonhalo{{{around}mm}}{{{options}}}{{{x},{y}}}{{{words}}}"
-        )
+        write!(file, "\\kinegonhalo{{{around}mm}}{{{options}}}{{{x},{y}}}{{{words}}}")
     } else {
         write!(file, "\\node[{options}] at ({x},{y}) {{{words}}};")
     };

@@ -18,12 +18,7 @@ pub(super) fn write_path(file: &mut String, shape: &Shape) {
             push_number(file, radius.abs());
             file.push(']');
         }
-        Shape::Arc {
-            center,
-            radius,
-            start,
-            sweep,
-        } => {
+        Shape::Arc { center, radius, start, sweep } => {
             let sweep = sweep.clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
             let (sin, cos) = (libm::sin(start), libm::cos(start));
             write_point(file, center + Vec2::new(cos, sin) * radius);

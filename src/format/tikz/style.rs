@@ -32,11 +32,7 @@ pub(super) fn write_style(file: &mut String, name: &str, look: &Look, used: Used
     if used.texts {
         // Where a pen writes in another colour than it draws in, that colour has a name of its own.
         let own = used.lines && look.ink != main;
-        let ink = if own {
-            format!("{name}-ink")
-        } else {
-            name.to_owned()
-        };
+        let ink = if own { format!("{name}-ink") } else { name.to_owned() };
         if own {
             write_colour(file, &ink, look.ink);
         }
@@ -44,19 +40,15 @@ pub(super) fn write_style(file: &mut String, name: &str, look: &Look, used: Used
     }
     if used.lines {
         if look.stroke.is_some() {
-            style.push(format!(
-                "draw=kinegon-{name},line width={}mm,line join=round",
-                number(look.width)
-            ));
+            style.push(format!("draw=kinegon-{name},line width={}mm,line join=round", number(look.width)));
             if look.cap == Cap::Round {
                 style.push("line cap=round".into());
             }
             if !look.dash.is_empty() {
                 let turns = ["on", "off"].into_iter().cycle();
                 let dashes = look.dash.iter().zip(turns);
-                let dashes: Vec<String> = dashes
-                    .map(|(length, turn)| format!("{turn} {}mm", number(*length)))
-                    .collect();
+                let dashes: Vec<String> =
+                    dashes.map(|(length, turn)| format!("{turn} {}mm", number(*length))).collect();
                 style.push(format!("dash pattern={}", dashes.join(" ")));
             }
         }
@@ -73,10 +65,7 @@ pub(super) fn write_style(file: &mut String, name: &str, look: &Look, used: Used
 }
 
 pub(super) fn write_colour(file: &mut String, name: &str, Colour { red, green, blue }: Colour) {
-    let _ = writeln!(
-        file,
-        "\\providecolor{{kinegon-{name}}}{{HTML}}{{{red:02X}{green:02X}{blue:02X}}}%"
-    );
+    let _ = writeln!(file, "\\providecolor{{kinegon-{name}}}{{HTML}}{{{red:02X}{green:02X}{blue:02X}}}%");
 }
 
 /// What a mark's look is called in names of styles and colours: after its pen, with a number where the drawing's style gives links or curves

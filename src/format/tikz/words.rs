@@ -27,12 +27,7 @@ struct Writer {
 
 impl Writer {
     fn run(&mut self, run: &Run) -> Option<()> {
-        let shared = self
-            .scripts
-            .iter()
-            .zip(&run.scripts)
-            .take_while(|(a, b)| a == b)
-            .count();
+        let shared = self.scripts.iter().zip(&run.scripts).take_while(|(a, b)| a == b).count();
         self.leave(shared);
         if run.spaced {
             self.space();
@@ -44,11 +39,7 @@ impl Writer {
             return self.in_formula(run);
         }
         if run.italic {
-            if run
-                .content
-                .chars()
-                .all(|letter| in_formula(letter).is_some())
-            {
+            if run.content.chars().all(|letter| in_formula(letter).is_some()) {
                 return self.in_formula(run);
             }
             self.end_formula();
@@ -69,9 +60,7 @@ impl Writer {
                     self.end_formula();
                     let written = in_text(letter)?;
                     // Two hyphens or quotes would melt into another sign.
-                    if self.text.ends_with(['-', '\'', '`', '!', '?'])
-                        && written.starts_with(['-', '\'', '`'])
-                    {
+                    if self.text.ends_with(['-', '\'', '`', '!', '?']) && written.starts_with(['-', '\'', '`']) {
                         self.text.push_str("{}");
                     }
                     self.text.push_str(&written);
@@ -93,8 +82,7 @@ impl Writer {
                 self.sign(sign);
                 continue;
             }
-            let written: Option<String> =
-                stretch.iter().map(|letter| in_formula(*letter)).collect();
+            let written: Option<String> = stretch.iter().map(|letter| in_formula(*letter)).collect();
             let written = written?;
             let written = match (first.is_alphabetic() && is_word, run.italic) {
                 (false, _) => written,
@@ -158,9 +146,8 @@ impl Writer {
     fn push(&mut self, written: &str) {
         let formula = self.formula.get_or_insert_default();
         // The name of a sign ends where the next letter starts.
-        let ends_in_name = formula
-            .rsplit_once('\\')
-            .is_some_and(|(_, name)| name.chars().all(|c| c.is_ascii_alphabetic()));
+        let ends_in_name =
+            formula.rsplit_once('\\').is_some_and(|(_, name)| name.chars().all(|c| c.is_ascii_alphabetic()));
         if ends_in_name && written.starts_with(|c: char| c.is_ascii_alphabetic()) {
             formula.push(' ');
         }
@@ -182,12 +169,8 @@ impl Writer {
         };
         self.carried.clear();
         // A sign alone has no neighbours to keep from.
-        let alone = formula
-            .strip_prefix('{')
-            .and_then(|rest| rest.strip_suffix('}'));
-        let formula = alone
-            .filter(|inner| !inner.contains(['{', '}']))
-            .unwrap_or(&formula);
+        let alone = formula.strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
+        let formula = alone.filter(|inner| !inner.contains(['{', '}'])).unwrap_or(&formula);
         self.text.push_str(&format!("${formula}$"));
     }
 }
@@ -196,8 +179,9 @@ impl Writer {
 fn in_formula(letter: char) -> Option<String> {
     Some(match letter {
         'a'..='z' | 'A'..='Z' | '0'..='9' => letter.to_string(),
-        '(' | ')' | '[' | ']' | '/' | '.' | '!' | '?' | '=' | '+' | '-' | '*' | '|' | '<' | '>'
-        | '@' => letter.to_string(),
+        '(' | ')' | '[' | ']' | '/' | '.' | '!' | '?' | '=' | '+' | '-' | '*' | '|' | '<' | '>' | '@' => {
+            letter.to_string()
+        }
         ',' | ';' | ':' => format!("{{{letter}}}"),
         '%' | '&' | '#' | '_' | '$' | '{' | '}' => format!("\\{letter}"),
         ' ' => "\\ ".into(),
@@ -217,11 +201,9 @@ fn in_text(letter: char) -> Option<String> {
         '<' | '>' | '|' => format!("${letter}$"),
         ' '..='~' => letter.to_string(),
         // What the kernel of LaTeX has of UTF-8 in the encoding OT1.
-        '¡' | '¿' | '§' | '©' | '‘' | '’' | '“' | '”' | '–' | '—' | '…' => {
-            letter.to_string()
-        }
-        'Ð' | 'ð' | 'Þ' | 'þ' | 'Ą' | 'ą' | 'Đ' | 'đ' | 'Ę' | 'ę' | 'Ħ' | 'ħ' | 'Į' | 'į' | 'ĸ'
-        | 'Ŀ' | 'ŀ' | 'ŉ' | 'Ŋ' | 'ŋ' | 'Ŧ' | 'ŧ' | 'Ų' | 'ų' | 'ſ' => return None,
+        '¡' | '¿' | '§' | '©' | '‘' | '’' | '“' | '”' | '–' | '—' | '…' => letter.to_string(),
+        'Ð' | 'ð' | 'Þ' | 'þ' | 'Ą' | 'ą' | 'Đ' | 'đ' | 'Ę' | 'ę' | 'Ħ' | 'ħ' | 'Į' | 'į' | 'ĸ' | 'Ŀ' | 'ŀ' | 'ŉ'
+        | 'Ŋ' | 'ŋ' | 'Ŧ' | 'ŧ' | 'Ų' | 'ų' | 'ſ' => return None,
         'À'..='ž' => letter.to_string(),
         _ => return greek(letter).map(|name| format!("${name}$")),
     })

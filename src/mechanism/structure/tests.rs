@@ -8,12 +8,7 @@ fn edges(ends: &[[Option<usize>; 2]]) -> Vec<Edge> {
 fn with_known(chain: &[[usize; 2]], bodies: usize, known: &[usize]) -> (usize, Vec<Edge>) {
     let unknown: Vec<usize> = (0..bodies).filter(|body| !known.contains(body)).collect();
     let link = |body: usize| unknown.iter().position(|&other| other == body);
-    let edges = chain
-        .iter()
-        .map(|ends| Edge {
-            ends: ends.map(link),
-        })
-        .collect();
+    let edges = chain.iter().map(|ends| Edge { ends: ends.map(link) }).collect();
     (unknown.len(), edges)
 }
 
@@ -25,19 +20,11 @@ fn groups_of(links: usize, edges: &[Edge]) -> Vec<Component> {
 }
 
 fn links_of(links: usize, edges: &[Edge]) -> Vec<Vec<usize>> {
-    groups_of(links, edges)
-        .into_iter()
-        .map(|group| group.links)
-        .collect()
+    groups_of(links, edges).into_iter().map(|group| group.links).collect()
 }
 
 fn misfit(under: &[usize], missing: usize, over: &[usize], surplus: usize) -> Structure {
-    Structure::Misfit {
-        under: under.to_vec(),
-        missing,
-        over: over.to_vec(),
-        surplus,
-    }
+    Structure::Misfit { under: under.to_vec(), missing, over: over.to_vec(), surplus }
 }
 
 /// Ternary links 0 and 1 joined to each other and by two chains of two.
@@ -47,29 +34,15 @@ const STEPHENSON: [[usize; 2]; 7] = [[0, 2], [2, 1], [0, 3], [3, 1], [0, 4], [4,
 
 #[test]
 fn four_bar_is_one_dyad() {
-    let joints = edges(&[
-        [None, None],
-        [None, Some(0)],
-        [Some(1), Some(0)],
-        [None, Some(1)],
-    ]);
-    let dyad = Component {
-        links: vec![0, 1],
-        joints: vec![1, 2, 3],
-    };
+    let joints = edges(&[[None, None], [None, Some(0)], [Some(1), Some(0)], [None, Some(1)]]);
+    let dyad = Component { links: vec![0, 1], joints: vec![1, 2, 3] };
     assert_eq!(structure(2, &joints), Structure::Groups(vec![dyad]));
 }
 
 #[test]
 fn five_bar_with_two_drivers_is_one_dyad() {
     let (links, joints) = with_known(&[[0, 1], [1, 2], [2, 3], [3, 4], [4, 0]], 5, &[0, 1, 4]);
-    assert_eq!(
-        groups_of(links, &joints),
-        [Component {
-            links: vec![0, 1],
-            joints: vec![1, 2, 3]
-        }]
-    );
+    assert_eq!(groups_of(links, &joints), [Component { links: vec![0, 1], joints: vec![1, 2, 3] }]);
 }
 
 #[test]
@@ -77,14 +50,8 @@ fn watt_is_two_dyads_in_order() {
     // Unknown: 1, 3, 4, 5 become 0, 1, 2, 3.
     let (links, joints) = with_known(&WATT, 6, &[0, 2]);
     let expected = [
-        Component {
-            links: vec![0, 1],
-            joints: vec![0, 2, 3],
-        },
-        Component {
-            links: vec![2, 3],
-            joints: vec![4, 5, 6],
-        },
+        Component { links: vec![0, 1], joints: vec![0, 2, 3] },
+        Component { links: vec![2, 3], joints: vec![4, 5, 6] },
     ];
     assert_eq!(groups_of(links, &joints), expected);
 }
@@ -95,12 +62,8 @@ fn watt_driven_at_the_far_dyad_follows_dependence_not_numbers() {
     let (links, joints) = with_known(&WATT, 6, &[4, 5]);
     assert_eq!(links_of(links, &joints), [[0, 1], [2, 3]]);
     // The same with the numbers of the links turned round.
-    let turned: Vec<Edge> = joints
-        .iter()
-        .map(|edge| Edge {
-            ends: edge.ends.map(|end| end.map(|link| 3 - link)),
-        })
-        .collect();
+    let turned: Vec<Edge> =
+        joints.iter().map(|edge| Edge { ends: edge.ends.map(|end| end.map(|link| 3 - link)) }).collect();
     assert_eq!(links_of(links, &turned), [[2, 3], [0, 1]]);
 }
 
@@ -110,17 +73,11 @@ fn stephenson_is_two_dyads_or_a_third_or_fourth_class_group() {
     assert_eq!(links_of(links, &joints), [[0, 1], [2, 3]]);
     // Ground 0, driver 4: the ternary link 1 with the legs 2, 3, 5.
     let (links, joints) = with_known(&STEPHENSON, 6, &[0, 4]);
-    let third = Component {
-        links: vec![0, 1, 2, 3],
-        joints: vec![0, 1, 2, 3, 5, 6],
-    };
+    let third = Component { links: vec![0, 1, 2, 3], joints: vec![0, 1, 2, 3, 5, 6] };
     assert_eq!(groups_of(links, &joints), [third]);
     // Ground 4, driver 5: the ring 0, 2, 1, 3.
     let (links, joints) = with_known(&STEPHENSON, 6, &[4, 5]);
-    let fourth = Component {
-        links: vec![0, 1, 2, 3],
-        joints: vec![0, 1, 2, 3, 4, 6],
-    };
+    let fourth = Component { links: vec![0, 1, 2, 3], joints: vec![0, 1, 2, 3, 4, 6] };
     assert_eq!(groups_of(links, &joints), [fourth]);
 }
 
@@ -155,10 +112,7 @@ fn independent_groups_come_by_smallest_link() {
 #[test]
 fn nothing_unknown_is_no_group() {
     assert_eq!(structure(0, &[]), Structure::Groups(Vec::new()));
-    assert_eq!(
-        structure(0, &edges(&[[None, None]])),
-        Structure::Groups(Vec::new())
-    );
+    assert_eq!(structure(0, &edges(&[[None, None]])), Structure::Groups(Vec::new()));
 }
 
 #[test]
@@ -179,32 +133,19 @@ fn missing_driver_leaves_all_that_moves() {
 #[test]
 fn links_without_joints_have_three_free_motions() {
     assert_eq!(structure(2, &[]), misfit(&[0, 1], 6, &[], 0));
-    assert_eq!(
-        structure(1, &edges(&[[Some(0), Some(0)]])),
-        misfit(&[0], 3, &[], 0)
-    );
+    assert_eq!(structure(1, &edges(&[[Some(0), Some(0)]])), misfit(&[0], 3, &[], 0));
 }
 
 #[test]
 fn dyad_with_a_third_support_is_over_constrained() {
-    let joints = edges(&[
-        [None, Some(0)],
-        [Some(0), Some(1)],
-        [Some(1), None],
-        [Some(1), None],
-    ]);
+    let joints = edges(&[[None, Some(0)], [Some(0), Some(1)], [Some(1), None], [Some(1), None]]);
     assert_eq!(structure(2, &joints), misfit(&[], 0, &[0, 1], 2));
 }
 
 #[test]
 fn surplus_and_missing_motion_stand_side_by_side() {
     // Link 0 twice on ground, links 1 and 2 a chain with a free end.
-    let joints = edges(&[
-        [None, Some(0)],
-        [None, Some(0)],
-        [None, Some(1)],
-        [Some(1), Some(2)],
-    ]);
+    let joints = edges(&[[None, Some(0)], [None, Some(0)], [None, Some(1)], [Some(1), Some(2)]]);
     assert_eq!(structure(3, &joints), misfit(&[1, 2], 2, &[0], 1));
 }
 
@@ -218,34 +159,17 @@ fn links_joined_twice_are_found_though_the_numbers_agree() {
 #[test]
 fn wedge_moves_but_is_counted_over_constrained() {
     // Known weakness: the slides ground to driver, driver to wedge, wedge to ground allow no turning, which the count ignores.
-    assert_eq!(
-        structure(1, &edges(&[[None, Some(0)], [Some(0), None]])),
-        misfit(&[], 0, &[0], 1)
-    );
+    assert_eq!(structure(1, &edges(&[[None, Some(0)], [Some(0), None]])), misfit(&[], 0, &[0], 1));
 }
 
 #[test]
 fn shared_pin_written_at_a_later_body_joins_groups() {
     // Known weakness: links 0 and 2 and a known body share a pin. Both at the known body: two dyads.
-    let rest = edges(&[
-        [Some(0), Some(1)],
-        [Some(1), None],
-        [Some(2), Some(3)],
-        [Some(3), Some(1)],
-    ]);
+    let rest = edges(&[[Some(0), Some(1)], [Some(1), None], [Some(2), Some(3)], [Some(3), Some(1)]]);
     let with = |pin: [[Option<usize>; 2]; 2]| [edges(&pin), rest.clone()].concat();
-    assert_eq!(
-        links_of(4, &with([[None, Some(0)], [None, Some(2)]])),
-        [[0, 1], [2, 3]]
-    );
-    assert_eq!(
-        links_of(4, &with([[None, Some(0)], [Some(0), Some(2)]])),
-        [[0, 1], [2, 3]]
-    );
-    assert_eq!(
-        links_of(4, &with([[None, Some(2)], [Some(2), Some(0)]])),
-        [[0, 1, 2, 3]]
-    );
+    assert_eq!(links_of(4, &with([[None, Some(0)], [None, Some(2)]])), [[0, 1], [2, 3]]);
+    assert_eq!(links_of(4, &with([[None, Some(0)], [Some(0), Some(2)]])), [[0, 1], [2, 3]]);
+    assert_eq!(links_of(4, &with([[None, Some(2)], [Some(2), Some(0)]])), [[0, 1, 2, 3]]);
 }
 
 #[test]
@@ -262,18 +186,11 @@ fn two_hundred_dyads_in_reverse_come_in_order() {
     for dyad in 0..count {
         let carrier = |side| (dyad + 1 < count).then_some(2 * (dyad + 1) + side);
         let [first, second] = [2 * dyad, 2 * dyad + 1];
-        joints.extend(edges(&[
-            [Some(first), carrier(0)],
-            [Some(first), Some(second)],
-            [carrier(1), Some(second)],
-        ]));
+        joints.extend(edges(&[[Some(first), carrier(0)], [Some(first), Some(second)], [carrier(1), Some(second)]]));
     }
     let expected: Vec<Component> = (0..count)
         .rev()
-        .map(|dyad| Component {
-            links: vec![2 * dyad, 2 * dyad + 1],
-            joints: (3 * dyad..3 * dyad + 3).collect(),
-        })
+        .map(|dyad| Component { links: vec![2 * dyad, 2 * dyad + 1], joints: (3 * dyad..3 * dyad + 3).collect() })
         .collect();
     assert_eq!(groups_of(2 * count, &joints), expected);
 }
@@ -332,9 +249,7 @@ fn check_groups(edges: &[Edge], groups: &[Component]) {
     let mut solved: BTreeSet<usize> = BTreeSet::new();
     for group in groups {
         let joints_of = |part: &BTreeSet<usize>| -> Vec<usize> {
-            let settled = |end: &Option<usize>| {
-                end.is_none_or(|link| part.contains(&link) || solved.contains(&link))
-            };
+            let settled = |end: &Option<usize>| end.is_none_or(|link| part.contains(&link) || solved.contains(&link));
             let touches = |end: &Option<usize>| end.is_some_and(|link| part.contains(&link));
             (0..edges.len())
                 .filter(|&joint| {
@@ -344,14 +259,8 @@ fn check_groups(edges: &[Edge], groups: &[Component]) {
                 .collect()
         };
         for set in 1_usize..(1 << group.links.len()) - 1 {
-            let part = (0..group.links.len())
-                .filter(|bit| set >> bit & 1 == 1)
-                .map(|bit| group.links[bit])
-                .collect();
-            assert!(
-                2 * joints_of(&part).len() < 3 * part.len(),
-                "{group:?} falls apart"
-            );
+            let part = (0..group.links.len()).filter(|bit| set >> bit & 1 == 1).map(|bit| group.links[bit]).collect();
+            assert!(2 * joints_of(&part).len() < 3 * part.len(), "{group:?} falls apart");
         }
         let all = group.links.iter().copied().collect();
         assert_eq!(joints_of(&all), group.joints);
@@ -364,9 +273,7 @@ fn check_groups(edges: &[Edge], groups: &[Component]) {
 fn random_structures_agree_with_the_definition() {
     let mut state = 1_u64;
     let mut below = |limit: usize| {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 33) as usize % limit
     };
     let (mut grouped, mut misfits, mut largest) = (0, 0, 0);
@@ -380,22 +287,14 @@ fn random_structures_agree_with_the_definition() {
                 let first = below(links);
                 let second = (first + 1 + below(links + 1)) % (links + 2);
                 let second = Some(second).filter(|&link| link < links);
-                Edge {
-                    ends: [Some(first), second],
-                }
+                Edge { ends: [Some(first), second] }
             })
             .collect();
         let found = structure(links, &joints);
         match &found {
             Structure::Groups(groups) => {
                 grouped += 1;
-                largest = largest.max(
-                    groups
-                        .iter()
-                        .map(|group| group.links.len())
-                        .max()
-                        .unwrap_or(0),
-                );
+                largest = largest.max(groups.iter().map(|group| group.links.len()).max().unwrap_or(0));
                 check_groups(&joints, groups);
                 assert_eq!(misfit_by_definition(links, &joints), misfit(&[], 0, &[], 0));
                 for joint in &mut joints {
@@ -403,8 +302,7 @@ fn random_structures_agree_with_the_definition() {
                 }
                 assert_eq!(structure(links, &joints), found, "{joints:?}");
                 joints.reverse();
-                let order: Vec<Vec<usize>> =
-                    groups.iter().map(|group| group.links.clone()).collect();
+                let order: Vec<Vec<usize>> = groups.iter().map(|group| group.links.clone()).collect();
                 assert_eq!(links_of(links, &joints), order, "{joints:?}");
             }
             Structure::Misfit { .. } => {
@@ -415,8 +313,5 @@ fn random_structures_agree_with_the_definition() {
             }
         }
     }
-    assert!(
-        grouped > 100 && misfits > 1000 && largest >= 4,
-        "{grouped} {misfits} {largest}"
-    );
+    assert!(grouped > 100 && misfits > 1000 && largest >= 4, "{grouped} {misfits} {largest}");
 }

@@ -2,16 +2,12 @@ use super::{CheckWords, Line, MistakeWords, coriolis, normal, symbol};
 
 /// English.
 pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
-    counts: |right, within, off| {
-        format!("{right} right, {within} within the tolerance of a pencil, {off} off")
-    },
+    counts: |right, within, off| format!("{right} right, {within} within the tolerance of a pencil, {off} off"),
     right: "right",
     within: "within tolerance",
     off: "OFF",
     unjudged: "not judged: it has no construction",
-    columns: [
-        "quantity", "yours", "expected", "off by", "on paper", "off by", "allowed", "verdict",
-    ],
+    columns: ["quantity", "yours", "expected", "off by", "on paper", "off by", "allowed", "verdict"],
     tolerance: |mm, degrees| {
         format!(
             "Allowed is what a careful hand (±{mm} mm, ±{degrees}° in each act) comes to at that quantity: twice the band that 95 of 100 such drawings keep."
@@ -36,20 +32,12 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
         )
     },
 
-    key: [
-        "as it should be",
-        "yours (names with *)",
-        "where it went wrong",
-    ],
+    key: ["as it should be", "yours (names with *)", "where it went wrong"],
     follows_marked: |count, mark| {
-        format!(
-            "{count} values marked {mark} in the table follow from it and are consistent with it."
-        )
+        format!("{count} values marked {mark} in the table follow from it and are consistent with it.")
     },
     beyond: |point, mm| format!("{point}: {mm} mm farther"),
-    turned: |plan, degrees| {
-        format!("The points of your {plan} are shown turned by {degrees}°, as they fit best.")
-    },
+    turned: |plan, degrees| format!("The points of your {plan} are shown turned by {degrees}°, as they fit best."),
 
     turned_ray: MistakeWords {
         done: |b| {
@@ -63,22 +51,12 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
         },
     },
     turned_cut_line: MistakeWords {
-        done: |b| {
-            format!(
-                "the line through {} for {} was drawn along the guide",
-                b[0], b[1]
-            )
-        },
+        done: |b| format!("the line through {} for {} was drawn along the guide", b[0], b[1]),
         should: |b| format!("{} lies on the normal to the guide through {}", b[1], b[0]),
     },
     ray_from_wrong_point: MistakeWords {
         done: |b| format!("the ray to {} was drawn through {}", b[0], b[1]),
-        should: |b| {
-            format!(
-                "it starts at {}, where the known part of the vector equation ends",
-                b[2]
-            )
-        },
+        should: |b| format!("it starts at {}, where the known part of the vector equation ends", b[2]),
     },
     wrong_lines: MistakeWords {
         done: |b| format!("{} was marked on {}", b[0], line(&b[1])),
@@ -86,93 +64,44 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
     },
     reversed_vector: MistakeWords {
         done: |b| format!("the vector from {} to {} was laid off reversed", b[0], b[1]),
-        should: |b| {
-            format!(
-                "it points from {} to {}, in the sense in which its link turns or slides",
-                b[0], b[1]
-            )
-        },
+        should: |b| format!("it points from {} to {}, in the sense in which its link turns or slides", b[0], b[1]),
     },
     normal_outward: MistakeWords {
-        done: |b| {
-            format!(
-                "the normal acceleration {} on the way {} was laid off outward",
-                normal(b),
-                way(b)
-            )
-        },
-        should: |_| {
-            "a normal acceleration points towards the point about which the link turns".into()
-        },
+        done: |b| format!("the normal acceleration {} on the way {} was laid off outward", normal(b), way(b)),
+        should: |_| "a normal acceleration points towards the point about which the link turns".into(),
     },
     omega_not_squared: MistakeWords {
         done: |b| {
             let omega = symbol(&b[2]);
-            format!(
-                "for the normal part {}, {omega} was taken in place of its square",
-                way(b)
-            )
+            format!("for the normal part {}, {omega} was taken in place of its square", way(b))
         },
         should: |b| format!("the normal part is {}", normal(b)),
     },
     diameter: MistakeWords {
-        done: |b| {
-            format!(
-                "the normal part {} {} came out twice as large, as with the diameter",
-                normal(b),
-                way(b)
-            )
-        },
+        done: |b| format!("the normal part {} {} came out twice as large, as with the diameter", normal(b), way(b)),
         should: |b| {
             let [omega, radius] = [&b[2], &b[3]].map(|name| symbol(name));
             format!("the normal part is {omega}² times the radius {radius}")
         },
     },
     normal_from_absolute: MistakeWords {
-        done: |b| {
-            format!(
-                "the normal part along {} {} was computed from the absolute velocity",
-                symbol(&b[3]),
-                way(b)
-            )
-        },
+        done: |b| format!("the normal part along {} {} was computed from the absolute velocity", symbol(&b[3]), way(b)),
         should: |b| format!("it takes the relative velocity: {}", normal(b)),
     },
     normal_forgotten: MistakeWords {
-        done: |b| {
-            format!(
-                "the normal part {} was forgotten on the way {}",
-                normal(b),
-                way(b)
-            )
-        },
+        done: |b| format!("the normal part {} was forgotten on the way {}", normal(b), way(b)),
         should: |b| format!("lay off {} before the ray is drawn", normal(b)),
     },
     coriolis_forgotten: MistakeWords {
-        done: |b| {
-            format!(
-                "the Coriolis acceleration was forgotten on the way {}",
-                way(b)
-            )
-        },
+        done: |b| format!("the Coriolis acceleration was forgotten on the way {}", way(b)),
         should: |b| format!("lay off {} normal to the guide", coriolis(b)),
     },
     coriolis_without_two: MistakeWords {
-        done: |b| {
-            format!(
-                "the Coriolis acceleration {} was taken without its 2",
-                way(b)
-            )
-        },
+        done: |b| format!("the Coriolis acceleration {} was taken without its 2", way(b)),
         should: |b| format!("it is {}", coriolis(b)),
     },
     coriolis_turned: MistakeWords {
-        done: |b| {
-            format!(
-                "the Coriolis acceleration {} was laid off the wrong way",
-                way(b)
-            )
-        },
+        done: |b| format!("the Coriolis acceleration {} was laid off the wrong way", way(b)),
         should: |b| {
             let [omega, velocity] = [&b[2], &b[3]].map(|name| symbol(name));
             format!("it has the direction of {velocity} turned by 90° in the sense of {omega}")
@@ -180,58 +109,28 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
     },
     coriolis_where_none: MistakeWords {
         done: |b| {
-            format!(
-                "a Coriolis acceleration was added to {} on the way {}, where nothing slides",
-                normal(b),
-                way(b)
-            )
+            format!("a Coriolis acceleration was added to {} on the way {}, where nothing slides", normal(b), way(b))
         },
-        should: |_| {
-            "there is a Coriolis acceleration only where something slides on a link that turns"
-                .into()
-        },
+        should: |_| "there is a Coriolis acceleration only where something slides on a link that turns".into(),
     },
     mirrored_image: MistakeWords {
         done: |b| {
-            format!(
-                "{} was laid off on the wrong side of {} {}: the image of the link is mirrored",
-                b[1], b[0], b[2]
-            )
+            format!("{} was laid off on the wrong side of {} {}: the image of the link is mirrored", b[1], b[0], b[2])
         },
         should: |_| "the image of a link is similar to the link, turned but never mirrored".into(),
     },
     wrong_segment: MistakeWords {
-        done: |b| {
-            format!(
-                "for {} the segment from {} to {} was measured",
-                b[0], b[1], b[2]
-            )
-        },
+        done: |b| format!("for {} the segment from {} to {} was measured", b[0], b[1], b[2]),
         should: |b| format!("measure {}", b[0]),
     },
     component: MistakeWords {
         done: |b| {
-            format!(
-                "for {} its {} component was measured",
-                b[0],
-                if b[1] == "x" {
-                    "horizontal"
-                } else {
-                    "vertical"
-                }
-            )
+            format!("for {} its {} component was measured", b[0], if b[1] == "x" { "horizontal" } else { "vertical" })
         },
         should: |b| format!("measure the true length from {} to {}", b[2], b[3]),
     },
     wrong_length: MistakeWords {
-        done: |b| {
-            format!(
-                "for {} the length from {} to {} was taken",
-                symbol(&b[0]),
-                b[1],
-                b[2]
-            )
-        },
+        done: |b| format!("for {} the length from {} to {} was taken", symbol(&b[0]), b[1], b[2]),
         should: |b| format!("take {}", symbol(&b[0])),
     },
     wrong_sense: MistakeWords {
@@ -241,35 +140,18 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
         },
     },
     revolutions_for_radians: MistakeWords {
-        done: |b| {
-            format!(
-                "{} was not converted between revolutions per minute and radians per second",
-                symbol(&b[0])
-            )
-        },
+        done: |b| format!("{} was not converted between revolutions per minute and radians per second", symbol(&b[0])),
         should: |_| "rad/s = rpm · π/30".into(),
     },
     degrees_for_radians: MistakeWords {
-        done: |b| {
-            format!(
-                "{} was not converted between degrees and radians",
-                symbol(&b[0])
-            )
-        },
+        done: |b| format!("{} was not converted between degrees and radians", symbol(&b[0])),
         should: |_| "a rate of rotation enters every product in radians".into(),
     },
     wrong_scale: MistakeWords {
         done: |b| {
-            let what = if b[0].is_empty() {
-                "all segments of the sheet"
-            } else {
-                &b[0]
-            };
+            let what = if b[0].is_empty() { "all segments of the sheet" } else { &b[0] };
             if b[1].is_empty() {
-                format!(
-                    "{what}: millimetres of paper were taken for the value, without {}",
-                    b[2]
-                )
+                format!("{what}: millimetres of paper were taken for the value, without {}", b[2])
             } else {
                 format!("{what}: {} was used in place of {}", b[1], b[2])
             }
@@ -277,9 +159,7 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
         should: |b| format!("millimetres on this sheet times {} are the value", b[2]),
     },
     other_mode: MistakeWords {
-        done: |_| {
-            "the mechanism was drawn in another position in which its links fit together".into()
-        },
+        done: |_| "the mechanism was drawn in another position in which its links fit together".into(),
         should: |_| "the scene asks for the position shown in the figure".into(),
     },
     swapped: MistakeWords {
@@ -287,12 +167,7 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
         should: |_| "swap the two numbers".into(),
     },
     digits_transposed: MistakeWords {
-        done: |b| {
-            format!(
-                "{}: two digits stand in each other's place, {} for {}",
-                b[0], b[1], b[2]
-            )
-        },
+        done: |b| format!("{}: two digits stand in each other's place, {} for {}", b[0], b[1], b[2]),
         should: |b| b[2].clone(),
     },
     decimal_slipped: MistakeWords {
@@ -304,30 +179,15 @@ pub(in crate::words) const ENGLISH: CheckWords = CheckWords {
         should: |_| "round the last digit up where the next is 5 or more".into(),
     },
     wrong_unit: MistakeWords {
-        done: |b| {
-            format!(
-                "{}: {} is the value in {}, not in {}",
-                b[0], b[1], b[3], b[2]
-            )
-        },
+        done: |b| format!("{}: {} is the value in {}, not in {}", b[0], b[1], b[3], b[2]),
         should: |b| format!("{} {}", b[1], b[3]),
     },
     other_unit: MistakeWords {
-        done: |b| {
-            format!(
-                "{}: {} is the value in {}, and no unit says so",
-                b[0], b[1], b[2]
-            )
-        },
+        done: |b| format!("{}: {} is the value in {}, and no unit says so", b[0], b[1], b[2]),
         should: |b| format!("write {} beside it, or the value in {}", b[2], b[3]),
     },
     unknown: MistakeWords {
-        done: |b| {
-            format!(
-                "{} is off for a reason that is not in the catalogue, and was used as it is",
-                b[0]
-            )
-        },
+        done: |b| format!("{} is off for a reason that is not in the catalogue, and was used as it is", b[0]),
         should: |b| format!("look at {} again", b[0]),
     },
 };
