@@ -12,13 +12,13 @@ mod files;
 mod gallery;
 mod stages;
 
+use kinegon::Solution;
 use kinegon::check::{Marks, Measured, check, redrawn};
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Style};
 use kinegon::scene::Scene;
 use kinegon::words::Wording;
 use kinegon::{drawing, format, mechanism, position};
-use kinegon::Solution;
 use stages::{answer_key, solved};
 use std::path::PathBuf;
 

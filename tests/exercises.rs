@@ -5,6 +5,7 @@ mod program;
 mod random;
 mod stages;
 
+use kinegon::Solution;
 use kinegon::check::{Drawn, Given, Measured, Student, Verdict, check};
 use kinegon::drafting::Tolerance;
 use kinegon::drawing::Shape;
@@ -15,7 +16,6 @@ use kinegon::scene::{Figure, Page, PageSize};
 use program::{kinegon, scratch, stderr};
 use random::Random;
 use serde_json::Value;
-use kinegon::Solution;
 use stages::solved;
 use std::path::Path;
 

@@ -8,13 +8,13 @@ mod files;
 mod stages;
 
 use faults::{MOST_BYTES, faults, id};
+use kinegon::Solution;
 use kinegon::cycle::Film;
 use kinegon::drawing::{Drawing, Shape, Style, figure};
 use kinegon::format::svg;
 use kinegon::plan::{Construction, Plan, PlanKind, PointRole};
 use kinegon::scene::StyleName;
 use kinegon::words::Wording;
-use kinegon::Solution;
 use stages::solved;
 use std::path::PathBuf;
 

@@ -6,13 +6,13 @@ mod program;
 mod stages;
 
 use faults::{faults, id};
+use kinegon::Solution;
 use kinegon::check::{self, Checked, Measured, Mistake, PointsOf, Student};
 use kinegon::drawing::{Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay};
 use kinegon::plan::PlanKind;
 use kinegon::scene::{PageSize, Panel};
 use kinegon::words::Wording;
 use program::{kinegon, scratch, stderr};
-use kinegon::Solution;
 use stages::{answer_key, solved};
 
 fn stages(scene: &str) -> Solution {

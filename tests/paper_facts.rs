@@ -8,8 +8,8 @@
 
 mod stages;
 
-use kinegon::plan::{Plan, Quantity, quantity};
 use kinegon::Solution;
+use kinegon::plan::{Plan, Quantity, quantity};
 use stages::solved;
 
 const FIGURE_1: &str = r#"{ "kinegon": 1,

@@ -7,6 +7,7 @@ mod random;
 mod stages;
 
 use exact::exceeds;
+use kinegon::Solution;
 use kinegon::drafting::{
     Act, Band, Change, Deed, Disturbance, Drafting, Error, Reading, Sheet, SheetScales, Tolerance, Unread,
     drafting_with, readable_names,
@@ -14,7 +15,6 @@ use kinegon::drafting::{
 use kinegon::drawing::scales;
 use kinegon::plan::{Asked, Quantity, step_names};
 use random::Random;
-use kinegon::Solution;
 use stages::solved;
 
 /// Every starting scene and the examples.

@@ -6,10 +6,10 @@ mod program;
 mod stages;
 
 use files::read;
+use kinegon::Solution;
 use kinegon::drawing::{Drawing, Emphasis, Mark, Pen, Rect, Shape, stepwise};
 use kinegon::format::{Text, layered_svg, svg};
 use kinegon::plan::Action;
-use kinegon::Solution;
 use stages::solved;
 use std::collections::BTreeSet;
 

@@ -15,10 +15,10 @@ use std::collections::BTreeMap;
 use comparison::entries;
 use exact::{Exact, exceeds, minus};
 use files::{path, read, templates};
+use kinegon::Solution;
 use kinegon::format::ResultFile;
 use later::{differences, fastest};
 use serde_json::Value;
-use kinegon::Solution;
 use stages::solved;
 
 /// Largest error against the truth.

@@ -4,6 +4,7 @@ mod files;
 mod program;
 mod stages;
 
+use kinegon::Solution;
 use kinegon::check::Mistake;
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drafting::{Tolerance, pencil};
@@ -13,7 +14,6 @@ use kinegon::plan::{Asked, step_names};
 use kinegon::scene::{LanguageName, NotationName, Scene};
 use kinegon::words::Wording;
 use program::{kinegon, stderr};
-use kinegon::Solution;
 use stages::solved;
 
 /// Scenes of every kind: starting scenes, examples, cylinders, drawn configurations with special points at infinity.

@@ -5,10 +5,10 @@ mod files;
 mod stages;
 
 use faults::{faults, panels};
+use kinegon::Solution;
 use kinegon::drawing::{Drawing, Mark, Shape, scales};
 use kinegon::format::svg;
 use kinegon::plan::{Asked, Quantity, Scales, measured_names, quantity};
-use kinegon::Solution;
 use stages::solved;
 
 /// Every way to lay a sheet.

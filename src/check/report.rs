@@ -1,13 +1,12 @@
 //! The report as text, in the figure's language.
 
+use super::answer_key::AnswerKey;
 use super::diagnosis::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
-use super::answer_key::AnswerKey;
 use super::verdict::{Checked, Judged, Verdict};
-use crate::plan::{PlanKind, shown_text};
+use crate::construction::Teller;
+use crate::construction::{PlanKind, shown_text};
 use crate::words::{CheckWords, Wording};
-
-use super::order::numbered_steps;
 
 /// What is said to the student: verdicts in the order of the construction, then what probably happened.
 #[must_use]
@@ -211,8 +210,7 @@ impl Page<'_> {
     pub(super) fn told(&self, finding: &Finding) -> Told {
         let Finding { candidate, follows, .. } = finding;
         let [done, should] = sentences(candidate, self.words);
-        let steps = numbered_steps(&self.key.solution.construction);
-        let step = steps.iter().find(|s| s.number == candidate.step);
+        let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // All values are touched by it.
             _ if candidate.mistake == Mistake::Truncated => None,
@@ -221,7 +219,10 @@ impl Page<'_> {
         };
         Told {
             done: format!("{}: {done}.", self.step(finding)),
-            caption: step.map(|s| shown_text(&s.step.caption, s.plan, self.words)),
+            caption: step.map(|step| {
+                let caption = Teller::new(self.key.solution, self.words).caption(&step);
+                shown_text(&caption, step.plan, self.words)
+            }),
             should: format!("{}: {should}.", self.own.instead),
             follows,
         }

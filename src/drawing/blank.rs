@@ -3,7 +3,8 @@
 use super::scheme::Scheme;
 use super::text::RichText;
 use super::worksheet::{Row, Worksheet, symbol, table};
-use crate::plan::{Asked, PlanKind, Spot, What};
+use crate::construction::PlanKind;
+use crate::quantity::{Asked, Spot, What};
 use crate::scene::{Panel, Units};
 
 /// Widths of the boxes for millimetres and values.

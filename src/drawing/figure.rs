@@ -6,14 +6,14 @@ use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
-use super::stages::numbered;
 use super::style::Style;
 use super::text::{PlacedText, RichText};
 use super::view::{Extent, View, fitting_scale};
 use super::words;
 use super::worksheet::Worksheet;
+use crate::construction::{Solution, shown_text};
 use crate::mechanism::{Class, Mechanism};
-use crate::plan::{Scales, Solution, shown_text};
+use crate::quantity::Scales;
 use crate::scene::{Panel, Scene};
 use crate::words::{Language, Wording};
 use kurbo::{Point, Rect};
@@ -49,11 +49,7 @@ impl Solution {
             let placed = sheet.layout.panels.iter().find(|p| p.panel == panel);
             self.scene.figure.mu(panel).or(placed.map(|p| p.mu))
         };
-        Scales {
-            length: of(Panel::Scheme),
-            velocity: of(Panel::Velocity),
-            acceleration: of(Panel::Acceleration),
-        }
+        Scales { length: of(Panel::Scheme), velocity: of(Panel::Velocity), acceleration: of(Panel::Acceleration) }
     }
 
     /// What the figure leaves out because it does not fit at a scale that the scene gives: a sentence for each such panel, with a scale that
@@ -177,9 +173,9 @@ pub(super) fn compose(
         worksheet.draw(&mut drawing, area, &layout.panels, words);
     }
     legend::draw(&mut drawing, layout, words, scene.units);
-    let steps = numbered(construction);
-    let steps = steps.map(|(_, plan, step)| shown_text(&step.caption, plan, words));
-    drawing.steps = steps.collect();
+    let teller = scheme.teller();
+    let steps = construction.numbered_steps();
+    drawing.steps = steps.map(|step| shown_text(&teller.caption(&step), step.plan, words)).collect();
     match shown {
         Shown::Figure => {
             legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());

@@ -6,10 +6,12 @@ use super::legend::short;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
-use super::stages::numbered;
 use super::text::{PlacedText, RichText};
+use crate::construction::{
+    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Plan, PlanKind, Relation, rate_symbol,
+};
 use crate::geometry::{Vector, degrees_of};
-use crate::plan::{Action, Equation, Kind, Known, NamedPart, Plan, PlanKind, Relation, Step, rate_symbol};
+use crate::quantity::Kind;
 use crate::scene::{Panel, Units};
 use kurbo::{Point, Rect};
 
@@ -37,12 +39,11 @@ pub(super) fn draw(drawing: &mut Drawing, layout: &Layout, units: Units, scheme:
     let line = |y: f64| Shape::Line(Point::new(area.x0, y), Point::new(area.x1, y));
     drawing.draw(Pen::Frame, line(area.y0 + layout.scales));
     let area = Rect::new(area.x0 + 4.0, area.y0 + layout.scales, area.x1 - 4.0, area.y1);
-    let steps: Vec<_> = numbered(scheme.construction).collect();
-    let count = steps.len();
-    for (number, plan, step) in steps {
-        let mut page = Page { drawing, layout, units, scheme, area, number };
-        page.caption(step, plan, count);
-        page.details(step, plan);
+    let count = scheme.construction.numbered_steps().count();
+    for step in scheme.construction.numbered_steps() {
+        let mut page = Page { drawing, layout, units, scheme, area, number: step.number as u16 };
+        page.caption(&step, count);
+        page.details(&step);
     }
 }
 
@@ -102,35 +103,39 @@ impl Page<'_> {
     }
 
     /// Which step it is, and what to do.
-    fn caption(&mut self, step: &Step, plan: Option<&Plan>, count: usize) {
+    fn caption(&mut self, step: &NumberedStep<'_>, count: usize) {
         let number = RichText::plain(&format!("{} / {count}", self.number));
         let from = Point::new(self.area.x0, self.area.y0 + FIRST);
         let after = from.x + number.width(SIZE) + 4.0;
         let placed = PlacedText::new(number, SIZE, from);
         self.put(Pen::Heading, Shape::Text(placed));
-        let pieces = self.pieces(&step.caption, plan, Piece::Words);
+        let caption = self.scheme.teller().caption(step);
+        let pieces = self.pieces(&caption, step.plan, Piece::Words);
         let room = self.area.x1 - after;
         self.line(&pieces, SIZE, Point::new(after, from.y), room);
     }
 
     /// Equation and values of a step.
-    fn details(&mut self, step: &Step, plan: Option<&Plan>) {
+    fn details(&mut self, step: &NumberedStep<'_>) {
+        let plan = step.plan;
         let from = Point::new(self.area.x0, self.area.y0 + SECOND);
         let kind = plan.map(|p| p.kind);
         let segment = |from: &str, to: &str| plan.and_then(|p| p.segment(from, to));
-        let end = match &step.action {
+        let formula = self.scheme.teller().formula(step);
+        let action = &step.step.action;
+        let end = match action {
             Action::Solve { equations, unknowns } => return self.solved(equations, unknowns, plan),
             Action::Ray(ray) => {
                 let sign = match ray.relation {
                     Relation::Perpendicular => "⊥",
                     Relation::Parallel => "∥",
                 };
-                let along = format!("{sign} {}", ray.line);
-                self.equation(&step.equation, plan, Some(&along), from)
+                let along = format!("{sign} {}", self.scheme.teller().line_of(ray));
+                self.equation(&formula, plan, Some(&along), from)
             }
-            _ => self.equation(&step.equation, plan, None, from),
+            _ => self.equation(&formula, plan, None, from),
         };
-        let value = match &step.action {
+        let value = match action {
             Action::Measure { value, .. } => Some(self.size(*value, kind)),
             Action::MeasureLength { value, .. } => Some(self.size(*value, None)),
             Action::LayOff(arrow) => segment(&arrow.from, &arrow.to).map(|v| self.vector(v, kind)),
@@ -140,7 +145,7 @@ impl Page<'_> {
             _ => None,
         };
         let Some(value) = value else { return };
-        let (from, to) = match &step.action {
+        let (from, to) = match action {
             Action::LayOff(arrow) => (arrow.from.as_str(), arrow.to.as_str()),
             Action::Cross { point, .. } => (kind.map_or("", PlanKind::pole), point.as_str()),
             _ => ("", ""),
@@ -163,14 +168,16 @@ impl Page<'_> {
     }
 
     /// The equations that are solved, two in a line, and what comes out.
-    fn solved(&mut self, equations: &[String], unknowns: &[(String, f64)], plan: Option<&Plan>) {
+    fn solved(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
         let half = 0.5 * self.area.width();
         let lines = equations.len().div_ceil(2) as f64;
         let step = (LAST - SECOND + 1.6) / lines.max(1.0);
         for (index, equation) in equations.iter().enumerate() {
             let (row, column) = ((index / 2) as f64, (index % 2) as f64);
             let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 1.6 + step.min(6.0) * row);
-            let pieces = self.pieces(equation, plan, Piece::Math);
+            let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
+            let equation = self.scheme.teller().equation(kind, equation);
+            let pieces = self.pieces(&equation, plan, Piece::Math);
             self.line(&pieces, EQUATION, from, half - 4.0);
         }
         let mut pieces = Vec::new();
@@ -198,7 +205,7 @@ impl Page<'_> {
 
     /// Writes an equation, with lines under what is known: two under whole vectors, one under directions; below them what they are
     /// called, and `along` what the direction is. Where it ends.
-    fn equation(&mut self, equation: &Equation, plan: Option<&Plan>, along: Option<&str>, from: Point) -> f64 {
+    fn equation(&mut self, equation: &Formula, plan: Option<&Plan>, along: Option<&str>, from: Point) -> f64 {
         let language = self.scheme.words.language;
         let mut x = from.x;
         for term in &equation.terms {

@@ -7,12 +7,12 @@ use super::plan_panel::is_hidden;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
-use super::stages::numbered;
 use super::table::{Cells, Table};
 use super::text::{PlacedText, RichText};
 use super::view::Extent;
 use super::words::significant;
-use crate::plan::{Action, Kind, Plan, PlanKind};
+use crate::construction::{Action, Plan, PlanKind};
+use crate::quantity::Kind;
 use crate::scene::{Panel, Units};
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
@@ -156,8 +156,8 @@ fn rows<'a>(scheme: &'a Scheme<'_>, units: Units) -> impl Iterator<Item = Row> +
             unit: RichText::plain(&kind.unit(units)),
         })
     };
-    let steps = numbered(scheme.construction);
-    steps.filter_map(move |(number, plan, step)| row((number, plan, &step.action)))
+    let steps = scheme.construction.numbered_steps();
+    steps.filter_map(move |step| row((step.number as u16, step.plan, &step.step.action)))
 }
 
 /// A ruler with a stroke for each millimetre, below the words.

@@ -1,6 +1,6 @@
 //! What a student is told besides the scheme: the numbers of the scene in sentences.
 
-use crate::plan::{Kind, Scales};
+use crate::quantity::{Kind, Scales};
 use crate::scene::{At, Form, On, Scene, Shape};
 use crate::words::Wording;
 use serde_json::Value;

@@ -2,9 +2,9 @@
 
 use super::given::listed;
 use super::judge::Exercise;
-use crate::check::{BANDS, numbered_steps, significant, template_csv, template_json};
+use crate::check::{BANDS, significant, template_csv, template_json};
 use crate::drawing::{Drawing, key_sheet};
-use crate::plan::What;
+use crate::quantity::What;
 use crate::scene::schema_of;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
@@ -53,8 +53,8 @@ impl Exercise {
     /// All values of the form, with what a careful hand may be off by.
     #[must_use]
     pub fn key(&self) -> KeyResult {
-        let steps = numbered_steps(&self.solution.construction);
-        let names: Vec<(usize, Vec<String>)> = steps.iter().map(|s| (s.number, s.names())).collect();
+        let steps = self.solution.construction.numbered_steps();
+        let names: Vec<(usize, Vec<String>)> = steps.map(|s| (s.number, s.names())).collect();
         let step = |name: &str| {
             let mut found = names.iter().filter(|(_, own)| own.iter().any(|n| n == name));
             found.next().map_or(0, |(number, _)| *number)

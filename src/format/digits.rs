@@ -1,8 +1,9 @@
 use crate::accuracy::{Bounds, bounds};
+use crate::construction::{Solution, coincident_name};
 use crate::geometry::{Point, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::Motion;
-use crate::plan::{Kind, Solution, coincident_name};
+use crate::quantity::Kind;
 use crate::scene::Units;
 
 impl Solution {

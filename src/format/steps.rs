@@ -1,6 +1,8 @@
-use crate::drafting::{Pencil, Sheet, Tolerance, Unread};
+use crate::construction::{
+    Action, NumberedStep, Plan, PlanKind, Sheet, Solution, Teller, Tolerance, plain_text, shown_text,
+};
 use crate::geometry::{Vector, degrees_of};
-use crate::plan::{Action, Plan, PlanKind, Solution, Step, plain_text, shown_text};
+use crate::quantity::{Pencil, Unread};
 use crate::scene::Units;
 use crate::words::Wording;
 use std::fmt::Write;
@@ -12,23 +14,25 @@ impl Solution {
         let Solution { scene, construction, .. } = self;
         let words = self.wording();
         let language = words.language;
-        let mut page = Page { text: String::new(), number: 0, units: scene.units, words, pencil };
+        let teller = Teller::new(self, &words);
+        let mut page = Page { text: String::new(), units: scene.units, words: &words, teller, pencil };
         if let Some(title) = &scene.title {
             page.line(title);
         }
         page.scales_line();
         page.pencil_lines();
         page.heading(language.on_the_mechanism);
-        for step in &construction.scheme {
-            page.step(step, None);
+        let mut steps = construction.numbered_steps().peekable();
+        while let Some(step) = steps.next_if(|step| step.plan.is_none()) {
+            page.step(&step);
         }
         for plan in construction.plans() {
             page.heading(match plan.kind {
                 PlanKind::Velocity => language.velocity_plan,
                 PlanKind::Acceleration => language.acceleration_plan,
             });
-            for step in &plan.steps {
-                page.step(step, Some(plan));
+            while let Some(step) = steps.next_if(|step| step.sheet() == plan.kind.sheet()) {
+                page.step(&step);
             }
         }
         for agreement in construction.agreement.iter().flatten() {
@@ -41,9 +45,9 @@ impl Solution {
 
 struct Page<'a> {
     text: String,
-    number: usize,
     units: Units,
-    words: Wording,
+    words: &'a Wording,
+    teller: Teller<'a>,
     pencil: &'a Pencil,
 }
 
@@ -147,17 +151,17 @@ impl Page<'_> {
         format!("{} {}{}", self.digits(value), self.unit(kind), on_paper.unwrap_or_default())
     }
 
-    fn step(&mut self, step: &Step, plan: Option<&Plan>) {
-        self.number += 1;
-        let _ = writeln!(self.text, "{:3}. {}", self.number, self.text(&step.caption, plan));
-        for detail in self.details(step, plan) {
+    fn step(&mut self, step: &NumberedStep<'_>) {
+        let caption = self.text(&self.teller.caption(step), step.plan);
+        let _ = writeln!(self.text, "{:3}. {caption}", step.number);
+        for detail in self.details(step) {
             let _ = writeln!(self.text, "     {detail}");
         }
     }
 
     /// A caption or an equation as plain text.
     fn text(&self, markup: &str, plan: Option<&Plan>) -> String {
-        shown_text(markup, plan, &self.words)
+        shown_text(markup, plan, self.words)
     }
 
     /// A number with seven significant digits.
@@ -182,15 +186,16 @@ impl Page<'_> {
     }
 
     /// Equation and values of a step, a line each.
-    fn details(&self, step: &Step, plan: Option<&Plan>) -> Vec<String> {
+    fn details(&self, step: &NumberedStep<'_>) -> Vec<String> {
+        let plan = step.plan;
         let kind = plan.map(|p| p.kind);
-        let equation = self.text(&step.equation.markup(), plan);
+        let equation = self.text(&self.teller.formula(step).markup(), plan);
         let shown = |name: &str| match plan {
             Some(plan) => plain_text(&plan.shown(name, name.to_owned(), self.words.notation)),
             None => name.to_owned(),
         };
-        match &step.action {
-            Action::Pole { .. } | Action::Note => Vec::new(),
+        match &step.step.action {
+            Action::Pole { .. } | Action::NoConstruction { .. } => Vec::new(),
             Action::SpecialPoint { sine, .. } => {
                 vec![self.crossing(*sine)]
             }
@@ -239,7 +244,9 @@ impl Page<'_> {
                 vec![format!("{} {} = {}{band}", shown(from), shown(to), self.measure(*value, kind))]
             }
             Action::Solve { equations, unknowns } => {
-                let mut lines: Vec<String> = equations.iter().map(|e| self.text(e, plan)).collect();
+                let of = kind.unwrap_or(PlanKind::Velocity);
+                let equations = equations.iter().map(|e| self.text(&self.teller.equation(of, e), plan));
+                let mut lines: Vec<String> = equations.collect();
                 let time = self.units.time.as_str();
                 lines.extend(unknowns.iter().map(|(name, value)| {
                     let unit = match name.split('(').next() {

@@ -30,6 +30,7 @@ use changes::{Change, U, compare};
 use groups::Names;
 use images::dissimilarity;
 use kinegon::Error;
+use kinegon::Solution;
 use kinegon::format::ResultFile;
 use kinegon::mechanism::StructureError;
 use looks::{Look, renamed, reversed};
@@ -37,7 +38,6 @@ use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, RngSeed};
 use scenes::{Scene, scenes, varied};
 use serde_json::Value;
-use kinegon::Solution;
 use stages::solved;
 
 /// Positions that are less certain than this are left to the tests that know how uncertain.

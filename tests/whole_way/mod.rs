@@ -10,8 +10,8 @@ use kinegon::scene::Scene;
 use resvg::usvg::roxmltree::Document;
 use serde_json::Value;
 
-use kinegon::Solution;
 use crate::stages::solved;
+use kinegon::Solution;
 
 /// Reads the text; an error must be one that can be shown.
 pub fn reading(text: &str) {

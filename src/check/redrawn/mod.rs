@@ -2,16 +2,15 @@
 
 mod sheets;
 
+use super::answer_key::AnswerKey;
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
-use super::order::numbered_steps;
 use super::report::{Page, sentences};
 use super::sheet::{CheckError, Measured};
-use super::answer_key::AnswerKey;
 use super::verdict::{Checked, Verdict};
-use crate::drafting::Sheet;
+use crate::construction::{Action, Sheet};
 use crate::drawing::{Overlay, OwnValue, WrongStep};
-use crate::plan::Action;
+use crate::quantity::{Asked, What};
 use crate::scene::Panel;
 use crate::words::{CheckWords, Wording};
 use sheets::Sheets;
@@ -52,7 +51,7 @@ pub fn redrawn(
 
     let mut sheets = Sheets::new(key, &right, own, &found, words);
     let turns = sheets.lay_points(measured);
-    sheets.draw_acts();
+    sheets.draw_operations();
     if mode > 0 {
         sheets.draw_links();
     }
@@ -61,7 +60,7 @@ pub fn redrawn(
         sheets.draw_value(index, &checked.values[index]);
     }
     let unknown = found.iter().filter(|c| c.mistake == Mistake::Unknown);
-    for stand in unknown.flat_map(|c| &c.stands) {
+    for stand in unknown.flat_map(|c| &c.reinterpreted) {
         sheets.draw_value(stand.entry, &checked.values[stand.entry]);
     }
     let (points, lines) = sheets.finish();
@@ -122,21 +121,22 @@ pub fn redrawn(
 
 /// The steps at which something went wrong, each once.
 fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], words: &CheckWords) -> Vec<WrongStep> {
-    let all = numbered_steps(&key.solution.construction);
     let mut wrong: Vec<WrongStep> = Vec::new();
     for candidate in found {
-        let own = all.iter().find(|s| s.number == candidate.step);
+        let own = key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let Some(own) = own.filter(|own| wrong.iter().all(|w| w.step != own.number)) else {
             continue;
         };
         // Of the rates that a step solves for only that of one link is wrong; its sense is shown on the scheme.
         let solves = matches!(own.step.action, Action::Solve { .. });
-        let rate = candidate.blanks.first().map_or("", String::as_str);
-        let link = ["omega(", "alpha("].iter().find_map(|h| rate.strip_prefix(h));
-        let link = link.map_or("", |link| link.trim_end_matches(')'));
+        let rate = candidate.blanks.first().and_then(|name| Asked::new(name, &key.solution.mechanism).ok());
+        let link = match rate.as_ref().map(Asked::what) {
+            Some(What::Omega(link) | What::Alpha(link)) => key.solution.mechanism.body(*link).name.as_str(),
+            _ => "",
+        };
         wrong.push(WrongStep {
             step: own.number,
-            panel: if solves { Panel::Scheme } else { panel(own.sheet) },
+            panel: if solves { Panel::Scheme } else { panel(own.sheet()) },
             label: (words.step)(own.number),
             link: solves.then(|| link.to_owned()),
         });

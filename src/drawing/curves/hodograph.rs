@@ -14,7 +14,7 @@ use crate::drawing::style::Style;
 use crate::drawing::text::RichText;
 use crate::drawing::view::{Extent, View, fitting_scale};
 use crate::geometry;
-use crate::plan::Kind;
+use crate::quantity::Kind;
 use crate::scene::Scene;
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};

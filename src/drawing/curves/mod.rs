@@ -17,7 +17,7 @@ use super::sheet::{Drawing, Pen};
 use super::style::Style;
 use super::text::{Anchor, PlacedText, RichText};
 use crate::cycle::{Curves, Happening};
-use crate::plan::Kind;
+use crate::quantity::Kind;
 use crate::scene::Scene;
 use crate::words::Wording;
 use axis::{Axis, digits};
@@ -173,7 +173,7 @@ impl Sheet<'_> {
     /// The text that a name is shown by.
     fn shown(&self, name: &str) -> String {
         let renamed = self.scene.figure.labels.get(name);
-        renamed.map_or_else(|| crate::plan::display(name), Clone::clone)
+        renamed.map_or_else(|| crate::construction::display(name), Clone::clone)
     }
 
     /// A number with that many digits.

@@ -9,7 +9,7 @@ use crate::drawing::legend::corners;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{PlacedText, RichText};
-use crate::plan::Kind;
+use crate::quantity::Kind;
 use kurbo::{Point, Rect, Vec2};
 
 /// Radius of the dot at a greatest or least value.

@@ -4,7 +4,7 @@ use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{PlacedText, RichText};
 use crate::mechanism::{Role, SliderId};
-use crate::plan::Kind;
+use crate::quantity::Kind;
 use crate::words::Language;
 use kurbo::{Point, Rect};
 

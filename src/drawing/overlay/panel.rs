@@ -1,6 +1,7 @@
 //! What a panel has of a student's drawing: lines, crosses with names, numbers of steps.
 
 use super::{CROSS, Overlay, OwnKind, OwnLine, OwnPoint, WrongStep, cross, is_of};
+use crate::construction::Plan;
 use crate::drawing::canvas::{Canvas, clipped_segment};
 use crate::drawing::clip::holds;
 use crate::drawing::plan_panel::is_hidden;
@@ -9,7 +10,6 @@ use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Mark, Pen};
 use crate::drawing::text::RichText;
 use crate::drawing::view::{View, towards};
-use crate::plan::Plan;
 use crate::scene::Panel;
 use kurbo::{Point, Vec2};
 

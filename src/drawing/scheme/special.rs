@@ -5,8 +5,8 @@ use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet, towards};
 use super::{JOINT, Scheme};
+use crate::construction::{Course, Special};
 use crate::geometry::{Place, span};
-use crate::plan::{LegKind, Special};
 use kurbo::{Point, Vec2};
 
 /// A special point that would make the scheme more than this many times larger is not drawn at its place.
@@ -50,9 +50,7 @@ impl Scheme<'_> {
             if let Some((a, b)) = clipped_segment(bounds, from, end) {
                 canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b));
             }
-            if let LegKind::PinThenSlider { inner: slider, .. } | LegKind::SliderThenPin { outer: slider, .. } =
-                cut.kind
-            {
+            if let Course::Normal(slider, _) = cut.course {
                 let along = on_sheet(self.pose.guide(slider));
                 self.right_angle(canvas, from, along, way);
             }

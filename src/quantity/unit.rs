@@ -1,4 +1,5 @@
-use super::quantity::{Asked, Component, Normality, What};
+use super::name::{Asked, Component, Normality, Spot, What};
+use crate::construction::{PlanKind, Sheet};
 use crate::mechanism::Mechanism;
 use crate::scene::Units;
 use crate::words::Notation;
@@ -70,10 +71,86 @@ impl Asked {
                 Kind::Acceleration
             }
             What::Segment { kind, .. } => match kind {
-                super::PlanKind::Velocity => Kind::Velocity,
-                super::PlanKind::Acceleration => Kind::Acceleration,
+                PlanKind::Velocity => Kind::Velocity,
+                PlanKind::Acceleration => Kind::Acceleration,
             },
         }
+    }
+
+    /// Whether its value is a vector.
+    #[must_use]
+    pub fn is_vector(&self) -> bool {
+        self.component.is_none() && self.is_of_vectors()
+    }
+
+    /// Whether it is a length on paper, in millimetres.
+    #[must_use]
+    pub fn is_on_paper(&self) -> bool {
+        matches!(self.what, What::Segment { on_paper: true, .. })
+    }
+
+    pub(super) fn is_of_vectors(&self) -> bool {
+        matches!(self.what, What::Coriolis(..) | What::Velocity(..) | What::Acceleration(..) | What::Part(..))
+    }
+
+    /// Whether it can be read without the places and motions of points.
+    #[must_use]
+    pub fn is_of_links_alone(&self) -> bool {
+        matches!(
+            self.what,
+            What::Omega(_)
+                | What::Alpha(_)
+                | What::Angle(_)
+                | What::Coriolis(..)
+                | What::SlidePosition(_)
+                | What::SlideVelocity(_)
+                | What::SlideAcceleration(_)
+        )
+    }
+
+    /// Whether special points or plans are needed for it.
+    #[must_use]
+    pub fn needs_construction(&self) -> bool {
+        let special = |spot: &Spot| matches!(spot, Spot::Special(_));
+        match &self.what {
+            What::Segment { .. } => true,
+            What::Coordinate(_, spot) => special(spot),
+            What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
+            What::Velocity(a, b) | What::Acceleration(a, b) => special(a) || b.as_ref().is_some_and(special),
+            _ => false,
+        }
+    }
+
+    /// The sheet from which it is read.
+    #[must_use]
+    pub fn sheet(&self) -> Sheet {
+        match (&self.what, self.kind()) {
+            (What::Velocity(..), _) => Sheet::Velocity,
+            (What::Acceleration(..) | What::Part(..) | What::Coriolis(..), _) => Sheet::Acceleration,
+            (_, Kind::Velocity | Kind::AngularVelocity) => Sheet::Velocity,
+            (_, Kind::Acceleration | Kind::AngularAcceleration) => Sheet::Acceleration,
+            (_, Kind::Angle | Kind::Position | Kind::Length) => Sheet::Scheme,
+        }
+    }
+
+    /// Whether it is seen on its sheet as a length; a rate is only computed.
+    #[must_use]
+    pub fn is_length_on_sheet(&self) -> bool {
+        let is_turning = matches!(self.kind(), Kind::Angle | Kind::AngularVelocity | Kind::AngularAcceleration);
+        !is_turning && !matches!(self.what, What::SlideVelocity(_) | What::SlideAcceleration(_))
+    }
+
+    /// Whether it is a rate that is solved for or given: it has a sense, which people write as a sign or not at all.
+    #[must_use]
+    pub fn is_rate(&self) -> bool {
+        use What::{Alpha, Omega, SlideAcceleration, SlideVelocity};
+        matches!(self.what, Omega(_) | Alpha(_) | SlideVelocity(_) | SlideAcceleration(_))
+    }
+
+    /// Whether it counts by turning: its sign hangs on which sense of rotation is positive.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        matches!(self.kind(), Kind::Angle | Kind::AngularVelocity | Kind::AngularAcceleration)
     }
 
     /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, which is zero in dead positions.
@@ -151,7 +228,7 @@ fn script(mark: char, text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::display;
+    use crate::construction::display;
 
     #[test]
     fn symbols_as_on_the_blackboard() {

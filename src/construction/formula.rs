@@ -1,13 +1,13 @@
-/// An equation of a step as it stands on the board, term by term.
+/// The equation of a step as it stands on the board, term by term.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Equation {
+pub struct Formula {
     /// Its vectors, and what stands between them, in reading order.
-    pub terms: Vec<Term>,
+    pub terms: Vec<FormulaTerm>,
 }
 
-/// A vector of an equation, or what stands between two of them.
+/// A vector of a formula, or what stands between two of them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Term {
+pub struct FormulaTerm {
     /// As it is written: `_{…}` low, `^{…}` high.
     pub markup: String,
     /// How much of it is known when it is drawn.
@@ -44,7 +44,7 @@ pub enum NamedPart {
     Coriolis,
 }
 
-impl Equation {
+impl Formula {
     /// Whether there is none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -69,17 +69,17 @@ impl Equation {
 
     /// Adds a vector, or what stands between two.
     pub(super) fn vector(&mut self, markup: String, known: Known, part: Option<NamedPart>) {
-        self.terms.push(Term { markup, known, part });
+        self.terms.push(FormulaTerm { markup, known, part });
     }
 }
 
-impl From<String> for Equation {
+impl From<String> for Formula {
     /// An equation of numbers, in one piece.
     fn from(markup: String) -> Self {
-        let mut equation = Self::default();
+        let mut formula = Self::default();
         if !markup.is_empty() {
-            equation.sign(&markup);
+            formula.sign(&markup);
         }
-        equation
+        formula
     }
 }

@@ -1,24 +1,9 @@
-use super::act::Sheet;
-use super::read::{Reading, Unread, drafting_with};
-use super::replay::{Change, Disturbance, SheetScales, Values};
-use super::writer::Drafting;
-use crate::plan::{Asked, Scales, Solution};
+//! What honest errors of a hand make of quantities.
 
-/// How far an honest hand may be off: limits within which every error is equally likely.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tolerance {
-    /// Millimetres of paper: of a point set, along x and along y, and of a length laid off or measured.
-    pub mm: f64,
-    /// Degrees: of a direction drawn or read.
-    pub degrees: f64,
-}
-
-impl Default for Tolerance {
-    /// 0.3 mm and 0.3°: a sharp pencil, a ruler with millimetres, two set squares.
-    fn default() -> Self {
-        Tolerance { mm: 0.3, degrees: 0.3 }
-    }
-}
+use super::name::Asked;
+use super::reading::{Reading, Sense, Unread, read_by_hand};
+use super::value::Scales;
+use crate::construction::{Change, Construction, Disturbance, Sheet, SheetScales, Solution, Tolerance, Values};
 
 /// What honest hand drawings give for a quantity: its value, and how far they are from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,8 +57,8 @@ impl Pencil {
 /// under small angles of crossing, or where a distance may be nothing within its band, the band says that it is rough.
 #[must_use]
 pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked: Vec<Asked>) -> Pencil {
-    let (drafting, readings) = drafting_with(solution, &asked);
-    let given = [scales.length, scales.velocity, scales.acceleration];
+    let (construction, readings) = read_by_hand(solution, &asked);
+    let given = scales.all();
     let on_sheets = readings.into_iter().map(|reading| {
         let reading = reading?;
         let needed = Sheet::ALL.into_iter().zip(given);
@@ -89,7 +74,7 @@ pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked:
         per_mm: given.map(|scale| scale.unwrap_or(0.0)),
     };
     let there: Vec<Reading> = readings.iter().flatten().copied().collect();
-    let mut bands = drafting.bands(per_sheet, &tolerance, &there).into_iter();
+    let mut bands = construction.bands(per_sheet, &tolerance, &there).into_iter();
     let all = asked.into_iter().zip(readings).map(|(asked, reading)| {
         let band = reading.and_then(|reading| {
             let mut band = bands.next().ok_or(Unread::NotDrawn)?;
@@ -108,34 +93,34 @@ pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked:
     Pencil { tolerance, scales: *scales, quantities: all.collect() }
 }
 
-impl Drafting {
+impl Construction {
     /// The bands of what is read, in the scene's units.
     #[must_use]
     pub fn bands(&self, scales: SheetScales, tolerance: &Tolerance, readings: &[Reading]) -> Vec<Band> {
-        let acts = self.acts.iter().enumerate();
-        let errors = acts.flat_map(|(act, a)| {
-            let errors = a.deed.errors().iter().enumerate();
-            errors.map(move |(which, error)| (act, which, error.limit(tolerance)))
+        let errors = self.operations.iter().enumerate().flat_map(|(index, operation)| {
+            let errors = operation.does.errors().iter().enumerate();
+            errors.map(move |(which, error)| (index, which, error.limit(tolerance)))
         });
-        let hand = Hand { drafting: self, scales, readings, errors: errors.collect(), exact: self.replay(scales, &[]) };
+        let hand =
+            Hand { construction: self, scales, readings, errors: errors.collect(), exact: self.run(scales, &[]) };
         let all = readings.iter().zip(hand.first_order());
         let bands = all.zip(hand.second_order());
         let bands = bands.map(|((reading, deviation), second_order)| {
             let value = reading.value(&hand.exact);
             let band = DEVIATIONS * deviation;
             let is_firm = second_order <= SECOND_ORDER * deviation;
-            Band { value, band, is_rough: !is_firm || reading.is_distance && band > value }
+            Band { value, band, is_rough: !is_firm || reading.sense == Sense::Distance && band > value }
         });
         bands.collect()
     }
 }
 
-/// A drafting in the hands of somebody, who makes errors.
+/// A construction in the hands of somebody, who makes errors.
 struct Hand<'a> {
-    drafting: &'a Drafting,
+    construction: &'a Construction,
     scales: SheetScales,
     readings: &'a [Reading],
-    /// All errors: the act, which of its errors, the limit.
+    /// All errors: the operation, which of its errors, the limit.
     errors: Vec<(usize, usize, f64)>,
     /// What comes out without any.
     exact: Values,
@@ -146,13 +131,13 @@ impl Hand<'_> {
     fn first_order(&self) -> Vec<f64> {
         let mut squares = vec![0.0; self.readings.len()];
         let mut pair = [self.exact.clone(), self.exact.clone()];
-        for &(act, which, limit) in &self.errors {
+        let operations = &self.construction.operations;
+        for &(operation, which, limit) in &self.errors {
             for (values, size) in pair.iter_mut().zip([limit, -limit]) {
-                // What stands before the act is as it was.
+                // What stands before the operation is as it was.
                 values.clone_from(&self.exact);
                 let change = Change::Error(which, size);
-                let disturbance = Disturbance { act, change };
-                self.drafting.replay_from(act, values, self.scales, &[disturbance]);
+                values.carry_out(operations, operation, self.scales, &[Disturbance { operation, change }]);
             }
             for (square, [up, down]) in squares.iter_mut().zip(self.differences(&pair)) {
                 let slope = 0.5 * (up - down);
@@ -169,14 +154,14 @@ impl Hand<'_> {
         for drawing in 0..DRAWINGS {
             for (values, sign) in pair.iter_mut().zip([1.0, -1.0]) {
                 let all = self.errors.iter().enumerate();
-                let all = all.map(|(index, &(act, which, limit))| {
+                let all = all.map(|(index, &(operation, which, limit))| {
                     let is_up = scattered(index) >> drawing & 1 == 0;
                     let size = sign * limit / 3.0_f64.sqrt();
                     let change = Change::Error(which, if is_up { size } else { -size });
-                    Disturbance { act, change }
+                    Disturbance { operation, change }
                 });
                 let all: Vec<Disturbance<'_>> = all.collect();
-                self.drafting.replay_from(0, values, self.scales, &all);
+                values.carry_out(&self.construction.operations, 0, self.scales, &all);
             }
             for (square, [up, down]) in squares.iter_mut().zip(self.differences(&pair)) {
                 let middle = 0.5 * (up + down);
@@ -208,13 +193,13 @@ impl Reading {
     #[must_use]
     pub fn value(&self, values: &Values) -> f64 {
         let value = values.number(self.number);
-        if self.is_magnitude { value.abs() } else { value }
+        if self.sense == Sense::Magnitude { value.abs() } else { value }
     }
 
     /// How far the quantity is from `signed`; of an angle the shorter way round.
     #[must_use]
     pub fn difference(&self, values: &Values, signed: f64) -> f64 {
         let difference = values.number(self.number) - signed;
-        if self.is_angle { difference - 360.0 * libm::round(difference / 360.0) } else { difference }
+        if self.sense == Sense::Angle { difference - 360.0 * libm::round(difference / 360.0) } else { difference }
     }
 }

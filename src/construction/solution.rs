@@ -1,6 +1,5 @@
-use super::quantity::{Asked, Quantity, QuantityError};
-use super::state::Snapshot;
-use super::write::{Construction, construction_in};
+use super::construct::{Construction, construct};
+use super::sentence::{no_construction, plain_text};
 use crate::Error;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::{Motion, MotionError, Order, motion};
@@ -48,7 +47,7 @@ impl Solution {
     /// [`MotionError`] in a singular position.
     pub fn new(scene: Scene, mechanism: Mechanism, pose: Pose, order: Order) -> Result<Self, MotionError> {
         let motion = motion(&mechanism, &pose, order)?;
-        let construction = construction_in(&mechanism, &pose, &motion, &Wording::of(&scene.figure));
+        let construction = construct(&mechanism, &pose, &motion);
         Ok(Self { scene, mechanism, pose, motion, construction })
     }
 
@@ -66,26 +65,11 @@ impl Solution {
         Wording::of(&self.scene.figure)
     }
 
-    /// Position and motion together, as quantities are read from them.
-    #[must_use]
-    pub fn snapshot(&self) -> Snapshot<'_> {
-        Snapshot { pose: &self.pose, motion: &self.motion }
-    }
-
-    /// The value of the quantity of that name, as in `omega(2)`, `a_n(D/G)` or `vplan(b,s3)`; lengths on paper (`/mu`) have no value here,
-    /// for they need a figure's scales: [`Asked::value`].
-    ///
-    /// # Errors
-    /// Says what the name should be, or why there is no value.
-    pub fn quantity(&self, name: &str) -> Result<Quantity, QuantityError> {
-        Asked::new(name, &self.mechanism)?.value(&self.snapshot(), Some(&self.construction), None)
-    }
-
     /// What the reader should know of these numbers, in the order in which they were found.
-    pub fn warnings(&self) -> impl Iterator<Item = &str> {
-        [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings, &self.construction.warnings]
-            .into_iter()
-            .flatten()
-            .map(String::as_str)
+    pub fn warnings(&self) -> impl Iterator<Item = String> {
+        let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings];
+        // Warnings are messages, which are in English whatever the figure says.
+        let without = self.construction.without().map(|far| plain_text(&no_construction(&Wording::default(), far)));
+        found.into_iter().flatten().cloned().chain(without)
     }
 }

@@ -1,20 +1,7 @@
-use super::name::normal_name;
-use super::state::{Snapshot, State};
-use super::step::{Action, PlanKind};
-use super::write::Construction;
-use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
-use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
-use crate::motion::Motion;
-use crate::position::Pose;
+//! Names of quantities and what they stand for.
 
-/// The value of a named quantity, in the scene's units; angles in degrees, rates in rad.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Quantity {
-    /// A number.
-    Number(f64),
-    /// A vector in the fixed frame.
-    Vector(Vector),
-}
+use crate::construction::PlanKind;
+use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 
 /// Why a quantity has no value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -43,73 +30,11 @@ pub enum QuantityError {
     NoValue(String, &'static str),
 }
 
-/// The scales of a figure: units of the scene per millimetre of paper; none for a panel that it does not have.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scales {
-    /// Length per mm.
-    pub length: Option<f64>,
-    /// Velocity per mm.
-    pub velocity: Option<f64>,
-    /// Acceleration per mm.
-    pub acceleration: Option<f64>,
-}
-
-/// The value of the quantity of that name, as in `omega(2)`, `a_n(D/G)` or `vplan(b,s3)/mu`.
-///
-/// # Errors
-/// Says what the name should be, or why there is no value. For many positions look the name up once: [`Asked`].
-pub fn quantity(
-    name: &str,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    motion: &Motion,
-    construction: &Construction,
-    scales: Option<&Scales>,
-) -> Result<Quantity, QuantityError> {
-    let asked = Asked::new(name, mechanism)?;
-    asked.value(&Snapshot { pose, motion }, Some(construction), scales)
-}
-
 /// Whether a quantity of that name needs accelerations.
 #[must_use]
 pub fn is_acceleration(name: &str) -> bool {
     let head = name.split('(').next().unwrap_or_default().trim();
     head.starts_with('a') && head != "angle"
-}
-
-/// Names of everything that the construction measures, in its order.
-#[must_use]
-pub fn measured_names(construction: &Construction) -> Vec<String> {
-    let lengths = construction.scheme.iter().filter_map(|s| match &s.action {
-        Action::MeasureLength { from, to, .. } => Some(format!("L({from},{to})")),
-        _ => None,
-    });
-    let segments = construction.plans().flat_map(|plan| {
-        plan.steps.iter().filter_map(move |s| match &s.action {
-            Action::Measure { from, to, .. } => Some(plan.kind.segment_name(from, to)),
-            _ => None,
-        })
-    });
-    lengths.chain(segments).collect()
-}
-
-/// Names of everything that stands in the construction's steps with a value, in their order.
-#[must_use]
-pub fn step_names(construction: &Construction) -> Vec<String> {
-    let mut names = measured_names(construction);
-    for plan in construction.plans() {
-        for step in &plan.steps {
-            match &step.action {
-                Action::LayOff(arrow) => names.push(plan.kind.segment_name(&arrow.from, &arrow.to)),
-                Action::Cross { point, .. } => {
-                    names.push(plan.kind.segment_name(plan.kind.pole(), point));
-                }
-                Action::Solve { unknowns, .. } => names.extend(unknowns.iter().map(|u| u.0.clone())),
-                _ => {}
-            }
-        }
-    }
-    names
 }
 
 /// A quantity by its name, looked up in a mechanism once.
@@ -119,9 +44,9 @@ pub fn step_names(construction: &Construction) -> Vec<String> {
 /// a point's coordinates, `position(3/2)` a slider's. A vector's `.x`, `.y`, `.size` and `.angle` (degrees) are numbers.
 #[derive(Clone, Debug)]
 pub struct Asked {
-    name: String,
+    pub(super) name: String,
     /// Whether it takes accelerations.
-    accelerates: bool,
+    pub(super) accelerates: bool,
     pub(super) what: What,
     pub(super) component: Option<Component>,
 }
@@ -251,116 +176,14 @@ impl Asked {
     pub fn component(&self) -> Option<Component> {
         self.component
     }
-
-    /// Whether its value is a vector.
-    #[must_use]
-    pub fn is_vector(&self) -> bool {
-        self.component.is_none() && self.is_of_vectors()
-    }
-
-    /// Whether it is a length on paper, in millimetres.
-    #[must_use]
-    pub fn is_on_paper(&self) -> bool {
-        matches!(self.what, What::Segment { on_paper: true, .. })
-    }
-
-    fn is_of_vectors(&self) -> bool {
-        matches!(self.what, What::Coriolis(..) | What::Velocity(..) | What::Acceleration(..) | What::Part(..))
-    }
-
-    /// Whether it can be read without the places and motions of points.
-    #[must_use]
-    pub fn is_of_links_alone(&self) -> bool {
-        matches!(
-            self.what,
-            What::Omega(_)
-                | What::Alpha(_)
-                | What::Angle(_)
-                | What::Coriolis(..)
-                | What::SlidePosition(_)
-                | What::SlideVelocity(_)
-                | What::SlideAcceleration(_)
-        )
-    }
-
-    /// Whether special points or plans are needed for it.
-    #[must_use]
-    pub fn needs_construction(&self) -> bool {
-        let special = |spot: &Spot| matches!(spot, Spot::Special(_));
-        match &self.what {
-            What::Segment { .. } => true,
-            What::Coordinate(_, spot) => special(spot),
-            What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
-            What::Velocity(a, b) | What::Acceleration(a, b) => special(a) || b.as_ref().is_some_and(special),
-            _ => false,
-        }
-    }
-
-    /// Its value; `scales` only for lengths on paper, `construction` only where [`Self::needs_construction`].
-    ///
-    /// # Errors
-    /// [`QuantityError::NoValue`], and [`QuantityError::Unknown`] for a point that the plan does not have.
-    pub fn value(
-        &self,
-        state: &impl State,
-        construction: Option<&Construction>,
-        scales: Option<&Scales>,
-    ) -> Result<Quantity, QuantityError> {
-        use Quantity::{Number, Vector};
-        if self.accelerates && !state.has_accelerations() {
-            return Err(self.none("accelerations were not asked for"));
-        }
-        let reader = Reader { asked: self, state, construction };
-        let value = match &self.what {
-            What::Omega(link) => Number(state.spin(*link)[0]),
-            What::Alpha(link) => Number(state.spin(*link)[1]),
-            What::Angle(link) => {
-                let axis = state.axis(*link);
-                Number(degrees_of(axis.ok_or_else(|| self.none("the link has no axis"))?))
-            }
-            What::SlidePosition(id) => {
-                let position = state.slide_position(*id);
-                let why = "the guide has no point to count from";
-                Number(position.ok_or_else(|| self.none(why))?)
-            }
-            What::SlideVelocity(id) => Number(state.slide_rates(*id)[0]),
-            What::SlideAcceleration(id) => Number(state.slide_rates(*id)[1]),
-            What::Coriolis(id, on) => {
-                let twice = 2.0 * state.spin(*on)[0] * state.slide_rates(*id)[0];
-                Vector(quarter_turn(state.guide(*id)) * twice)
-            }
-            What::Coordinate(axis, spot) => Number(reader.place(spot)?.1[*axis]),
-            What::Length(a, b) => Number((reader.place(b)?.1 - reader.place(a)?.1).norm()),
-            What::Velocity(a, b) => Vector(reader.difference(0, a, b.as_ref())?),
-            What::Acceleration(a, b) => Vector(reader.difference(1, a, b.as_ref())?),
-            What::Part(part, a, b, link) => {
-                let [normal, tangential] = reader.parts(a, b, *link)?;
-                Vector(match part {
-                    Normality::Normal => normal,
-                    Normality::Tangential => tangential,
-                })
-            }
-            What::Segment { kind, from, to, on_paper } => {
-                Number(reader.segment(*kind, from, to, on_paper.then_some(scales))?)
-            }
-        };
-        Ok(match (value, self.component) {
-            (Vector(v), Some(component)) => Number(match component {
-                Component::X => v.x,
-                Component::Y => v.y,
-                Component::Size => v.norm(),
-                Component::Angle => degrees_of(v),
-            }),
-            (value, _) => value,
-        })
-    }
-
-    fn none(&self, why: &'static str) -> QuantityError {
-        QuantityError::NoValue(self.name.clone(), why)
-    }
 }
 
-fn unknown<'n>(quantity: &str, what: &'static str, name: &str, known: impl Iterator<Item = &'n str>) -> QuantityError {
+pub(super) fn unknown<'n>(
+    quantity: &str,
+    what: &'static str,
+    name: &str,
+    known: impl Iterator<Item = &'n str>,
+) -> QuantityError {
     let nearest = crate::scene::nearest_within(name, known, 2);
     QuantityError::Unknown {
         quantity: quantity.to_owned(),
@@ -493,91 +316,5 @@ impl Finder<'_> {
         let own = |link: &BodyId| holds(*link, a);
         let common = links().filter(own).find(|&link| holds(link, b));
         common.or_else(|| links().filter(own).find(|&link| joined(link)))
-    }
-}
-
-/// Reads a quantity from a position.
-struct Reader<'a, S: State> {
-    asked: &'a Asked,
-    state: &'a S,
-    construction: Option<&'a Construction>,
-}
-
-impl<S: State> Reader<'_, S> {
-    fn none(&self, why: &'static str) -> QuantityError {
-        self.asked.none(why)
-    }
-
-    /// The body to which a named place belongs, and where it is.
-    fn place(&self, spot: &Spot) -> Result<(BodyId, Point), QuantityError> {
-        match spot {
-            Spot::Point(body, point, _) => Ok((*body, self.state.place(*point))),
-            Spot::Special(name) => {
-                let special = self.construction.and_then(|c| c.special_point(name));
-                let special = special.ok_or_else(|| self.none("there is no construction"))?;
-                let place = special.place.finite();
-                let place = place.ok_or_else(|| self.none("the special point lies at infinity"))?;
-                Ok((special.link, place))
-            }
-        }
-    }
-
-    /// Velocity (order 0) or acceleration (order 1) of one place, less that of another.
-    fn difference(&self, order: usize, a: &Spot, b: Option<&Spot>) -> Result<Vector, QuantityError> {
-        let of = |spot: &Spot| -> Result<Vector, QuantityError> {
-            let (body, place) = self.place(spot)?;
-            Ok(self.state.motion_at(body, place)[order])
-        };
-        Ok(of(a)? - b.map_or(Ok(Vector::zeros()), of)?)
-    }
-
-    /// Normal and tangential part of the acceleration of `a` relative to `b`.
-    fn parts(&self, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<[Vector; 2], QuantityError> {
-        let plan = self.construction.and_then(|c| c.acceleration.as_ref());
-        if let (Spot::Special(special), Some(plan)) = (a, plan) {
-            let normal = normal_name(b.name(), special);
-            let image = super::name::image_name;
-            // It starts at the image of `b`, or where driven sliders have led from there.
-            let laid = plan.arrows().find(|arrow| arrow.to == normal);
-            let parts =
-                laid.and_then(|laid| plan.segment(&laid.from, &normal)).zip(plan.segment(&normal, &image(special)));
-            if let Some((normal, tangential)) = parts {
-                return Ok([normal, tangential]);
-            }
-        }
-        let arm = self.place(a)?.1 - self.place(b)?.1;
-        let link = link.ok_or_else(|| self.none("the two points are not on one link"))?;
-        let [omega, alpha] = self.state.spin(link);
-        Ok([arm * -(omega * omega), quarter_turn(arm) * alpha])
-    }
-
-    /// The length of a plan segment; `scales` asks for millimetres of paper.
-    fn segment(
-        &self,
-        kind: PlanKind,
-        from: &str,
-        to: &str,
-        scales: Option<Option<&Scales>>,
-    ) -> Result<f64, QuantityError> {
-        let construction = self.construction.ok_or_else(|| self.none("there is no construction"))?;
-        let mut plans = construction.plans();
-        let plan = plans.find(|plan| plan.kind == kind);
-        let plan = plan.ok_or_else(|| self.none("there is no such plan"))?;
-        for name in [from, to] {
-            if !plan.points.contains_key(name) {
-                let known = plan.points.keys().map(String::as_str);
-                return Err(unknown(&self.asked.name, "plan point", name, known));
-            }
-        }
-        let length = plan.segment(from, to).map_or(0.0, |v| v.norm());
-        let Some(scales) = scales else {
-            return Ok(length);
-        };
-        let mu = scales.and_then(|s| match kind {
-            PlanKind::Velocity => s.velocity,
-            PlanKind::Acceleration => s.acceleration,
-        });
-        let mu = mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
-        Ok(length / mu)
     }
 }

@@ -1,5 +1,7 @@
-use super::equation::Equation;
+use super::cut::SpecialId;
+use super::operation::Sheet;
 use crate::geometry::Vector;
+use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
 use crate::words::{Notation, with_prime};
 use indexmap::IndexMap;
 
@@ -39,6 +41,15 @@ impl PlanKind {
             PlanKind::Acceleration => "aplan",
         };
         format!("{head}({from},{to})")
+    }
+
+    /// The sheet on which it is drawn.
+    #[must_use]
+    pub fn sheet(self) -> Sheet {
+        match self {
+            PlanKind::Velocity => Sheet::Velocity,
+            PlanKind::Acceleration => Sheet::Acceleration,
+        }
     }
 
     /// Name of the scale factor, as written.
@@ -88,15 +99,11 @@ pub enum PointRole {
     Image,
 }
 
-/// One thing that a teacher does at the board.
+/// One thing that a teacher does at the board: facts, from which [`Teller`](super::Teller) makes sentences and equations.
 #[derive(Clone, Debug)]
 pub struct Step {
     /// What is done.
     pub action: Action,
-    /// The equation that belongs to it, as `v_{S3} = v_B + v_{S3B}`; may be empty.
-    pub equation: Equation,
-    /// What to do, in one line of words; names of points between backticks, the rest in markup.
-    pub caption: String,
 }
 
 /// What a step does.
@@ -111,8 +118,8 @@ pub enum Action {
     SpecialPoint {
         /// Its name.
         point: String,
-        /// The cut lines' names.
-        cuts: [String; 2],
+        /// Which it is.
+        special: SpecialId,
         /// Sine of the angle of crossing.
         sine: f64,
     },
@@ -149,13 +156,29 @@ pub enum Action {
     },
     /// Solve equations for unknowns.
     Solve {
-        /// The equations, in markup.
-        equations: Vec<String>,
+        /// The equations.
+        equations: Vec<LegEquation>,
         /// The unknowns' quantity names and values.
         unknowns: Vec<(String, f64)>,
     },
-    /// Say something that cannot be drawn.
-    Note,
+    /// There is no construction by two rays; these special points lie at infinity, where that is the reason.
+    NoConstruction {
+        /// Their names.
+        far: Vec<String>,
+    },
+}
+
+/// The equation of a measured segment: what a leg adds to the motion of the point looked for makes it up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LegEquation {
+    /// The point looked for …
+    pub special: SpecialId,
+    /// … over which of its legs.
+    pub side: usize,
+    /// The plan point from which the segment is measured.
+    pub from: String,
+    /// The segment, positive a quarter turn counter-clockwise from the cut line's direction.
+    pub segment: f64,
 }
 
 /// A vector of a plan, from one of its points to another.
@@ -165,13 +188,57 @@ pub struct Arrow {
     pub from: String,
     /// … to this one.
     pub to: String,
-    /// What kind of vector it is.
-    pub part: Part,
+    /// What it is.
+    pub of: VectorOf,
+}
+
+/// What a vector of a plan is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum VectorOf {
+    /// The whole velocity or acceleration of a body's point.
+    Point(BodyId, PointId),
+    /// The normal part of a leg, Coriolis's included.
+    Normal(SpecialId, usize),
+    /// The velocity of one point of a link relative to another, by their names.
+    Relative {
+        /// The link.
+        link: BodyId,
+        /// Relative to this point …
+        from: String,
+        /// … that of this one.
+        to: String,
+    },
+    /// The sliding velocity at a slider, from the point of the guide's body, by its name, to the slider's.
+    Sliding(SliderId, String),
+    /// What a driven slider adds.
+    Driven(DrivenSlide, Added),
+}
+
+/// What a driven slider adds to the motion of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Added {
+    /// v_r.
+    SlidingVelocity,
+    /// a_r.
+    SlidingAcceleration,
+    /// 2 ω ẑ × v_r.
+    Coriolis,
+}
+
+impl Added {
+    /// What a slider adds on a sheet, in the order in which it is laid off.
+    #[must_use]
+    pub fn on(sheet: Sheet) -> &'static [Added] {
+        match sheet {
+            Sheet::Acceleration => &[Added::SlidingAcceleration, Added::Coriolis],
+            _ => &[Added::SlidingVelocity],
+        }
+    }
 }
 
 /// What kind of vector an arrow stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum ArrowKind {
     /// A whole velocity or acceleration, from the pole.
     Whole,
     /// A normal part.
@@ -184,6 +251,20 @@ pub enum Part {
     Coriolis,
 }
 
+impl Arrow {
+    /// What kind of vector it stands for.
+    #[must_use]
+    pub fn kind(&self) -> ArrowKind {
+        match self.of {
+            VectorOf::Point(..) => ArrowKind::Whole,
+            VectorOf::Normal(..) => ArrowKind::Normal,
+            VectorOf::Relative { .. } => ArrowKind::Relative,
+            VectorOf::Driven(_, Added::Coriolis) => ArrowKind::Coriolis,
+            VectorOf::Sliding(..) | VectorOf::Driven(..) => ArrowKind::Sliding,
+        }
+    }
+}
+
 /// A line of known direction through a plan point, on which a crossing will lie.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ray {
@@ -193,10 +274,12 @@ pub struct Ray {
     pub to: String,
     /// Unit direction.
     pub direction: Vector,
-    /// How it lies to `line`.
+    /// How it lies to the line of the mechanism that gives the direction.
     pub relation: Relation,
-    /// The line of the mechanism that gives the direction, by name.
-    pub line: String,
+    /// The point looked for …
+    pub special: SpecialId,
+    /// … and over which of its legs.
+    pub side: usize,
 }
 
 /// How a ray lies to a line of the mechanism.

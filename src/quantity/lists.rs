@@ -1,6 +1,9 @@
+//! Lists of quantities that a solved scene has.
+
+use super::name::is_acceleration;
+use crate::construction::{Action, Construction, Solution, coincident_name};
 use crate::mechanism::{Role, SliderId};
 use crate::motion::Order;
-use crate::plan::{Solution, coincident_name, is_acceleration, measured_names};
 
 /// Names of what results and steps give and a hand drawing may have read from it: measured lengths and segments, rates, vectors by size
 /// and angle, angles of links, positions of sliders.
@@ -31,6 +34,41 @@ pub fn readable_names(solution: &Solution) -> Vec<String> {
     }
     if motion.order == Order::Velocity {
         names.retain(|name| !is_acceleration(name));
+    }
+    names
+}
+
+/// Names of everything that the construction measures, in its order.
+#[must_use]
+pub fn measured_names(construction: &Construction) -> Vec<String> {
+    let lengths = construction.scheme.iter().filter_map(|s| match &s.action {
+        Action::MeasureLength { from, to, .. } => Some(format!("L({from},{to})")),
+        _ => None,
+    });
+    let segments = construction.plans().flat_map(|plan| {
+        plan.steps.iter().filter_map(move |s| match &s.action {
+            Action::Measure { from, to, .. } => Some(plan.kind.segment_name(from, to)),
+            _ => None,
+        })
+    });
+    lengths.chain(segments).collect()
+}
+
+/// Names of everything that stands in the construction's steps with a value, in their order.
+#[must_use]
+pub fn step_names(construction: &Construction) -> Vec<String> {
+    let mut names = measured_names(construction);
+    for plan in construction.plans() {
+        for step in &plan.steps {
+            match &step.action {
+                Action::LayOff(arrow) => names.push(plan.kind.segment_name(&arrow.from, &arrow.to)),
+                Action::Cross { point, .. } => {
+                    names.push(plan.kind.segment_name(plan.kind.pole(), point));
+                }
+                Action::Solve { unknowns, .. } => names.extend(unknowns.iter().map(|u| u.0.clone())),
+                _ => {}
+            }
+        }
     }
     names
 }
