@@ -4,11 +4,11 @@
 
 #[path = "../mutations.rs"]
 mod mutations;
-#[path = "../../tests/random/mod.rs"]
+#[path = "../../tests/support/random.rs"]
 mod random;
-#[path = "../../tests/stages/mod.rs"]
+#[path = "../../tests/support/stages.rs"]
 mod stages;
-#[path = "../../tests/whole_way/mod.rs"]
+#[path = "../../tests/support/whole_way.rs"]
 mod whole_way;
 
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
