@@ -273,7 +273,7 @@ pub fn markdown(cases: &[Case]) -> String {
         "# Textbook cases\n\n\
          Printed answers of textbooks, course sheets and reference data beside what Kinegon computes from the same lengths \
          (`tests/worked`).\n\
-         Computed numbers have 12 digits here; `tests/worked.rs` holds all of them to 1e-10 and the verdicts to their words.\n\n\
+         Computed numbers have 12 digits here; `tests/library/worked.rs` holds all of them to 1e-10 and the verdicts to their words.\n\n\
          This page is made by `cargo run --example textbook_cases -- --markdown > docs/textbook-cases.md`.\n",
     );
     for case in cases {

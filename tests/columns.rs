@@ -1,5 +1,4 @@
 //! Tables by columns read back by the forms' own readers: every number to the bit, nulls where a position is singular.
-#![cfg(feature = "arrow")]
 
 use arrow_array::{Array, Float64Array, RecordBatch};
 use arrow_ipc::reader::FileReader;

@@ -2,8 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::joints::{Given, JointEquations};
-use crate::measure::{Pins, Rates};
+use super::joints::{Given, JointEquations};
+use super::measure::{Pins, Rates};
 
 /// Unknowns of a fourth-class group.
 const SIZE: usize = 12;

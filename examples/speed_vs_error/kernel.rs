@@ -2,7 +2,7 @@
 
 use kinegon::geometry::{Number, Pair, Reduced};
 
-use crate::measure::{Pins, Rates};
+use super::measure::{Pins, Rates};
 
 /// Velocities and accelerations. Differences of positions and of input motions are taken in f64, as they are given; all else in
 /// numbers of the kind that `number` makes.

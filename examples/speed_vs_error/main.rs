@@ -4,19 +4,22 @@
 mod document;
 mod families;
 mod general;
-#[path = "../../tests/groups/mod.rs"]
+#[allow(dead_code)] // tests use more of it
+#[path = "../../tests/support/groups.rs"]
 mod groups;
 mod hand;
 mod joints;
 mod kernel;
+#[allow(dead_code)] // tests use more of it
 mod measure;
 mod methods;
 mod naive;
 mod picture;
-#[path = "../../tests/random/mod.rs"]
+#[path = "../../tests/support/random.rs"]
 mod random;
 mod single;
 mod survey;
+#[allow(dead_code)] // tests use more of it
 mod truth;
 
 use std::error::Error;

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix4, Vector4};
 
-use crate::measure::{Pins, Rates};
+use super::measure::{Pins, Rates};
 
 type Vector = [f64; 2];
 

@@ -2,11 +2,11 @@
 
 use kinegon::drawing::{Drawing, Pen, PlacedText, Point, Rect, RichText, Shape};
 
-use crate::document::duration;
-use crate::families::Family;
-use crate::hand;
-use crate::methods::Method;
-use crate::survey::{Survey, median};
+use super::document::duration;
+use super::families::Family;
+use super::hand;
+use super::methods::Method;
+use super::survey::{Survey, median};
 
 /// Size of the sheet in mm: that of a slide, 16 to 9.
 const SHEET: [f64; 2] = [208.0, 117.0];

@@ -1,5 +1,4 @@
 //! The reference: the joint equations solved with 256 bits.
-#![allow(dead_code)] // not every test uses all of it
 
 use std::cmp::Ordering;
 
@@ -7,7 +6,7 @@ use dashu_float::round::mode::HalfEven;
 use dashu_float::{FBig, ops::Abs};
 use kinegon::mechanism::Mechanism;
 
-use crate::joints::{Given, JointEquations, Real, State, dot, minus};
+use super::joints::{Given, JointEquations, Real, State, dot, minus};
 
 /// A number of 256 bits. Of these the joint equations of the hardest groups lose about 110.
 pub type Precise = FBig<HalfEven, 2>;
