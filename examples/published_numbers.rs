@@ -10,11 +10,9 @@ mod columns;
 use std::error::Error;
 
 use columns::{COLUMNS, wrap};
+use kinegon::Solution;
 use kinegon::geometry::{Line, Point, Vector, quarter_turn};
-use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{Motion, Order, motion};
-use kinegon::plan::{Construction, Quantity, construction, quantity};
-use kinegon::position::{Pose, pose};
+use kinegon::plan::Quantity;
 use kinegon::scene::Scene;
 use nalgebra::{Matrix4, Vector4};
 
@@ -90,9 +88,9 @@ pub struct Section {
 #[rustfmt::skip] // a row a line
 pub fn table() -> Result<Vec<Section>, Box<dyn Error>> {
     use Verdict::{Drafting, DraftingAndRounding, Right, Wrong};
-    let (exact, drawing) = (Figure::read(EXACT)?, Figure::read(DRAWN)?);
-    let x = |name| exact.number(name);
-    let d = |name| drawing.number(name);
+    let (exact, drawing) = (solution(EXACT)?, solution(DRAWN)?);
+    let x = |name| number(&exact, name);
+    let d = |name| number(&drawing, name);
     let replay = Replay::new(&drawing)?;
     let (l, n) = (replay.lengths, replay.normals);
     let s2b = x("omega(2)")?.powi(2) * x("L(B,S3)")?;
@@ -182,44 +180,28 @@ fn row(
     Row { equation, quantity, printed, drawn, exact, verdict, note: note.to_owned() }
 }
 
-/// A scene with all that is known of it.
-struct Figure {
-    mechanism: Mechanism,
-    pose: Pose,
-    motion: Motion,
-    construction: Construction,
+fn solution(text: &str) -> Result<Solution, kinegon::Error> {
+    kinegon::solve(&Scene::read(text)?)
 }
 
-impl Figure {
-    fn read(text: &str) -> Result<Self, Box<dyn Error>> {
-        let scene = Scene::read(text)?;
-        let mechanism = mechanism(&scene)?;
-        let pose = pose(&mechanism, &scene.near)?;
-        let motion = motion(&mechanism, &pose, Order::Acceleration)?;
-        let construction = construction(&mechanism, &pose, &motion);
-        Ok(Self { mechanism, pose, motion, construction })
-    }
+/// A named quantity; of a vector, its size.
+fn number(figure: &Solution, name: &str) -> Result<f64, Box<dyn Error>> {
+    Ok(match figure.quantity(name)? {
+        Quantity::Number(number) => number,
+        Quantity::Vector(vector) => vector.norm(),
+    })
+}
 
-    /// A named quantity; of a vector, its size.
-    fn number(&self, name: &str) -> Result<f64, Box<dyn Error>> {
-        let Self { mechanism, pose, motion, construction } = self;
-        Ok(match quantity(name, mechanism, pose, motion, construction, None)? {
-            Quantity::Number(number) => number,
-            Quantity::Vector(vector) => vector.norm(),
-        })
-    }
+fn place(figure: &Solution, name: &str) -> Result<Point, Box<dyn Error>> {
+    let special = figure.construction.special_point(name);
+    let special = special.and_then(|s| s.place.finite());
+    let joint = || figure.mechanism.point(name).map(|p| figure.pose.point(p));
+    Ok(special.or_else(joint).ok_or_else(|| format!("there is no point {name}"))?)
+}
 
-    fn place(&self, name: &str) -> Result<Point, Box<dyn Error>> {
-        let special = self.construction.special_point(name);
-        let special = special.and_then(|s| s.place.finite());
-        let joint = || self.mechanism.point(name).map(|p| self.pose.point(p));
-        Ok(special.or_else(joint).ok_or_else(|| format!("there is no point {name}"))?)
-    }
-
-    /// The unit vector from one point to another.
-    fn direction(&self, from: &str, to: &str) -> Result<Vector, Box<dyn Error>> {
-        Ok((self.place(to)? - self.place(from)?).normalize())
-    }
+/// The unit vector from one point to another.
+fn direction(figure: &Solution, from: &str, to: &str) -> Result<Vector, Box<dyn Error>> {
+    Ok((place(figure, to)? - place(figure, from)?).normalize())
 }
 
 /// The paper's arithmetic on the paper's drawing; numbers that it goes on with are rounded to four decimals first.
@@ -263,10 +245,10 @@ struct Normals {
 }
 
 impl Replay {
-    fn new(drawing: &Figure) -> Result<Self, Box<dyn Error>> {
-        let length = |name: &str| drawing.number(name).map(four_decimals);
+    fn new(drawing: &Solution) -> Result<Self, Box<dyn Error>> {
+        let length = |name: &str| number(drawing, name).map(four_decimals);
         let lengths = Lengths {
-            bs3: four_decimals(drawing.place("S3")?.x - drawing.place("B")?.x),
+            bs3: four_decimals(place(drawing, "S3")?.x - place(drawing, "B")?.x),
             ds3: length("L(D,S3)")?,
             fs5: length("L(F,S5)")?,
             es5: length("L(E,S5)")?,
@@ -275,10 +257,10 @@ impl Replay {
             fg: length("L(F,G)")?,
         };
         let velocities = [
-            drawing.number("vplan(b,s3)")? * PLAN_OF_S3,
-            drawing.number("vplan(g,s3)")? * PLAN_OF_S3,
-            drawing.number("vplan(b,s5)")?,
-            drawing.number("vplan(g,s5)")?,
+            number(drawing, "vplan(b,s3)")? * PLAN_OF_S3,
+            number(drawing, "vplan(g,s3)")? * PLAN_OF_S3,
+            number(drawing, "vplan(b,s5)")?,
+            number(drawing, "vplan(g,s5)")?,
         ];
         // Clockwise, link 2 counts against the sliding velocity (Eq. 35); counter-clockwise, with it (Eq. 52).
         let rates = lengths.solve(-1.0, velocities.map(four_decimals))?;
@@ -325,14 +307,14 @@ impl Normals {
     }
 
     /// Lays off the rounded normal parts and measures n_b3 s3, n_g3 s3, n_b5 s5, n_g5 s5.
-    fn plan(&self, drawing: &Figure) -> Result<[f64; 4], Box<dyn Error>> {
+    fn plan(&self, drawing: &Solution) -> Result<[f64; 4], Box<dyn Error>> {
         let r = four_decimals;
         let pole = Point::origin();
-        let b = pole + drawing.direction("B", "A")? * drawing.number("a_n(B/A)")?;
-        let b_s3 = drawing.direction("B", "S3")?;
-        let g_d = drawing.direction("G", "D")?;
-        let b_e = drawing.direction("B", "E")?;
-        let g_f = drawing.direction("G", "F")?;
+        let b = pole + direction(drawing, "B", "A")? * number(drawing, "a_n(B/A)")?;
+        let b_s3 = direction(drawing, "B", "S3")?;
+        let g_d = direction(drawing, "G", "D")?;
+        let b_e = direction(drawing, "B", "E")?;
+        let g_f = direction(drawing, "G", "F")?;
         // S3 lies beyond G seen from D, so its normal part about D points from G to D.
         let n_b3 = b + b_s3 * (r(self.coriolis) - r(self.s2b));
         let n_g3 = pole - g_d * (r(self.dg) - r(self.s3d));

@@ -5,12 +5,10 @@ mod program;
 mod random;
 mod stages;
 
-use kinegon::check::{Drawn, Measured, Mistake, Student};
-use kinegon::drafting::Tolerance;
-use kinegon::drawing::scales;
+use kinegon::check::{Measured, Mistake, Student};
 use program::{kinegon, scratch, stderr};
 use random::Random;
-use stages::solved;
+use stages::{answer_key, solved};
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
@@ -52,18 +50,8 @@ fn form(measured: &Measured, name: &str) -> String {
 /// acceleration, one has laid a normal acceleration off outward. The steps of both mistakes.
 fn class(name: &str) -> (PathBuf, [usize; 2]) {
     let folder = scratch(name);
-    let stages = solved(&files::read(LEVER)).expect("a good scene");
-    let drawn = Drawn {
-        units: stages.scene.units,
-        near: &stages.scene.near,
-        mechanism: &stages.mechanism,
-        pose: &stages.pose,
-        motion: &stages.motion,
-        construction: &stages.construction,
-        scales: scales(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction),
-        tolerance: Tolerance::default(),
-        depth: 1,
-    };
+    let solution = solved(&files::read(LEVER)).expect("a good scene");
+    let drawn = answer_key(&solution, 1);
     let student = Student::new(&drawn).expect("it can be drawn");
     let planted = [Mistake::CoriolisForgotten, Mistake::NormalOutward];
     let planted = planted.map(|m| student.ways(m).swap_remove(0));

@@ -4,7 +4,7 @@
 mod program;
 
 use kinegon::cycle::{Drive, Path as Branch, Steps, Sweep};
-use kinegon::{format, mechanism, position, scene};
+use kinegon::{Scene, Solution, format, solve};
 use program::{kinegon, scratch, stderr};
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
@@ -52,9 +52,8 @@ fn a_table_has_a_row_for_each_step() {
 #[test]
 fn files_hold_the_same_bytes() {
     let folder = scratch("sweep-files");
-    let scene = scene::Scene::read(&std::fs::read_to_string(FIGURE_2).expect("read")).expect("a scene");
-    let mechanism = mechanism::mechanism(&scene).expect("a mechanism");
-    let pose = position::pose(&mechanism, &scene.near).expect("a pose");
+    let scene = Scene::read(&std::fs::read_to_string(FIGURE_2).expect("read")).expect("a scene");
+    let Solution { mechanism, pose, .. } = solve(&scene).expect("it can be solved");
     let drive = Drive::new(&mechanism, None).expect("a drive");
     let mut branch = Branch::new(&mechanism, &pose, drive).expect("a regular position");
     branch.cover(Some(-130.0), Some(130.0)).expect("it can be followed");

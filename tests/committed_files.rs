@@ -16,9 +16,7 @@ use kinegon::check::{Marks, Measured, check, redrawn};
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Style};
 use kinegon::scene::Scene;
-use kinegon::words::Wording;
-use kinegon::{drawing, format, mechanism, position};
-use kinegon::Solution;
+use kinegon::{Solution, drawing, format};
 use stages::{answer_key, solved};
 use std::path::PathBuf;
 
@@ -34,14 +32,12 @@ fn same(path: &str, now: &str) {
 }
 
 fn figure(name: &str) -> Drawing {
-    let stages = solved(&files::read(&format!("examples/{name}.json")));
-    stages.expect("the example is sound").figure()
+    let solution = solved(&files::read(&format!("examples/{name}.json")));
+    solution.expect("the example is sound").figure()
 }
 
 fn curves() -> Drawing {
-    let scene = Scene::read(&files::read("examples/figure-2.json")).expect("a good scene");
-    let mechanism = mechanism::mechanism(&scene).expect("a mechanism");
-    let pose = position::pose(&mechanism, &scene.near).expect("it can be assembled");
+    let Solution { scene, mechanism, pose, .. } = solved(&files::read("examples/figure-2.json")).expect("a good scene");
     let drive = Drive::new(&mechanism, None).expect("it has a drive");
     let mut path = Path::new(&mechanism, &pose, drive).expect("it is not singular");
     let range = path.cover(None, None).expect("it moves");
@@ -52,21 +48,20 @@ fn curves() -> Drawing {
 
 /// The numbers that the paper prints, over the figure that they belong to; and their table.
 fn checked() -> [Drawing; 2] {
-    let stages = solved(&files::read("examples/figure-2.json"));
-    let mut stages = stages.expect("the example is sound");
+    let solution = solved(&files::read("examples/figure-2.json"));
+    let mut solution = solution.expect("the example is sound");
     let measured = Measured::read_json(&files::read("examples/paper-as-student.json"));
     let measured = measured.expect("the example is sound");
-    let words = Wording::of(&stages.scene.figure);
+    let words = solution.wording();
     let own = {
         // As deep as the program looks.
-        let drawn = answer_key(&stages, 5);
+        let drawn = answer_key(&solution, 5);
         let checked = check(&measured, &drawn).expect("values that are understood");
         redrawn(&measured, &drawn, &checked, &words).expect("scales are there")
     };
-    let figure = &mut stages.scene.figure;
+    let figure = &mut solution.scene.figure;
     (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.5), Some(2.5));
-    let Solution { scene, mechanism, pose, construction, .. } = &stages;
-    let sheets = drawing::overlay(scene, mechanism, pose, construction, &own);
+    let sheets = drawing::overlay(&solution, &own);
     sheets.try_into().expect("a figure and a table")
 }
 

@@ -1,11 +1,12 @@
 //! Curves over a cycle: the values that they mark are the true ones, the lines are where they should be, and nothing covers a label.
 
+mod stages;
+
+use kinegon::Solution;
 use kinegon::cycle::{Curve, Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Mark, Pen, Point, Rect, Shape, curves};
-use kinegon::format::svg;
-use kinegon::mechanism::mechanism;
-use kinegon::position::pose;
 use kinegon::scene::Scene;
+use stages::solved;
 use std::f64::consts::PI;
 use std::path::Path as FilePath;
 
@@ -14,9 +15,7 @@ const MOST_BYTES: usize = 60_000;
 
 /// What the curves of a scene look like over a range; without one once around or from limit to limit.
 fn sampled<T>(scene: &str, range: Option<[f64; 2]>, want: &str, look: impl FnOnce(&Scene, &Curves) -> T) -> T {
-    let scene = Scene::read(scene).unwrap_or_else(|error| panic!("{error}"));
-    let mechanism = mechanism(&scene).unwrap_or_else(|error| panic!("{error}"));
-    let pose = pose(&mechanism, &scene.near).unwrap_or_else(|error| panic!("{error}"));
+    let Solution { scene, mechanism, pose, .. } = solved(scene).unwrap_or_else(|error| panic!("{error}"));
     let drive = Drive::new(&mechanism, None).expect("it has a drive");
     let mut path = Path::new(&mechanism, &pose, drive).expect("it can be moved");
     let range = path.cover(range.map(|r| r[0]), range.map(|r| r[1]));
@@ -371,8 +370,7 @@ fn faults(drawing: &Drawing, curves: &[Curve]) -> Vec<String> {
 
 /// Quantities to try on a scene: rates of the links, of the points, places, everything of the sliders.
 fn wishes(scene: &str) -> Vec<String> {
-    let scene = Scene::read(scene).expect("a good scene");
-    let mechanism = mechanism(&scene).expect("a mechanism");
+    let mechanism = solved(scene).expect("a good scene").mechanism;
     let links: Vec<&str> = mechanism.links().map(|(_, body)| body.name.as_str()).collect();
     let points: Vec<&str> = mechanism.points.iter().map(String::as_str).collect();
     let sliders = (0..mechanism.sliders.len()).map(kinegon::mechanism::SliderId);

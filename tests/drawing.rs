@@ -18,10 +18,10 @@ type Places = Vec<(String, [f64; 2])>;
 
 /// The drawing of a scene given as text, or why there is none; and where its points are.
 fn drawn(text: &str) -> Result<(Drawing, Places), kinegon::Error> {
-    let stages = solved(text)?;
-    let points = stages.mechanism.points.iter().zip(&stages.pose.points);
+    let solution = solved(text)?;
+    let points = solution.mechanism.points.iter().zip(&solution.pose.points);
     let places = points.map(|(name, place)| (name.clone(), [place.x, place.y]));
-    Ok((stages.figure(), places.collect()))
+    Ok((solution.figure(), places.collect()))
 }
 
 fn example(number: u8) -> Drawing {

@@ -32,8 +32,8 @@ fn all(check: impl Fn(&str, &Path<'_>, f64)) {
     let (mut seen, mut given) = (0, 0);
     for (scene, text) in scenes {
         given += text.matches("\"drive\"").count();
-        let stages = solved(&text).unwrap_or_else(|error| panic!("{scene}: {error}"));
-        let (mechanism, pose) = (stages.mechanism, stages.pose);
+        let solution = solved(&text).unwrap_or_else(|error| panic!("{scene}: {error}"));
+        let (mechanism, pose) = (solution.mechanism, solution.pose);
         for name in mechanism.drive_names() {
             let alone = alone(&mechanism, &name);
             let drive = Drive::new(&alone, Some(&name)).expect("it is one of the drives");

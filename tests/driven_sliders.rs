@@ -5,19 +5,18 @@
 
 mod comparison;
 mod exact;
+mod stages;
 
 use std::path::{Path, PathBuf};
 
 use comparison::{Comparison, decimal, entries};
 use exact::exceeds;
-use kinegon::format::{self, ResultFile, Solved};
+use kinegon::Solution;
+use kinegon::format::ResultFile;
 use kinegon::geometry::{Vector, cross, direction_of_degrees};
-use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{Motion, Order, motion};
-use kinegon::plan::{Action, Construction, Part, Plan, PlanKind, construction, image_name};
-use kinegon::position::{Pose, pose};
-use kinegon::scene::Scene;
+use kinegon::plan::{Action, Part, Plan, PlanKind, image_name};
 use serde_json::{Value, json};
+use stages::solved;
 
 /// Errors allowed, in units of the condition number of the velocity equations.
 const BOUND: f64 = 1e-14;
@@ -55,32 +54,8 @@ fn cases() -> Vec<Case> {
     names.into_iter().map(case).collect()
 }
 
-/// All that the library says of a scene.
-struct Solution {
-    mechanism: Mechanism,
-    pose: Pose,
-    motion: Motion,
-    construction: Construction,
-    result: ResultFile,
-}
-
-fn solved(name: &str, scene: &Value) -> Solution {
-    let work = || -> Result<Solution, kinegon::Error> {
-        let scene = Scene::read(&scene.to_string())?;
-        let mechanism = mechanism(&scene)?;
-        let pose = pose(&mechanism, &scene.near)?;
-        let motion = motion(&mechanism, &pose, Order::Acceleration)?;
-        let construction = construction(&mechanism, &pose, &motion);
-        let result = format::result(Solved {
-            units: scene.units,
-            mechanism: &mechanism,
-            pose: &pose,
-            motion: &motion,
-            construction: &construction,
-        });
-        Ok(Solution { mechanism, pose, motion, construction, result })
-    };
-    work().unwrap_or_else(|error| panic!("{name}: {error}\n{scene}"))
+fn solution(name: &str, scene: &Value) -> Solution {
+    solved(&scene.to_string()).unwrap_or_else(|error| panic!("{name}: {error}\n{scene}"))
 }
 
 fn condition(result: &ResultFile) -> f64 {
@@ -164,7 +139,7 @@ fn demand_truth(name: &str, case: &Case, result: &ResultFile, places: bool) {
 #[test]
 fn numbers_are_true_from_lengths_and_as_drawn() {
     for case in cases() {
-        let result = solved(&case.name, &case.scene).result;
+        let result = solution(&case.name, &case.scene).result();
         demand_truth(&case.name, &case, &result, true);
         // Of modes that a search finds there is no true number.
         if !HIGHER.contains(&case.name.as_str()) {
@@ -174,7 +149,7 @@ fn numbers_are_true_from_lengths_and_as_drawn() {
             assert_eq!(found, truth.map(modes).collect::<Vec<_>>(), "{}", case.name);
         }
         let name = format!("{} as drawn", case.name);
-        let result = solved(&name, &drawn(&case)).result;
+        let result = solution(&name, &drawn(&case)).result();
         demand_truth(&name, &case, &result, false);
         let truth = case.expect["groups"].as_array().expect("a list");
         assert_eq!(result.groups.len(), truth.len(), "{name}");
@@ -197,7 +172,7 @@ fn numbers_are_true_from_lengths_and_as_drawn() {
 fn both_routes_agree() {
     for case in cases() {
         let scene = drawn(&case);
-        for group in solved(&case.name, &scene).result.groups {
+        for group in solution(&case.name, &scene).result().groups {
             let (Some(difference), Some(allowed)) = (group.disagreement, group.disagreement_allowed) else {
                 assert_eq!(group.class, "higher", "{}: {:?}", case.name, group.links);
                 continue;
@@ -213,7 +188,7 @@ fn both_routes_agree() {
 /// mechanism's points are their velocities or accelerations by the loop equations.
 fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
     let size = plan.points.values().fold(0.0, |m: f64, p| m.max(p.vector.norm()));
-    let bound = CLOSED * condition(&solution.result) * size;
+    let bound = CLOSED * condition(&solution.result()) * size;
     let mut reached: Vec<&str> = Vec::new();
     // The image of a point at rest under a slider is there from the beginning.
     let is_there =
@@ -260,7 +235,8 @@ fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
 fn plans_close_and_show_what_drives_add() {
     for case in cases() {
         let name = &case.name;
-        let solution = solved(name, &drawn(&case));
+        let solution = solution(name, &drawn(&case));
+        let condition = condition(&solution.result());
         let constructed = solution.construction.agreement.iter().all(Option::is_some);
         for plan in solution.construction.plans() {
             demand_closed(name, &solution, plan);
@@ -270,7 +246,7 @@ fn plans_close_and_show_what_drives_add() {
             let has = |part: Part, length: f64| {
                 let arrows = plan.arrows().filter(|arrow| arrow.part == part);
                 let mut lengths = arrows.filter_map(|a| Some(plan.segment(&a.from, &a.to)?.norm()));
-                let close = |l: f64| (l - length).abs() <= 1e-13 * condition(&solution.result) * length;
+                let close = |l: f64| (l - length).abs() <= 1e-13 * condition * length;
                 assert!(
                     length == 0.0 || lengths.any(close),
                     "{name}: no {part:?} vector of {length} in the {:?} plan",

@@ -10,6 +10,7 @@ mod groups;
 mod joints;
 mod planted;
 mod random;
+mod stages;
 #[path = "../examples/speed_vs_error/truth.rs"]
 mod truth;
 
@@ -17,12 +18,14 @@ use std::thread;
 
 use families::Family;
 use groups::{Base, Group};
+use kinegon::Solution;
 use kinegon::mechanism::{Mechanism, Role, mechanism};
 use kinegon::motion::{Order, motion};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
 use planted::{Planted, pattern};
 use random::Random;
+use stages::solved;
 use truth::{ROUNDING, Truth, error};
 
 /// Mechanisms of each kind: few enough for every day in a debug build, a million in all in a release build.
@@ -207,11 +210,8 @@ fn a_long_link_costs_no_digits() {
         bases: [moving([0.75, -4.0], [1.3125, -3.25]), moving([-7.0625, 0.0], [7.8125, 1.25])],
     };
     let mut seen = Seen::default();
-    let scene = Scene::read(&group.scene().to_string()).expect("a good scene");
-    let mechanism = mechanism(&scene).expect("a mechanism");
-    let pose = pose(&mechanism, &scene.near).expect("it is drawn");
+    let Solution { mechanism, pose, motion, .. } = solved(&group.scene().to_string()).expect("it is not singular");
     seen.see("a long link", &mechanism, &pose, &[]);
-    let motion = motion(&mechanism, &pose, Order::Acceleration).expect("it is not singular");
     let link = mechanism.link("4").expect("a link of the group");
     let relative = motion.error(link).alpha / motion.body(link).alpha.abs();
     assert!(motion.groups[0].condition < 50.0 && relative <= f64::EPSILON);

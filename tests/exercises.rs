@@ -5,8 +5,8 @@ mod program;
 mod random;
 mod stages;
 
-use kinegon::check::{Drawn, Given, Measured, Student, Verdict, check};
-use kinegon::drafting::Tolerance;
+use kinegon::Solution;
+use kinegon::check::{AnswerKey, Given, Measured, Student, Verdict, check};
 use kinegon::drawing::Shape;
 use kinegon::exercise::{Exercise, ExerciseError, Exercises, Refusal};
 use kinegon::geometry::{Point, Vector};
@@ -15,8 +15,7 @@ use kinegon::scene::{Figure, Page, PageSize};
 use program::{kinegon, scratch, stderr};
 use random::Random;
 use serde_json::Value;
-use kinegon::Solution;
-use stages::solved;
+use stages::{answer_key, solved};
 use std::path::Path;
 
 /// All kinds of `kinegon new` with their scenes.
@@ -38,34 +37,20 @@ fn exercise(text: &str, seed: u64) -> Exercise {
     exercises(text, seed).next().expect("one can be found")
 }
 
-fn drawn(exercise: &Exercise, tolerance: Tolerance) -> Drawn<'_> {
-    Drawn {
-        units: exercise.scene.units,
-        near: &exercise.scene.near,
-        mechanism: &exercise.mechanism,
-        pose: &exercise.pose,
-        motion: &exercise.motion,
-        construction: &exercise.construction,
-        scales: exercise.scales,
-        tolerance,
-        depth: 0,
-    }
-}
-
 /// Everything that is asked of an exercise, seen anew.
 #[test]
 fn every_kind_gives_exercises_that_a_hand_draws_well() {
     for (kind, text) in kinds() {
         let exercise = exercise(&text, 11);
-        let stages = solved(&exercise.text).unwrap_or_else(|e| panic!("{kind}: {e}"));
+        let solution = solved(&exercise.text).unwrap_or_else(|e| panic!("{kind}: {e}"));
         numbers_are_round(&kind, &exercise.text);
-        lines_cross_well(&kind, &stages);
-        segments_are_long(&kind, &stages);
+        lines_cross_well(&kind, &solution);
+        segments_are_long(&kind, &solution);
         special_points_are_on_the_sheet(&kind, &exercise);
-        let conditions = stages.motion.groups.iter().map(|g| g.condition);
+        let conditions = solution.motion.groups.iter().map(|g| g.condition);
         assert!(conditions.fold(1.0, f64::max) <= 40.0, "{kind}");
         // The scales stand in the file, of the series 1, 2, 2.5, 5.
-        let figure = &stages.scene.figure;
+        let figure = &solution.scene.figure;
         for mu in [figure.mu_l, figure.mu_v, figure.mu_a] {
             let digits = format!("{:e}", mu.unwrap_or_else(|| panic!("{kind}: no scale")));
             let digits = digits.split('e').next().unwrap_or_default();
@@ -96,9 +81,9 @@ fn numbers_are_round(kind: &str, text: &str) {
 }
 
 /// Where a step marks a crossing, the last two lines drawn towards it meet at 20° or more.
-fn lines_cross_well(kind: &str, stages: &Solution) {
+fn lines_cross_well(kind: &str, solution: &Solution) {
     let mut crossings = 0;
-    for plan in stages.construction.plans() {
+    for plan in solution.construction.plans() {
         let mut rays: Vec<(&str, Vector)> = Vec::new();
         for step in &plan.steps {
             match &step.action {
@@ -119,7 +104,7 @@ fn lines_cross_well(kind: &str, stages: &Solution) {
     }
     assert!(crossings > 0, "{kind}");
     // Cut lines, by their joints and directions.
-    for special in stages.construction.special.iter().flatten() {
+    for special in solution.construction.special.iter().flatten() {
         let [a, b] = special.cuts.each_ref().map(|cut| cut.line.direction());
         if let (true, Some(a), Some(b)) = (special.is_assur, a, b) {
             assert!(a.perp(&b).abs() >= 0.34, "{kind}: {}", special.name);
@@ -127,9 +112,9 @@ fn lines_cross_well(kind: &str, stages: &Solution) {
     }
 }
 
-fn segments_are_long(kind: &str, stages: &Solution) {
-    let figure = &stages.scene.figure;
-    for plan in stages.construction.plans() {
+fn segments_are_long(kind: &str, solution: &Solution) {
+    let figure = &solution.scene.figure;
+    for plan in solution.construction.plans() {
         let mu = match plan.kind {
             PlanKind::Velocity => figure.mu_v,
             PlanKind::Acceleration => figure.mu_a,
@@ -150,8 +135,8 @@ fn special_points_are_on_the_sheet(kind: &str, exercise: &Exercise) {
     let circles = marks.iter().filter_map(|mark| match (&mark.id, &mark.shape) {
         (Some(id), Shape::Circle { center, .. }) => {
             let name = id.strip_prefix("scheme-point-")?;
-            let point = exercise.mechanism.point(name)?;
-            Some((exercise.pose.point(point), *center))
+            let point = exercise.solution.mechanism.point(name)?;
+            Some((exercise.solution.pose.point(point), *center))
         }
         _ => None,
     });
@@ -166,11 +151,11 @@ fn special_points_are_on_the_sheet(kind: &str, exercise: &Exercise) {
         assert!((on_sheet(*place) - *centre).hypot() < 1e-6, "{kind}");
     }
     let (_, frame) = &exercise.sheet.panels[0];
-    for special in exercise.construction.special.iter().flatten() {
+    for special in exercise.solution.construction.special.iter().flatten() {
         let place = special.place.finite().expect("not at infinity");
         assert!(frame.contains(on_sheet(place)), "{kind}: {}", special.name);
         let drawn = format!("scheme-point-{}", special.name);
-        let is_joint = exercise.mechanism.point(&special.name).is_some();
+        let is_joint = exercise.solution.mechanism.point(&special.name).is_some();
         let mut shown = marks.iter().filter(|m| m.id.as_deref() == Some(&drawn));
         assert!(is_joint || shown.next().is_none(), "{kind} gives it away");
     }
@@ -178,7 +163,7 @@ fn special_points_are_on_the_sheet(kind: &str, exercise: &Exercise) {
 
 /// The key's values are right, a careful hand's pass, the empty form is empty.
 fn keys_hold(kind: &str, exercise: &Exercise) {
-    let drawn = drawn(exercise, Tolerance::default());
+    let answers = AnswerKey { scales: exercise.scales, ..answer_key(&exercise.solution, 0) };
     let key = exercise.key();
     assert!(key.values.len() >= 6, "{kind}");
     let values = key.values.iter().map(|(name, value)| Given {
@@ -188,7 +173,7 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
         place: name.clone(),
     });
     let measured = Measured { values: values.collect(), ..Measured::default() };
-    let checked = check(&measured, &drawn).unwrap_or_else(|e| panic!("{kind}: {e}"));
+    let checked = check(&measured, &answers).unwrap_or_else(|e| panic!("{kind}: {e}"));
     assert_eq!(checked.values.len(), key.values.len(), "{kind}");
     for value in &checked.values {
         let name = value.entry.asked.name();
@@ -200,18 +185,18 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
         let (allowed, judged) = allowed.unwrap_or((0.0, 0.0));
         assert!((allowed - judged).abs() <= 1e-6 * judged, "{kind}: {name}");
     }
-    let student = Student::new(&drawn).unwrap_or_else(|e| panic!("{kind}: {e}"));
+    let student = Student::new(&answers).unwrap_or_else(|e| panic!("{kind}: {e}"));
     let mut random = Random(5);
     let careful = student.draw(&[], [0.2, 0.2], &mut || random.within(1.0), &[]);
-    let checked = check(&careful, &drawn).expect("understood");
+    let checked = check(&careful, &answers).expect("understood");
     let off = checked.values.iter().filter(|v| v.verdict == Verdict::Off);
     let off: Vec<&str> = off.map(|v| v.entry.asked.name()).collect();
     assert!(off.is_empty(), "{kind}: {off:?}");
     let empty = Measured::read_json(&exercise.form_json()).expect("a form");
-    let error = check(&empty, &drawn).expect_err("nothing is filled in");
+    let error = check(&empty, &answers).expect_err("nothing is filled in");
     assert!(error.message.contains("empty"), "{kind}: {error}");
     let empty = Measured::read_csv(&exercise.form_csv()).expect("a form");
-    assert!(check(&empty, &drawn).is_err(), "{kind}");
+    assert!(check(&empty, &answers).is_err(), "{kind}");
     let boxes = exercise.sheet.marks.iter().filter_map(|m| m.id.as_deref());
     let boxes = boxes.filter(|id| id.starts_with("box-") && id.ends_with("-value"));
     assert_eq!(boxes.count(), key.values.len(), "{kind}");
@@ -226,7 +211,7 @@ fn blocks_stay_on_their_guides() {
         let text = files::read(&format!("templates/{kind}.json"));
         for seed in 0..5 {
             let found = exercise(&text, seed);
-            let place = |name: &str| Point::from(found.scene.coordinates[name]);
+            let place = |name: &str| Point::from(found.solution.scene.coordinates[name]);
             let [from, to] = line.map(place);
             let off = (to - from).normalize().perp(&(place(block) - from));
             assert!(off.abs() < 1e-9, "{kind}: {off}");

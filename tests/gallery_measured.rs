@@ -9,12 +9,9 @@ mod stages;
 
 use faults::{MOST_BYTES, faults, id};
 use kinegon::cycle::Film;
-use kinegon::drawing::{Drawing, Shape, Style, figure};
-use kinegon::format::svg;
+use kinegon::drawing::{Drawing, Shape, Style};
 use kinegon::plan::{Construction, Plan, PlanKind, PointRole};
 use kinegon::scene::StyleName;
-use kinegon::words::Wording;
-use kinegon::Solution;
 use stages::solved;
 use std::path::PathBuf;
 
@@ -33,15 +30,11 @@ fn figures() -> Vec<(String, Drawing, Construction)> {
     let folders = ["templates", "tests/driven_sliders"];
     let scenes = folders.into_iter().flat_map(files::scenes);
     for (name, text) in scenes.chain(examples) {
-        let Solution { scene, mechanism, pose, construction, .. } =
-            solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let words = Wording::of(&scene.figure);
-        let film = Film::new(&mechanism, (&pose, &construction), &words, None, POSITIONS);
-        let film = film.unwrap_or_else(|error| panic!("{name}: {error}"));
+        let solution = solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let film = Film::new(&solution, None, POSITIONS).unwrap_or_else(|error| panic!("{name}: {error}"));
         let positions = film.values.iter().zip(film.positions);
-        for (value, (pose, construction)) in positions.step_by(step) {
-            let drawing = figure(&scene, &mechanism, &pose, &construction);
-            all.push((format!("{name} at {value:.1}"), drawing, construction));
+        for (value, solution) in positions.step_by(step) {
+            all.push((format!("{name} at {value:.1}"), solution.figure(), solution.construction));
         }
     }
     all

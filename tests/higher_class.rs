@@ -3,15 +3,18 @@
 mod files;
 mod planted;
 mod random;
+mod stages;
 
+use kinegon::Solution;
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{Motion, MotionError, Order, motion};
+use kinegon::motion::{MotionError, Order, motion};
 use kinegon::position::{AssemblyError, Pose, pose, poses};
 use kinegon::scene::Scene;
 use planted::{KNOWN, Planted};
 use random::Random;
 use serde_json::{Value, json};
+use stages::solved;
 
 /// Random groups tried.
 const GROUPS: usize = if cfg!(debug_assertions) { 2 } else { 120 };
@@ -132,8 +135,7 @@ fn velocities_are_derivatives_of_positions() {
             let angle = text["links"]["b1"]["drive"]["angle"].as_f64();
             let angle = angle.expect("a number") + turn.to_degrees();
             text["links"]["b1"]["drive"]["angle"] = json!(angle);
-            let (_, pose, _) = moved(&text);
-            pose.points.iter().map(|p| p.coords).collect()
+            moved(&text).pose.points.iter().map(|p| p.coords).collect()
         };
         let step = 1e-4;
         let difference = |step: f64| -> Vec<Vector> {
@@ -184,12 +186,8 @@ fn a_group_that_can_move_is_not_searched_for_long() {
     assert!(matches!(refused, Err(MotionError::Singular { .. })));
 }
 
-fn moved(scene: &Value) -> (kinegon::mechanism::Mechanism, Pose, Motion) {
-    let scene = Scene::read(&scene.to_string()).expect("a scene");
-    let mechanism = mechanism(&scene).expect("a mechanism");
-    let pose = pose(&mechanism, &scene.near).expect("it can be assembled");
-    let motion = motion(&mechanism, &pose, Order::Acceleration).expect("it moves");
-    (mechanism, pose, motion)
+fn moved(scene: &Value) -> Solution {
+    solved(&scene.to_string()).expect("it moves")
 }
 
 /// Three bars pinned to a triangle are one rigid link: they move as the coupler of a four-bar linkage in whose place they stand.
@@ -207,14 +205,14 @@ fn three_bars_move_as_one_link() {
         scene
     };
     let rocker = ("r", json!(["C", "D"]));
-    let (link, _, one) = moved(&drawn(&[("2", json!(["B", "J", "K", "L", "C"])), rocker.clone()]));
+    let one = moved(&drawn(&[("2", json!(["B", "J", "K", "L", "C"])), rocker.clone()]));
     let [a, b, c] = [("a", json!(["B", "J", "K"])), ("b", json!(["K", "L"])), ("c", json!(["L", "J", "C"]))];
     for links in [[&a, &b, &c, &rocker], [&rocker, &c, &a, &b], [&b, &rocker, &c, &a], [&c, &b, &a, &rocker]] {
-        let (mechanism, pose, three) = moved(&drawn(&links.map(Clone::clone)));
+        let Solution { mechanism, pose, motion, .. } = moved(&drawn(&links.map(Clone::clone)));
         assert_eq!(mechanism.groups.len(), 1);
-        let whole = one.body(link.link("2").expect("the coupler"));
+        let whole = one.motion.body(one.mechanism.link("2").expect("the coupler"));
         for name in ["a", "b", "c"] {
-            let bar = three.body(mechanism.link(name).expect("a bar"));
+            let bar = motion.body(mechanism.link(name).expect("a bar"));
             assert!((bar.omega - whole.omega).abs() < 1e-12, "{name}");
             assert!((bar.alpha - whole.alpha).abs() < 1e-12, "{name}");
             for point in ["B", "C", "J", "K", "L"] {

@@ -2,13 +2,14 @@
 
 mod faults;
 mod files;
+mod stages;
 
 use faults::{faults, id};
+use kinegon::Solution;
 use kinegon::cycle::{Drive, Hodograph, Hodographs, Path};
 use kinegon::drawing::{Drawing, Pen, Point, Shape, hodographs};
-use kinegon::mechanism::mechanism;
-use kinegon::position::pose;
 use kinegon::scene::Scene;
+use stages::solved;
 use std::f64::consts::PI;
 
 /// An in-line slider-crank: crank 50 mm, rod 150 mm, 100 rad/s.
@@ -19,9 +20,7 @@ const SLIDER_CRANK: &str = r#"{ "kinegon": 1, "units": { "length": "mm", "time":
     "sliders": [{ "link": "3", "at": "C", "on": "ground", "along": "AE" }], "near": { "C": [190, 0] } }"#;
 
 fn sampled<T>(text: &str, want: &str, look: impl FnOnce(&Scene, Result<Hodographs, String>) -> T) -> T {
-    let scene = Scene::read(text).unwrap_or_else(|error| panic!("{error}"));
-    let mechanism = mechanism(&scene).unwrap_or_else(|error| panic!("{error}"));
-    let pose = pose(&mechanism, &scene.near).unwrap_or_else(|error| panic!("{error}"));
+    let Solution { scene, mechanism, pose, .. } = solved(text).unwrap_or_else(|error| panic!("{error}"));
     let drive = Drive::new(&mechanism, None).expect("it has a drive");
     let mut path = Path::new(&mechanism, &pose, drive).expect("it can be moved");
     let range = path.cover(None, None).expect("it can be reached");

@@ -13,37 +13,28 @@ use changes::{BOUND, Change, Differences, U, compare, keep_worst, ratio};
 
 use groups::{Base, Group, Names, Pair, add, is_singular, patterns, times};
 use images::dissimilarity;
-use kinegon::Error;
-use kinegon::format::ResultFile;
 use kinegon::geometry::{Point, cross};
 use kinegon::mechanism::{LoopEquations, StructureError, mechanism};
 use kinegon::motion::ClosedForm;
 use kinegon::scene::Scene;
+use kinegon::{Error, Solution};
 use nalgebra::DVector;
 use random::Random;
 use serde_json::Value;
 use stages::solved;
 
-/// All that the library says of a scene.
-struct Solution {
-    stages: kinegon::Solution,
-    result: ResultFile,
+/// All that the library says of a scene; `None` where the motion is refused as singular.
+fn moved(scene: &Value) -> Option<Solution> {
+    let text = scene.to_string();
+    match solved(&text) {
+        Ok(solution) => Some(solution),
+        Err(Error::Motion(_)) => None,
+        Err(error) => panic!("{error}\n{text}"),
+    }
 }
 
-impl Solution {
-    /// `None` where the motion is refused as singular.
-    fn new(scene: &Value) -> Option<Solution> {
-        let text = scene.to_string();
-        match solved(&text) {
-            Ok(stages) => Some(Solution { result: stages.result(), stages }),
-            Err(Error::Motion(_)) => None,
-            Err(error) => panic!("{error}\n{text}"),
-        }
-    }
-
-    fn condition(&self) -> f64 {
-        self.result.groups[0].condition
-    }
+fn condition(solution: &Solution) -> f64 {
+    solution.motion.groups[0].condition
 }
 
 /// Random groups, each changed by `changed` to a group that is solved again; prints and bounds the largest difference.
@@ -61,14 +52,14 @@ fn unchanged_but_for(
         let change = change();
         let scene = group.scene();
         let other = changed(&group, &change).scene_as(&change.names);
-        let (before, after) = match (Solution::new(&scene), Solution::new(&other)) {
+        let (before, after) = match (moved(&scene), moved(&other)) {
             (Some(before), Some(after)) => (before, after),
             (None, None) => {
                 refused += 1;
                 continue;
             }
             (one, two) => {
-                let condition = one.or(two).map_or(f64::INFINITY, |s| s.condition());
+                let condition = one.or(two).map_or(f64::INFINITY, |s| condition(&s));
                 assert!(
                     condition > 1e13,
                     "{what}: only one of two is refused, condition {condition:e}\n{scene}\n{other}"
@@ -77,9 +68,9 @@ fn unchanged_but_for(
                 continue;
             }
         };
-        let condition = before.condition().max(after.condition());
+        let condition = condition(&before).max(condition(&after));
         hardest = hardest.max(condition);
-        let seen = compare(&before.result, &after.result, &change, U * condition, 0.0);
+        let seen = compare(&before.result(), &after.result(), &change, U * condition, 0.0);
         if !seen.small() {
             println!("{what}: {seen}; condition {condition:.1e}\n{scene}");
         }
@@ -177,8 +168,8 @@ fn names_do_not_matter() {
         let group = Group::any(&mut dice, FINE);
         let change = renamed();
         let other = group.scene_as(&change.names);
-        if let (Some(before), Some(after)) = (Solution::new(&group.scene()), Solution::new(&other)) {
-            let seen = compare(&before.result, &after.result, &change, U, 0.0);
+        if let (Some(before), Some(after)) = (moved(&group.scene()), moved(&other)) {
+            let seen = compare(&before.result(), &after.result(), &change, U, 0.0);
             let largest = seen.velocity.0.max(seen.acceleration.0);
             assert!(largest == 0.0, "{seen}\n{other}");
         }
@@ -197,11 +188,10 @@ fn links_images_in_both_plans_are_similar_to_them() {
     let (mut pairs, mut worst) = (0, (0.0, String::new()));
     for _ in 0..SCENES {
         let scene = Group::any(&mut dice, FINE).scene();
-        let Some(solution) = Solution::new(&scene) else {
+        let Some(solution) = moved(&scene) else {
             continue;
         };
-        let Solution { stages, result } = &solution;
-        let (seen, part, what) = dissimilarity(stages, result, solution.condition());
+        let (seen, part, what) = dissimilarity(&solution, &solution.result(), condition(&solution));
         pairs += seen;
         keep_worst(&mut worst, part, &format!("{what}: {scene}"));
     }
@@ -219,10 +209,10 @@ fn the_closed_form_agrees_with_the_whole_system() {
             _ => Group::hard(&mut dice, "RRRRRR", FINE),
         };
         let scene = group.scene();
-        let Some(solution) = Solution::new(&scene) else {
+        let Some(solution) = moved(&scene) else {
             continue;
         };
-        let kinegon::Solution { mechanism, pose, motion, .. } = &solution.stages;
+        let Solution { mechanism, pose, motion, .. } = &solution;
         let links = &mechanism.groups[0].links;
         let equations = LoopEquations::new(mechanism, &mechanism.groups[0]);
         let system = equations.factored(&pose.points, &pose.guides).expect("it was solved");
@@ -276,8 +266,8 @@ fn the_patterns_that_are_singular_by_structure_are_refused() {
                 Ok(mechanism) => {
                     assert!(!is_singular(&pattern), "{pattern} is not refused");
                     assert_eq!(mechanism.groups[0].pattern(&mechanism), pattern);
-                    let solution = Solution::new(&scene).unwrap_or_else(|| panic!("{pattern}: singular\n{scene}"));
-                    assert!(solution.condition() < 1e6, "{pattern}: condition {:e}\n{scene}", solution.condition());
+                    let solution = moved(&scene).unwrap_or_else(|| panic!("{pattern}: singular\n{scene}"));
+                    assert!(condition(&solution) < 1e6, "{pattern}: condition {:e}\n{scene}", condition(&solution));
                 }
             }
         }
@@ -301,7 +291,7 @@ fn conditions_grow_as_the_lines_concur() {
     // The shift at which the lines concur, by linear interpolation: the determinant is linear in it.
     let (at_zero, at_one) = (lines(&group(0.0)), lines(&group(1.0)));
     let singular = at_zero / (at_zero - at_one);
-    let condition = |away: f64| Solution::new(&group(singular + away).scene()).map_or(f64::INFINITY, |s| s.condition());
+    let condition = |away: f64| moved(&group(singular + away).scene()).map_or(f64::INFINITY, |s| condition(&s));
     let far = condition(1e-2);
     for exponent in 4..12 {
         let close = condition(10_f64.powi(-exponent)) / far * 10_f64.powi(2 - exponent);

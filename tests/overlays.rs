@@ -6,16 +6,15 @@ mod program;
 mod stages;
 
 use faults::{faults, id};
+use kinegon::Solution;
 use kinegon::check::{self, Checked, Measured, Mistake, PointsOf, Student};
 use kinegon::drawing::{Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay};
 use kinegon::plan::PlanKind;
 use kinegon::scene::{PageSize, Panel};
-use kinegon::words::Wording;
 use program::{kinegon, scratch, stderr};
-use kinegon::Solution;
 use stages::{answer_key, solved};
 
-fn stages(scene: &str) -> Solution {
+fn solution(scene: &str) -> Solution {
     solved(&files::read(scene)).expect("a good scene")
 }
 
@@ -27,26 +26,26 @@ struct Drawings {
 }
 
 /// The sheets at the scene's scales, else at the student's.
-fn drawn(mut stages: Solution, measured: &Measured, depth: usize) -> Drawings {
-    let words = Wording::of(&stages.scene.figure);
+fn drawn(mut solution: Solution, measured: &Measured, depth: usize) -> Drawings {
+    let words = solution.wording();
     let (own, checked) = {
-        let right = answer_key(&stages, depth);
+        let right = answer_key(&solution, depth);
         let checked = check::check(measured, &right).expect("values that are understood");
         let own = check::redrawn(measured, &right, &checked, &words);
         (own.expect("scales are there"), checked)
     };
-    let figure = &mut stages.scene.figure;
+    let figure = &mut solution.scene.figure;
     let [mu_l, mu_v, mu_a] = measured.mu;
     figure.mu_l = figure.mu_l.or(mu_l);
     figure.mu_v = figure.mu_v.or(mu_v);
     figure.mu_a = figure.mu_a.or(mu_a);
-    let sheets = overlay(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction, &own);
+    let sheets = overlay(&solution, &own);
     Drawings { sheets, own, checked }
 }
 
 /// The values of somebody who makes one mistake in one of its ways and is exact elsewhere but for what a ruler shows.
-fn with_mistake(stages: &Solution, mistake: Mistake, way: usize) -> Measured {
-    let right = answer_key(&stages, 1);
+fn with_mistake(solution: &Solution, mistake: Mistake, way: usize) -> Measured {
+    let right = answer_key(&solution, 1);
     let student = Student::new(&right).expect("all sheets");
     let ways = student.ways(mistake);
     student.draw(&[&ways[way]], [0.05, 0.05], &mut || 0.3, &[])
@@ -59,20 +58,20 @@ fn paper() -> Measured {
 
 /// Figure 2 at scales at which everything has room beside the words.
 fn figure_2() -> Solution {
-    let mut stages = stages("examples/figure-2.json");
-    let figure = &mut stages.scene.figure;
+    let mut solution = solution("examples/figure-2.json");
+    let figure = &mut solution.scene.figure;
     (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.0), Some(2.5));
-    stages
+    solution
 }
 
 const FOUR_BAR: &str = "templates/four-bar.json";
 
 /// Places of the plan points of a four-bar on a sheet that is turned by 12°, its point c in the velocity plan moved by `moved` mm.
-fn points(stages: &Solution, moved: [f64; 2]) -> Measured {
+fn points(solution: &Solution, moved: [f64; 2]) -> Measured {
     let (sin, cos) = libm::sincos(12.0_f64.to_radians());
-    let scales = answer_key(&stages, 1).scales;
+    let scales = answer_key(&solution, 1).scales;
     let mu = [scales.length, scales.velocity, scales.acceleration];
-    let plans = stages.construction.plans().zip(&mu[1..]);
+    let plans = solution.construction.plans().zip(&mu[1..]);
     let points = plans.map(|(plan, mu)| {
         let names = [plan.kind.pole(), "b", "c"];
         let places = names.map(|name| {
@@ -93,7 +92,7 @@ fn points(stages: &Solution, moved: [f64; 2]) -> Measured {
 #[test]
 fn no_name_lies_on_another() {
     let mut all = vec![
-        ("the paper".to_owned(), drawn(stages("examples/figure-2.json"), &paper(), 5)),
+        ("the paper".to_owned(), drawn(solution("examples/figure-2.json"), &paper(), 5)),
         ("the paper with room".to_owned(), drawn(figure_2(), &paper(), 5)),
     ];
     for (scene, mistake, way) in [
@@ -106,16 +105,16 @@ fn no_name_lies_on_another() {
         ("third-class", Mistake::OtherMode, 0),
         ("fourth-class", Mistake::WrongSegment, 0),
     ] {
-        let own = stages(&format!("templates/{scene}.json"));
+        let own = solution(&format!("templates/{scene}.json"));
         let measured = with_mistake(&own, mistake, way);
         let name = format!("{scene}, {} {way}", mistake.id());
         all.push((name, drawn(own, &measured, 1)));
     }
     for (name, moved) in [("points", [0.0, 0.0]), ("a wrong point", [9.0, -14.0])] {
-        let measured = points(&stages(FOUR_BAR), moved);
-        all.push((name.to_owned(), drawn(stages(FOUR_BAR), &measured, 1)));
+        let measured = points(&solution(FOUR_BAR), moved);
+        all.push((name.to_owned(), drawn(solution(FOUR_BAR), &measured, 1)));
     }
-    let mut large = stages(FOUR_BAR);
+    let mut large = solution(FOUR_BAR);
     large.scene.figure.page.size = PageSize::A3;
     let measured = with_mistake(&large, Mistake::TurnedRay, 1);
     all.push(("large".to_owned(), drawn(large, &measured, 1)));
@@ -136,10 +135,10 @@ fn crossing([p, d]: [[f64; 2]; 2], [q, e]: [[f64; 2]; 2]) -> [f64; 2] {
 
 #[test]
 fn a_turned_ray_ends_where_geometry_says() {
-    let stages = stages(FOUR_BAR);
+    let solution = solution(FOUR_BAR);
     let place = |name: &str| {
-        let point = stages.mechanism.point(name).expect("it is there");
-        let place = stages.pose.point(point);
+        let point = solution.mechanism.point(name).expect("it is there");
+        let place = solution.pose.point(point);
         [place.x, place.y]
     };
     let [a, b, c, d] = ["A", "B", "C", "D"].map(place);
@@ -149,9 +148,9 @@ fn a_turned_ray_ends_where_geometry_says() {
     let normal = [-(c[1] - d[1]), c[0] - d[0]];
     let want = crossing([v_b, along], [[0.0, 0.0], normal]);
 
-    let measured = with_mistake(&stages, Mistake::TurnedRay, 0);
-    let mu = answer_key(&stages, 1).scales.velocity.expect("a panel");
-    let Drawings { sheets, own, .. } = drawn(stages, &measured, 1);
+    let measured = with_mistake(&solution, Mistake::TurnedRay, 0);
+    let mu = answer_key(&solution, 1).scales.velocity.expect("a panel");
+    let Drawings { sheets, own, .. } = drawn(solution, &measured, 1);
     let mut found = own.points.iter();
     let found = found.find(|p| p.panel == Panel::Velocity && p.name == "c");
     let at = found.expect("c is elsewhere").at;
@@ -198,12 +197,12 @@ fn text(drawing: &Drawing, name: &str) -> String {
 
 #[test]
 fn points_from_paper_lie_over_the_right_ones() {
-    let right = |stages: &Solution, kind: PlanKind, name: &str| {
-        let mut plans = stages.construction.plans();
+    let right = |solution: &Solution, kind: PlanKind, name: &str| {
+        let mut plans = solution.construction.plans();
         plans.find(|p| p.kind == kind).expect("a plan").points[name].vector
     };
-    let base = stages(FOUR_BAR);
-    let exact = drawn(stages(FOUR_BAR), &points(&base, [0.0, 0.0]), 1);
+    let base = solution(FOUR_BAR);
+    let exact = drawn(solution(FOUR_BAR), &points(&base, [0.0, 0.0]), 1);
     assert_eq!(exact.own.points.len(), 6);
     for point in &exact.own.points {
         let kind = match point.panel {
@@ -223,7 +222,7 @@ fn points_from_paper_lie_over_the_right_ones() {
     let moved = [9.0, -14.0];
     let measured = points(&base, moved);
     let mu = measured.mu[1].expect("a scale");
-    let wrong = drawn(stages(FOUR_BAR), &measured, 1);
+    let wrong = drawn(solution(FOUR_BAR), &measured, 1);
     for point in wrong.own.points.iter().filter(|p| p.panel == Panel::Velocity) {
         let apart = (point.at.coords - right(&base, PlanKind::Velocity, &point.name)) / mu;
         let is_c = point.name == "c";
@@ -237,11 +236,11 @@ fn points_from_paper_lie_over_the_right_ones() {
 
 #[test]
 fn a_measured_component_is_drawn_and_slips_of_writing_are_not() {
-    let stages = figure_2();
-    let special = stages.construction.special_point("S3").expect("S3");
+    let solution = figure_2();
+    let special = solution.construction.special_point("S3").expect("S3");
     let s3 = special.place.finite().expect("it is near");
-    let b = stages.pose.point(stages.mechanism.point("B").expect("B"));
-    let Drawings { sheets, own, checked } = drawn(stages, &paper(), 5);
+    let b = solution.pose.point(solution.mechanism.point("B").expect("B"));
+    let Drawings { sheets, own, checked } = drawn(solution, &paper(), 5);
     assert_eq!(checked.diagnosis.best.findings.len(), 4);
     let drawn: Vec<_> = own.lines.iter().filter(|l| l.kind != OwnKind::Helper).collect();
     let [line] = drawn.as_slice() else {

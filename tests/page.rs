@@ -10,8 +10,6 @@ use base64::Engine;
 use browser::Browser;
 use flate2::read::GzDecoder;
 use kinegon::cycle::Drive;
-use kinegon::drawing::stepwise;
-use kinegon::format::svg;
 use program::{kinegon, scratch, stderr};
 use serde_json::Value;
 use stages::solved;
@@ -66,22 +64,21 @@ fn a_page_needs_nothing_else_and_shows_what_the_svg_shows() {
         let film = film(&page);
         let frames = film["frames"].as_array().expect("frames").len();
         assert_eq!(film["values"].as_array().expect("values").len(), frames);
-        let stages = solved(&text).expect("a good scene");
-        let moves = Drive::new(&stages.mechanism, None).is_ok();
+        let solution = solved(&text).expect("a good scene");
+        let moves = Drive::new(&solution.mechanism, None).is_ok();
         let wanted = if moves { 4..=6 } else { 1..=1 };
         assert!(wanted.contains(&frames), "{name}: {frames} positions");
         // The finished figure of the scene's own position is drawn by marks that the page has too, but for the scales of its panels.
         let own = film["own"].as_u64().expect("an index") as usize;
         let shown = lines(&film, own);
         let count =
-            stages.construction.scheme.len() + stages.construction.plans().map(|p| p.steps.len()).sum::<usize>();
+            solution.construction.scheme.len() + solution.construction.plans().map(|p| p.steps.len()).sum::<usize>();
         assert_eq!(film["steps"].as_array().expect("steps").len(), count, "{name}");
         let ids = |text: &str| -> BTreeSet<String> {
             let ids = text.split(" id=\"").skip(1);
             ids.map(|rest| rest[..rest.find('"').expect("its end")].to_owned()).collect()
         };
-        let all = stepwise(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction);
-        let finished = ids(&(all.after_step(count + 1)).svg());
+        let finished = ids(&solution.stepwise_figure().after_step(count + 1).svg());
         let on_page: BTreeSet<String> = shown.iter().flat_map(|line| ids(line)).collect();
         // At another scale points may share a name.
         let shared = |id: &&String| id.contains("-point-") || id.contains("-label-");

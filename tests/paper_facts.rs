@@ -8,8 +8,8 @@
 
 mod stages;
 
-use kinegon::plan::{Plan, Quantity, quantity};
 use kinegon::Solution;
+use kinegon::plan::{Plan, Quantity};
 use stages::solved;
 
 const FIGURE_1: &str = r#"{ "kinegon": 1,
@@ -48,38 +48,31 @@ fn board(text: &str) -> Solution {
     solved(text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-impl Solution {
-    fn quantity(&self, name: &str) -> Quantity {
-        quantity(name, &self.mechanism, &self.pose, &self.motion, &self.construction, None)
-            .unwrap_or_else(|error| panic!("{error}"))
+fn number(board: &Solution, name: &str) -> f64 {
+    match board.quantity(name).unwrap_or_else(|error| panic!("{error}")) {
+        Quantity::Number(value) => value,
+        Quantity::Vector(value) => panic!("{name} is a vector: {value}"),
     }
+}
 
-    fn number(&self, name: &str) -> f64 {
-        match self.quantity(name) {
-            Quantity::Number(value) => value,
-            Quantity::Vector(value) => panic!("{name} is a vector: {value}"),
-        }
+fn vector(board: &Solution, name: &str) -> [f64; 2] {
+    match board.quantity(name).unwrap_or_else(|error| panic!("{error}")) {
+        Quantity::Vector(value) => [value.x, value.y],
+        Quantity::Number(value) => panic!("{name} is a number: {value}"),
     }
+}
 
-    fn vector(&self, name: &str) -> [f64; 2] {
-        match self.quantity(name) {
-            Quantity::Vector(value) => [value.x, value.y],
-            Quantity::Number(value) => panic!("{name} is a number: {value}"),
-        }
-    }
+fn place(board: &Solution, name: &str) -> [f64; 2] {
+    board.result().points[name].position.expect("it is not at infinity")
+}
 
-    fn place(&self, name: &str) -> [f64; 2] {
-        self.result().points[name].position.expect("it is not at infinity")
-    }
-
-    /// A plan segment counted clockwise-positive about `about`, where the special point lies at `to`: positive where the
-    /// segment is `to − about` turned clockwise. So the paper prints its four equations.
-    fn clockwise(&self, plan: &Plan, (from, to): (&str, &str), (about, special): (&str, &str)) -> f64 {
-        let segment = plan.segment(from, to).expect("the plan has both points");
-        let (a, s) = (self.place(about), self.place(special));
-        let arm = [s[0] - a[0], s[1] - a[1]];
-        (segment.x * arm[1] - segment.y * arm[0]) / libm::hypot(arm[0], arm[1])
-    }
+/// A plan segment counted clockwise-positive about `about`, where the special point lies at `to`: positive where the
+/// segment is `to − about` turned clockwise. So the paper prints its four equations.
+fn clockwise(board: &Solution, plan: &Plan, (from, to): (&str, &str), (about, special): (&str, &str)) -> f64 {
+    let segment = plan.segment(from, to).expect("the plan has both points");
+    let (a, s) = (place(board, about), place(board, special));
+    let arm = [s[0] - a[0], s[1] - a[1]];
+    (segment.x * arm[1] - segment.y * arm[0]) / libm::hypot(arm[0], arm[1])
 }
 
 /// That `got` rounds to the decimal number `want`; a tie may go either way.
@@ -98,7 +91,7 @@ fn within(relative: f64, what: &str, got: f64, want: f64) {
 fn figure_1_positions_and_rates() {
     let board = board(FIGURE_1);
     for (name, x, y) in [("S3", "146.81208", "314.59732"), ("S5", "181.74274", "-257.46888")] {
-        let place = board.place(name);
+        let place = place(&board, name);
         to_the_digits_given(name, place[0], x);
         to_the_digits_given(name, place[1], y);
     }
@@ -113,7 +106,7 @@ fn figure_1_positions_and_rates() {
         ("alpha(5)", "-7.57985456"),
     ];
     for (name, want) in rates {
-        to_the_digits_given(name, board.number(name), want);
+        to_the_digits_given(name, number(&board, name), want);
     }
     let vectors = [
         ("v(S3)", "484.133117", "-8.587178"),
@@ -122,7 +115,7 @@ fn figure_1_positions_and_rates() {
         ("a(S5)", "-24.634507", "712.024463"),
     ];
     for (name, x, y) in vectors {
-        let got = board.vector(name);
+        let got = vector(&board, name);
         to_the_digits_given(name, got[0], x);
         to_the_digits_given(name, got[1], y);
     }
@@ -147,12 +140,12 @@ fn figure_1_measured_segments() {
         ("Eq. 30", acceleration, ("n_e5", "s5"), ("E", "S5"), "576.930370"),
     ];
     for (what, plan, segment, line, want) in segments {
-        to_the_digits_given(what, board.clockwise(plan, segment, line), want);
+        to_the_digits_given(what, clockwise(&board, plan, segment, line), want);
         let name = match what {
             "Eq. 7" | "Eq. 8" | "Eq. 15" | "Eq. 16" => "vplan",
             _ => "aplan",
         };
-        let length = board.number(&format!("{name}({},{})", segment.0, segment.1));
+        let length = number(&board, &format!("{name}({},{})", segment.0, segment.1));
         to_the_digits_given(what, length, want.trim_start_matches('-'));
     }
 }
@@ -167,14 +160,14 @@ fn figure_2_positions() {
         ("F", 338.004_272_041_627_619_9, 136.126_638_482_350_618_2),
     ];
     for (name, x, y) in places {
-        let place = board.place(name);
+        let place = place(&board, name);
         within(1e-12, name, place[0], x);
         within(1e-12, name, place[1], y);
     }
-    within(1e-12, "angle(2)", board.number("angle(2)"), 41.968_269_535_585_577_47);
-    within(1e-12, "angle(4)", board.number("angle(4)"), 92.290_367_535_881_389_22);
+    within(1e-12, "angle(2)", number(&board, "angle(2)"), 41.968_269_535_585_577_47);
+    within(1e-12, "angle(4)", number(&board, "angle(4)"), 92.290_367_535_881_389_22);
     // The angle is FE's; link 5's axis runs from its first point, E.
-    within(1e-12, "angle(5)", board.number("angle(5)"), 76.907_845_701_155_889_02 - 180.0);
+    within(1e-12, "angle(5)", number(&board, "angle(5)"), 76.907_845_701_155_889_02 - 180.0);
     let slider = &board.result().sliders["3/2"];
     within(1e-12, "BD", slider.position.expect("from lengths"), 307.739_262_481_637_983_7);
     let lengths = [
@@ -185,7 +178,7 @@ fn figure_2_positions() {
         ("L(E,S5)", 155.034_357_246_860_736_3),
     ];
     for (name, want) in lengths {
-        within(1e-12, name, board.number(name), want);
+        within(1e-12, name, number(&board, name), want);
     }
 }
 
@@ -215,7 +208,7 @@ fn figure_2_rates() {
         ("aplan(n_g3,s3)", 6.183_385_189, 5e-10),
     ];
     for (name, want, last) in facts {
-        let got = board.number(name);
+        let got = number(&board, name);
         assert!((got - want).abs() <= last + 1e-12 * want.abs(), "{name} is {got:.17}, not {want:.17}");
     }
 }
@@ -225,11 +218,11 @@ fn figure_2_accelerations_do_not_depend_on_the_sense() {
     let (clockwise, counter) = (figure_2(70.0, -1.0, AS_PRINTED), figure_2(70.0, 1.0, AS_PRINTED));
     for link in ["2", "3", "4", "5"] {
         let [omega, alpha] = ["omega", "alpha"].map(|q| format!("{q}({link})"));
-        within(1e-13, &omega, counter.number(&omega), -clockwise.number(&omega));
-        within(1e-13, &alpha, counter.number(&alpha), clockwise.number(&alpha));
+        within(1e-13, &omega, number(&counter, &omega), -number(&clockwise, &omega));
+        within(1e-13, &alpha, number(&counter, &alpha), number(&clockwise, &alpha));
     }
-    within(1e-13, "v_r(3/2)", counter.number("v_r(3/2)"), -clockwise.number("v_r(3/2)"));
-    within(1e-13, "a_r(3/2)", counter.number("a_r(3/2)"), clockwise.number("a_r(3/2)"));
+    within(1e-13, "v_r(3/2)", number(&counter, "v_r(3/2)"), -number(&clockwise, "v_r(3/2)"));
+    within(1e-13, "a_r(3/2)", number(&counter, "a_r(3/2)"), number(&clockwise, "a_r(3/2)"));
 }
 
 /// Mode and number of modes of the only group.
@@ -246,8 +239,8 @@ fn figure_2_has_two_assembly_modes_at_70_degrees() {
     let ((a, of), (b, of_too)) = (mode(&printed), mode(&other));
     assert_eq!((of, of_too), (2, 2));
     assert_ne!(a, b);
-    to_the_digits_given("angle(2)", other.number("angle(2)"), "-74.01744");
-    to_the_digits_given("angle(4)", other.number("angle(4)"), "-117.28350");
+    to_the_digits_given("angle(2)", number(&other, "angle(2)"), "-74.01744");
+    to_the_digits_given("angle(4)", number(&other, "angle(4)"), "-117.28350");
     to_the_digits_given("s", other.result().sliders["3/2"].position.expect("from lengths"), "375.09307");
     // It is a mode of the same mechanism: all lengths hold.
     let lengths = [
@@ -259,8 +252,8 @@ fn figure_2_has_two_assembly_modes_at_70_degrees() {
         ("L(E,F)", 300.0),
     ];
     for (name, want) in lengths {
-        within(1e-13, name, other.number(name), want);
-        within(1e-13, name, printed.number(name), want);
+        within(1e-13, name, number(&other, name), want);
+        within(1e-13, name, number(&printed, name), want);
     }
 }
 
@@ -292,8 +285,8 @@ fn figure_2_approaches_its_limit_as_the_square_root() {
     let near_limit = r#"{ "D": [-18.6, 62.1], "E": [117, 395], "F": [158, 94], "angle(2)": 45 }"#;
     let at = |delta: f64| {
         let board = figure_2(LIMIT - delta.to_degrees(), -1.0, near_limit);
-        let angle = |name| board.number(name).to_radians();
-        [board.number("L(B,D)"), angle("angle(2)"), angle("angle(4)"), board.number("L(B,G)")]
+        let angle = |name| number(&board, name).to_radians();
+        [number(&board, "L(B,D)"), angle("angle(2)"), angle("angle(4)"), number(&board, "L(B,G)")]
     };
     let (close, closer) = (at(4e-10), at(1e-10));
     let root = 1e-5;
@@ -349,13 +342,13 @@ fn the_papers_own_drawing_gives_the_printed_values() {
         ("vplan(g,s5)", "119.3355"),
     ];
     for (name, want) in printed {
-        to_the_digits_given(name, board.number(name), want);
+        to_the_digits_given(name, number(&board, name), want);
     }
     // Printed as L_BS3: its horizontal component.
-    to_the_digits_given("x of BS3", board.place("S3")[0] - b[0], "248.0601");
+    to_the_digits_given("x of BS3", place(&board, "S3")[0] - b[0], "248.0601");
     // One factor for both, as if that plan had been drawn a little small.
     for (name, want) in [("vplan(b,s3)", 59.3891), ("vplan(g,s3)", 138.2264)] {
-        let factor = want / board.number(name);
+        let factor = want / number(&board, name);
         assert!((factor - 0.999_894_4).abs() < 2e-6, "{name}: {factor}");
     }
 }

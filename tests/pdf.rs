@@ -6,7 +6,7 @@ mod stages;
 mod tools;
 
 use kinegon::drawing::{Drawing, Pen, PlacedText, Point, RichText, Shape};
-use kinegon::format::{PdfError, pdf};
+use kinegon::format::PdfError;
 use lopdf::{Dictionary, Document, Object};
 use stages::solved;
 use std::sync::OnceLock;
@@ -20,8 +20,8 @@ fn drawings() -> &'static [(String, Drawing)] {
 fn drawn() -> Vec<(String, Drawing)> {
     let scenes = files::templates().into_iter().chain(files::scenes("examples"));
     let drawn = scenes.map(|(name, text)| {
-        let stages = solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name, stages.figure())
+        let solution = solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        (name, solution.figure())
     });
     drawn.collect()
 }

@@ -7,14 +7,13 @@ mod random;
 mod stages;
 
 use exact::exceeds;
+use kinegon::Solution;
 use kinegon::drafting::{
     Act, Band, Change, Deed, Disturbance, Drafting, Error, Reading, Sheet, SheetScales, Tolerance, Unread,
     drafting_with, readable_names,
 };
-use kinegon::drawing::scales;
 use kinegon::plan::{Asked, Quantity, step_names};
 use random::Random;
-use kinegon::Solution;
 use stages::solved;
 
 /// Every starting scene and the examples.
@@ -26,7 +25,7 @@ fn scenes() -> Vec<(String, String)> {
 
 /// A scene as it is drawn by hand: what is read from it, and the values of the numeric solution.
 struct Sheets {
-    stages: Solution,
+    solution: Solution,
     asked: Vec<Asked>,
     drafting: Drafting,
     readings: Vec<Result<Reading, Unread>>,
@@ -34,32 +33,29 @@ struct Sheets {
 
 impl Sheets {
     fn of(text: &str) -> Sheets {
-        let stages = solved(text).expect("a good scene");
-        let Solution { mechanism, pose, motion, construction, .. } = &stages;
-        let mut names = readable_names(mechanism, motion, construction);
-        let own = step_names(construction).into_iter();
+        let solution = solved(text).expect("a good scene");
+        let mechanism = &solution.mechanism;
+        let mut names = readable_names(&solution);
+        let own = step_names(&solution.construction).into_iter();
         let own: Vec<String> = own.filter(|name| !names.contains(name)).collect();
         names.extend(own);
         let points = mechanism.points.clone();
         names.extend(points.iter().flat_map(|p| [format!("x({p})"), format!("y({p})")]));
         let asked = names.iter().map(|name| Asked::new(name, mechanism));
         let asked: Vec<Asked> = asked.map(|a| a.expect("a known name")).collect();
-        let (drafting, readings) = drafting_with(mechanism, pose, motion, construction, &asked);
-        Sheets { asked, drafting, readings, stages }
+        let (drafting, readings) = drafting_with(&solution, &asked);
+        Sheets { asked, drafting, readings, solution }
     }
 
     fn scales(&self) -> SheetScales {
-        let Solution { scene, mechanism, pose, construction, .. } = &self.stages;
-        let scales = scales(scene, mechanism, pose, construction);
+        let scales = self.solution.scales();
         let given = [scales.length, scales.velocity, scales.acceleration];
         SheetScales { per_mm: given.map(|s| s.expect("all three panels")) }
     }
 
     fn truth(&self, asked: &Asked) -> f64 {
-        let Solution { mechanism, pose, motion, construction, .. } = &self.stages;
         let name = asked.name();
-        let value = kinegon::plan::quantity(name, mechanism, pose, motion, construction, None);
-        match value.unwrap_or_else(|error| panic!("{error}")) {
+        match self.solution.quantity(name).unwrap_or_else(|error| panic!("{error}")) {
             Quantity::Number(value) => value,
             Quantity::Vector(_) => panic!("{name} is a vector"),
         }
@@ -93,7 +89,7 @@ fn of_every_pattern_of_joints_too() {
         let text = files::read(&format!("tests/reference/{set}.jsonl"));
         for (index, line) in text.lines().enumerate() {
             let sheets = Sheets::of(files::scene_text(line));
-            let agreement = &sheets.stages.construction.agreement;
+            let agreement = &sheets.solution.construction.agreement;
             // The two routes must meet where the third is to meet them.
             let worst = agreement.iter().map(|a| a.map(|a| a.allowed));
             let Some(worst) = worst.reduce(|a, b| Some(a?.max(b?))).flatten() else {
@@ -113,7 +109,7 @@ fn of_every_pattern_of_joints_too() {
     for (scene, text) in others {
         let sheets = Sheets::of(&text);
         // Higher classes have no construction.
-        let agreement = &sheets.stages.construction.agreement;
+        let agreement = &sheets.solution.construction.agreement;
         if agreement.iter().all(Option::is_some) {
             compared += compare(&scene, &sheets, 1e-9, &mut wrong);
         }
@@ -157,7 +153,7 @@ fn compare(scene: &str, sheets: &Sheets, within: f64, wrong: &mut Vec<String>) -
             wrong.push(format!("{scene}: {name} = {value}, not {truth}"));
         }
     }
-    for plan in sheets.stages.construction.plans() {
+    for plan in sheets.solution.construction.plans() {
         let size = plan.points.values().map(|p| p.vector.norm());
         let size = size.fold(0.0, f64::max);
         let sheet = Sheet::of(plan.kind);
@@ -287,7 +283,7 @@ fn a_forgotten_coriolis_part_propagates() {
     let mistake = Disturbance { act, change: Change::Instead(&forgotten) };
     let alpha = drafting.number("alpha(3)").expect("it is solved for");
     let [right, wrong] = [vec![], vec![mistake]].map(|m| drafting.replay(scales, &m).number(alpha));
-    let Solution { mechanism, pose, motion, .. } = &sheets.stages;
+    let Solution { mechanism, pose, motion, .. } = &sheets.solution;
     let lever = mechanism.link("3").expect("the lever");
     let [b, d] = ["B", "D"].map(|p| mechanism.point(p).expect("a joint"));
     let slide = motion.slides[0].velocity;

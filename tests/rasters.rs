@@ -10,7 +10,6 @@ mod stages;
 mod tools;
 
 use kinegon::drawing::{Drawing, ITALIC, Mark, Pen, REGULAR, Shape, Vec2};
-use kinegon::format::{pdf, svg};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::fontdb::{Database, Source};
 use resvg::usvg::{Options, Tree};
@@ -36,8 +35,8 @@ const SCENES: [&str; 5] = [
 ];
 
 fn drawing(scene: &str) -> Drawing {
-    let stages = solved(&files::read(&format!("{scene}.json")));
-    stages.unwrap_or_else(|error| panic!("{scene}: {error}")).figure()
+    let solution = solved(&files::read(&format!("{scene}.json")));
+    solution.unwrap_or_else(|error| panic!("{scene}: {error}")).figure()
 }
 
 /// Red, green and blue of pixels, row by row.

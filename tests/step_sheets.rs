@@ -6,10 +6,10 @@ mod program;
 mod stages;
 
 use files::read;
-use kinegon::drawing::{Drawing, Emphasis, Mark, Pen, Rect, Shape, stepwise};
-use kinegon::format::{Text, layered_svg, svg};
-use kinegon::plan::Action;
 use kinegon::Solution;
+use kinegon::drawing::{Drawing, Emphasis, Mark, Pen, Rect, Shape};
+use kinegon::format::{Text, layered_svg};
+use kinegon::plan::Action;
 use stages::solved;
 use std::collections::BTreeSet;
 
@@ -18,9 +18,9 @@ const LEAN: f64 = 0.3;
 
 /// The steps of a scene and all of them drawn.
 fn drawn(text: &str) -> (Solution, Drawing) {
-    let stages = solved(text).expect("a good scene");
-    let all = stepwise(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction);
-    (stages, all)
+    let solution = solved(text).expect("a good scene");
+    let all = solution.stepwise_figure();
+    (solution, all)
 }
 
 fn scenes() -> Vec<(String, String)> {
@@ -44,9 +44,9 @@ fn plain(mark: &Mark) -> Mark {
 #[test]
 fn sheets_grow_and_nothing_moves() {
     for (name, text) in scenes() {
-        let (stages, all) = drawn(&text);
+        let (solution, all) = drawn(&text);
         let count = all.steps.len();
-        let construction = &stages.construction;
+        let construction = &solution.construction;
         let told = construction.scheme.len() + construction.plans().map(|plan| plan.steps.len()).sum::<usize>();
         assert_eq!(count, told, "{name}");
         let mut before: Vec<Mark> = Vec::new();
@@ -74,8 +74,8 @@ fn sheets_grow_and_nothing_moves() {
 fn each_step_draws_what_it_does() {
     let mut seen = BTreeSet::new();
     for (name, text) in scenes() {
-        let (stages, all) = drawn(&text);
-        let construction = &stages.construction;
+        let (solution, all) = drawn(&text);
+        let construction = &solution.construction;
         let plans = construction.plans().flat_map(|plan| &plan.steps);
         for (number, step) in (1..).zip(construction.scheme.iter().chain(plans)) {
             let new: Vec<&Mark> = all.marks.iter().filter(|m| m.since == number).collect();

@@ -6,15 +6,14 @@ mod program;
 mod stages;
 
 use kinegon::drawing::{Colour, Drawing, Emphasis, Look, Mark, Pen, Shape, Style};
-use kinegon::format;
 use kinegon::scene::StyleName;
 use program::{kinegon, scratch, stderr};
 use stages::solved;
 use std::collections::BTreeSet;
 
 fn example(number: u8) -> Drawing {
-    let stages = solved(&files::read(&format!("examples/figure-{number}.json")));
-    stages.expect("the example is sound").figure()
+    let solution = solved(&files::read(&format!("examples/figure-{number}.json")));
+    solution.expect("the example is sound").figure()
 }
 
 fn text_of(name: StyleName) -> String {

@@ -15,10 +15,10 @@ use std::collections::BTreeMap;
 use comparison::entries;
 use exact::{Exact, exceeds, minus};
 use files::{path, read, templates};
+use kinegon::Solution;
 use kinegon::format::ResultFile;
 use later::{differences, fastest};
 use serde_json::Value;
-use kinegon::Solution;
 use stages::solved;
 
 /// Largest error against the truth.
@@ -37,21 +37,21 @@ fn truth(name: &str) -> Option<Value> {
     Some(serde_json::from_str(&text).expect("the truth is JSON"))
 }
 
-fn solved(name: &str, text: &str) -> ResultFile {
-    stages(name, text).result()
+fn result(name: &str, text: &str) -> ResultFile {
+    solution(name, text).result()
 }
 
-fn stages(name: &str, text: &str) -> Solution {
+fn solution(name: &str, text: &str) -> Solution {
     solved(text).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
 #[test]
 fn every_template_has_a_title_and_solves_without_a_warning() {
     for (name, text) in templates() {
-        let stages = stages(&name, &text);
-        assert!(stages.scene.title.is_some(), "{name}");
+        let solution = solution(&name, &text);
+        assert!(solution.scene.title.is_some(), "{name}");
         assert!(text.contains("\"$schema\": \"scene.schema.json\""), "{name}");
-        let result = stages.result();
+        let result = solution.result();
         assert!(result.warnings.is_empty(), "{name}: {:?}", result.warnings);
     }
 }
@@ -59,7 +59,7 @@ fn every_template_has_a_title_and_solves_without_a_warning() {
 #[test]
 fn both_routes_agree() {
     for (name, text) in templates() {
-        for group in solved(&name, &text).groups {
+        for group in result(&name, &text).groups {
             let (Some(difference), Some(allowed)) = (group.disagreement, group.disagreement_allowed) else {
                 panic!("{name}: the links {:?} have no second route", group.links);
             };
@@ -78,7 +78,7 @@ fn both_routes_agree() {
 fn every_ray_runs_through_both_its_points() {
     let mut seen = 0;
     for (name, text) in templates() {
-        for plan in stages(&name, &text).construction.plans() {
+        for plan in solution(&name, &text).construction.plans() {
             for ray in plan.rays() {
                 let along = plan.segment(&ray.through, &ray.to).expect("both are there");
                 let off = along.perp(&ray.direction) / ray.direction.norm();
@@ -135,7 +135,7 @@ fn numbers_are_true() {
     for (name, text) in templates() {
         let Some(truth) = truth(&name) else { continue };
         seen += 1;
-        let result = solved(&name, &text);
+        let result = result(&name, &text);
         let mut errors = Errors::default();
         for (link, truth) in entries(&truth["links"]) {
             let got = &result.links[link];
@@ -189,11 +189,11 @@ fn a_driven_point_settles_a_triangles_hand() {
         let text = read(&format!("templates/{kind}.json"));
         let less = text.replace(place, "");
         assert_ne!(text, less, "{kind}");
-        let result = solved(kind, &less);
-        assert!(result.warnings.is_empty(), "{kind}: {:?}", result.warnings);
-        let all = solved(kind, &text);
+        let without = result(kind, &less);
+        assert!(without.warnings.is_empty(), "{kind}: {:?}", without.warnings);
+        let all = result(kind, &text);
         for (point, there) in &all.points {
-            assert_eq!(result.points[point].position, there.position, "{kind}: {point}");
+            assert_eq!(without.points[point].position, there.position, "{kind}: {point}");
         }
     }
 }
@@ -207,7 +207,7 @@ fn rates_are_derivatives_of_positions() {
             continue;
         };
         seen += 1;
-        let now = solved(&name, &text);
+        let now = result(&name, &text);
         // The fastest drive turns by 1°, by half and by a quarter of a degree, or is pushed by as much of its position: far above what
         // rounding adds.
         let errors = [1.0_f64, 0.5, 0.25].map(|degrees| {

@@ -4,12 +4,9 @@ mod files;
 mod stages;
 mod tools;
 
+use kinegon::Solution;
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{self, Drawing, Pen, PlacedText, Point, RichText, Shape};
-use kinegon::format::tikz;
-use kinegon::mechanism::mechanism;
-use kinegon::position::pose;
-use kinegon::scene::Scene;
 use stages::solved;
 use std::path::PathBuf;
 use std::sync::OnceLock;
@@ -23,16 +20,14 @@ fn drawings() -> &'static [(String, Drawing)] {
 fn drawn() -> Vec<(String, Drawing)> {
     let scenes = files::templates().into_iter().chain(files::scenes("examples"));
     let drawn = scenes.map(|(name, text)| {
-        let stages = solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name, stages.figure())
+        let solution = solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        (name, solution.figure())
     });
     drawn.chain([("curves".to_owned(), curves())]).collect()
 }
 
 fn curves() -> Drawing {
-    let scene = Scene::read(&files::read("examples/figure-2.json")).expect("a good scene");
-    let mechanism = mechanism(&scene).expect("a mechanism");
-    let pose = pose(&mechanism, &scene.near).expect("it can be assembled");
+    let Solution { scene, mechanism, pose, .. } = solved(&files::read("examples/figure-2.json")).expect("a good scene");
     let drive = Drive::new(&mechanism, None).expect("it has a drive");
     let mut path = Path::new(&mechanism, &pose, drive).expect("it is not singular");
     let range = path.cover(None, None).expect("it moves");

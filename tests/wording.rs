@@ -4,16 +4,16 @@ mod files;
 mod program;
 mod stages;
 
+use kinegon::Solution;
 use kinegon::check::Mistake;
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drafting::{Tolerance, pencil};
-use kinegon::drawing::{Drawing, Shape, curves, scales, stepwise};
+use kinegon::drawing::{Drawing, Shape, curves};
 use kinegon::format;
 use kinegon::plan::{Asked, step_names};
 use kinegon::scene::{LanguageName, NotationName, Scene};
 use kinegon::words::Wording;
 use program::{kinegon, stderr};
-use kinegon::Solution;
 use stages::solved;
 
 /// Scenes of every kind: starting scenes, examples, cylinders, drawn configurations with special points at infinity.
@@ -38,15 +38,11 @@ fn with(text: &str, entries: &[(&str, &str)]) -> String {
 }
 
 /// The text of `kinegon steps`.
-fn steps(stages: &Solution) -> String {
-    let (mechanism, pose, motion) = (&stages.mechanism, &stages.pose, &stages.motion);
-    let construction = &stages.construction;
-    let names = step_names(construction);
-    let asked = names.iter().map(|name| Asked::new(name, mechanism).expect("known"));
-    let scales = scales(&stages.scene, mechanism, pose, construction);
-    let tolerance = Tolerance::default();
-    let pencil = pencil(mechanism, pose, motion, construction, &scales, tolerance, asked.collect());
-    format::steps(&stages.scene, construction, &pencil)
+fn steps(solution: &Solution) -> String {
+    let names = step_names(&solution.construction);
+    let asked = names.iter().map(|name| Asked::new(name, &solution.mechanism).expect("known"));
+    let pencil = pencil(solution, &solution.scales(), Tolerance::default(), asked.collect());
+    solution.steps(&pencil)
 }
 
 /// All that a drawing says, a line each.
@@ -61,32 +57,32 @@ fn said(drawing: &Drawing) -> Vec<String> {
 
 /// All that is said of a scene: on the figure, on the sheets of its steps, in the text of the steps, on its curves.
 fn all_said(name: &str, text: &str) -> Vec<String> {
-    let stages = solved(text).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let mut lines = said(&stages.figure());
-    lines.extend(said(&stepwise(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction)));
-    lines.extend(steps(&stages).lines().map(str::to_owned));
-    lines.extend(said_of_curves(&stages));
+    let solution = solved(text).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let mut lines = said(&solution.figure());
+    lines.extend(said(&solution.stepwise_figure()));
+    lines.extend(steps(&solution).lines().map(str::to_owned));
+    lines.extend(said_of_curves(&solution));
     lines
 }
 
 /// What the curves of link rates say, for scenes that can be moved.
-fn said_of_curves(stages: &Solution) -> Vec<String> {
-    let Ok(drive) = Drive::new(&stages.mechanism, None) else {
+fn said_of_curves(solution: &Solution) -> Vec<String> {
+    let Ok(drive) = Drive::new(&solution.mechanism, None) else {
         return Vec::new();
     };
-    let Ok(mut path) = Path::new(&stages.mechanism, &stages.pose, drive) else {
+    let Ok(mut path) = Path::new(&solution.mechanism, &solution.pose, drive) else {
         return Vec::new();
     };
     let Ok(range) = path.cover(None, None) else {
         return Vec::new();
     };
-    let links = stages.mechanism.links();
+    let links = solution.mechanism.links();
     let names = links.flat_map(|(_, body)| ["omega", "angle"].map(|q| format!("{q}({})", body.name)));
     let names: Vec<String> = names.take(6).collect();
     let Ok(sampled) = Curves::new(&path, range, Some(&names)) else {
         return Vec::new();
     };
-    said(&curves(&stages.scene, &sampled).expect("it fits"))
+    said(&curves(&solution.scene, &sampled).expect("it fits"))
 }
 
 /// Words of the English sentences that no Spanish one has, and that are no accelerations of points either (`an`, `at`).
@@ -238,10 +234,10 @@ fn results_do_not_depend_on_the_wording() {
     for (name, text) in scenes() {
         let plain = with(&text, &[]);
         let result = |text: &str| {
-            let stages = solved(text).unwrap_or_else(|error| panic!("{name}: {error}"));
-            let plans = stages.construction.plans();
+            let solution = solved(text).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let plans = solution.construction.plans();
             let points: Vec<_> = plans.map(|plan| plan.points.clone()).collect();
-            (format::json(&stages.result()), points, stages.construction.warnings)
+            (format::json(&solution.result()), points, solution.construction.warnings)
         };
         for notation in NotationName::ALL {
             let worded = with(&text, &[("notation", notation.as_str()), ("language", "es"), ("decimal", "comma")]);

@@ -29,8 +29,8 @@ fn every_case_moves_as_it_must() {
             let text = files::read(&format!("tests/worked/{case}/{file}"));
             let scene: Value = serde_json::from_str(&text).expect("JSON");
             let expect = decimals(&merged(&expect, &expect["per_file"][file]));
-            let stages = solved(&text).unwrap_or_else(|e| panic!("{case}/{file}: {e}"));
-            let result = stages.result();
+            let solution = solved(&text).unwrap_or_else(|e| panic!("{case}/{file}: {e}"));
+            let result = solution.result();
             let mut comparison = Comparison::new(&expect, &scene, &result);
             comparison.all();
             let what = |what: &str| format!("{case}/{file}: {what}");

@@ -5,10 +5,9 @@ mod files;
 mod stages;
 
 use faults::{faults, panels};
-use kinegon::drawing::{Drawing, Mark, Shape, scales};
-use kinegon::format::svg;
-use kinegon::plan::{Asked, Quantity, Scales, measured_names, quantity};
 use kinegon::Solution;
+use kinegon::drawing::{Drawing, Mark, Shape};
+use kinegon::plan::{Asked, Quantity, measured_names};
 use stages::solved;
 
 /// Every way to lay a sheet.
@@ -34,9 +33,9 @@ fn scenes() -> Vec<(String, String)> {
 fn worksheet(text: &str, keys: serde_json::Value) -> (Solution, Drawing) {
     let mut keys = keys;
     keys["worksheet"] = true.into();
-    let stages = solved(&with_figure(text, keys)).expect("a good scene");
-    let drawing = stages.figure();
-    (stages, drawing)
+    let solution = solved(&with_figure(text, keys)).expect("a good scene");
+    let drawing = solution.figure();
+    (solution, drawing)
 }
 
 /// What the marks of an id say.
@@ -64,14 +63,14 @@ fn printed_lengths_are_the_results() {
     let mut rows = 0;
     for (name, text) in scenes() {
         for decimal in ["point", "comma"] {
-            let (stages, drawing) = worksheet(&text, serde_json::json!({ "decimal": decimal }));
-            let Solution { scene, mechanism, pose, motion, construction } = &stages;
-            let used: Scales = scales(scene, mechanism, pose, construction);
-            let names = measured_names(construction);
+            let (solution, drawing) = worksheet(&text, serde_json::json!({ "decimal": decimal }));
+            let used = solution.scales();
+            let names = measured_names(&solution.construction);
             for (index, asked) in names.iter().enumerate() {
                 let cell = |which: &str| said(&drawing, &format!("measured-{}-{which}", index + 1));
-                let value = quantity(asked, mechanism, pose, motion, construction, None);
-                let Ok(Quantity::Number(value)) = value else { panic!("{name}: {asked} has no value") };
+                let Ok(Quantity::Number(value)) = solution.quantity(asked) else {
+                    panic!("{name}: {asked} has no value")
+                };
                 let mu = match asked.as_bytes()[0] {
                     b'L' => used.length,
                     b'v' => used.velocity,
@@ -90,7 +89,8 @@ fn printed_lengths_are_the_results() {
                 assert!((mm - value / mu).abs() <= half_mm * (1.0 + 1e-9), "{name}: {asked} {mm}");
                 assert_eq!(half_mm, 0.005);
                 assert!((mm * mu - printed).abs() <= half_mm * mu + half, "{name}: {asked}");
-                let unit = Asked::new(asked, mechanism).expect("it is known").kind().unit(scene.units);
+                let unit =
+                    Asked::new(asked, &solution.mechanism).expect("it is known").kind().unit(solution.scene.units);
                 assert_eq!(cell("unit"), unit);
                 rows += 1;
             }
@@ -214,8 +214,8 @@ fn long_tables_stand_in_columns() {
         }
     }
     for page in PAGES {
-        let (stages, drawing) = worksheet(&scene.to_string(), serde_json::json!({ "page": page }));
-        let rows = measured_names(&stages.construction).len();
+        let (solution, drawing) = worksheet(&scene.to_string(), serde_json::json!({ "page": page }));
+        let rows = measured_names(&solution.construction).len();
         assert!(rows >= 40, "{rows}");
         // The mechanisms lie on each other, so only the table is looked at.
         let wrong = faults(&drawing).into_iter();

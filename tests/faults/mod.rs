@@ -2,7 +2,6 @@
 #![allow(dead_code)] // not every test uses all of it
 
 use kinegon::drawing::{Drawing, Mark, Pen, Point, Rect, RichText, Shape};
-use kinegon::format::svg;
 
 /// Most bytes of a figure's SVG file.
 pub const MOST_BYTES: usize = 60_000;

@@ -17,8 +17,8 @@ struct Imaged {
 }
 
 /// The points of a link that have images.
-fn images(stages: &Solution, plan: &Plan, link: BodyId) -> Vec<Imaged> {
-    let Solution { mechanism, pose, construction, .. } = stages;
+fn images(solution: &Solution, plan: &Plan, link: BodyId) -> Vec<Imaged> {
+    let Solution { mechanism, pose, construction, .. } = solution;
     let mut points = Vec::new();
     let mut see = |name: &str, place: Point| {
         if let Some(point) = plan.points.get(&image_name(name)) {
@@ -44,17 +44,17 @@ fn images(stages: &Solution, plan: &Plan, link: BodyId) -> Vec<Imaged> {
 
 /// How far images are from similar to their links, in parts of what rounding allows: how many pairs of points were seen, and the
 /// largest part with its name.
-pub fn dissimilarity(stages: &Solution, result: &ResultFile, condition: f64) -> (usize, f64, String) {
+pub fn dissimilarity(solution: &Solution, result: &ResultFile, condition: f64) -> (usize, f64, String) {
     let sizes = Sizes::of(result);
     let (mut pairs, mut worst) = (0, (0.0, String::new()));
-    for plan in stages.construction.plans() {
-        for (link, body) in stages.mechanism.links() {
+    for plan in solution.construction.plans() {
+        for (link, body) in solution.mechanism.links() {
             let Some(rates) = result.links.get(&body.name) else {
                 continue;
             };
             let (omega, omega_error) = (rates.omega, rates.omega_error);
             let [alpha, alpha_error] = [rates.alpha, rates.alpha_error].map(|x| x.unwrap_or(0.0));
-            let points = images(stages, plan, link);
+            let points = images(solution, plan, link);
             for (i, p) in points.iter().enumerate() {
                 for q in &points[..i] {
                     let side = q.place - p.place;

@@ -30,6 +30,7 @@ use changes::{Change, U, compare};
 use groups::Names;
 use images::dissimilarity;
 use kinegon::Error;
+use kinegon::Solution;
 use kinegon::format::ResultFile;
 use kinegon::mechanism::StructureError;
 use looks::{Look, renamed, reversed};
@@ -37,7 +38,6 @@ use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, RngSeed};
 use scenes::{Scene, scenes, varied};
 use serde_json::Value;
-use kinegon::Solution;
 use stages::solved;
 
 /// Positions that are less certain than this are left to the tests that know how uncertain.
@@ -56,20 +56,20 @@ fn config() -> ProptestConfig {
 }
 
 /// A scene that can be solved, with all that is known of it.
-struct Solved {
-    stages: Solution,
+struct Moving {
+    solution: Solution,
     result: ResultFile,
     /// The product of its groups' condition numbers: how much they can enlarge an error together.
     condition: f64,
 }
 
 /// `None` where it cannot be assembled or moved.
-fn solved(scene: &Value) -> Result<Option<Solved>, TestCaseError> {
+fn moving(scene: &Value) -> Result<Option<Moving>, TestCaseError> {
     match solved(&scene.to_string()) {
-        Ok(stages) => {
-            let result = stages.result();
+        Ok(solution) => {
+            let result = solution.result();
             let condition = result.groups.iter().map(|group| group.condition).product();
-            Ok(Some(Solved { stages, result, condition }))
+            Ok(Some(Moving { solution, result, condition }))
         }
         Err(Error::Assembly(_) | Error::Motion(_) | Error::Structure(StructureError::Singular { .. })) => Ok(None),
         // Varied lengths of a thin triangle.
@@ -80,9 +80,9 @@ fn solved(scene: &Value) -> Result<Option<Solved>, TestCaseError> {
 
 /// The scene and the scene changed differ as they should.
 fn changed(scene: &Value, other: &Value, change: &Change<'_>) -> Result<[ResultFile; 2], TestCaseError> {
-    let before = solved(scene)?;
+    let before = moving(scene)?;
     prop_assume!(before.as_ref().is_some_and(|before| before.condition < HARDEST));
-    let (Some(before), Some(after)) = (before, solved(other)?) else {
+    let (Some(before), Some(after)) = (before, moving(other)?) else {
         return Err(TestCaseError::fail(format!("only one of two can be solved\n{other}")));
     };
     // Positions that are found, not given, carry errors of their own; and so do the rates that follow from them.
@@ -154,10 +154,10 @@ proptest! {
 
     #[test]
     fn plans_are_images_and_both_routes_agree(scene in scenes()) {
-        let Some(Solved { stages, result, condition }) = solved(&scene.0)? else {
+        let Some(Moving { solution, result, condition }) = moving(&scene.0)? else {
             return Err(TestCaseError::reject("not solvable"));
         };
-        let (_, part, what) = dissimilarity(&stages, &result, condition);
+        let (_, part, what) = dissimilarity(&solution, &result, condition);
         prop_assert!(part <= 1.0, "{}: {} of what is allowed", what, part);
         for group in &result.groups {
             if let (Some(difference), Some(allowed)) = (group.disagreement, group.disagreement_allowed) {
@@ -168,7 +168,7 @@ proptest! {
 
     #[test]
     fn rates_are_derivatives_of_positions(scene in varied()) {
-        let (Some(now), Some(fastest)) = (solved(&scene.0)?, later::fastest(&scene.0)) else {
+        let (Some(now), Some(fastest)) = (moving(&scene.0)?, later::fastest(&scene.0)) else {
             return Err(TestCaseError::reject("it does not move"));
         };
         prop_assume!(now.condition < 100.0);

@@ -3,15 +3,15 @@
 
 use kinegon::Error;
 use kinegon::drafting::{Tolerance, pencil};
-use kinegon::drawing::{Drawing, scales, stepwise};
+use kinegon::drawing::Drawing;
 use kinegon::format::{self, ResultFile};
-use kinegon::plan::{Asked, Quantity, measured_names, quantity, step_names};
+use kinegon::plan::{Asked, Quantity, measured_names, step_names};
 use kinegon::scene::Scene;
 use resvg::usvg::roxmltree::Document;
 use serde_json::Value;
 
-use kinegon::Solution;
 use crate::stages::solved;
+use kinegon::Solution;
 
 /// Reads the text; an error must be one that can be shown.
 pub fn reading(text: &str) {
@@ -22,32 +22,24 @@ pub fn reading(text: &str) {
 
 /// Takes the text through all stages and looks at everything that comes out.
 pub fn whole_way(text: &str) -> Result<(), Error> {
-    let stages = solved(text).inspect_err(|error| can_be_shown(text, error))?;
-    let mut result = stages.result();
-    add_quantities(&stages, &mut result);
+    let solution = solved(text).inspect_err(|error| can_be_shown(text, error))?;
+    let mut result = solution.result();
+    add_quantities(&solution, &mut result);
     result_is_finite(&result);
-    drawing_is_finite(&stages.figure());
-    let Solution { scene, mechanism, pose, motion, construction } = &stages;
-    let all = stepwise(scene, mechanism, pose, construction);
+    drawing_is_finite(&solution.figure());
+    let all = solution.stepwise_figure();
     for step in [1, all.steps.len() / 2 + 1, all.steps.len() + 1] {
         drawing_is_finite(&all.after_step(step));
     }
     let layered = format::layered_svg(&all, format::Text::Letters);
     assert!(Document::parse(&layered).is_ok(), "{layered}");
-    assert!(!stages.figure().tikz().is_empty());
-    assert!(!format::structure(mechanism).is_empty());
-    let names = step_names(construction);
-    let asked = names.iter().map(|name| Asked::new(name, mechanism));
-    let pencil = pencil(
-        mechanism,
-        pose,
-        motion,
-        construction,
-        &scales(scene, mechanism, pose, construction),
-        Tolerance::default(),
-        asked.map(|a| a.expect("steps measure quantities")).collect(),
-    );
-    assert!(!format::steps(scene, construction, &pencil).is_empty());
+    assert!(!solution.figure().tikz().is_empty());
+    assert!(!format::structure(&solution.mechanism).is_empty());
+    let names = step_names(&solution.construction);
+    let asked = names.iter().map(|name| Asked::new(name, &solution.mechanism));
+    let asked = asked.map(|a| a.expect("steps measure quantities")).collect();
+    let pencil = pencil(&solution, &solution.scales(), Tolerance::default(), asked);
+    assert!(!solution.steps(&pencil).is_empty());
     Ok(())
 }
 
@@ -65,12 +57,9 @@ fn can_be_shown(text: &str, error: &Error) {
 }
 
 /// All that the construction measures.
-fn add_quantities(stages: &Solution, result: &mut ResultFile) {
-    let Solution { scene, mechanism, pose, motion, construction } = stages;
-    let scales = scales(scene, mechanism, pose, construction);
-    for name in measured_names(construction) {
-        let value = quantity(&name, mechanism, pose, motion, construction, Some(&scales));
-        let value = match value.unwrap_or_else(|error| panic!("{name} was measured, but: {error}")) {
+fn add_quantities(solution: &Solution, result: &mut ResultFile) {
+    for name in measured_names(&solution.construction) {
+        let value = match solution.quantity(&name).unwrap_or_else(|error| panic!("{name} was measured, but: {error}")) {
             Quantity::Number(x) => format::QuantityResult::Number(x),
             Quantity::Vector(v) => format::QuantityResult::Vector([v.x, v.y]),
         };
