@@ -9,6 +9,7 @@ use flate2::read::GzDecoder;
 use kinegon::cycle::Drive;
 use kinegon::drawing::stepwise;
 use kinegon::format::svg;
+use crate::support::program::{kinegon, scratch, stderr};
 use serde_json::Value;
 use crate::support::program::{kinegon, scratch, stderr};
 use crate::support::stages::solved;

@@ -10,6 +10,7 @@ use crate::support::groups::{Base, Group};
 use crate::support::planted::{Planted, pattern};
 use crate::support::random::Random;
 use families::Family;
+use crate::support::groups::{Base, Group};
 use kinegon::Solution;
 use kinegon::mechanism::{Mechanism, Role, mechanism};
 use kinegon::motion::{Order, motion};

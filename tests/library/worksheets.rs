@@ -4,11 +4,10 @@ use crate::support::faults::{faults, panels};
 use crate::support::files;
 use kinegon::drawing::{Drawing, Mark, Shape, scales};
 use kinegon::format::svg;
-use kinegon::plan::{Asked, Quantity, Scales, measured_names, quantity};
 use kinegon::Solution;
 use kinegon::drawing::{Drawing, Mark, Shape};
-use kinegon::plan::{Asked, Quantity, Scales, measured_names};
 use crate::support::stages::solved;
+use kinegon::plan::{Asked, Quantity, measured_names};
 
 /// Every way to lay a sheet.
 const PAGES: [&str; 6] = ["a4", "a4-portrait", "a3", "a3-portrait", "letter", "letter-portrait"];
@@ -64,7 +63,7 @@ fn printed_lengths_are_the_results() {
     for (name, text) in scenes() {
         for decimal in ["point", "comma"] {
             let (solution, drawing) = worksheet(&text, serde_json::json!({ "decimal": decimal }));
-            let used: Scales = solution.scales();
+            let used = solution.scales();
             let names = measured_names(&solution.construction);
             for (index, asked) in names.iter().enumerate() {
                 let cell = |which: &str| said(&drawing, &format!("measured-{}-{which}", index + 1));
