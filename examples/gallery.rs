@@ -1,16 +1,15 @@
 //! Draws every starting scene of `kinegon new` and every kind of picture, and writes docs/gallery.md with the pictures in docs/gallery.
 //! Run with `cargo run --release --example gallery`.
 
-use std::error::Error;
-use std::fmt::Write;
-use std::fs;
-use std::path::{Path, PathBuf};
-
 use kinegon::Solution;
 use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch};
 use kinegon::drawing::{Drawing, curves, hodographs};
 use kinegon::format::structure;
 use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Scene, StyleName};
+use std::error::Error;
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
 const KINDS: [(&str, &str, &str); 19] = [

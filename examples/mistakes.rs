@@ -8,7 +8,7 @@
 
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, Candidate, Explanation, Given, Measured, Mistake, Student, Verdict, check};
-use kinegon::drafting::Tolerance;
+use kinegon::construction::Tolerance;
 use kinegon::exercise::{Number, each_number};
 use kinegon::geometry::Random;
 use kinegon::scene::Scene;
@@ -51,7 +51,7 @@ fn drawable(text: &str) -> Option<Solution> {
     let construction = &solution.construction;
     let is_drawn = construction.agreement.iter().all(Option::is_some);
     let sines = construction.plans().flat_map(|plan| &plan.steps).filter_map(|step| match step.action {
-        kinegon::plan::Action::Cross { sine, .. } => Some(sine.abs()),
+        kinegon::construction::Action::Cross { sine, .. } => Some(sine.abs()),
         _ => None,
     });
     let is_good = sines.fold(1.0, f64::min) > 0.3;

@@ -3,7 +3,7 @@
 
 use kinegon::Solution;
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
-use kinegon::plan::{Asked, Quantity};
+use kinegon::quantity::{Asked, Quantity};
 use kinegon::scene::{Builder, LengthUnit, NewLink, TimeUnit, Turn};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

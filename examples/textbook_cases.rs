@@ -3,13 +3,12 @@
 
 mod columns;
 
-use std::error::Error;
-use std::fmt::Write;
-
 use columns::{COLUMNS, wrap};
-use kinegon::plan::Quantity;
+use kinegon::quantity::Quantity;
 use kinegon::scene::Scene;
 use serde::Deserialize;
+use std::error::Error;
+use std::fmt::Write;
 
 /// A case with its printed answers.
 #[derive(Clone, Debug)]

@@ -40,7 +40,9 @@ pub mod words;
 
 mod cores;
 mod error;
+mod solve;
 
-pub use construction::{Solution, solve};
+pub use construction::Solution;
 pub use error::Error;
 pub use scene::Scene;
+pub use solve::solve;

@@ -4,14 +4,12 @@
 //! `figure-2-published.json` is that drawing, found again from the lengths read off it; [`table`] measures it and repeats
 //! the paper's arithmetic, early rounding and slips included. The exact values come from `figure-2.json`.
 
-use std::error::Error;
-
-use columns::{COLUMNS, wrap};
 use kinegon::Solution;
 use kinegon::geometry::{Line, Point, Vector, quarter_turn};
-use kinegon::plan::Quantity;
+use kinegon::quantity::Quantity;
 use kinegon::scene::Scene;
 use nalgebra::{Matrix4, Vector4};
+use std::error::Error;
 
 /// The mechanism with the lengths that the paper gives.
 const EXACT: &str = include_str!("../figure-2.json");

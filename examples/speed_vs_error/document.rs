@@ -1,13 +1,11 @@
 //! The survey in words: a table for the terminal, a page, numbers as JSON.
 
-use std::fmt::Write;
-
-use serde_json::{Value, json};
-
 use super::families::Family;
 use super::hand;
 use super::methods::Method;
 use super::survey::{Survey, median};
+use serde_json::{Value, json};
+use std::fmt::Write;
 
 /// The family by whose parameter the page shows how a special point gets lost.
 const SHOWN: Family = Family::Parallel;

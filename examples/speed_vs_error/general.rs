@@ -1,9 +1,8 @@
 //! The joint equations of all links in f64: twelve unknowns, solved by nalgebra.
 
-use nalgebra::{SMatrix, SVector};
-
 use super::joints::{Given, JointEquations};
 use super::measure::{Pins, Rates};
+use nalgebra::{SMatrix, SVector};
 
 /// Unknowns of a fourth-class group.
 const SIZE: usize = 12;

@@ -22,11 +22,10 @@ mod survey;
 #[allow(dead_code)] // tests use more of it
 mod truth;
 
+use kinegon::format;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
-
-use kinegon::format;
 use survey::{Survey, times};
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -1,12 +1,11 @@
 //! A fourth-class group with pins, its true motion, and how far a method's numbers are from it.
 
+use super::groups::Group;
+use super::truth::{Precise, Truth, error, error_of_pair, rounded, without_rounding};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
-
-use super::groups::Group;
-use super::truth::{Precise, Truth, error, error_of_pair, rounded, without_rounding};
 
 /// Half the distance from 1 to the next f64.
 pub const U: f64 = f64::EPSILON / 2.0;

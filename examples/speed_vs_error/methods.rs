@@ -1,14 +1,12 @@
 //! The methods that are compared: velocities and accelerations of a fourth-class group whose position is given.
 
-use kinegon::motion::{Order, motion};
-
 use super::general::{self, Solver};
 use super::groups::Group;
 use super::joints::{Given, JointEquations};
-use super::kernel;
 use super::measure::{Case, Rates};
-use super::naive;
 use super::single::Single;
+use super::{kernel, naive};
+use kinegon::motion::{Order, motion};
 
 /// A way to the numbers; by hand is none of them, see `hand`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -119,7 +119,7 @@ impl Check {
             input.map_or(Ok(()), |input| files::keep_input(what, input, output))?;
         }
         let form = Report::of(output, self.json)?;
-        warn_of(&solution);
+        warn_of(solution);
         let class = Class {
             folder,
             others: [Some(&self.scene), self.marks.as_deref()],

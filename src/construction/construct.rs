@@ -172,10 +172,24 @@ impl Construction {
     /// A step by its place among those of its sheet.
     #[must_use]
     pub fn step(&self, StepId { sheet, index }: StepId) -> Option<&Step> {
-        match self.plan_on(sheet) {
-            Some(plan) => plan.steps.get(index),
-            None => self.scheme.get(index),
+        match sheet {
+            Sheet::Scheme => self.scheme.get(index),
+            _ => self.plan_on(sheet)?.steps.get(index),
         }
+    }
+
+    /// Which step gives each quantity, by the quantity's name; the first where several do.
+    #[must_use]
+    pub fn steps_of_quantities(&self) -> IndexMap<String, StepId> {
+        let mut steps = IndexMap::new();
+        for step in self.numbered_steps() {
+            let sheet = step.sheet();
+            let index = step.number - self.step_number(StepId { sheet, index: 0 });
+            for name in step.names() {
+                steps.entry(name).or_insert(StepId { sheet, index });
+            }
+        }
+        steps
     }
 
     /// Carries out all operations with `disturbances` in their order; without any the values are those of the plans.

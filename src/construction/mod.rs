@@ -32,7 +32,7 @@ pub use operation::{
 };
 pub use run::{Change, Disturbance, Drawable, SheetScales, Tolerance, Values};
 pub use sentence::{Teller, plain_text, rate_symbol, shown_text};
-pub use solution::{Solution, solve};
+pub use solution::Solution;
 pub use step::{
     Action, Added, Arrow, ArrowKind, LegEquation, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step, VectorOf,
 };

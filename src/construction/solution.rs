@@ -1,9 +1,8 @@
 use super::construct::{Construction, construct};
 use super::sentence::{no_construction, plain_text};
-use crate::Error;
-use crate::mechanism::{Mechanism, mechanism};
+use crate::mechanism::Mechanism;
 use crate::motion::{Motion, MotionError, Order, motion};
-use crate::position::{Pose, pose};
+use crate::position::Pose;
 use crate::scene::Scene;
 use crate::words::Wording;
 
@@ -20,24 +19,6 @@ pub struct Solution {
     pub motion: Motion,
     /// The plans of that motion.
     pub construction: Construction,
-}
-
-/// Solves a scene: position, velocities, accelerations and both plans.
-///
-/// ```
-/// let scene = kinegon::Scene::read(include_str!("../../examples/figure-2.json"))?;
-/// let solution = kinegon::solve(&scene)?;
-/// let link = solution.mechanism.link("4").expect("the scene has a link 4");
-/// assert!((solution.motion.body(link).omega - -0.474663754894).abs() < 1e-12);
-/// # Ok::<(), kinegon::Error>(())
-/// ```
-///
-/// # Errors
-/// It is no mechanism, cannot be assembled, or is in a singular position.
-pub fn solve(scene: &Scene) -> Result<Solution, Error> {
-    let mechanism = mechanism(scene)?;
-    let pose = pose(&mechanism, &scene.near)?;
-    Ok(Solution::new(scene.clone(), mechanism, pose, Order::Acceleration)?)
 }
 
 impl Solution {

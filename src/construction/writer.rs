@@ -32,7 +32,7 @@ pub(crate) struct Writer<'a> {
     /// Nearer to a line or a place than this counts as being there.
     pub near: f64,
     /// The step to which operations belong.
-    pub(super) step: Option<StepId>,
+    pub step: Option<StepId>,
     /// Whether a hand could do what is written now, as far as that depends on nothing else.
     pub(super) by_hand: bool,
     guides: Vec<Option<LineId>>,
@@ -160,7 +160,12 @@ impl<'a> Writer<'a> {
         }
         self.exact.resize(counts);
         self.exact.run(&does, [0.0; 2], 1.0);
-        let step = self.step.filter(|step| step.sheet == sheet);
+        // What is given, and sums and lines between points, can be there long before the step that needs them.
+        let is_own = matches!(
+            does,
+            Does::Draw { .. } | Does::Cross { .. } | Does::LayOff { .. } | Does::Measure { .. } | Does::Solve { .. }
+        );
+        let step = self.step.filter(|step| is_own && step.sheet == sheet);
         self.construction.operations.push(Operation { sheet, step, part, does, by_hand });
     }
 

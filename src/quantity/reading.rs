@@ -3,9 +3,10 @@
 use super::name::{Asked, Component, Normality, Spot, What};
 use crate::construction::{
     Along, Construction, Does, End, How, NumberId, NumberKind, Part, PlaceId, PlanKind, Product, ProductKind, Sheet,
-    Solution, SpecialId, Writer, image_name, normal_name, written,
+    Solution, SpecialId, StepId, Writer, image_name, normal_name, written,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
+use indexmap::IndexMap;
 
 /// How a quantity is read: a number of the construction, and what its sign says.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,7 +70,8 @@ pub enum Unread {
 /// length are measured once more, with an error of their own.
 #[must_use]
 pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<Result<Reading, Unread>>) {
-    let mut reader = Reader { writer: written(&solution.mechanism, &solution.pose, &solution.motion) };
+    let writer = written(&solution.mechanism, &solution.pose, &solution.motion);
+    let mut reader = Reader { steps: writer.construction.steps_of_quantities(), writer };
     let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
     let mut construction = reader.writer.construction;
     construction.operations.retain(|operation| operation.by_hand);
@@ -78,6 +80,8 @@ pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<
 
 struct Reader<'a> {
     writer: Writer<'a>,
+    /// Which step gives each quantity.
+    steps: IndexMap<String, StepId>,
 }
 
 /// Where a vector stands in a plan, or what it is computed from.
@@ -152,6 +156,7 @@ impl Reader<'_> {
 
     /// Measures for a reader.
     fn measure(&mut self, sheet: Sheet, name: &str, ends: [PlaceId; 2], how: How) -> NumberId {
+        self.writer.step = self.steps.get(name).copied();
         self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how)
     }
 

@@ -3,16 +3,11 @@
 use crate::support::browser::Browser;
 use crate::support::files;
 use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::stages::Stages;
+use crate::support::stages::solved;
 use base64::Engine;
 use flate2::read::GzDecoder;
 use kinegon::cycle::Drive;
-use kinegon::drawing::stepwise;
-use kinegon::format::svg;
-use crate::support::program::{kinegon, scratch, stderr};
 use serde_json::Value;
-use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::stages::solved;
 use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::{Path, PathBuf};

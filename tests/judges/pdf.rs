@@ -1,12 +1,10 @@
 //! Figures as PDF: true size, letters that are found, fonts that come with the file, the same bytes every time.
 
-use crate::support::files;
-use crate::support::stages::Stages;
-use crate::support::tools;
+use crate::support::stages::solved;
+use crate::support::{files, tools};
 use kinegon::drawing::{Drawing, Pen, PlacedText, Point, RichText, Shape};
 use kinegon::format::PdfError;
 use lopdf::{Dictionary, Document, Object};
-use crate::support::stages::solved;
 use std::sync::OnceLock;
 
 /// Every starting scene and example by its name, drawn.

@@ -4,14 +4,12 @@
 //! in the other picture is like it: if they all differ by more than half of black to white in some colour. Edges never are, whatever the
 //! smoothing; a label that has moved by half a millimetre, a subscript or a prime that is missing leave dozens of such pixels, or at least five.
 
-use crate::support::files;
-use crate::support::stages::Stages;
-use crate::support::tools;
+use crate::support::stages::solved;
+use crate::support::{files, tools};
 use kinegon::drawing::{Drawing, ITALIC, Mark, Pen, REGULAR, Shape, Vec2};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::fontdb::{Database, Source};
 use resvg::usvg::{Options, Tree};
-use crate::support::stages::solved;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;

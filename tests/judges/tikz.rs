@@ -1,15 +1,10 @@
 //! Figures as TikZ: every one compiles alone and inside a document, texts are formulas, nothing of a title reaches LaTeX as a command.
 
-use crate::support::files;
-use crate::support::tools;
+use crate::support::stages::solved;
+use crate::support::{files, tools};
+use kinegon::Solution;
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{self, Drawing, Pen, PlacedText, Point, RichText, Shape};
-use kinegon::format::tikz;
-use kinegon::mechanism::mechanism;
-use kinegon::position::pose;
-use kinegon::scene::Scene;
-use kinegon::Solution;
-use crate::support::stages::solved;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 

@@ -1,11 +1,10 @@
 //! What the library claims of its accuracy, on families of hard fourth-class groups (`examples/speed_vs_error/families.rs`).
 
-use crate::speed_vs_error::document;
 use crate::speed_vs_error::families::Family;
-use crate::speed_vs_error::joints;
 use crate::speed_vs_error::methods::{Method, Prepared};
 use crate::speed_vs_error::survey::{Survey, median};
 use crate::speed_vs_error::truth::{Precise, Truth, rounded};
+use crate::speed_vs_error::{document, joints};
 use crate::support::exact::minus;
 use crate::support::files::{self, scene_text};
 use crate::support::random::Random;

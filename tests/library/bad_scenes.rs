@@ -1,11 +1,10 @@
 //! Every scene of `tests/bad_scenes` and every style of `tests/bad_styles` is refused with exactly the message beside it
 //! (`NAME.json`, `NAME.txt`). A new case is a new pair of files.
 
-use std::fs;
-use std::path::Path;
-
 use kinegon::drawing::Style;
 use kinegon::scene::{Scene, SceneError};
+use std::fs;
+use std::path::Path;
 
 #[test]
 fn every_bad_scene_is_refused_with_its_message() {

@@ -8,15 +8,12 @@
 
 use crate::examples::gallery;
 use crate::support::files;
-use crate::support::stages::Stages;
+use crate::support::stages::{answer_key, solved};
 use kinegon::check::{Marks, Measured, check, redrawn};
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Style};
 use kinegon::scene::Scene;
-use kinegon::words::Wording;
-use kinegon::{drawing, format, mechanism, position};
 use kinegon::{Solution, drawing, format};
-use crate::support::stages::{answer_key, solved};
 use std::path::PathBuf;
 
 /// Compares, and leaves what came out beside the test's other products for a look.

@@ -4,11 +4,10 @@
 
 use crate::support::faults::{covers, faults, id};
 use crate::support::files::{self, read};
-use crate::support::stages::Stages;
+use crate::support::stages::solved;
 use kinegon::drawing::{Drawing, Mark, Pen, Point, Shape};
 use kinegon::format::{Text, svg_with};
 use kinegon::scene::NotationName;
-use crate::support::stages::solved;
 
 /// Points by name and where they are.
 type Places = Vec<(String, [f64; 2])>;

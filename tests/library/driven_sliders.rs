@@ -3,16 +3,15 @@
 //!
 //! `tests/driven_sliders/README.md` says where the true numbers come from. A new case is a new pair of files.
 
-use std::path::{Path, PathBuf};
 use crate::support::comparison::{Comparison, decimal, entries};
 use crate::support::exact::exceeds;
-use kinegon::format::{self, ResultFile, Solved};
+use crate::support::stages::solved;
 use kinegon::Solution;
+use kinegon::construction::{Action, ArrowKind, Plan, PlanKind, image_name};
 use kinegon::format::ResultFile;
 use kinegon::geometry::{Vector, cross, direction_of_degrees};
-use kinegon::plan::{Action, Part, Plan, PlanKind, image_name};
 use serde_json::{Value, json};
-use stages::solved;
+use std::path::{Path, PathBuf};
 
 /// Errors allowed, in units of the condition number of the velocity equations.
 const BOUND: f64 = 1e-14;
@@ -239,13 +238,13 @@ fn plans_close_and_show_what_drives_add() {
             if !constructed {
                 continue;
             }
-            let has = |part: Part, length: f64| {
-                let arrows = plan.arrows().filter(|arrow| arrow.part == part);
+            let has = |kind: ArrowKind, length: f64| {
+                let arrows = plan.arrows().filter(|arrow| arrow.kind() == kind);
                 let mut lengths = arrows.filter_map(|a| Some(plan.segment(&a.from, &a.to)?.norm()));
                 let close = |l: f64| (l - length).abs() <= 1e-13 * condition * length;
                 assert!(
                     length == 0.0 || lengths.any(close),
-                    "{name}: no {part:?} vector of {length} in the {:?} plan",
+                    "{name}: no {kind:?} vector of {length} in the {:?} plan",
                     plan.kind
                 );
             };
@@ -255,12 +254,12 @@ fn plans_close_and_show_what_drives_add() {
                 };
                 let rate = |key: &str| drive[key].as_f64().unwrap_or(0.0).abs();
                 match plan.kind {
-                    PlanKind::Velocity => has(Part::Sliding, rate("speed")),
+                    PlanKind::Velocity => has(ArrowKind::Sliding, rate("speed")),
                     PlanKind::Acceleration => {
-                        has(Part::Sliding, rate("acceleration"));
+                        has(ArrowKind::Sliding, rate("acceleration"));
                         let key = ["link", "on"].map(|key| slider[key].as_str().expect("a name"));
                         let truth = &case.expect["sliders"][key.join("/")];
-                        has(Part::Coriolis, number(&truth["coriolis"]).abs());
+                        has(ArrowKind::Coriolis, number(&truth["coriolis"]).abs());
                     }
                 }
             }

@@ -2,24 +2,19 @@
 //!
 //! The truth is that of the positions given, with 256 bits, from the joint equations of all links (`examples/speed_vs_error`).
 
-use crate::support::files;
-use std::thread;
 use crate::speed_vs_error::families::Family;
 use crate::speed_vs_error::truth::{ROUNDING, Truth, error};
+use crate::support::files;
 use crate::support::groups::{Base, Group};
 use crate::support::planted::{Planted, pattern};
 use crate::support::random::Random;
-use families::Family;
-use crate::support::groups::{Base, Group};
+use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::mechanism::{Mechanism, Role, mechanism};
 use kinegon::motion::{Order, motion};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
-use crate::support::planted::{Planted, pattern};
-use crate::support::random::Random;
-use crate::support::stages::solved;
-use truth::{ROUNDING, Truth, error};
+use std::thread;
 
 /// Mechanisms of each kind: few enough for every day in a debug build, a million in all in a release build.
 const CASES: u64 = if cfg!(debug_assertions) { 400 } else { 250_000 };

@@ -5,13 +5,11 @@
 
 use crate::support::faults::{MOST_BYTES, faults, id};
 use crate::support::files;
-use crate::support::stages::Stages;
+use crate::support::stages::solved;
+use kinegon::construction::{Construction, Plan, PlanKind, PointRole};
 use kinegon::cycle::Film;
 use kinegon::drawing::{Drawing, Shape, Style};
-use kinegon::plan::{Construction, Plan, PlanKind, PointRole};
 use kinegon::scene::StyleName;
-use kinegon::words::Wording;
-use crate::support::stages::solved;
 use std::path::PathBuf;
 
 /// Positions of each scene: where the crank turns all the way round, every 30°.

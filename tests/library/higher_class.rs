@@ -3,6 +3,7 @@
 use crate::support::files;
 use crate::support::planted::{KNOWN, Planted};
 use crate::support::random::Random;
+use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{Mechanism, mechanism};
@@ -10,7 +11,6 @@ use kinegon::motion::{MotionError, Order, motion};
 use kinegon::position::{AssemblyError, Pose, pose, poses};
 use kinegon::scene::Scene;
 use serde_json::{Value, json};
-use stages::solved;
 
 /// Random groups tried.
 const GROUPS: usize = if cfg!(debug_assertions) { 2 } else { 120 };

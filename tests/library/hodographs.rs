@@ -2,11 +2,11 @@
 
 use crate::support::faults::{faults, id};
 use crate::support::files;
+use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::cycle::{Drive, Hodograph, Hodographs, Path};
 use kinegon::drawing::{Drawing, Pen, Point, Shape, hodographs};
 use kinegon::scene::Scene;
-use stages::solved;
 use std::f64::consts::PI;
 
 /// An in-line slider-crank: crank 50 mm, rod 150 mm, 100 rad/s.

@@ -6,10 +6,10 @@
 
 #![expect(clippy::excessive_precision, reason = "facts stand here with all digits in which they are known")]
 
-use kinegon::plan::{Plan, Quantity, quantity};
-use kinegon::Solution;
-use kinegon::plan::{Plan, Quantity};
 use crate::support::stages::solved;
+use kinegon::Solution;
+use kinegon::construction::Plan;
+use kinegon::quantity::Quantity;
 
 const FIGURE_1: &str = r#"{ "kinegon": 1,
   "title": "Quintero et al. (2011), Figure 1",

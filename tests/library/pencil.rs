@@ -4,14 +4,13 @@
 use crate::support::exact::exceeds;
 use crate::support::files;
 use crate::support::random::Random;
-use kinegon::Solution;
-use kinegon::drafting::{
-    Act, Band, Change, Deed, Disturbance, Drafting, Error, Reading, Sheet, SheetScales, Tolerance, Unread,
-    drafting_with, readable_names,
-};
-use kinegon::plan::{Asked, Quantity, step_names};
-use crate::support::random::Random;
 use crate::support::stages::solved;
+use kinegon::Solution;
+use kinegon::construction::{
+    Change, Construction, Disturbance, Does, ErrorUnit, NumberId, Operation, Product, ProductKind, Sheet, SheetScales,
+    Tolerance,
+};
+use kinegon::quantity::{Asked, Band, Quantity, Reading, Sense, Unread, read_by_hand, readable_names, step_names};
 
 /// Every starting scene and the examples.
 fn scenes() -> Vec<(String, String)> {
@@ -24,7 +23,7 @@ fn scenes() -> Vec<(String, String)> {
 struct Sheets {
     solution: Solution,
     asked: Vec<Asked>,
-    drafting: Drafting,
+    drawn: Construction,
     readings: Vec<Result<Reading, Unread>>,
 }
 
@@ -40,14 +39,18 @@ impl Sheets {
         names.extend(points.iter().flat_map(|p| [format!("x({p})"), format!("y({p})")]));
         let asked = names.iter().map(|name| Asked::new(name, mechanism));
         let asked: Vec<Asked> = asked.map(|a| a.expect("a known name")).collect();
-        let (drafting, readings) = drafting_with(&solution, &asked);
-        Sheets { asked, drafting, readings, solution }
+        let (drawn, readings) = read_by_hand(&solution, &asked);
+        Sheets { asked, drawn, readings, solution }
     }
 
     fn scales(&self) -> SheetScales {
-        let scales = self.solution.scales();
-        let given = [scales.length, scales.velocity, scales.acceleration];
-        SheetScales { per_mm: given.map(|s| s.expect("all three panels")) }
+        SheetScales { per_mm: self.solution.scales().all().map(|s| s.expect("all three panels")) }
+    }
+
+    /// The number from which a quantity is read.
+    fn number(&self, name: &str) -> NumberId {
+        let index = self.asked.iter().position(|asked| asked.name() == name).expect("it is asked for");
+        self.readings[index].as_ref().expect("it is read").number
     }
 
     fn truth(&self, asked: &Asked) -> f64 {
@@ -118,7 +121,7 @@ fn of_every_pattern_of_joints_too() {
 /// Compares every number and every plan point of the undisturbed replay with the plans and the numeric solution; how many there were.
 fn compare(scene: &str, sheets: &Sheets, within: f64, wrong: &mut Vec<String>) -> usize {
     let scales = SheetScales { per_mm: [1.0; 3] };
-    let values = sheets.drafting.replay(scales, &[]);
+    let values = sheets.drawn.run(scales, &[]);
     let mut compared = 0;
     for (asked, reading) in sheets.asked.iter().zip(&sheets.readings) {
         let name = asked.name();
@@ -138,12 +141,12 @@ fn compare(scene: &str, sheets: &Sheets, within: f64, wrong: &mut Vec<String>) -
         if size.is_some_and(|size| sheets.truth(size) < 1e-9 * sheets.largest(size)) {
             continue;
         }
-        let off = if reading.is_magnitude {
+        let off = if reading.sense == Sense::Magnitude {
             reading.value(&values) - truth.abs()
         } else {
             reading.difference(&values, truth)
         };
-        let scale = if reading.is_angle { 180.0 } else { sheets.largest(asked) };
+        let scale = if reading.sense == Sense::Angle { 180.0 } else { sheets.largest(asked) };
         compared += 1;
         if exceeds(off.abs(), within * scale) {
             let value = reading.value(&values);
@@ -153,9 +156,9 @@ fn compare(scene: &str, sheets: &Sheets, within: f64, wrong: &mut Vec<String>) -
     for plan in sheets.solution.construction.plans() {
         let size = plan.points.values().map(|p| p.vector.norm());
         let size = size.fold(0.0, f64::max);
-        let sheet = Sheet::of(plan.kind);
+        let sheet = plan.kind.sheet();
         for (name, point) in &plan.points {
-            let Some(place) = sheets.drafting.place(sheet, name) else {
+            let Some(place) = sheets.drawn.place(sheet, name) else {
                 wrong.push(format!("{scene}: no {name} in the {}", sheet.name()));
                 continue;
             };
@@ -184,29 +187,28 @@ fn honest_drawings_keep_to_the_bands() {
         let there: Vec<(&Asked, Reading)> =
             there.filter_map(|(asked, reading)| Some((asked, *reading.as_ref().ok()?))).collect();
         let readings: Vec<Reading> = there.iter().map(|t| t.1).collect();
-        let bands = sheets.drafting.bands(scales, &tolerance, &readings);
-        let exact = sheets.drafting.replay(scales, &[]);
-        let errors: Vec<(usize, usize, Error)> = sheets
-            .drafting
-            .acts
+        let bands = sheets.drawn.bands(scales, &tolerance, &readings);
+        let exact = sheets.drawn.run(scales, &[]);
+        let errors: Vec<(usize, usize, ErrorUnit)> = sheets
+            .drawn
+            .operations
             .iter()
             .enumerate()
-            .flat_map(|(act, a)| {
-                let errors = a.deed.errors().iter().enumerate();
-                errors.map(move |(which, error)| (act, which, *error))
+            .flat_map(|(index, operation)| {
+                let errors = operation.does.errors().iter().enumerate();
+                errors.map(move |(which, error)| (index, which, *error))
             })
             .collect();
         let mut off = vec![Vec::with_capacity(DRAWINGS); readings.len()];
         for _ in 0..DRAWINGS {
             let disturbances: Vec<Disturbance<'_>> = errors
                 .iter()
-                .map(|&(act, which, error)| {
+                .map(|&(operation, which, error)| {
                     let size = error.limit(&tolerance) * random.within(1.0);
-                    let change = Change::Error(which, size);
-                    Disturbance { act, change }
+                    Disturbance { operation, change: Change::Error(which, size) }
                 })
                 .collect();
-            let values = sheets.drafting.replay(scales, &disturbances);
+            let values = sheets.drawn.run(scales, &disturbances);
             for (reading, off) in readings.iter().zip(&mut off) {
                 let exact = exact.number(reading.number);
                 off.push(reading.difference(&values, exact).abs());
@@ -242,21 +244,21 @@ fn honest_drawings_keep_to_the_bands() {
 fn a_vector_laid_off_backwards_propagates() {
     let sheets = Sheets::of(&files::read("examples/figure-2.json"));
     let scales = SheetScales { per_mm: [1.0; 3] };
-    let drafting = &sheets.drafting;
-    let b = drafting.place(Sheet::Velocity, "b").expect("v_B is there");
-    let laid = |act: &Act| matches!(act.deed, Deed::LayOff { place, .. } if place == b);
-    let act = drafting.acts.iter().position(laid).expect("it is laid off");
-    let mut backwards = drafting.acts[act].clone();
-    if let Deed::LayOff { quarter_turns, .. } = &mut backwards.deed {
-        *quarter_turns += 2;
+    let drawn = &sheets.drawn;
+    let b = drawn.place(Sheet::Velocity, "b").expect("v_B is there");
+    let laid = |operation: &Operation| operation.does.place() == Some(b);
+    let operation = drawn.operations.iter().position(laid).expect("it is laid off");
+    let mut backwards = drawn.operations[operation].does.clone();
+    if let Does::LayOff { along, .. } = &mut backwards {
+        *along = along.turned(2);
     }
-    let mistake = Disturbance { act, change: Change::Instead(&backwards) };
-    let right = drafting.replay(scales, &[]);
-    let wrong = drafting.replay(scales, &[mistake]);
+    let mistake = Disturbance { operation, change: Change::Instead(&backwards) };
+    let right = drawn.run(scales, &[]);
+    let wrong = drawn.run(scales, &[mistake]);
     for (name, sign) in
         [("omega(2)", -1.0), ("omega(4)", -1.0), ("v_r(3/2)", -1.0), ("alpha(4)", 1.0), ("a_r(3/2)", 1.0)]
     {
-        let number = drafting.number(name).expect("it is solved for");
+        let number = sheets.number(name);
         let [right, wrong] = [&right, &wrong].map(|values| values.number(number));
         assert!((wrong - sign * right).abs() < 1e-9 * right.abs(), "{name}: {wrong}, not {right}");
     }
@@ -267,19 +269,20 @@ fn a_vector_laid_off_backwards_propagates() {
 fn a_forgotten_coriolis_part_propagates() {
     let sheets = Sheets::of(&files::read("templates/slotted-lever.json"));
     let scales = SheetScales { per_mm: [1.0; 3] };
-    let drafting = &sheets.drafting;
-    let twice = |act: &Act| match &act.deed {
-        Deed::Compute { sum, .. } => sum.iter().any(|p| p.factor.abs() == 2.0),
+    let drawn = &sheets.drawn;
+    let coriolis = |p: &Product| p.kind == ProductKind::Coriolis;
+    let is_twice = |operation: &Operation| match &operation.does {
+        Does::Compute { sum, .. } => sum.iter().any(coriolis),
         _ => false,
     };
-    let act = drafting.acts.iter().position(twice).expect("2 ω v_r is computed");
-    let mut forgotten = drafting.acts[act].clone();
-    if let Deed::Compute { sum, .. } = &mut forgotten.deed {
-        sum.retain(|p| p.factor.abs() != 2.0);
+    let operation = drawn.operations.iter().position(is_twice).expect("2 ω v_r is computed");
+    let mut forgotten = drawn.operations[operation].does.clone();
+    if let Does::Compute { sum, .. } = &mut forgotten {
+        sum.retain(|p| !coriolis(p));
     }
-    let mistake = Disturbance { act, change: Change::Instead(&forgotten) };
-    let alpha = drafting.number("alpha(3)").expect("it is solved for");
-    let [right, wrong] = [vec![], vec![mistake]].map(|m| drafting.replay(scales, &m).number(alpha));
+    let mistake = Disturbance { operation, change: Change::Instead(&forgotten) };
+    let alpha = sheets.number("alpha(3)");
+    let [right, wrong] = [vec![], vec![mistake]].map(|m| drawn.run(scales, &m).number(alpha));
     let Solution { mechanism, pose, motion, .. } = &sheets.solution;
     let lever = mechanism.link("3").expect("the lever");
     let [b, d] = ["B", "D"].map(|p| mechanism.point(p).expect("a joint"));

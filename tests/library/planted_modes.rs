@@ -6,15 +6,14 @@
 //! are not far enough apart. The Jacobian that says so, and gives the velocities, is made here from the joints of all links, apart from
 //! the library.
 
-use std::collections::BTreeMap;
-
 use crate::support::planted::{Planted, pattern};
 use crate::support::random::Random;
+use kinegon::construction::construct;
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Order, motion};
-use kinegon::plan::construction;
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
+use std::collections::BTreeMap;
 
 /// Groups of each class.
 const GROUPS: usize = if cfg!(debug_assertions) { 800 } else { 4000 };
@@ -128,7 +127,7 @@ fn moves(planted: &Planted, mechanism: &Mechanism, pose: &Pose) -> Result<(), St
             return Err(format!("b{} turns with {omega} in place of {truth}", link + 2));
         }
     }
-    for agreement in construction(mechanism, pose, &motion).agreement.iter().flatten() {
+    for agreement in construct(mechanism, pose, &motion).agreement.iter().flatten() {
         if agreement.difference > agreement.allowed {
             return Err(format!("the routes differ: {agreement:?}"));
         }

@@ -7,7 +7,7 @@
 use crate::support::comparison::{Comparison, angle_error, decimal, entries, size, slider_name};
 use crate::support::exact::{exceeds, minus};
 use crate::support::files;
-use crate::support::stages::Stages;
+use crate::support::stages::solved;
 use kinegon::Error;
 use kinegon::format::ResultFile;
 use kinegon::geometry::degrees_of;
@@ -16,7 +16,6 @@ use kinegon::motion::MotionError;
 use kinegon::position::{AssemblyError, pose};
 use kinegon::scene::Scene;
 use serde_json::Value;
-use crate::support::stages::solved;
 
 const U: f64 = f64::EPSILON / 2.0;
 

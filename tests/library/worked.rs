@@ -5,10 +5,8 @@ use crate::examples::textbook_cases::{Case, cases, markdown, plain};
 use crate::support::comparison::Comparison;
 use crate::support::exact::exceeds;
 use crate::support::files;
-use crate::support::stages::Stages;
-use serde_json::Value;
 use crate::support::stages::solved;
-use textbook_cases::{Case, cases, markdown, plain};
+use serde_json::Value;
 
 /// Errors allowed, relative to the largest quantity of a kind.
 const BOUND: f64 = 1e-10;

@@ -2,12 +2,10 @@
 
 use crate::support::faults::{faults, panels};
 use crate::support::files;
-use kinegon::drawing::{Drawing, Mark, Shape, scales};
-use kinegon::format::svg;
+use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::drawing::{Drawing, Mark, Shape};
-use crate::support::stages::solved;
-use kinegon::plan::{Asked, Quantity, measured_names};
+use kinegon::quantity::{Asked, Quantity, measured_names};
 
 /// Every way to lay a sheet.
 const PAGES: [&str; 6] = ["a4", "a4-portrait", "a3", "a3-portrait", "letter", "letter-portrait"];

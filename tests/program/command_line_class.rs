@@ -3,11 +3,8 @@
 use crate::support::files;
 use crate::support::program::{kinegon, scratch, stderr};
 use crate::support::random::Random;
-use kinegon::check::{Drawn, Measured, Mistake, Student};
-use kinegon::drafting::Tolerance;
-use kinegon::drawing::scales;
-use kinegon::check::{Measured, Mistake, Student};
 use crate::support::stages::{answer_key, solved};
+use kinegon::check::{Measured, Mistake, Student};
 use std::path::{Path, PathBuf};
 use std::process::Output;
 

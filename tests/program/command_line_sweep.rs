@@ -2,9 +2,7 @@
 
 use crate::support::program::{kinegon, scratch, stderr};
 use kinegon::cycle::{Drive, Path as Branch, Steps, Sweep};
-use kinegon::{format, mechanism, position, scene};
 use kinegon::{Scene, Solution, format, solve};
-use crate::support::program::{kinegon, scratch, stderr};
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};

@@ -3,17 +3,15 @@
 use crate::support::files;
 use crate::support::program::{self, kinegon, scratch, stderr};
 use crate::support::random::Random;
-use kinegon::check::{Drawn, Given, Measured, Student, Verdict, check};
-use kinegon::drafting::Tolerance;
+use crate::support::stages::{answer_key, solved};
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, Given, Measured, Student, Verdict, check};
+use kinegon::construction::{Action, PlanKind};
 use kinegon::drawing::Shape;
 use kinegon::exercise::{Exercise, ExerciseError, Exercises, Refusal};
 use kinegon::geometry::{Point, Vector};
-use kinegon::plan::{Action, PlanKind};
 use kinegon::scene::{Figure, Page, PageSize};
 use serde_json::Value;
-use crate::support::stages::{answer_key, solved};
 use std::path::Path;
 
 /// All kinds of `kinegon new` with their scenes.

@@ -3,14 +3,12 @@
 use crate::support::faults::{faults, id};
 use crate::support::files;
 use crate::support::program::{kinegon, scratch, stderr};
+use crate::support::stages::{answer_key, solved};
 use kinegon::Solution;
 use kinegon::check::{self, Checked, Measured, Mistake, PointsOf, Student};
+use kinegon::construction::PlanKind;
 use kinegon::drawing::{Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay};
-use kinegon::plan::PlanKind;
 use kinegon::scene::{PageSize, Panel};
-use kinegon::words::Wording;
-use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::stages::{answer_key, solved};
 
 fn solution(scene: &str) -> Solution {
     solved(&files::read(scene)).expect("a good scene")

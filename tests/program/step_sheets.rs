@@ -1,15 +1,12 @@
 //! Sheets step by step: everything keeps its place, each step shows and says something of its own, words keep to their box.
 
-use crate::support::files::{self, read};
-use kinegon::drawing::{Drawing, Emphasis, Mark, Pen, Rect, Shape, stepwise};
-use kinegon::format::{Text, layered_svg, svg};
-use kinegon::plan::Action;
 #[cfg(feature = "cli")]
-use crate::support::files::read;
+use crate::support::files::{self, read};
+use crate::support::stages::solved;
 use kinegon::Solution;
+use kinegon::construction::Action;
 use kinegon::drawing::{Drawing, Emphasis, Mark, Pen, Rect, Shape};
 use kinegon::format::{Text, layered_svg};
-use crate::support::stages::solved;
 use std::collections::BTreeSet;
 
 /// By how much a slanted letter may lean over the next word, in mm.
@@ -105,7 +102,7 @@ fn each_step_draws_what_it_does() {
                 Action::SpecialPoint { point, .. } => spelt(point),
                 _ => true,
             };
-            assert!(good || !whole, "{name}, step {number} ({kind}): {}", step.caption);
+            assert!(good || !whole, "{name}, step {number} ({kind}): {:?}", step.action);
         }
     }
     assert_eq!(seen.len(), 5, "{seen:?}");

@@ -3,11 +3,9 @@
 
 use crate::support::files;
 use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::stages::Stages;
+use crate::support::stages::solved;
 use kinegon::drawing::{Colour, Drawing, Emphasis, Look, Mark, Pen, Shape, Style};
 use kinegon::scene::StyleName;
-use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::stages::solved;
 use std::collections::BTreeSet;
 
 fn example(number: u8) -> Drawing {

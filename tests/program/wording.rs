@@ -2,17 +2,15 @@
 
 use crate::support::files;
 use crate::support::program::{self, kinegon, stderr};
-use kinegon::Solution;
+use crate::support::stages::solved;
 use kinegon::check::Mistake;
+use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Path};
-use kinegon::drafting::{Tolerance, pencil};
 use kinegon::drawing::{Drawing, Shape, curves};
-use kinegon::format;
-use kinegon::plan::{Asked, step_names};
+use kinegon::quantity::{Asked, pencil, step_names};
 use kinegon::scene::{LanguageName, NotationName, Scene};
 use kinegon::words::Wording;
-use crate::support::program::{kinegon, stderr};
-use crate::support::stages::solved;
+use kinegon::{Solution, format};
 
 /// Scenes of every kind: starting scenes, examples, cylinders, drawn configurations with special points at infinity.
 fn scenes() -> Vec<(String, String)> {
@@ -235,7 +233,7 @@ fn results_do_not_depend_on_the_wording() {
             let solution = solved(text).unwrap_or_else(|error| panic!("{name}: {error}"));
             let plans = solution.construction.plans();
             let points: Vec<_> = plans.map(|plan| plan.points.clone()).collect();
-            (format::json(&solution.result()), points, solution.construction.warnings)
+            (format::json(&solution.result()), points, solution.warnings().collect::<Vec<String>>())
         };
         for notation in NotationName::ALL {
             let worded = with(&text, &[("notation", notation.as_str()), ("language", "es"), ("decimal", "comma")]);

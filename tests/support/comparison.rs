@@ -1,11 +1,9 @@
 //! One result against what is expected of it, number by number.
 
-use std::collections::BTreeMap;
-
+use super::exact::{Exact, minus};
 use kinegon::format::{PointResult, ResultFile};
 use serde_json::Value;
-
-use super::exact::{Exact, minus};
+use std::collections::BTreeMap;
 
 /// Distance of a special point, in sizes of the mechanism, from which "at infinity" is a fair answer though it is not quite there.
 const NEXT_TO_INFINITY: f64 = 1e8;

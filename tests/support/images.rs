@@ -3,10 +3,10 @@
 
 use super::changes::{ACCELERATION_BOUND, BOUND, Sizes, U};
 use kinegon::Solution;
+use kinegon::construction::{Plan, PlanKind, coincident_name, image_name};
 use kinegon::format::ResultFile;
 use kinegon::geometry::{Point, Vector, quarter_turn};
 use kinegon::mechanism::BodyId;
-use kinegon::plan::{Plan, PlanKind, coincident_name, image_name};
 
 /// A point of a link and its image in a plan.
 struct Imaged {

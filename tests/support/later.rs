@@ -1,11 +1,10 @@
 //! A scene a moment later or earlier, and what differences of positions say of its rates.
 
+use super::comparison::entries;
 use super::stages::solved;
 use kinegon::Error;
 use kinegon::format::ResultFile;
 use serde_json::Value;
-
-use super::comparison::entries;
 
 /// The scene a moment later or earlier: every drive turned or pushed as its rates say, on the branch of `now`.
 fn moved(scene: &Value, now: &ResultFile, time: f64) -> String {

@@ -1,11 +1,9 @@
 //! Random groups in a known position, written down by lengths.
 
+use super::random::Random;
+use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 use std::fmt::Write;
-
-use nalgebra::{DMatrix, DVector};
-
-use super::random::Random;
 
 const DYADS: [&str; 7] = ["RRR", "RRP", "PRR", "RPR", "PRP", "RPP", "PPR"];
 

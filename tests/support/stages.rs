@@ -1,7 +1,7 @@
 //! A scene taken through all stages.
 
 use kinegon::check::AnswerKey;
-use kinegon::drafting::Tolerance;
+use kinegon::construction::Tolerance;
 use kinegon::{Error, Scene, Solution, solve};
 
 /// A scene's text, solved.

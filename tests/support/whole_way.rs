@@ -1,16 +1,14 @@
 //! Hostile scenes on the whole way: an error that can be shown, or figure and result with nothing but finite numbers.
 
-use kinegon::Error;
-use kinegon::drafting::{Tolerance, pencil};
+use super::stages::solved;
+use kinegon::construction::Tolerance;
 use kinegon::drawing::Drawing;
 use kinegon::format::{self, ResultFile};
-use kinegon::plan::{Asked, Quantity, measured_names, step_names};
+use kinegon::quantity::{Asked, Quantity, measured_names, pencil, step_names};
 use kinegon::scene::Scene;
+use kinegon::{Error, Solution};
 use resvg::usvg::roxmltree::Document;
 use serde_json::Value;
-
-use super::stages::solved;
-use kinegon::Solution;
 
 /// Reads the text; an error must be one that can be shown.
 pub fn reading(text: &str) {

@@ -5,7 +5,7 @@ use super::four_bars::FourBar;
 use super::{TURN, U, path, posed};
 use kinegon::cycle::{Happening, Path};
 use kinegon::mechanism::SliderId;
-use kinegon::plan::State;
+use kinegon::quantity::State;
 
 /// How exactly a change position is located, in turns.
 const LOCATED: f64 = 1e-12;

@@ -4,7 +4,7 @@ use super::ends::apart;
 use super::{TURN, followed, path, posed, scenes};
 use kinegon::cycle::{Drive, Path, Position, alone};
 use kinegon::mechanism::{Mechanism, Role, SliderId};
-use kinegon::plan::State;
+use kinegon::quantity::State;
 use serde_json::Value;
 
 /// The scene with all lengths times a factor, moved by a vector.

@@ -5,7 +5,7 @@ use super::{TURN, U, path, posed};
 use crate::support::exact::Exact;
 use crate::support::random::Random;
 use kinegon::cycle::Happening;
-use kinegon::plan::State;
+use kinegon::quantity::State;
 
 /// Four-bars of each kind.
 const BARS: usize = if cfg!(debug_assertions) { 5 } else { 50 };

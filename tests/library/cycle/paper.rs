@@ -6,7 +6,7 @@ use crate::support::exact::{exceeds, minus};
 use kinegon::cycle::{Happening, Position};
 use kinegon::geometry::degrees_of;
 use kinegon::mechanism::{Mechanism, Role, SliderId};
-use kinegon::plan::State;
+use kinegon::quantity::State;
 use serde_json::Value;
 use std::collections::BTreeMap;
 

@@ -7,7 +7,7 @@ use kinegon::cycle::{Path, Position};
 use kinegon::geometry::span;
 use kinegon::mechanism::{BodyId, Mechanism, Role, SliderId};
 use kinegon::motion::{Order, motion};
-use kinegon::plan::State;
+use kinegon::quantity::State;
 use std::f64::consts::{PI, TAU};
 
 /// Halving the step of central differences quarters their error, within this part.

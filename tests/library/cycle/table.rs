@@ -4,7 +4,7 @@ use super::changes::parallelogram;
 use super::{followed, path, posed, scenes};
 use kinegon::cycle::{CycleError, Path, Steps, Sweep};
 use kinegon::format;
-use kinegon::plan::{QuantityError, State};
+use kinegon::quantity::{QuantityError, State};
 
 const FIGURE_2: &str = include_str!("../../../examples/figure-2.json");
 

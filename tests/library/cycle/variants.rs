@@ -5,8 +5,8 @@ use crate::support::random::Random;
 use kinegon::cycle::{CycleError, Variants};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Order, motion};
-use kinegon::plan::State;
 use kinegon::position::{Pose, pose};
+use kinegon::quantity::State;
 use kinegon::scene::Scene;
 use serde_json::Value;
 

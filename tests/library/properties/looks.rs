@@ -1,8 +1,7 @@
 //! The same mechanism looked at in another way: turned, mirrored, in other units, with other names, in another order.
 
-use serde_json::{Map, Value, json};
-
 use crate::support::groups::{Names, Pair};
+use serde_json::{Map, Value, json};
 
 /// How a mechanism is looked at.
 #[derive(Clone, Copy, Debug)]

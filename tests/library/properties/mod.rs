@@ -10,17 +10,15 @@ use crate::support::changes::{self, Change, U, compare};
 use crate::support::groups::Names;
 use crate::support::images::dissimilarity;
 use crate::support::later;
-use crate::support::stages::Stages;
-use kinegon::Error;
-use kinegon::Solution;
+use crate::support::stages::solved;
 use kinegon::format::ResultFile;
 use kinegon::mechanism::StructureError;
+use kinegon::{Error, Solution};
 use looks::{Look, renamed, reversed};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, RngSeed};
 use scenes::{Scene, scenes, varied};
 use serde_json::Value;
-use crate::support::stages::solved;
 
 /// Positions that are less certain than this are left to the tests that know how uncertain.
 const HARDEST: f64 = 1e3;

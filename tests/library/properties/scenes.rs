@@ -1,16 +1,14 @@
 //! Random scenes: the templates with other lengths, places and drives, and random groups.
 
-use std::fmt;
-use std::sync::LazyLock;
-
-use proptest::collection::vec;
-use proptest::prelude::*;
-use serde_json::{Value, json};
-
 use crate::support::files::templates;
 use crate::support::groups::{Group, regular_patterns};
 use crate::support::planted::{Planted, pattern};
 use crate::support::random::Random;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use serde_json::{Value, json};
+use std::fmt;
+use std::sync::LazyLock;
 
 /// A scene, shown as its text.
 #[derive(Clone)]
