@@ -41,7 +41,7 @@ fn drawn(mut solution: Solution, measured: &Measured, depth: usize) -> Drawings 
 
 /// The values of somebody who makes one mistake in one of its ways and is exact elsewhere but for what a ruler shows.
 fn with_mistake(solution: &Solution, mistake: Mistake, way: usize) -> Measured {
-    let right = answer_key(&solution, 1);
+    let right = answer_key(solution, 1);
     let student = Student::new(&right).expect("all sheets");
     let ways = student.ways(mistake);
     student.draw(&[&ways[way]], [0.05, 0.05], &mut || 0.3, &[])
@@ -65,7 +65,7 @@ const FOUR_BAR: &str = "templates/four-bar.json";
 /// Places of the plan points of a four-bar on a sheet that is turned by 12°, its point c in the velocity plan moved by `moved` mm.
 fn points(solution: &Solution, moved: [f64; 2]) -> Measured {
     let (sin, cos) = libm::sincos(12.0_f64.to_radians());
-    let scales = answer_key(&solution, 1).scales;
+    let scales = answer_key(solution, 1).scales;
     let mu = [scales.length, scales.velocity, scales.acceleration];
     let plans = solution.construction.plans().zip(&mu[1..]);
     let points = plans.map(|(plan, mu)| {
