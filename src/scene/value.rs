@@ -2,10 +2,11 @@
 //!
 //! A wrong value is told which forms it may have.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use indexmap::IndexMap;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -14,16 +15,27 @@ use super::words::number;
 use super::write::{Write, Written, write_forms};
 
 /// Values by name, in the order of the file. A program can give a name twice; a text in which one stands twice is refused.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
-#[serde(transparent, bound(deserialize = "T: Deserialize<'de>"))]
-pub(super) struct Entries<T>(
-    #[serde(deserialize_with = "entries")]
-    #[schemars(with = "IndexMap<String, T>")]
-    pub Vec<(String, T)>,
-);
+#[derive(Debug, Clone)]
+pub(super) struct Entries<T>(pub Vec<(String, T)>);
 
-fn entries<'de, T: Deserialize<'de>, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<(String, T)>, D::Error> {
-    IndexMap::<String, T>::deserialize(deserializer).map(|map| map.into_iter().collect())
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Entries<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        IndexMap::<String, T>::deserialize(deserializer).map(|map| Entries(map.into_iter().collect()))
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Entries<T> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        IndexMap::<String, T>::schema_name()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        IndexMap::<String, T>::json_schema(generator)
+    }
 }
 
 impl<T> Default for Entries<T> {
