@@ -72,7 +72,7 @@ impl Default for Figure {
     /// All three panels with everything on them, on A4 landscape, at scales that fit.
     fn default() -> Self {
         Figure {
-            panels: vec![Panel::Scheme, Panel::Velocity, Panel::Acceleration],
+            panels: Panel::ALL.to_vec(),
             mu_l: None,
             mu_v: None,
             mu_a: None,

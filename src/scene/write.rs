@@ -119,7 +119,6 @@ write_forms! {
     String { text => text.as_str() }
     u64 { number => &(*number as f64) }
     usize { number => &(*number as f64) }
-    [f64; 2] { vector => &vector.to_vec() }
 }
 
 impl<T: Write> Write for Option<T> {
@@ -129,6 +128,12 @@ impl<T: Write> Write for Option<T> {
 }
 
 impl<T: Write> Write for Vec<T> {
+    fn written(&self) -> Written {
+        Written::List(self.iter().map(T::written).collect())
+    }
+}
+
+impl<T: Write, const N: usize> Write for [T; N] {
     fn written(&self) -> Written {
         Written::List(self.iter().map(T::written).collect())
     }
