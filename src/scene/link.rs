@@ -1,7 +1,5 @@
 //! Links: what the file says of one, and what it means: its points, what fixes them, its drive or motion.
 
-use std::collections::HashSet;
-
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -9,7 +7,7 @@ use serde::Deserialize;
 use super::drive::{Drive, LinkDrive, LinkDriveFile, SliderDrive, first_given};
 use super::form::{DRAWN, Form};
 use super::motion::LinkMotion;
-use super::name::check_name;
+use super::name::{check_list, check_name};
 use super::shape::{Shape, lengths, local};
 use super::units::TimeUnit;
 use super::value::{Entries, NamesOr, ShapePoint, several_forms};
@@ -166,13 +164,6 @@ fn points(name: &str, fields: &LinkFields) -> Result<Vec<String>, Wrong> {
             }
         };
     };
-    let mut seen = HashSet::new();
-    for (index, point) in points.iter().enumerate() {
-        let once = match seen.insert(point) {
-            true => Ok(()),
-            false => Err(Wrong::value(&[], format!("point {point} stands twice in link {name}"))),
-        };
-        check_name("a point", point).and(once).map_err(|wrong| wrong.inside(&["points", &index.to_string()]))?;
-    }
+    check_list(points, &format!(" in link {name}")).map_err(|wrong| wrong.inside(&["points"]))?;
     Ok(points.clone())
 }

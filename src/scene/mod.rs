@@ -3,8 +3,11 @@
 //! to something. It does not solve positions, count degrees of freedom, look for groups or read files: later stages do.
 //!
 //! In reading order: from text to types (`text` makes JSON of it, `typed` the types of any strict file), with the place of
-//! what is wrong (`wrong`, `place`, `words`); then the types that stand in a scene file, each with what must be true of it;
-//! `file` names them key by key, and `read` goes the whole way. `build` fills the same types in Rust, `write` writes them.
+//! what is wrong (`wrong`, `place`, `words`); then the parts of a scene, a file each, with the types that stand in the scene
+//! file, what a `Scene` makes of them and what must be true; `file` lists them key by key, and `read` goes the whole way.
+//! `build` fills the same types in Rust, and `write` lays their text out.
+//!
+//! To add a kind of joint: a file like `slider`; its key in `file`, its field and its line in `read`; its method in `build`.
 
 mod error;
 mod kind;
@@ -39,8 +42,9 @@ mod known;
 mod file;
 mod read;
 
-mod build;
 mod build_parts;
+
+mod build;
 
 pub use build::Builder;
 pub use build_parts::{Guide, NewLink, Push, Turn};

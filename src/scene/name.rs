@@ -1,5 +1,7 @@
 //! One name: what it may be made of; and keys that join two names.
 
+use std::collections::HashSet;
+
 use super::words::{close, list, shortened};
 use super::wrong::Wrong;
 
@@ -29,6 +31,19 @@ pub(super) fn check_name(what: &str, name: &str) -> Result<(), Wrong> {
     }
     if what == "a link" && name == "ground" {
         return Err(Wrong::key(&[], "a link cannot be called `ground`: that is the frame"));
+    }
+    Ok(())
+}
+
+/// Errors at names of a list of points that are no names or stand twice in it; `place` is empty or as ` in link 4`.
+pub(super) fn check_list(points: &[String], place: &str) -> Result<(), Wrong> {
+    let mut seen = HashSet::new();
+    for (index, point) in points.iter().enumerate() {
+        let inside = |wrong: Wrong| wrong.inside(&[&index.to_string()]);
+        check_name("a point", point).map_err(inside)?;
+        if !seen.insert(point) {
+            return Err(inside(Wrong::value(&[], format!("point {point} stands twice{place}"))));
+        }
     }
     Ok(())
 }

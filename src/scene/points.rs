@@ -1,11 +1,9 @@
 //! The frame and the points: every point has a place where the form needs one, and every name is a point of something.
 
-use std::collections::HashSet;
-
 use indexmap::IndexMap;
 
 use super::form::{DRAWN, Form};
-use super::name::check_name;
+use super::name::{check_list, check_name};
 use super::names::Names;
 use super::shape::check_apart;
 use super::value::{Entries, NamesOr, NearValue, Vector, several_forms};
@@ -63,14 +61,7 @@ pub(super) fn ground(
             return Err(Wrong::value(&["ground"], "the frame's points have no coordinates").hint(hint));
         }
         Some(Ground::Names(names)) => {
-            let mut seen = HashSet::new();
-            for (index, name) in names.iter().enumerate() {
-                let once = match seen.insert(name) {
-                    true => Ok(()),
-                    false => Err(Wrong::value(&[], format!("point {name} stands twice"))),
-                };
-                check_name("a point", name).and(once).map_err(|wrong| wrong.inside(&["ground", &index.to_string()]))?;
-            }
+            check_list(&names, "").map_err(|wrong| wrong.inside(&["ground"]))?;
             names
         }
         Some(Ground::Places(places)) => {
