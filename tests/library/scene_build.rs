@@ -237,6 +237,18 @@ fn mistakes_are_told_as_in_a_file() {
             "7:5: links.1: key `1` stands twice: first at line 6; hint: keep one of them",
         ),
         (start().link("1", crank().drive(Turn::rpm(3.0))), "key `drive` stands twice"),
+        (
+            start().link("1", crank().angle(3.0).angle(4.0)),
+            "links.1.angle: key `angle` stands twice; hint: keep one of them",
+        ),
+        (
+            start().link("1", crank()).pin("B", Guide::on("2").turned(1.0).turned(2.0)),
+            "sliders[0].turned: key `turned` stands",
+        ),
+        (
+            start().link("1", crank()).figure(Figure { step: Some(70_000), ..Figure::default() }),
+            "figure.step: expected a whole number from 1 to 65535, found the number 70000",
+        ),
         (start().link("1", bar(["A", "B"], "AB", f64::NAN).drive(Turn::omega(1.0).angle(0.0))), "NaN is not a number"),
         (start().link("1", crank()).near("C", [f64::NEG_INFINITY, 0.0]), "8:20: inf is not a number"),
         (start().link("1", bar(["A", "B"], "AC", 60.0)), "links.1.lengths.AC: "),
@@ -248,5 +260,15 @@ fn mistakes_are_told_as_in_a_file() {
     ] {
         let told = told(builder);
         assert!(told.contains(says), "{told}\nis not\n{says}");
+    }
+}
+
+#[test]
+fn a_negative_zero_is_read_back() {
+    let crank = bar(["A", "B"], "AB", 60.0).drive(Turn::omega(1.0).angle(0.0));
+    let builder = mm().ground("A", [0.0, 0.0]).link("1", crank).near("B", [-0.0, 0.0]);
+    for scene in [builder.build(), Scene::read(&builder.text())] {
+        let [x, y] = scene.expect("a good scene").near.points["B"];
+        assert!(x.is_sign_negative() && y.is_sign_positive());
     }
 }
