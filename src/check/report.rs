@@ -4,7 +4,7 @@ use super::diagnosis::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
 use super::verdict::{Checked, Drawn, Judged, Verdict};
 use crate::plan::{PlanKind, shown_text};
-use crate::words::{CheckWords, Wording};
+use crate::words::{Language, Wording};
 
 use super::order::numbered_steps;
 
@@ -15,7 +15,7 @@ pub fn report(checked: &Checked, drawn: &Drawn<'_>, words: &Wording) -> String {
     let mut lines = vec![page.counts()];
     let tolerance = &drawn.tolerance;
     let [mm, degrees] = [tolerance.mm, tolerance.degrees].map(|x| words.number(x.to_string()));
-    lines.push((page.own.tolerance)(&mm, &degrees));
+    lines.push(page.own.check_tolerance(&mm, &degrees));
     lines.push(String::new());
     lines.extend(page.table());
     lines.push(String::new());
@@ -40,12 +40,12 @@ pub(super) struct Page<'a> {
     pub checked: &'a Checked,
     drawn: &'a Drawn<'a>,
     words: &'a Wording,
-    pub own: &'static CheckWords,
+    pub own: &'static Language,
 }
 
 impl<'a> Page<'a> {
     pub(super) fn new(checked: &'a Checked, drawn: &'a Drawn<'a>, words: &'a Wording) -> Page<'a> {
-        Page { checked, drawn, words, own: words.language.check }
+        Page { checked, drawn, words, own: words.language }
     }
 }
 
@@ -54,13 +54,13 @@ impl Page<'_> {
     pub(super) fn counts(&self) -> String {
         let count = |verdict| {
             let values = self.checked.values.iter();
-            values.filter(|v| v.verdict == verdict).count()
+            values.filter(|v| v.verdict == verdict).count().to_string()
         };
-        (self.own.counts)(count(Verdict::Right), count(Verdict::WithinTolerance), count(Verdict::Off))
+        self.own.check_counts(&count(Verdict::Right), &count(Verdict::WithinTolerance), &count(Verdict::Off))
     }
 
     fn table(&self) -> Vec<String> {
-        let mut rows: Vec<[String; 8]> = vec![self.own.columns.map(str::to_owned)];
+        let mut rows: Vec<[String; 8]> = vec![self.own.check_columns().map(str::to_owned)];
         rows.extend(self.checked.values.iter().map(|value| self.row(value)));
         let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max();
         let widths: Vec<usize> = (0..8).map(|c| width(c).unwrap_or(0)).collect();
@@ -99,10 +99,10 @@ impl Page<'_> {
         });
         let tolerance = value.tolerance.map(|t| format!("±{}", self.number(t, 2)));
         let verdict = match value.verdict {
-            Verdict::Right => self.own.right,
-            Verdict::WithinTolerance => self.own.within,
-            Verdict::Off => self.own.off,
-            Verdict::Unjudged => self.own.unjudged,
+            Verdict::Right => self.own.check_right(),
+            Verdict::WithinTolerance => self.own.check_within(),
+            Verdict::Off => self.own.check_off(),
+            Verdict::Unjudged => self.own.check_unjudged(),
         };
         [
             entry.asked.name().to_owned(),
@@ -120,11 +120,11 @@ impl Page<'_> {
     pub(super) fn heading(&self) -> &'static str {
         let diagnosis = &self.checked.diagnosis;
         match diagnosis.best.findings.len() {
-            0 if self.has_nothing_to_explain() => self.own.nothing,
-            0 if diagnosis.unexplained.is_empty() => self.own.probably,
-            0 => self.own.none,
-            1 => self.own.probably,
-            _ => self.own.no_single,
+            0 if self.has_nothing_to_explain() => self.own.check_nothing(),
+            0 if diagnosis.unexplained.is_empty() => self.own.check_probably(),
+            0 => self.own.check_none(),
+            1 => self.own.check_probably(),
+            _ => self.own.check_no_single(),
         }
     }
 
@@ -154,7 +154,7 @@ impl Page<'_> {
         lines.extend(self.mirrored());
         if !diagnosis.others.is_empty() {
             lines.push(String::new());
-            lines.push(self.own.others.to_owned());
+            lines.push(self.own.check_others().to_owned());
             for other in &diagnosis.others {
                 let best = &diagnosis.best.findings;
                 let new = other.findings.iter().filter(|f| {
@@ -169,7 +169,7 @@ impl Page<'_> {
                         format!("{}: {done}", self.step(f))
                     })
                     .collect();
-                let end = if other.is_alike { self.own.alike.to_owned() } else { self.sure(other) };
+                let end = if other.is_alike { self.own.check_alike().to_owned() } else { self.sure(other) };
                 lines.push(format!("  - {} ({end})", told.join("; ")));
             }
         }
@@ -181,28 +181,28 @@ impl Page<'_> {
         let language = self.words.language;
         self.checked.mirrored.iter().map(|kind| {
             let plan = match kind {
-                PlanKind::Velocity => language.velocity_plan,
-                PlanKind::Acceleration => language.acceleration_plan,
+                PlanKind::Velocity => language.velocity_plan(),
+                PlanKind::Acceleration => language.acceleration_plan(),
             };
-            (self.own.mirrored)(&plan.to_lowercase())
+            self.own.check_mirrored(&plan.to_lowercase())
         })
     }
 
     /// The values without an explanation, where there are such.
     pub(super) fn unexplained(&self) -> Option<String> {
         let values = &self.checked.diagnosis.unexplained;
-        (!values.is_empty()).then(|| (self.own.unexplained)(&self.names(values)))
+        (!values.is_empty()).then(|| self.own.check_unexplained(&self.names(values)))
     }
 
     pub(super) fn sure(&self, explanation: &Explanation) -> String {
         let percent = (100.0 * explanation.probability).clamp(1.0, 99.0);
-        (self.own.sure)(&format!("{percent:.0}"))
+        self.own.check_sure(&format!("{percent:.0}"))
     }
 
     fn step(&self, finding: &Finding) -> String {
         match finding.candidate.step {
-            0 => self.own.whole.to_owned(),
-            number => (self.own.step)(number),
+            0 => self.own.check_whole().to_owned(),
+            number => self.own.check_step(&number.to_string()),
         }
     }
 
@@ -215,13 +215,13 @@ impl Page<'_> {
         let follows = match follows.as_slice() {
             // All values are touched by it.
             _ if candidate.mistake == Mistake::Truncated => None,
-            [] => Some(self.own.follows_none.to_owned()),
-            some => Some((self.own.follows)(&self.names(some))),
+            [] => Some(self.own.check_follows_none().to_owned()),
+            some => Some(self.own.check_follows(&self.names(some))),
         };
         Told {
             done: format!("{}: {done}.", self.step(finding)),
             caption: step.map(|s| shown_text(&s.step.caption, s.plan, self.words)),
-            should: format!("{}: {should}.", self.own.instead),
+            should: format!("{}: {should}.", self.own.check_instead()),
             follows,
         }
     }
@@ -234,14 +234,7 @@ impl Page<'_> {
 
 /// What was probably done in a mistake, and what it should be; numbers with the figure's decimal mark.
 pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
-    let blanks = candidate.blanks.iter().map(|blank| {
-        let is_number = blank.parse::<f64>().is_ok();
-        let blank = blank.clone();
-        if is_number { words.number(blank) } else { blank }
-    });
-    let blanks: Vec<String> = blanks.collect();
-    let own = candidate.mistake.words(words.language.check);
-    [(own.done)(&blanks), (own.should)(&blanks)]
+    words.mistake(candidate.mistake.words(), &candidate.blanks)
 }
 
 /// A number with so many significant digits, without trailing zeros behind the point.

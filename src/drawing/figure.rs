@@ -103,7 +103,7 @@ pub(super) fn compose(
     let mut drawing = Drawing::new(width, height);
     drawing.style = Style::named(scene.figure.style);
     let language = scheme.words.language;
-    let title = scene.title.as_deref().unwrap_or(language.title);
+    let title = scene.title.as_deref().unwrap_or(language.title());
     drawing.title = match shown {
         Shown::Overlay(Overlay { name: Some(name), .. }) => format!("{title} – {name}"),
         _ => title.to_owned(),
@@ -323,11 +323,11 @@ const TITLE_SIZE: f64 = 5.2;
 const HEADING_SIZE: f64 = 1.05 * CAPTION;
 const BEFORE_HEADING: f64 = 2.5;
 
-fn name(language: &Language, panel: Panel) -> &'static str {
+fn name(language: &Language, panel: Panel) -> &str {
     match panel {
-        Panel::Scheme => language.scheme,
-        Panel::Velocity => language.velocity_plan,
-        Panel::Acceleration => language.acceleration_plan,
+        Panel::Scheme => language.scheme(),
+        Panel::Velocity => language.velocity_plan(),
+        Panel::Acceleration => language.acceleration_plan(),
     }
 }
 
@@ -344,9 +344,9 @@ fn description(language: &Language, mechanism: &Mechanism, layout: &Layout) -> S
         .panels
         .iter()
         .map(|p| match p.panel {
-            Panel::Scheme => language.described_scheme,
-            Panel::Velocity => language.described_velocity_plan,
-            Panel::Acceleration => language.described_acceleration_plan,
+            Panel::Scheme => language.described_scheme(),
+            Panel::Velocity => language.described_velocity_plan(),
+            Panel::Acceleration => language.described_acceleration_plan(),
         })
         .collect();
     let groups: Vec<String> = mechanism
@@ -354,11 +354,11 @@ fn description(language: &Language, mechanism: &Mechanism, layout: &Layout) -> S
         .iter()
         .map(|g| {
             let class = match g.class {
-                Class::Higher => language.higher,
+                Class::Higher => language.higher(),
                 other => other.numeral(),
             };
-            (language.described_group)(class, &g.link_names(mechanism))
+            language.described_group(class, &g.link_names(mechanism))
         })
         .collect();
-    (language.description)(&panels.join(", "), &groups.join("; "))
+    language.description(&panels.join(", "), &groups.join("; "))
 }

@@ -151,12 +151,12 @@ fn comparison(language: &Language, construction: &Construction) -> String {
     let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
     match worst {
         Some(worst) if construction.agreement.iter().all(Option::is_some) => {
-            (language.agreement)(&power(worst.difference), &power(worst.allowed))
+            language.agreement(&power(worst.difference), &power(worst.allowed))
         }
         _ => {
             let mut special = construction.special.iter().flatten();
             let far = special.any(|s| s.place.finite().is_none());
-            let why = if far { language.one_route_far } else { language.one_route };
+            let why = if far { language.one_route_far() } else { language.one_route() };
             why.to_owned()
         }
     }

@@ -214,10 +214,10 @@ impl Page<'_> {
             }
             let text = RichText::math(&term.markup);
             let mut name = match term.part {
-                Some(NamedPart::Normal) => language.normal,
-                Some(NamedPart::Tangential) => language.tangential,
-                Some(NamedPart::Sliding) => language.sliding,
-                Some(NamedPart::Coriolis) => language.coriolis,
+                Some(NamedPart::Normal) => language.normal(),
+                Some(NamedPart::Tangential) => language.tangential(),
+                Some(NamedPart::Sliding) => language.sliding(),
+                Some(NamedPart::Coriolis) => language.coriolis(),
                 None => "",
             }
             .to_owned();
@@ -278,7 +278,7 @@ impl Page<'_> {
         }
         let words = &self.scheme.words;
         let degrees = words.number(format!("{:.2}", degrees_of(vector)));
-        (words.language.with_direction)(&size, &degrees.replace('-', "−"))
+        words.language.with_direction(&size, &degrees.replace('-', "−"))
     }
 
     fn significant(&self, value: f64) -> String {

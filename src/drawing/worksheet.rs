@@ -54,7 +54,7 @@ impl Worksheet {
         let language = scheme.words.language;
         let rows: Vec<Row> =
             rows(scheme, units).filter(|row| extents.iter().any(|(panel, _)| *panel == row.panel)).collect();
-        let mut table = table(language.segment, language.value, rows.len());
+        let mut table = table(language.segment(), language.value(), rows.len());
         let figure = scheme.figure;
         // No panel is larger than the page, so its scale is at least this one.
         let least = |panel: Panel| {
@@ -67,7 +67,7 @@ impl Worksheet {
             let most = millimetres(&scheme.words, row.value, least(row.panel));
             table.widen([&row.name, &most, &symbol(row.scale), &row.written, &row.unit]);
         }
-        Self { table, rows, ruler: language.ruler, is_blank: false }
+        Self { table, rows, ruler: language.ruler(), is_blank: false }
     }
 
     /// The parts of a room that it may take.

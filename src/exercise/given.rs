@@ -13,14 +13,13 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
     let mut all = teller.lengths();
     all.extend(teller.drives());
     all.extend(teller.motions(&file));
-    let own = words.language.exercise;
     let plans = [("μ_v", scales.velocity, Kind::Velocity), ("μ_a", scales.acceleration, Kind::Acceleration)];
     let plans = plans.into_iter().filter_map(|(symbol, mu, kind)| {
         let unit = kind.unit(scene.units);
         Some(format!("{symbol} = {} ({unit})/mm", teller.number(mu?)))
     });
     let plans: Vec<String> = plans.collect();
-    vec![(own.given)(&listed(&all)), (own.draw)(&listed(&plans))]
+    vec![words.language.exercise_given(&listed(&all)), words.language.exercise_draw(&listed(&plans))]
 }
 
 /// A list that breaks between its items only.
@@ -144,8 +143,7 @@ impl Teller<'_> {
                 (_, [0.0, 0.0]) => format!("{symbol} = 0"),
                 ([Some(size), Some(angle)], _) => {
                     let size = format!("{} {}", self.number(size), self.unit(kind));
-                    let sentence = self.words.language.with_direction;
-                    format!("{symbol} = {}", sentence(&size, &self.number(angle)))
+                    format!("{symbol} = {}", self.words.language.with_direction(&size, &self.number(angle)))
                 }
                 _ => format!("{symbol} = {} {}", self.pair(vector), self.unit(kind)),
             }

@@ -93,7 +93,7 @@ impl Exercise {
             format!("{symbol} = {}{allowed} {unit}", number(value, 4))
         });
         let rates: Vec<String> = rates.collect();
-        let sentence = (words.language.exercise.rates)(&listed(&rates));
+        let sentence = words.language.exercise_rates(&listed(&rates));
         let Exercise { scene, mechanism, pose, construction, .. } = self;
         key_sheet(scene, mechanism, pose, construction, &[sentence])
     }

@@ -16,14 +16,14 @@ pub fn steps(scene: &Scene, construction: &Construction, pencil: &Pencil) -> Str
     }
     page.scales_line();
     page.pencil_lines();
-    page.heading(language.on_the_mechanism);
+    page.heading(language.on_the_mechanism());
     for step in &construction.scheme {
         page.step(step, None);
     }
     for plan in construction.plans() {
         page.heading(match plan.kind {
-            PlanKind::Velocity => language.velocity_plan,
-            PlanKind::Acceleration => language.acceleration_plan,
+            PlanKind::Velocity => language.velocity_plan(),
+            PlanKind::Acceleration => language.acceleration_plan(),
         });
         for step in &plan.steps {
             page.step(step, Some(plan));
@@ -31,7 +31,7 @@ pub fn steps(scene: &Scene, construction: &Construction, pencil: &Pencil) -> Str
     }
     for agreement in construction.agreement.iter().flatten() {
         let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| format!("{x:.0e}"));
-        page.heading(&(language.routes_differ)(&difference, &allowed));
+        page.heading(&language.routes_differ(&difference, &allowed));
     }
     page.text
 }
@@ -81,10 +81,10 @@ impl Page<'_> {
         let kinds = [None, Some(PlanKind::Velocity), Some(PlanKind::Acceleration)];
         let entries = kinds.into_iter().zip(["μ_l", "μ_v", "μ_a"]).filter_map(|(kind, name)| {
             let mu = self.number(self.mu(kind)?.to_string());
-            Some((self.words.language.scale_per_mm)(name, &mu, &self.unit(kind)))
+            Some(self.words.language.scale_per_mm(name, &mu, &self.unit(kind)))
         });
         let entries: Vec<String> = entries.collect();
-        let line = (self.words.language.scales)(&entries.join(", "));
+        let line = self.words.language.scales(&entries.join(", "));
         self.line(&line);
     }
 
@@ -93,7 +93,7 @@ impl Page<'_> {
         let Tolerance { mm, degrees } = self.pencil.tolerance;
         let [mm, degrees] = [mm, degrees].map(|x| self.number(x.to_string()));
         let language = self.words.language;
-        self.line(&(language.bands)(&mm, &degrees));
+        self.line(&language.bands(&mm, &degrees));
         let mut reasons: Vec<&Unread> = Vec::new();
         for (_, band) in &self.pencil.quantities {
             if let Err(why @ (Unread::NoConstruction | Unread::NoSheet(_))) = band
@@ -104,15 +104,15 @@ impl Page<'_> {
         }
         for why in reasons {
             let sheet = match why {
-                Unread::NoSheet(Sheet::Scheme) => language.scheme,
-                Unread::NoSheet(Sheet::Velocity) => language.velocity_plan,
-                Unread::NoSheet(Sheet::Acceleration) => language.acceleration_plan,
+                Unread::NoSheet(Sheet::Scheme) => language.scheme(),
+                Unread::NoSheet(Sheet::Velocity) => language.velocity_plan(),
+                Unread::NoSheet(Sheet::Acceleration) => language.acceleration_plan(),
                 _ => {
-                    self.line(language.no_band_no_construction);
+                    self.line(language.no_band_no_construction());
                     continue;
                 }
             };
-            self.line(&(language.no_band_no_sheet)(&sheet.to_lowercase()));
+            self.line(&language.no_band_no_sheet(&sheet.to_lowercase()));
         }
     }
 
@@ -125,7 +125,7 @@ impl Page<'_> {
             let mm = self.number(format!("{:.2}", band.band / mu));
             format!(" ({mm} mm)")
         });
-        let rough = if band.is_rough { self.words.language.only_roughly } else { "" };
+        let rough = if band.is_rough { self.words.language.only_roughly() } else { "" };
         format!("; ± {} {unit}{}{rough}", self.number(significant(band.band, 2)), on_paper.unwrap_or_default())
     }
 
@@ -139,7 +139,7 @@ impl Page<'_> {
     fn measure(&self, value: f64, kind: Option<PlanKind>) -> String {
         let on_paper = self.mu(kind).map(|mu| {
             let mm = self.number(format!("{:.2}", value / mu));
-            format!(" ({})", (self.words.language.on_paper)(&mm))
+            format!(" ({})", self.words.language.on_paper(&mm))
         });
         format!("{} {}{}", self.digits(value), self.unit(kind), on_paper.unwrap_or_default())
     }
@@ -169,13 +169,13 @@ impl Page<'_> {
     /// The acute angle of a crossing with this sine.
     fn crossing(&self, sine: f64) -> String {
         let angle = libm::asin(sine.abs().min(1.0)).to_degrees();
-        (self.words.language.angle_of_crossing)(&self.degrees(angle))
+        self.words.language.angle_of_crossing(&self.degrees(angle))
     }
 
     /// A vector's size with its length on paper, and its direction.
     fn vector(&self, vector: Vector, kind: Option<PlanKind>) -> String {
         let size = self.measure(vector.norm(), kind);
-        (self.words.language.with_direction)(&size, &self.degrees(degrees_of(vector)))
+        self.words.language.with_direction(&size, &self.degrees(degrees_of(vector)))
     }
 
     /// Equation and values of a step, a line each.
@@ -214,7 +214,7 @@ impl Page<'_> {
                 lines
             }
             Action::Ray(ray) => {
-                let direction = (self.words.language.direction)(&self.degrees(degrees_of(ray.direction)));
+                let direction = self.words.language.direction(&self.degrees(degrees_of(ray.direction)));
                 if equation.is_empty() { vec![direction] } else { vec![format!("{equation}; {direction}")] }
             }
             Action::Cross { point, sine, .. } => {

@@ -119,9 +119,9 @@ impl CutLine {
             | LegKind::SliderThenPin { outer: slider, inner: pin }
             | LegKind::Slider { outer: slider, at: pin } => {
                 let guide = mechanism.slider_name(slider);
-                (words.language.normal_to_guide)(&guide, name(pin))
+                words.language.normal_to_guide(&guide, name(pin))
             }
-            LegKind::Sliders => words.language.line_at_infinity.to_owned(),
+            LegKind::Sliders => words.language.line_at_infinity().to_owned(),
         }
     }
 }

@@ -7,7 +7,7 @@ use super::step::{Plan, PlanKind, Relation};
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
-use crate::words::{NormalParts, Wording};
+use crate::words::{Language, Wording};
 
 /// A name within a caption.
 pub(super) fn written(name: &str) -> String {
@@ -58,10 +58,10 @@ fn low(names: &[&str]) -> String {
 pub(super) fn pole(words: &Wording, kind: PlanKind, images: &[String]) -> String {
     let (pole, scale) = (kind.pole_in(words.notation), kind.scale_name());
     if images.is_empty() {
-        return (words.language.choose_pole)(pole, scale);
+        return words.language.choose_pole(pole, scale);
     }
     let images: Vec<String> = images.iter().map(|i| written(i)).collect();
-    (words.language.choose_pole_with)(pole, scale, &images.join(", "))
+    words.language.choose_pole_with(pole, scale, &images.join(", "))
 }
 
 pub(super) fn special_point(
@@ -73,10 +73,10 @@ pub(super) fn special_point(
 ) -> String {
     let (name, language) = (written(name), words.language);
     match place {
-        Place::At(_) => (language.special_point)(&name, link, first, second),
+        Place::At(_) => language.special_point(&name, link, first, second),
         Place::AtInfinity(direction) => {
             let direction = words.number(format!("{:.2}", degrees_of(*direction)));
-            (language.special_point_at_infinity)(&name, link, &direction, first, second)
+            language.special_point_at_infinity(&name, link, &direction, first, second)
         }
     }
 }
@@ -86,7 +86,7 @@ pub(super) fn length(from: &str, to: &str) -> String {
 }
 
 pub(super) fn measure_length(words: &Wording, from: &str, to: &str) -> String {
-    (words.language.measure_length)(&written(from), &written(to))
+    words.language.measure_length(&written(from), &written(to))
 }
 
 /// Equation and caption of a known vector: that of body `base` at a point.
@@ -114,29 +114,29 @@ pub(super) fn known(
             match kind {
                 PlanKind::Velocity => (
                     format!("v{own} = ω_{link} {arm}").into(),
-                    (language.lay_off_velocity)(name, &line, link),
+                    language.lay_off_velocity(name, &line, link),
                 ),
                 PlanKind::Acceleration if *alpha == 0.0 => (
                     format!("a{own} = a^{n}{both} = ω_{link}^2 {arm}").into(),
-                    (language.lay_off_normal_acceleration)(name, k, link),
+                    language.lay_off_normal_acceleration(name, k, link),
                 ),
                 PlanKind::Acceleration => (
                     format!(
                         "a{own} = a^{n}{both} + a^{t}{both}, a^{n}{both} = ω_{link}^2 {arm}, a^{t}{both} = α_{link} {arm}"
                     )
                     .into(),
-                    (language.lay_off_whole_acceleration)(name, k, &line),
+                    language.lay_off_whole_acceleration(name, k, &line),
                 ),
             }
         }
         Role::Carrier { .. } => {
             let vector = format!("{letter}_{name}");
-            let caption = (language.lay_off_given)(&vector);
+            let caption = language.lay_off_given(&vector);
             (given(words, vector), caption)
         }
         _ => (
             format!("{letter}{}", low(&[under, &body.name])).into(),
-            (language.lay_off_point_under)(&body.name, &written(under)),
+            language.lay_off_point_under(&body.name, &written(under)),
         ),
     }
 }
@@ -145,16 +145,16 @@ pub(super) fn known(
 fn given(words: &Wording, vector: String) -> Equation {
     let mut equation = Equation::default();
     equation.vector(vector, Known::Entirely, None);
-    equation.words(words.language.given);
+    equation.words(words.language.given());
     equation
 }
 
 pub(super) fn ray(words: &Wording, through: &str, relation: Relation, line: &str, to: &str) -> String {
     let sentence = match relation {
-        Relation::Perpendicular => words.language.ray_normal,
-        Relation::Parallel => words.language.ray_parallel,
+        Relation::Perpendicular => Language::ray_normal,
+        Relation::Parallel => Language::ray_parallel,
     };
-    sentence(&written(through), line, &written(to))
+    sentence(words.language, &written(through), line, &written(to))
 }
 
 /// The equation behind a velocity ray; driven sliders on the way add their sliding velocities.
@@ -235,11 +235,11 @@ fn plus_or_minus(slide: &DrivenSlide) -> char {
 }
 
 pub(super) fn cross(words: &Wording, image: &str) -> String {
-    (words.language.cross)(&written(image))
+    words.language.cross(&written(image))
 }
 
 pub(super) fn measure(words: &Wording, from: &str, to: &str) -> String {
-    (words.language.measure_segment)(&written(from), &written(to))
+    words.language.measure_segment(&written(from), &written(to))
 }
 
 pub(super) fn measured(kind: PlanKind, from: &str, to: &str) -> String {
@@ -289,28 +289,28 @@ pub(super) fn normal(
         LegKind::Sliders => ("", vec![], None),
     };
     let parts: Vec<String> = normals.into_iter().flatten().collect();
-    let what = match (parts.len(), coriolis.is_some()) {
-        (2, _) => NormalParts::Both,
-        (1, true) => NormalParts::WithCoriolis,
-        (_, true) => NormalParts::Coriolis,
-        (_, false) => NormalParts::One,
+    let sentence = match (parts.len(), coriolis.is_some()) {
+        (2, _) => Language::lay_off_normal_parts,
+        (1, true) => Language::lay_off_normal_and_coriolis,
+        (_, true) => Language::lay_off_coriolis_part,
+        (_, false) => Language::lay_off_normal_part,
     };
     let language = words.language;
     let mut equation = Equation::default();
     let whole = format!("a^{}{}", words.notation.normal, low(&[s, start]));
     equation.vector(whole, Known::Entirely, None);
-    let mut between = language.made_from;
+    let mut between = language.made_from();
     for part in parts {
         equation.words(between);
         equation.sign(&part);
-        between = language.and;
+        between = language.and();
     }
     if let Some(part) = coriolis {
-        equation.words(&format!("{between}{}", language.coriolis_word));
+        equation.words(&format!("{between}{}", language.coriolis_word()));
         equation.sign(&part);
     }
     let line = cut.name(words, mechanism, s);
-    let caption = (language.lay_off_normal)(what, &line, &written(from), &written(to));
+    let caption = sentence(language, &line, &written(from), &written(to));
     (equation, caption)
 }
 
@@ -380,7 +380,7 @@ pub(super) fn leg_equation(
 
 pub(super) fn solve(words: &Wording, unknowns: &[(String, f64)]) -> String {
     let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
-    (words.language.solve)(&names.join(", "))
+    words.language.solve(&names.join(", "))
 }
 
 /// The symbol of a rate by its quantity name, in markup: `ω_{2}` for `omega(2)`.
@@ -397,9 +397,9 @@ pub fn rate_symbol(name: &str) -> String {
 pub(super) fn no_construction(words: &Wording, far: &[String]) -> String {
     let language = words.language;
     if far.is_empty() {
-        language.no_construction.to_owned()
+        language.no_construction().to_owned()
     } else {
-        (language.no_construction_far)(&far.join(language.and))
+        language.no_construction_far(&far.join(language.and()))
     }
 }
 
@@ -408,13 +408,13 @@ pub(super) fn image(words: &Wording, link: &str, from: &str, to: &str) -> (Strin
     let line = format!("{from}{to}");
     (
         format!("v{0} = ω_{link} L{0}", low(&[to, from])),
-        (words.language.lay_off_relative)(link, &written(to), &written(from), &line),
+        words.language.lay_off_relative(link, &written(to), &written(from), &line),
     )
 }
 
 /// Equation and caption of a sliding velocity.
 pub(super) fn sliding(words: &Wording, slider: &str, from: &str, to: &str) -> (String, String) {
-    let caption = (words.language.lay_off_sliding_velocity)(slider, false, &written(from), &written(to));
+    let caption = words.language.lay_off_sliding_velocity(slider, &written(from), &written(to));
     (format!("v_{}({slider})", words.notation.relative), caption)
 }
 
@@ -441,11 +441,19 @@ pub(super) fn driven(
     let minus = if backwards { "−" } else { "" };
     let (language, notation) = (words.language, words.notation);
     let (r, c) = (notation.relative, notation.coriolis);
-    let (equation, sentence) = match added {
-        Added::SlidingVelocity => (format!("{minus}v_{r}({name})"), language.lay_off_sliding_velocity),
-        Added::SlidingAcceleration => (format!("{minus}a_{r}({name})"), language.lay_off_sliding_acceleration),
-        Added::Coriolis => (format!("{minus}a_{c}({name}) = {minus}2 ω_{on} v_{r}({name})"), language.lay_off_coriolis),
+    let equation = match added {
+        Added::SlidingVelocity => format!("{minus}v_{r}({name})"),
+        Added::SlidingAcceleration => format!("{minus}a_{r}({name})"),
+        Added::Coriolis => format!("{minus}a_{c}({name}) = {minus}2 ω_{on} v_{r}({name})"),
     };
-    let caption = sentence(&name, backwards, &written(from), &written(to));
+    let sentence = match (added, backwards) {
+        (Added::SlidingVelocity, false) => Language::lay_off_sliding_velocity,
+        (Added::SlidingVelocity, true) => Language::lay_off_sliding_velocity_reversed,
+        (Added::SlidingAcceleration, false) => Language::lay_off_sliding_acceleration,
+        (Added::SlidingAcceleration, true) => Language::lay_off_sliding_acceleration_reversed,
+        (Added::Coriolis, false) => Language::lay_off_coriolis,
+        (Added::Coriolis, true) => Language::lay_off_coriolis_reversed,
+    };
+    let caption = sentence(language, &name, &written(from), &written(to));
     (equation, caption)
 }

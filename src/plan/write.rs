@@ -262,7 +262,7 @@ impl Writer<'_> {
             LegKind::PinThenSlider { inner: slider, .. }
             | LegKind::Slider { outer: slider, .. }
             | LegKind::SliderThenPin { outer: slider, .. } => {
-                (Relation::Parallel, (self.words.language.guide_of)(&self.mechanism.slider_name(slider)))
+                (Relation::Parallel, self.words.language.guide_of(&self.mechanism.slider_name(slider)))
             }
             LegKind::Sliders => (Relation::Parallel, cut.name(self.words, self.mechanism, &point.name)),
         };

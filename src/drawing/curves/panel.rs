@@ -114,7 +114,7 @@ impl Panel {
             power => format!("10^{{{}}} {unit}", power.to_string().replace('-', "−")),
         };
         let language = sheet.words.language;
-        let shows = (language.in_unit)(words::kind(language, self.kind), &unit);
+        let shows = language.in_unit(words::kind(language, self.kind), &unit);
         let heading = format!("({}) {shows}", self.letter);
         let baseline = Point::new(frame.x0, self.rows[0] + 5.2);
         let heading = PlacedText::new(RichText::plain(&heading), 1.05 * CAPTION, baseline);

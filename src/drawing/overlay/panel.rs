@@ -140,7 +140,7 @@ impl Overlay {
         }
         let mm = (target - edge).hypot();
         let mm = scheme.words.number(format!("{mm:.0}"));
-        let words = (scheme.words.language.check.beyond)(label, &mm);
+        let words = scheme.words.language.check_beyond(label, &mm);
         let wanted = canvas.label(&name, &words, tail, 1.0, None, 3);
         wanted.request.text = RichText::plain(&words);
         wanted.pen = Pen::StudentPoint;

@@ -101,9 +101,9 @@ impl Scheme<'_> {
                 let distance = (place - self.pose.point(start)).norm();
                 let name = self.mechanism.point_name(start);
                 let distance = self.words.number(significant(distance));
-                (self.words.language.far_away)(&label, &distance, name)
+                self.words.language.far_away(&label, &distance, name)
             }
-            Place::AtInfinity(_) => (self.words.language.at_infinity)(&label),
+            Place::AtInfinity(_) => self.words.language.at_infinity(&label),
         };
         let name = format!("point-{}", special.name);
         canvas.draw_named(&name, Pen::Special, Shape::Arrow { from: tail, to: edge });
