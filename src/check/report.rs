@@ -4,17 +4,17 @@ use super::diagnosis::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
 use super::verdict::{Checked, Drawn, Judged, Verdict};
 use crate::plan::{PlanKind, shown_text};
-use crate::words::{Language, Wording};
+use crate::words::{Language, Medium, NumberStyle, Wording};
 
 use super::order::numbered_steps;
 
 /// What is said to the student: verdicts in the order of the construction, then what probably happened.
 #[must_use]
 pub fn report(checked: &Checked, drawn: &Drawn<'_>, words: &Wording) -> String {
-    let page = Page::new(checked, drawn, words);
+    let page = Page::new(checked, drawn, words, Medium::Text);
     let mut lines = vec![page.counts()];
     let tolerance = &drawn.tolerance;
-    let [mm, degrees] = [tolerance.mm, tolerance.degrees].map(|x| words.number(x.to_string()));
+    let [mm, degrees] = [tolerance.mm, tolerance.degrees].map(|x| words.write(x, NumberStyle::shortest()));
     lines.push(page.own.check_tolerance(&mm, &degrees));
     lines.push(String::new());
     lines.extend(page.table());
@@ -41,11 +41,12 @@ pub(super) struct Page<'a> {
     drawn: &'a Drawn<'a>,
     words: &'a Wording,
     pub own: &'static Language,
+    medium: Medium,
 }
 
 impl<'a> Page<'a> {
-    pub(super) fn new(checked: &'a Checked, drawn: &'a Drawn<'a>, words: &'a Wording) -> Page<'a> {
-        Page { checked, drawn, words, own: words.language }
+    pub(super) fn new(checked: &'a Checked, drawn: &'a Drawn<'a>, words: &'a Wording, medium: Medium) -> Page<'a> {
+        Page { checked, drawn, words, own: words.language, medium }
     }
 }
 
@@ -78,8 +79,8 @@ impl Page<'_> {
         lines.collect()
     }
 
-    fn number(&self, value: f64, digits: i32) -> String {
-        self.words.number(significant(value, digits))
+    fn number(&self, value: f64, digits: usize) -> String {
+        self.words.write(value, significant(digits).on(self.medium))
     }
 
     /// A value in the columns of the table.
@@ -88,13 +89,13 @@ impl Page<'_> {
         let unit = entry.asked.kind().unit(self.drawn.units);
         let expected = if entry.is_magnitude { entry.expected.abs() } else { entry.expected };
         let on_paper = entry.per_mm.map(|mu| {
-            let mm = self.words.number(format!("{:+.2}", value.difference / mu));
+            let mm = self.words.write(value.difference / mu, signed(2).on(self.medium));
             format!("{mm} mm")
         });
         let percent = (entry.expected != 0.0).then(|| {
             let percent = 100.0 * value.difference / entry.expected.abs();
             let digits = if percent.abs() < 10.0 { 2 } else { 0 };
-            let percent = self.words.number(format!("{percent:+.digits$}"));
+            let percent = self.words.write(percent, signed(digits).on(self.medium));
             format!("{percent} %")
         });
         let tolerance = value.tolerance.map(|t| format!("±{}", self.number(t, 2)));
@@ -237,16 +238,12 @@ pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
     words.mistake(candidate.mistake.words(), &candidate.blanks)
 }
 
-/// A number with so many significant digits, without trailing zeros behind the point.
-pub(crate) fn significant(x: f64, count: i32) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let exponent = libm::floor(libm::log10(x.abs())) as i32;
-    if !(-5..12).contains(&exponent) {
-        return format!("{x:.*e}", count as usize - 1);
-    }
-    let after = (count - 1 - exponent).max(0) as usize;
-    let written = format!("{x:.after$}");
-    if written.contains('.') { written.trim_end_matches('0').trim_end_matches('.').to_owned() } else { written }
+/// How values of a report are written.
+pub(crate) const fn significant(digits: usize) -> NumberStyle {
+    NumberStyle::significant(digits).trimmed().in_full(-5, 12)
+}
+
+/// How differences are written.
+const fn signed(decimals: usize) -> NumberStyle {
+    NumberStyle::decimals(decimals).with_plus()
 }

@@ -188,8 +188,8 @@ pub fn misfits(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: 
             Panel::Acceleration => "mu_a",
         };
         let panel = name(Wording::default().language, placed.panel).to_lowercase();
-        let fitting = legend::short(&Wording::default(), fitting_scale(extent, placed.area));
-        let given = legend::short(&Wording::default(), placed.mu);
+        let [fitting, given] =
+            [fitting_scale(extent, placed.area), placed.mu].map(|mu| Wording::default().write(mu, legend::SCALE));
         (!fits).then(|| {
             format!(
                 "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"

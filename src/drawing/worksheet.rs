@@ -11,7 +11,7 @@ use super::stages::numbered;
 use super::table::{Cells, Table};
 use super::text::{PlacedText, RichText};
 use super::view::Extent;
-use super::words::significant;
+use super::words::{HUNDREDTHS, VALUE};
 use crate::plan::{Action, Kind, Plan, PlanKind};
 use crate::scene::{Panel, Units};
 use crate::words::Wording;
@@ -121,7 +121,7 @@ pub(super) fn symbol(scale: &str) -> RichText {
 /// A value in millimetres of paper at a scale.
 fn millimetres(words: &Wording, value: f64, mu: f64) -> RichText {
     let mm = if mu > 0.0 { value / mu } else { 0.0 };
-    RichText::plain(&words.number(format!("{mm:.2}")))
+    RichText::plain(&words.write(mm, HUNDREDTHS))
 }
 
 /// What is measured, and visible, in the order of the construction.
@@ -145,7 +145,7 @@ fn rows<'a>(scheme: &'a Scheme<'_>, units: Units) -> impl Iterator<Item = Row> +
             Some(own) => (Panel::Acceleration, Kind::Acceleration, own.scale_name()),
         };
         let name = |name: &str| scheme.shown(name, plan);
-        let written = scheme.words.number(significant(value));
+        let written = scheme.words.write(value, VALUE);
         Some(Row {
             step,
             panel,

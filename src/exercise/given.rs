@@ -1,8 +1,8 @@
 //! What a student is told besides the scheme: the numbers of the scene in sentences.
 
 use crate::plan::{Kind, Scales};
-use crate::scene::{At, Form, On, Scene, Shape};
-use crate::words::Wording;
+use crate::scene::{At, DecimalMark, Form, On, Scene, Shape};
+use crate::words::{Medium, NumberStyle, Wording};
 use serde_json::Value;
 
 /// All that is given, and at which scales the plans are to be drawn; in markup. Vectors are told as the scene's `text` has them, by components
@@ -35,7 +35,7 @@ struct Teller<'a> {
 
 impl Teller<'_> {
     fn number(&self, x: f64) -> String {
-        self.words.number(x.to_string()).replace('-', "−")
+        self.words.write(x, NumberStyle::shortest().on(Medium::Figure))
     }
 
     fn unit(&self, kind: Kind) -> String {
@@ -54,7 +54,7 @@ impl Teller<'_> {
 
     fn pair(&self, [x, y]: [f64; 2]) -> String {
         // Decimal commas must not run into the one between.
-        let mark = if self.words.number("0.5".into()).contains(',') { ";" } else { "," };
+        let mark = if self.words.decimal == DecimalMark::Comma { ";" } else { "," };
         format!("({}{mark} {})", self.number(x), self.number(y))
     }
 

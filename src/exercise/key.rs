@@ -6,7 +6,7 @@ use crate::check::{BANDS, numbered_steps, significant, template_csv, template_js
 use crate::drawing::{Drawing, key_sheet};
 use crate::plan::What;
 use crate::scene::schema_of;
-use crate::words::Wording;
+use crate::words::{Medium, Wording};
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -85,7 +85,7 @@ impl Exercise {
         let rates = self.values().into_iter();
         let rates = rates.filter(|(a, _)| !matches!(a.what(), What::Segment { .. } | What::Length(..)));
         let rates = rates.map(|(asked, value)| {
-            let number = |x: f64, digits: i32| words.number(significant(x, digits)).replace('-', "−");
+            let number = |x: f64, digits: usize| words.write(x, significant(digits).on(Medium::Figure));
             let symbol = asked.symbol(&self.mechanism, words.notation, &str::to_owned);
             let band = self.pencil.band(asked.name());
             let allowed = band.map_or_else(String::new, |band| format!(" ± {}", number(BANDS * band.band, 2)));

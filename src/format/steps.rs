@@ -2,8 +2,13 @@ use crate::drafting::{Pencil, Sheet, Tolerance, Unread};
 use crate::geometry::{Vector, degrees_of};
 use crate::plan::{Action, Construction, Plan, PlanKind, Step, plain_text, shown_text};
 use crate::scene::{Scene, Units};
-use crate::words::Wording;
+use crate::words::{NumberStyle, Wording};
 use std::fmt::Write;
+
+/// How lengths on paper and angles are written.
+const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2);
+/// How it is written how far two routes differ.
+const ONE_DIGIT: NumberStyle = NumberStyle::significant(1).in_full(0, 0);
 
 /// The construction as numbered text, each step with its values, its lengths in millimetres of paper and the bands of hand drawings.
 #[must_use]
@@ -30,7 +35,7 @@ pub fn steps(scene: &Scene, construction: &Construction, pencil: &Pencil) -> Str
         }
     }
     for agreement in construction.agreement.iter().flatten() {
-        let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| format!("{x:.0e}"));
+        let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
         page.heading(&language.routes_differ(&difference, &allowed));
     }
     page.text
@@ -56,10 +61,6 @@ impl Page<'_> {
         self.line(line);
     }
 
-    fn number(&self, written: String) -> String {
-        self.words.number(written)
-    }
-
     fn unit(&self, kind: Option<PlanKind>) -> String {
         let (length, time) = (self.units.length.as_str(), self.units.time.as_str());
         match kind {
@@ -80,7 +81,7 @@ impl Page<'_> {
     fn scales_line(&mut self) {
         let kinds = [None, Some(PlanKind::Velocity), Some(PlanKind::Acceleration)];
         let entries = kinds.into_iter().zip(["μ_l", "μ_v", "μ_a"]).filter_map(|(kind, name)| {
-            let mu = self.number(self.mu(kind)?.to_string());
+            let mu = self.words.write(self.mu(kind)?, NumberStyle::shortest());
             Some(self.words.language.scale_per_mm(name, &mu, &self.unit(kind)))
         });
         let entries: Vec<String> = entries.collect();
@@ -91,7 +92,7 @@ impl Page<'_> {
     /// What the bands mean, and why some values have none.
     fn pencil_lines(&mut self) {
         let Tolerance { mm, degrees } = self.pencil.tolerance;
-        let [mm, degrees] = [mm, degrees].map(|x| self.number(x.to_string()));
+        let [mm, degrees] = [mm, degrees].map(|x| self.words.write(x, NumberStyle::shortest()));
         let language = self.words.language;
         self.line(&language.bands(&mm, &degrees));
         let mut reasons: Vec<&Unread> = Vec::new();
@@ -122,11 +123,15 @@ impl Page<'_> {
             return String::new();
         };
         let on_paper = mu.map(|mu| {
-            let mm = self.number(format!("{:.2}", band.band / mu));
+            let mm = self.words.write(band.band / mu, HUNDREDTHS);
             format!(" ({mm} mm)")
         });
         let rough = if band.is_rough { self.words.language.only_roughly() } else { "" };
-        format!("; ± {} {unit}{}{rough}", self.number(significant(band.band, 2)), on_paper.unwrap_or_default())
+        format!(
+            "; ± {} {unit}{}{rough}",
+            self.words.write(band.band, NumberStyle::significant(2)),
+            on_paper.unwrap_or_default()
+        )
     }
 
     /// The band of a plan's segment.
@@ -138,7 +143,7 @@ impl Page<'_> {
     /// A value with its unit and its length on paper.
     fn measure(&self, value: f64, kind: Option<PlanKind>) -> String {
         let on_paper = self.mu(kind).map(|mu| {
-            let mm = self.number(format!("{:.2}", value / mu));
+            let mm = self.words.write(value / mu, HUNDREDTHS);
             format!(" ({})", self.words.language.on_paper(&mm))
         });
         format!("{} {}{}", self.digits(value), self.unit(kind), on_paper.unwrap_or_default())
@@ -159,11 +164,11 @@ impl Page<'_> {
 
     /// A number with seven significant digits.
     fn digits(&self, value: f64) -> String {
-        self.number(significant(value, 7))
+        self.words.write(value, NumberStyle::significant(7))
     }
 
     fn degrees(&self, degrees: f64) -> String {
-        self.number(format!("{degrees:.2}"))
+        self.words.write(degrees, HUNDREDTHS)
     }
 
     /// The acute angle of a crossing with this sine.
@@ -252,14 +257,4 @@ impl Page<'_> {
             }
         }
     }
-}
-
-/// A number with so many significant digits.
-fn significant(x: f64, count: i32) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let exponent = libm::floor(libm::log10(x.abs())) as i32;
-    let after = (count - 1 - exponent).max(0) as usize;
-    if (-4..9).contains(&exponent) { format!("{x:.after$}") } else { format!("{x:.*e}", count as usize - 1) }
 }

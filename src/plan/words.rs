@@ -7,7 +7,7 @@ use super::step::{Plan, PlanKind, Relation};
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
-use crate::words::{Language, Wording};
+use crate::words::{Language, NumberStyle, Wording};
 
 /// A name within a caption.
 pub(super) fn written(name: &str) -> String {
@@ -75,7 +75,7 @@ pub(super) fn special_point(
     match place {
         Place::At(_) => language.special_point(&name, link, first, second),
         Place::AtInfinity(direction) => {
-            let direction = words.number(format!("{:.2}", degrees_of(*direction)));
+            let direction = words.write(degrees_of(*direction), NumberStyle::decimals(2));
             language.special_point_at_infinity(&name, link, &direction, first, second)
         }
     }

@@ -10,11 +10,13 @@ mod catalogue;
 mod languages;
 mod mistakes;
 mod notation;
+mod number;
 mod sentences;
 
 pub use catalogue::Language;
 pub use mistakes::MistakeWords;
 pub use notation::{Notation, with_prime};
+pub use number::{Medium, NumberStyle, power_of_ten};
 
 use crate::scene::{DecimalMark, Figure, NotationName};
 
@@ -50,6 +52,12 @@ impl Wording {
             },
             decimal: figure.decimal,
         }
+    }
+
+    /// A number, with the decimal mark.
+    #[must_use]
+    pub fn write(&self, x: f64, style: NumberStyle) -> String {
+        style.write(x, self.decimal)
     }
 
     /// A number that was written with a point, with its decimal mark.

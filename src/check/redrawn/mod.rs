@@ -12,7 +12,7 @@ use crate::drafting::Sheet;
 use crate::drawing::{Overlay, OwnValue, WrongStep};
 use crate::plan::Action;
 use crate::scene::Panel;
-use crate::words::{Language, Wording};
+use crate::words::{Language, Medium, NumberStyle, Wording};
 use sheets::Sheets;
 
 /// Points that are turned by more than this to lie over the right ones are said to be, in degrees.
@@ -66,7 +66,7 @@ pub fn redrawn(
     }
     let (points, lines) = sheets.finish();
 
-    let page = Page::new(checked, drawn, words);
+    let page = Page::new(checked, drawn, words, Medium::Figure);
     let sure = (!findings.is_empty()).then(|| page.sure(&checked.diagnosis.best));
     let sure = sure.map_or_else(String::new, |sure| format!(" ({sure})"));
     let mut said = vec![format!("{}. {}{sure}", page.counts(), page.heading())];
@@ -88,7 +88,7 @@ pub fn redrawn(
     said.extend(page.mirrored());
     for (sheet, degrees) in turns {
         if degrees.abs() > TURNED {
-            let degrees = words.number(format!("{degrees:.0}").replace('-', "−"));
+            let degrees = words.write(degrees, NumberStyle::decimals(0).on(Medium::Figure));
             let plan = match sheet {
                 Sheet::Acceleration => language.acceleration_plan(),
                 _ => language.velocity_plan(),
@@ -96,7 +96,7 @@ pub fn redrawn(
             said.push(language.check_turned(&plan.to_lowercase(), &degrees));
         }
     }
-    let cells = |row: [String; 8]| COLUMNS.map(|column| row[column].replace('-', "−"));
+    let cells = |row: [String; 8]| COLUMNS.map(|column| row[column].clone());
     let values = checked.values.iter().enumerate();
     let values = values.map(|(index, value)| OwnValue {
         cells: {

@@ -15,7 +15,7 @@ use crate::drawing::text::RichText;
 use crate::drawing::view::{Extent, View, fitting_scale};
 use crate::geometry;
 use crate::plan::Kind;
-use crate::scene::Scene;
+use crate::scene::{DecimalMark, Scene};
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 
@@ -241,7 +241,7 @@ impl Panel<'_> {
             if !crate::drawing::clip::holds(canvas.bounds(), center) {
                 continue;
             }
-            let name = super::digits(values[0], 6);
+            let name = super::significant(6).write(values[0], DecimalMark::Point);
             let dot = Shape::Circle { center, radius: DOT };
             let mark = canvas.draw_named(&format!("tip-{name}"), Pen::Curve, dot);
             mark.number = Some(self.index);

@@ -20,7 +20,7 @@ use crate::cycle::{Curves, Happening};
 use crate::plan::Kind;
 use crate::scene::Scene;
 use crate::words::Wording;
-use axis::{Axis, digits};
+use axis::{Axis, significant};
 pub use hodograph::hodographs;
 use kurbo::{Point, Rect, Vec2};
 use panel::Panel;
@@ -177,8 +177,8 @@ impl Sheet<'_> {
     }
 
     /// A number with that many digits.
-    fn number(&self, value: f64, count: i32) -> String {
-        self.words.number(digits(value, count))
+    fn number(&self, value: f64, count: usize) -> String {
+        self.words.write(value, significant(count))
     }
 
     /// The axis of the drive's values.
