@@ -1,16 +1,16 @@
 //! Times of the stages: `cargo bench`. Times differ between machines; quote ratios of one run.
 
 use divan::{Bencher, black_box};
-use kinegon::check::{Drawn, Measured, check};
+use kinegon::check::{AnswerKey, Measured, check};
 use kinegon::cycle::{Drive, Path, Steps, Sweep, Walker};
 use kinegon::drafting::{SheetScales, Tolerance, drafting, pencil, readable_names};
 use kinegon::geometry::{MANY, Many};
-use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{Motion, Order, motion};
+use kinegon::mechanism::Mechanism;
+use kinegon::motion::{Order, motion};
 use kinegon::plan::{Asked, construction};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
-use kinegon::{drawing, format};
+use kinegon::{Solution, solve};
 
 const FIGURE_1: &str = include_str!("../examples/figure-1.json");
 const FIGURE_2: &str = include_str!("../examples/figure-2.json");
@@ -23,12 +23,8 @@ fn text(which: &str) -> &'static str {
     if which == "figure-1" { FIGURE_1 } else { FIGURE_2 }
 }
 
-fn solved(text: &str) -> (Scene, Mechanism, Pose, Motion) {
-    let scene = Scene::read(text).expect("a good scene");
-    let mechanism = mechanism(&scene).expect("a mechanism");
-    let pose = pose(&mechanism, &scene.near).expect("it can be assembled");
-    let motion = motion(&mechanism, &pose, Order::Acceleration).expect("it is not singular");
-    (scene, mechanism, pose, motion)
+fn solved(text: &str) -> Solution {
+    solve(&Scene::read(text).expect("a good scene")).expect("it can be solved")
 }
 
 /// Mechanisms of which many positions are computed: scene, and a range of the crank.
@@ -58,7 +54,7 @@ fn path<'a>(mechanism: &'a Mechanism, pose: &Pose, [from, to]: [f64; 2]) -> Path
 #[divan::bench(args = MOVED.map(|m| m.0), consts = [0, 1, 2])]
 fn thousand<const WHICH: usize>(bencher: Bencher, which: &str) {
     let (text, range) = moved(which);
-    let (_, mechanism, pose, _) = solved(text);
+    let Solution { mechanism, pose, .. } = solved(text);
     let path = path(&mechanism, &pose, range);
     let values: Vec<[f64; 1]> = (0..1000).map(|i| [range[0] + (range[1] - range[0]) * f64::from(i) / 1000.0]).collect();
     let mut walker = path.walker();
@@ -87,7 +83,7 @@ fn batch_with_joints<const WHICH: usize>(bencher: Bencher, which: &str) {
 
 fn batch<const WHICH: usize>(bencher: Bencher, which: &str, joints: bool) {
     let (text, range) = moved(which);
-    let (_, mechanism, pose, _) = solved(text);
+    let Solution { mechanism, pose, .. } = solved(text);
     let path = path(&mechanism, &pose, range);
     let values: Vec<f64> = (0..32_000).map(|i| range[0] + (range[1] - range[0]) * f64::from(i) / 32_000.0).collect();
     let mut walker = if joints { path.many_walker() } else { path.many_walker_without_places() };
@@ -114,7 +110,7 @@ fn walk<const WHICH: usize>(walker: &mut Walker<Many>, values: &[f64]) {
 #[divan::bench(args = [false, true])]
 fn batch_on_all_cores(bencher: Bencher, all: bool) {
     use rayon::prelude::*;
-    let (_, mechanism, pose, _) = solved(FIGURE_2);
+    let Solution { mechanism, pose, .. } = solved(FIGURE_2);
     let path = path(&mechanism, &pose, [-135.0, 135.0]);
     let count = 1_280_000;
     let value = |i: i32| -135.0 + 270.0 * f64::from(i) / f64::from(count);
@@ -144,7 +140,7 @@ fn sweep_100_000_on_all_cores(bencher: Bencher) {
 }
 
 fn sweep(bencher: Bencher, rows: impl Fn(&Sweep) -> kinegon::cycle::Numbers) {
-    let (_, mechanism, pose, _) = solved(FIGURE_2);
+    let Solution { mechanism, pose, .. } = solved(FIGURE_2);
     let path = path(&mechanism, &pose, [-135.0, 135.0]);
     let steps = Steps::new(-135.0, 135.0, 0.0027).expect("a range");
     let names = ["omega(4)", "alpha(4)", "v_r(3/2)", "a_r(3/2)"].map(String::from);
@@ -155,29 +151,27 @@ fn sweep(bencher: Bencher, rows: impl Fn(&Sweep) -> kinegon::cycle::Numbers) {
 /// All modes from lengths, and the choice among them.
 #[divan::bench]
 fn position(bencher: Bencher) {
-    let (scene, mechanism, ..) = solved(FIGURE_2);
+    let Solution { scene, mechanism, .. } = solved(FIGURE_2);
     bencher.bench(|| pose(black_box(&mechanism), &scene.near).expect("it can be assembled"));
 }
 
 /// Motion with all error bounds.
 #[divan::bench]
 fn motion_with_bounds(bencher: Bencher) {
-    let (_, mechanism, pose, _) = solved(FIGURE_2);
+    let Solution { mechanism, pose, .. } = solved(FIGURE_2);
     bencher.bench(|| motion(&mechanism, black_box(&pose), Order::Acceleration));
 }
 
 #[divan::bench]
 fn plans(bencher: Bencher) {
-    let (_, mechanism, pose, motion) = solved(FIGURE_2);
+    let Solution { mechanism, pose, motion, .. } = solved(FIGURE_2);
     bencher.bench(|| construction(&mechanism, black_box(&pose), &motion));
 }
 
 /// The whole construction once more, act by act.
 #[divan::bench]
 fn replay_by_hand(bencher: Bencher) {
-    let (_, mechanism, pose, motion) = solved(FIGURE_2);
-    let plans = construction(&mechanism, &pose, &motion);
-    let drafting = drafting(&mechanism, &pose, &motion, &plans);
+    let drafting = drafting(&solved(FIGURE_2));
     let scales = SheetScales { per_mm: [5.0, 1.0, 2.0] };
     let mut values = drafting.replay(scales, &[]);
     bencher.bench_local(|| drafting.replay_from(0, black_box(&mut values), scales, &[]));
@@ -186,16 +180,15 @@ fn replay_by_hand(bencher: Bencher) {
 /// The bands of all quantities of a result.
 #[divan::bench]
 fn bands_of_hand_drawings(bencher: Bencher) {
-    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
-    let plans = construction(&mechanism, &pose, &motion);
-    let scales = drawing::scales(&scene, &mechanism, &pose, &plans);
-    let names = readable_names(&mechanism, &motion, &plans);
-    let asked = names.iter().map(|n| Asked::new(n, &mechanism).expect("a name"));
+    let solution = solved(FIGURE_2);
+    let scales = solution.scales();
+    let names = readable_names(&solution);
+    let asked = names.iter().map(|n| Asked::new(n, &solution.mechanism).expect("a name"));
     let asked: Vec<Asked> = asked.collect();
     let usual = Tolerance::default();
     bencher.bench(|| {
         let asked = black_box(&asked).clone();
-        pencil(&mechanism, &pose, &motion, &plans, &scales, usual, asked)
+        pencil(&solution, &scales, usual, asked)
     });
 }
 
@@ -207,58 +200,49 @@ fn read_scene(bencher: Bencher) {
 /// Layout, labels and all marks.
 #[divan::bench]
 fn draw_figure(bencher: Bencher) {
-    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
-    let plans = construction(&mechanism, &pose, &motion);
-    bencher.bench(|| drawing::figure(black_box(&scene), &mechanism, &pose, &plans));
+    let solution = solved(FIGURE_2);
+    bencher.bench(|| black_box(&solution).figure());
 }
 
 /// The whole way from a scene's text to SVG.
 #[divan::bench(args = ["figure-1", "figure-2"])]
 fn scene_to_svg(bencher: Bencher, which: &str) {
     let text = text(which);
-    bencher.bench(|| {
-        let (scene, mechanism, pose, motion) = solved(black_box(text));
-        let plans = construction(&mechanism, &pose, &motion);
-        format::svg(&drawing::figure(&scene, &mechanism, &pose, &plans))
-    });
+    bencher.bench(|| solved(black_box(text)).figure().svg());
 }
 
 /// A drawing to PDF.
 #[cfg(feature = "pdf")]
 #[divan::bench]
 fn drawing_to_pdf(bencher: Bencher) {
-    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
-    let plans = construction(&mechanism, &pose, &motion);
-    let drawing = drawing::figure(&scene, &mechanism, &pose, &plans);
-    bencher.bench(|| format::pdf(black_box(&drawing)));
+    let solution = solved(FIGURE_2);
+    let drawing = solution.figure();
+    bencher.bench(|| black_box(&drawing).pdf());
 }
 
 #[divan::bench]
 fn drawing_to_tikz(bencher: Bencher) {
-    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
-    let plans = construction(&mechanism, &pose, &motion);
-    let drawing = drawing::figure(&scene, &mechanism, &pose, &plans);
-    bencher.bench(|| format::tikz(black_box(&drawing)));
+    let solution = solved(FIGURE_2);
+    let drawing = solution.figure();
+    bencher.bench(|| black_box(&drawing).tikz());
 }
 
 /// A drawing to PNG at so many dots per inch; 100 give 1169 by 827 pixels.
 #[cfg(feature = "png")]
 #[divan::bench(args = [100.0, 150.0])]
 fn drawing_to_png(bencher: Bencher, dpi: f64) {
-    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
-    let plans = construction(&mechanism, &pose, &motion);
-    let drawing = drawing::figure(&scene, &mechanism, &pose, &plans);
-    bencher.bench(|| format::png(black_box(&drawing), dpi));
+    let solution = solved(FIGURE_2);
+    let drawing = solution.figure();
+    bencher.bench(|| black_box(&drawing).png(dpi));
 }
 
 /// The sheets of all 41 steps as SVG.
 #[divan::bench]
 fn step_sheets_to_svg(bencher: Bencher) {
-    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
-    let plans = construction(&mechanism, &pose, &motion);
+    let solution = solved(FIGURE_2);
     bencher.bench(|| {
-        let all = drawing::stepwise(black_box(&scene), &mechanism, &pose, &plans);
-        let sheets = (1..=all.steps.len()).map(|step| format::svg(&all.after_step(step)));
+        let all = black_box(&solution).stepwise_figure();
+        let sheets = (1..=all.steps.len()).map(|step| all.after_step(step).svg());
         sheets.map(|sheet| sheet.len()).sum::<usize>()
     });
 }
@@ -266,20 +250,10 @@ fn step_sheets_to_svg(bencher: Bencher) {
 /// The numbers that the paper prints, checked with the whole catalogue, so many mistakes at once looked for.
 #[divan::bench(args = [1, 2, 5])]
 fn check_a_drawing(bencher: Bencher, depth: usize) {
-    let (scene, mechanism, pose, motion) = solved(FIGURE_2);
-    let plans = construction(&mechanism, &pose, &motion);
+    let solution = solved(FIGURE_2);
     let values = include_str!("../examples/paper-as-student.json");
     let measured = Measured::read_json(values).expect("a good form");
-    let drawn = Drawn {
-        units: scene.units,
-        near: &scene.near,
-        mechanism: &mechanism,
-        pose: &pose,
-        motion: &motion,
-        construction: &plans,
-        scales: drawing::scales(&scene, &mechanism, &pose, &plans),
-        tolerance: Tolerance::default(),
-        depth,
-    };
-    bencher.bench(|| check(black_box(&measured), &drawn));
+    let key =
+        AnswerKey { solution: &solution, scales: solution.scales(), tolerance: Tolerance::default(), depth };
+    bencher.bench(|| check(black_box(&measured), &key));
 }

@@ -252,7 +252,7 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
             "\n## {title}\n\n{teaches}\n\n`{kind}`: {formula}\n\n![{title}. {}](gallery/{kind}.svg)\n",
             drawing.description
         );
-        pictures.push((format!("docs/gallery/{kind}.svg"), svg(&drawing)));
+        pictures.push((format!("docs/gallery/{kind}.svg"), drawing.svg()));
     }
     page.push_str("\n## Kinds of pictures\n");
     for (name, path, command, purpose, kind) in PICTURES {
@@ -263,7 +263,7 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
             Kind::Hodographs(names) => Work::of(path, |_| ())?.hodographs(names)?,
         };
         let _ = write!(page, "\n{purpose}\n\n`kinegon {command}`\n\n![{}](gallery/{name}.svg)\n", drawing.description);
-        pictures.push((format!("docs/gallery/{name}.svg"), svg(&drawing)));
+        pictures.push((format!("docs/gallery/{name}.svg"), drawing.svg()));
     }
     pictures.insert(0, ("docs/gallery.md".to_owned(), page));
     Ok(pictures)

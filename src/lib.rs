@@ -1,24 +1,21 @@
 //! Velocity and acceleration plans of planar mechanisms, with the special (Assur) points of third- and fourth-class groups.
 //!
-//! A scene goes through one stage after another, each a function from one value to the next:
-//!
 //! ```
-//! use kinegon::{drawing, format, mechanism, motion, plan, position, scene};
+//! use kinegon::Scene;
 //!
-//! let text = include_str!("../examples/figure-2.json");
-//! let scene = scene::Scene::read(text)?;
-//! let mechanism = mechanism::mechanism(&scene)?;
-//! let pose = position::pose(&mechanism, &scene.near)?;
-//! let motion = motion::motion(&mechanism, &pose, motion::Order::Acceleration)?;
-//! let plans = plan::construction(&mechanism, &pose, &motion);
-//! let drawing = drawing::figure(&scene, &mechanism, &pose, &plans);
-//! let svg = format::svg(&drawing);
+//! let scene = Scene::read(include_str!("../examples/figure-2.json"))?;
+//! let solution = kinegon::solve(&scene)?;
+//! let svg = solution.figure().svg();
 //!
-//! let link = mechanism.link("4").expect("the scene has a link 4");
-//! assert!((motion.body(link).omega - -0.474663754894).abs() < 1e-12);
+//! let omega = solution.quantity("omega(4)")?;
+//! # let kinegon::plan::Quantity::Number(omega) = omega else { panic!("a number") };
+//! # assert!((omega - -0.474663754894).abs() < 1e-12);
 //! assert!(svg.starts_with("<svg"));
 //! # Ok::<(), kinegon::Error>(())
 //! ```
+//!
+//! A scene goes through one stage after another, each a folder: `scene`, `mechanism`, `position`, `motion`, `plan`. [`solve`] takes it through all of
+//! them; a [`Solution`] is what figures, results, steps and checks are made from.
 //!
 //! Conventions: x right, y up, counter-clockwise positive; radians inside, degrees in scenes and results. Lengths and times
 //! keep the scene's own units all the way.
@@ -45,3 +42,5 @@ mod cores;
 mod error;
 
 pub use error::Error;
+pub use plan::{Solution, solve};
+pub use scene::Scene;

@@ -10,7 +10,7 @@ use kinegon::drafting::Tolerance;
 use kinegon::drawing::scales;
 use program::{kinegon, scratch, stderr};
 use random::Random;
-use stages::Stages;
+use stages::solved;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
@@ -52,7 +52,7 @@ fn form(measured: &Measured, name: &str) -> String {
 /// acceleration, one has laid a normal acceleration off outward. The steps of both mistakes.
 fn class(name: &str) -> (PathBuf, [usize; 2]) {
     let folder = scratch(name);
-    let stages = Stages::of(&files::read(LEVER)).expect("a good scene");
+    let stages = solved(&files::read(LEVER)).expect("a good scene");
     let drawn = Drawn {
         units: stages.scene.units,
         near: &stages.scene.near,

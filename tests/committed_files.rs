@@ -18,7 +18,8 @@ use kinegon::drawing::{Drawing, Style};
 use kinegon::scene::Scene;
 use kinegon::words::Wording;
 use kinegon::{drawing, format, mechanism, position};
-use stages::Stages;
+use kinegon::Solution;
+use stages::{answer_key, solved};
 use std::path::PathBuf;
 
 /// Compares, and leaves what came out beside the test's other products for a look.
@@ -33,8 +34,8 @@ fn same(path: &str, now: &str) {
 }
 
 fn figure(name: &str) -> Drawing {
-    let stages = Stages::of(&files::read(&format!("examples/{name}.json")));
-    stages.expect("the example is sound").drawing()
+    let stages = solved(&files::read(&format!("examples/{name}.json")));
+    stages.expect("the example is sound").figure()
 }
 
 fn curves() -> Drawing {
@@ -51,20 +52,20 @@ fn curves() -> Drawing {
 
 /// The numbers that the paper prints, over the figure that they belong to; and their table.
 fn checked() -> [Drawing; 2] {
-    let stages = Stages::of(&files::read("examples/figure-2.json"));
+    let stages = solved(&files::read("examples/figure-2.json"));
     let mut stages = stages.expect("the example is sound");
     let measured = Measured::read_json(&files::read("examples/paper-as-student.json"));
     let measured = measured.expect("the example is sound");
     let words = Wording::of(&stages.scene.figure);
     let own = {
         // As deep as the program looks.
-        let drawn = stages.drawn(5);
+        let drawn = answer_key(&stages, 5);
         let checked = check(&measured, &drawn).expect("values that are understood");
         redrawn(&measured, &drawn, &checked, &words).expect("scales are there")
     };
     let figure = &mut stages.scene.figure;
     (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.5), Some(2.5));
-    let Stages { scene, mechanism, pose, construction, .. } = &stages;
+    let Solution { scene, mechanism, pose, construction, .. } = &stages;
     let sheets = drawing::overlay(scene, mechanism, pose, construction, &own);
     sheets.try_into().expect("a figure and a table")
 }
@@ -104,7 +105,7 @@ fn examples_name_the_schema_and_fit_it() {
 #[test]
 fn figures_are_redrawn_to_the_byte() {
     for (name, drawing) in figures() {
-        same(&format!("out/{name}.svg"), &format::svg(&drawing));
+        same(&format!("out/{name}.svg"), &drawing.svg());
     }
 }
 
@@ -138,7 +139,7 @@ fn pictures_are_redrawn_within_one_level_per_channel() {
     }
     for (name, drawing) in figures() {
         let there = std::fs::read(files::path(&format!("out/{name}.png"))).expect("it is there");
-        let now = format::png(&drawing, 100.0).expect("a picture");
+        let now = drawing.png(100.0).expect("a picture");
         let ((w, h, a), (x, y, b)) = (pixels(&there), pixels(&now));
         assert_eq!((w, h), (x, y), "{name}");
         let worst = a.iter().zip(&b).map(|(a, b)| a.abs_diff(*b)).max();

@@ -314,7 +314,7 @@ fn lines_and_dots_on_paper_are_where_the_grid_says() {
 /// What is wrong with a figure, in words.
 fn faults(drawing: &Drawing, curves: &[Curve]) -> Vec<String> {
     let mut faults = Vec::new();
-    let (frames, file) = (frames(drawing), svg(drawing));
+    let (frames, file) = (frames(drawing), drawing.svg());
     let sheet = Rect::new(0.0, 0.0, drawing.width, drawing.height);
     let within = |inner: Rect, outer: Rect| {
         let outer = outer.inflate(1e-9, 1e-9);
@@ -461,6 +461,6 @@ fn the_papers_mechanism_is_drawn_from_limit_to_limit() {
 #[test]
 fn the_same_curves_give_the_same_bytes() {
     let want = "omega(4) alpha(4) v_r(3/2) angle(5)";
-    let once = svg(&drawn(&figure_2(), None, want));
-    assert_eq!(once, svg(&drawn(&figure_2(), None, want)));
+    let once = drawn(&figure_2(), None, want).svg();
+    assert_eq!(once, drawn(&figure_2(), None, want).svg());
 }

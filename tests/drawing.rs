@@ -11,17 +11,17 @@ use files::read;
 use kinegon::drawing::{Drawing, Mark, Pen, Point, Shape};
 use kinegon::format::{Text, svg_with};
 use kinegon::scene::NotationName;
-use stages::Stages;
+use stages::solved;
 
 /// Points by name and where they are.
 type Places = Vec<(String, [f64; 2])>;
 
 /// The drawing of a scene given as text, or why there is none; and where its points are.
 fn drawn(text: &str) -> Result<(Drawing, Places), kinegon::Error> {
-    let stages = Stages::of(text)?;
+    let stages = solved(text)?;
     let points = stages.mechanism.points.iter().zip(&stages.pose.points);
     let places = points.map(|(name, place)| (name.clone(), [place.x, place.y]));
-    Ok((stages.drawing(), places.collect()))
+    Ok((stages.figure(), places.collect()))
 }
 
 fn example(number: u8) -> Drawing {

@@ -9,7 +9,7 @@ use kinegon::geometry::{Point, Vector, span};
 use kinegon::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
 use kinegon::motion::{Order, motion};
 use kinegon::plan::State;
-use stages::Stages;
+use stages::solved;
 
 /// How far a drive is moved to each side: degrees, or parts of the mechanism's size.
 const TO_EACH_SIDE: [f64; 2] = [8.0, 0.01];
@@ -32,7 +32,7 @@ fn all(check: impl Fn(&str, &Path<'_>, f64)) {
     let (mut seen, mut given) = (0, 0);
     for (scene, text) in scenes {
         given += text.matches("\"drive\"").count();
-        let stages = Stages::of(&text).unwrap_or_else(|error| panic!("{scene}: {error}"));
+        let stages = solved(&text).unwrap_or_else(|error| panic!("{scene}: {error}"));
         let (mechanism, pose) = (stages.mechanism, stages.pose);
         for name in mechanism.drive_names() {
             let alone = alone(&mechanism, &name);

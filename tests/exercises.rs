@@ -15,7 +15,8 @@ use kinegon::scene::{Figure, Page, PageSize};
 use program::{kinegon, scratch, stderr};
 use random::Random;
 use serde_json::Value;
-use stages::Stages;
+use kinegon::Solution;
+use stages::solved;
 use std::path::Path;
 
 /// All kinds of `kinegon new` with their scenes.
@@ -29,7 +30,7 @@ fn kinds() -> Vec<(String, String)> {
 }
 
 fn exercises(text: &str, seed: u64) -> Exercises {
-    let base = Stages::of(text).expect("a good scene");
+    let base = solved(text).expect("a good scene");
     Exercises::new(text, &base.scene.figure, None, &base.construction, seed).expect("it can vary")
 }
 
@@ -56,7 +57,7 @@ fn drawn(exercise: &Exercise, tolerance: Tolerance) -> Drawn<'_> {
 fn every_kind_gives_exercises_that_a_hand_draws_well() {
     for (kind, text) in kinds() {
         let exercise = exercise(&text, 11);
-        let stages = Stages::of(&exercise.text).unwrap_or_else(|e| panic!("{kind}: {e}"));
+        let stages = solved(&exercise.text).unwrap_or_else(|e| panic!("{kind}: {e}"));
         numbers_are_round(&kind, &exercise.text);
         lines_cross_well(&kind, &stages);
         segments_are_long(&kind, &stages);
@@ -95,7 +96,7 @@ fn numbers_are_round(kind: &str, text: &str) {
 }
 
 /// Where a step marks a crossing, the last two lines drawn towards it meet at 20° or more.
-fn lines_cross_well(kind: &str, stages: &Stages) {
+fn lines_cross_well(kind: &str, stages: &Solution) {
     let mut crossings = 0;
     for plan in stages.construction.plans() {
         let mut rays: Vec<(&str, Vector)> = Vec::new();
@@ -126,7 +127,7 @@ fn lines_cross_well(kind: &str, stages: &Stages) {
     }
 }
 
-fn segments_are_long(kind: &str, stages: &Stages) {
+fn segments_are_long(kind: &str, stages: &Solution) {
     let figure = &stages.scene.figure;
     for plan in stages.construction.plans() {
         let mu = match plan.kind {
@@ -263,7 +264,7 @@ fn a_seed_gives_the_same_exercises_and_others_give_others() {
 #[test]
 fn what_cannot_be_drawn_is_given_up_with_the_reason() {
     let text = files::read("templates/four-bar.json");
-    let base = Stages::of(&text).expect("a good scene");
+    let base = solved(&text).expect("a good scene");
     // A plan of some hundredths of a millimetre.
     let figure = Figure { mu_v: Some(1e5), ..base.scene.figure.clone() };
     let page = Some(Page::default());
@@ -275,7 +276,7 @@ fn what_cannot_be_drawn_is_given_up_with_the_reason() {
     let parallel = files::read("examples/figure-1.json")
         .replace("\"C\": [70, 150]", "\"C\": [0, 150]")
         .replace("\"D\": [190, 240]", "\"D\": [300, 240]");
-    let base = Stages::of(&parallel).expect("a good scene");
+    let base = solved(&parallel).expect("a good scene");
     let none = Exercises::new(&parallel, &figure, None, &base.construction, 1);
     let error = none.expect_err("no construction");
     assert!(error.to_string().contains("at infinity"), "{error}");
@@ -400,7 +401,7 @@ fn sheets_are_large_enough() {
         assert_eq!(exercise(&text, 1).sheet.width, width, "{kind}");
     }
     let text = files::read("templates/four-bar.json");
-    let base = Stages::of(&text).expect("a good scene");
+    let base = solved(&text).expect("a good scene");
     let page = Page { size: PageSize::A3, landscape: false };
     let figure = &base.scene.figure;
     let exercises = Exercises::new(&text, figure, Some(page), &base.construction, 1);

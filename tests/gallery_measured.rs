@@ -14,7 +14,8 @@ use kinegon::format::svg;
 use kinegon::plan::{Construction, Plan, PlanKind, PointRole};
 use kinegon::scene::StyleName;
 use kinegon::words::Wording;
-use stages::Stages;
+use kinegon::Solution;
+use stages::solved;
 use std::path::PathBuf;
 
 /// Positions of each scene: where the crank turns all the way round, every 30°.
@@ -32,8 +33,8 @@ fn figures() -> Vec<(String, Drawing, Construction)> {
     let folders = ["templates", "tests/driven_sliders"];
     let scenes = folders.into_iter().flat_map(files::scenes);
     for (name, text) in scenes.chain(examples) {
-        let Stages { scene, mechanism, pose, construction, .. } =
-            Stages::of(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let Solution { scene, mechanism, pose, construction, .. } =
+            solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
         let words = Wording::of(&scene.figure);
         let film = Film::new(&mechanism, (&pose, &construction), &words, None, POSITIONS);
         let film = film.unwrap_or_else(|error| panic!("{name}: {error}"));
@@ -91,7 +92,7 @@ fn figures_are_readable_in_every_position() {
         let mut styled = drawing.clone();
         for style in StyleName::ALL {
             styled.style = Style::named(style);
-            let bytes = svg(&styled).len();
+            let bytes = styled.svg().len();
             if bytes > MOST_BYTES {
                 wrong.push(format!("{name}: {bytes} bytes in {}", style.as_str()));
             }
@@ -99,7 +100,7 @@ fn figures_are_readable_in_every_position() {
         if wrong.len() > before {
             // Left for a look.
             let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.svg"));
-            std::fs::write(path, svg(drawing)).expect("the test's folder can be written");
+            std::fs::write(path, drawing.svg()).expect("the test's folder can be written");
         }
     }
     assert!(wrong.is_empty(), "{} faults in {} figures\n{}", wrong.len(), figures.len(), wrong.join("\n"));

@@ -22,11 +22,11 @@ use kinegon::scene::Scene;
 use nalgebra::DVector;
 use random::Random;
 use serde_json::Value;
-use stages::Stages;
+use stages::solved;
 
 /// All that the library says of a scene.
 struct Solution {
-    stages: Stages,
+    stages: kinegon::Solution,
     result: ResultFile,
 }
 
@@ -34,7 +34,7 @@ impl Solution {
     /// `None` where the motion is refused as singular.
     fn new(scene: &Value) -> Option<Solution> {
         let text = scene.to_string();
-        match Stages::of(&text) {
+        match solved(&text) {
             Ok(stages) => Some(Solution { result: stages.result(), stages }),
             Err(Error::Motion(_)) => None,
             Err(error) => panic!("{error}\n{text}"),
@@ -222,7 +222,7 @@ fn the_closed_form_agrees_with_the_whole_system() {
         let Some(solution) = Solution::new(&scene) else {
             continue;
         };
-        let Stages { mechanism, pose, motion, .. } = &solution.stages;
+        let kinegon::Solution { mechanism, pose, motion, .. } = &solution.stages;
         let links = &mechanism.groups[0].links;
         let equations = LoopEquations::new(mechanism, &mechanism.groups[0]);
         let system = equations.factored(&pose.points, &pose.guides).expect("it was solved");

@@ -12,10 +12,11 @@ use kinegon::plan::PlanKind;
 use kinegon::scene::{PageSize, Panel};
 use kinegon::words::Wording;
 use program::{kinegon, scratch, stderr};
-use stages::Stages;
+use kinegon::Solution;
+use stages::{answer_key, solved};
 
-fn stages(scene: &str) -> Stages {
-    Stages::of(&files::read(scene)).expect("a good scene")
+fn stages(scene: &str) -> Solution {
+    solved(&files::read(scene)).expect("a good scene")
 }
 
 /// The sheets of a student's values, and what they are drawn from.
@@ -26,10 +27,10 @@ struct Drawings {
 }
 
 /// The sheets at the scene's scales, else at the student's.
-fn drawn(mut stages: Stages, measured: &Measured, depth: usize) -> Drawings {
+fn drawn(mut stages: Solution, measured: &Measured, depth: usize) -> Drawings {
     let words = Wording::of(&stages.scene.figure);
     let (own, checked) = {
-        let right = stages.drawn(depth);
+        let right = answer_key(&stages, depth);
         let checked = check::check(measured, &right).expect("values that are understood");
         let own = check::redrawn(measured, &right, &checked, &words);
         (own.expect("scales are there"), checked)
@@ -44,8 +45,8 @@ fn drawn(mut stages: Stages, measured: &Measured, depth: usize) -> Drawings {
 }
 
 /// The values of somebody who makes one mistake in one of its ways and is exact elsewhere but for what a ruler shows.
-fn with_mistake(stages: &Stages, mistake: Mistake, way: usize) -> Measured {
-    let right = stages.drawn(1);
+fn with_mistake(stages: &Solution, mistake: Mistake, way: usize) -> Measured {
+    let right = answer_key(&stages, 1);
     let student = Student::new(&right).expect("all sheets");
     let ways = student.ways(mistake);
     student.draw(&[&ways[way]], [0.05, 0.05], &mut || 0.3, &[])
@@ -57,7 +58,7 @@ fn paper() -> Measured {
 }
 
 /// Figure 2 at scales at which everything has room beside the words.
-fn figure_2() -> Stages {
+fn figure_2() -> Solution {
     let mut stages = stages("examples/figure-2.json");
     let figure = &mut stages.scene.figure;
     (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.0), Some(2.5));
@@ -67,9 +68,9 @@ fn figure_2() -> Stages {
 const FOUR_BAR: &str = "templates/four-bar.json";
 
 /// Places of the plan points of a four-bar on a sheet that is turned by 12°, its point c in the velocity plan moved by `moved` mm.
-fn points(stages: &Stages, moved: [f64; 2]) -> Measured {
+fn points(stages: &Solution, moved: [f64; 2]) -> Measured {
     let (sin, cos) = libm::sincos(12.0_f64.to_radians());
-    let scales = stages.drawn(1).scales;
+    let scales = answer_key(&stages, 1).scales;
     let mu = [scales.length, scales.velocity, scales.acceleration];
     let plans = stages.construction.plans().zip(&mu[1..]);
     let points = plans.map(|(plan, mu)| {
@@ -149,7 +150,7 @@ fn a_turned_ray_ends_where_geometry_says() {
     let want = crossing([v_b, along], [[0.0, 0.0], normal]);
 
     let measured = with_mistake(&stages, Mistake::TurnedRay, 0);
-    let mu = stages.drawn(1).scales.velocity.expect("a panel");
+    let mu = answer_key(&stages, 1).scales.velocity.expect("a panel");
     let Drawings { sheets, own, .. } = drawn(stages, &measured, 1);
     let mut found = own.points.iter();
     let found = found.find(|p| p.panel == Panel::Velocity && p.name == "c");
@@ -197,7 +198,7 @@ fn text(drawing: &Drawing, name: &str) -> String {
 
 #[test]
 fn points_from_paper_lie_over_the_right_ones() {
-    let right = |stages: &Stages, kind: PlanKind, name: &str| {
+    let right = |stages: &Solution, kind: PlanKind, name: &str| {
         let mut plans = stages.construction.plans();
         plans.find(|p| p.kind == kind).expect("a plan").points[name].vector
     };

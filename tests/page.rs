@@ -14,7 +14,7 @@ use kinegon::drawing::stepwise;
 use kinegon::format::svg;
 use program::{kinegon, scratch, stderr};
 use serde_json::Value;
-use stages::Stages;
+use stages::solved;
 use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -66,7 +66,7 @@ fn a_page_needs_nothing_else_and_shows_what_the_svg_shows() {
         let film = film(&page);
         let frames = film["frames"].as_array().expect("frames").len();
         assert_eq!(film["values"].as_array().expect("values").len(), frames);
-        let stages = Stages::of(&text).expect("a good scene");
+        let stages = solved(&text).expect("a good scene");
         let moves = Drive::new(&stages.mechanism, None).is_ok();
         let wanted = if moves { 4..=6 } else { 1..=1 };
         assert!(wanted.contains(&frames), "{name}: {frames} positions");
@@ -81,7 +81,7 @@ fn a_page_needs_nothing_else_and_shows_what_the_svg_shows() {
             ids.map(|rest| rest[..rest.find('"').expect("its end")].to_owned()).collect()
         };
         let all = stepwise(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction);
-        let finished = ids(&svg(&all.after_step(count + 1)));
+        let finished = ids(&(all.after_step(count + 1)).svg());
         let on_page: BTreeSet<String> = shown.iter().flat_map(|line| ids(line)).collect();
         // At another scale points may share a name.
         let shared = |id: &&String| id.contains("-point-") || id.contains("-label-");

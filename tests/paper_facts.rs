@@ -9,7 +9,8 @@
 mod stages;
 
 use kinegon::plan::{Plan, Quantity, quantity};
-use stages::Stages;
+use kinegon::Solution;
+use stages::solved;
 
 const FIGURE_1: &str = r#"{ "kinegon": 1,
   "title": "Quintero et al. (2011), Figure 1",
@@ -38,16 +39,16 @@ const FIGURE_2: &str = r#"{ "kinegon": 1,
 /// Roughly where the paper draws its mechanism. F settles the hand of link 4's triangle.
 const AS_PRINTED: &str = r#"{ "D": [263, 300], "E": [406, 428], "F": [338, 136] }"#;
 
-fn figure_2(angle: f64, omega: f64, near: &str) -> Stages {
+fn figure_2(angle: f64, omega: f64, near: &str) -> Solution {
     let text = FIGURE_2.replace("ANGLE", &angle.to_string()).replace("OMEGA", &omega.to_string()).replace("NEAR", near);
     board(&text)
 }
 
-fn board(text: &str) -> Stages {
-    Stages::of(text).unwrap_or_else(|error| panic!("{error}"))
+fn board(text: &str) -> Solution {
+    solved(text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-impl Stages {
+impl Solution {
     fn quantity(&self, name: &str) -> Quantity {
         quantity(name, &self.mechanism, &self.pose, &self.motion, &self.construction, None)
             .unwrap_or_else(|error| panic!("{error}"))
@@ -232,7 +233,7 @@ fn figure_2_accelerations_do_not_depend_on_the_sense() {
 }
 
 /// Mode and number of modes of the only group.
-fn mode(board: &Stages) -> (usize, usize) {
+fn mode(board: &Solution) -> (usize, usize) {
     let group = &board.result().groups[0];
     (group.mode.expect("from lengths"), group.modes.expect("from lengths"))
 }

@@ -8,7 +8,7 @@ mod tools;
 use kinegon::drawing::{Drawing, Pen, PlacedText, Point, RichText, Shape};
 use kinegon::format::{PdfError, pdf};
 use lopdf::{Dictionary, Document, Object};
-use stages::Stages;
+use stages::solved;
 use std::sync::OnceLock;
 
 /// Every starting scene and example by its name, drawn.
@@ -20,14 +20,14 @@ fn drawings() -> &'static [(String, Drawing)] {
 fn drawn() -> Vec<(String, Drawing)> {
     let scenes = files::templates().into_iter().chain(files::scenes("examples"));
     let drawn = scenes.map(|(name, text)| {
-        let stages = Stages::of(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name, stages.drawing())
+        let stages = solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        (name, stages.figure())
     });
     drawn.collect()
 }
 
 fn written(drawing: &Drawing) -> (Vec<u8>, Document) {
-    let bytes = pdf(drawing).expect("the sheet has a size");
+    let bytes = drawing.pdf().expect("the sheet has a size");
     let read = Document::load_mem(&bytes).expect("it is PDF");
     (bytes, read)
 }
@@ -190,7 +190,7 @@ fn title_language_and_description_are_written_in() {
 #[test]
 fn what_cannot_be_a_page_is_refused() {
     for (width, height) in [(f64::NAN, 10.0), (0.0, 10.0), (10.0, -1.0), (10.0, f64::INFINITY), (6000.0, 10.0)] {
-        let error = pdf(&Drawing::new(width, height)).expect_err("it has no size");
+        let error = Drawing::new(width, height).pdf().expect_err("it has no size");
         assert!(matches!(error, PdfError::Size { .. }), "{error}");
     }
     assert!(

@@ -14,7 +14,8 @@ use kinegon::drafting::{
 use kinegon::drawing::scales;
 use kinegon::plan::{Asked, Quantity, step_names};
 use random::Random;
-use stages::Stages;
+use kinegon::Solution;
+use stages::solved;
 
 /// Every starting scene and the examples.
 fn scenes() -> Vec<(String, String)> {
@@ -25,7 +26,7 @@ fn scenes() -> Vec<(String, String)> {
 
 /// A scene as it is drawn by hand: what is read from it, and the values of the numeric solution.
 struct Sheets {
-    stages: Stages,
+    stages: Solution,
     asked: Vec<Asked>,
     drafting: Drafting,
     readings: Vec<Result<Reading, Unread>>,
@@ -33,8 +34,8 @@ struct Sheets {
 
 impl Sheets {
     fn of(text: &str) -> Sheets {
-        let stages = Stages::of(text).expect("a good scene");
-        let Stages { mechanism, pose, motion, construction, .. } = &stages;
+        let stages = solved(text).expect("a good scene");
+        let Solution { mechanism, pose, motion, construction, .. } = &stages;
         let mut names = readable_names(mechanism, motion, construction);
         let own = step_names(construction).into_iter();
         let own: Vec<String> = own.filter(|name| !names.contains(name)).collect();
@@ -48,14 +49,14 @@ impl Sheets {
     }
 
     fn scales(&self) -> SheetScales {
-        let Stages { scene, mechanism, pose, construction, .. } = &self.stages;
+        let Solution { scene, mechanism, pose, construction, .. } = &self.stages;
         let scales = scales(scene, mechanism, pose, construction);
         let given = [scales.length, scales.velocity, scales.acceleration];
         SheetScales { per_mm: given.map(|s| s.expect("all three panels")) }
     }
 
     fn truth(&self, asked: &Asked) -> f64 {
-        let Stages { mechanism, pose, motion, construction, .. } = &self.stages;
+        let Solution { mechanism, pose, motion, construction, .. } = &self.stages;
         let name = asked.name();
         let value = kinegon::plan::quantity(name, mechanism, pose, motion, construction, None);
         match value.unwrap_or_else(|error| panic!("{error}")) {
@@ -286,7 +287,7 @@ fn a_forgotten_coriolis_part_propagates() {
     let mistake = Disturbance { act, change: Change::Instead(&forgotten) };
     let alpha = drafting.number("alpha(3)").expect("it is solved for");
     let [right, wrong] = [vec![], vec![mistake]].map(|m| drafting.replay(scales, &m).number(alpha));
-    let Stages { mechanism, pose, motion, .. } = &sheets.stages;
+    let Solution { mechanism, pose, motion, .. } = &sheets.stages;
     let lever = mechanism.link("3").expect("the lever");
     let [b, d] = ["B", "D"].map(|p| mechanism.point(p).expect("a joint"));
     let slide = motion.slides[0].velocity;

@@ -14,7 +14,7 @@ use kinegon::format::{pdf, svg};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::fontdb::{Database, Source};
 use resvg::usvg::{Options, Tree};
-use stages::Stages;
+use stages::solved;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
@@ -36,8 +36,8 @@ const SCENES: [&str; 5] = [
 ];
 
 fn drawing(scene: &str) -> Drawing {
-    let stages = Stages::of(&files::read(&format!("{scene}.json")));
-    stages.unwrap_or_else(|error| panic!("{scene}: {error}")).drawing()
+    let stages = solved(&files::read(&format!("{scene}.json")));
+    stages.unwrap_or_else(|error| panic!("{scene}: {error}")).figure()
 }
 
 /// Red, green and blue of pixels, row by row.
@@ -121,7 +121,7 @@ fn label<'a>(drawing: &'a mut Drawing, id: &str) -> &'a mut Mark {
 #[test]
 fn the_measure_sees_small_changes() {
     let drawing = drawing("examples/figure-2");
-    let before = svg(&drawing);
+    let before = drawing.svg();
     let picture = Picture::of(&before);
     assert_eq!(picture.astray(&Picture::of(&before), 1), 0);
     for (id, by) in [
@@ -132,7 +132,7 @@ fn the_measure_sees_small_changes() {
         let mut moved = drawing.clone();
         let Shape::Text(text) = &mut label(&mut moved, id).shape else { panic!("{id} is a text") };
         text.origin += by;
-        let astray = picture.astray(&Picture::of(&svg(&moved)), 1);
+        let astray = picture.astray(&Picture::of(&moved.svg()), 1);
         assert!(astray > 2 * SPECK, "{id}: {astray}");
     }
     let start = before.find("id=\"velocity-label-s3-\"").expect("it is there");
@@ -185,7 +185,7 @@ fn librsvg_draws_the_same() {
         return;
     };
     for scene in SCENES {
-        let svg = svg(&drawing(scene));
+        let svg = drawing(scene).svg();
         let (mut command, folder) = with_fonts(&program, "librsvg");
         std::fs::write(folder.join("figure.svg"), &svg).expect("the test's folder can be written");
         let dpi = DPI.to_string();
@@ -206,7 +206,7 @@ fn chromium_draws_the_same() {
         let mut labels = whole.clone();
         labels.marks.retain(|mark| !matches!(mark.pen, Pen::Caption | Pen::Heading));
         for (drawing, distance) in [(whole, 2), (labels, 1)] {
-            let svg = svg(&drawing);
+            let svg = drawing.svg();
             let (mut command, folder) = with_fonts(&program, "chromium");
             std::fs::write(folder.join("figure.svg"), &svg).expect("the test's folder can be written");
             let pixels = |mm: f64| (mm * 96.0 / 25.4).ceil();
@@ -232,10 +232,10 @@ fn poppler_draws_the_pdf_as_resvg_draws_the_svg() {
     for scene in SCENES {
         let drawing = drawing(scene);
         let (mut command, folder) = with_fonts(&program, "poppler");
-        let file = pdf(&drawing).expect("the sheet has a size");
+        let file = drawing.pdf().expect("the sheet has a size");
         std::fs::write(folder.join("figure.pdf"), file).expect("the test's folder can be written");
         command.args(["-r", &DPI.to_string(), "-png", "-singlefile", "figure.pdf", "figure"]);
         done(command);
-        assert_alike(scene, &Picture::of(&svg(&drawing)), &folder.join("figure.png"), 1);
+        assert_alike(scene, &Picture::of(&drawing.svg()), &folder.join("figure.png"), 1);
     }
 }

@@ -19,7 +19,7 @@ use kinegon::motion::MotionError;
 use kinegon::position::{AssemblyError, pose};
 use kinegon::scene::Scene;
 use serde_json::Value;
-use stages::Stages;
+use stages::solved;
 
 const U: f64 = f64::EPSILON / 2.0;
 
@@ -232,7 +232,7 @@ impl Report {
         let case: Value = serde_json::from_str(line).expect("a line is JSON");
         let name = case["name"].as_str().expect("a case has a name");
         self.cases += 1;
-        let solved = Stages::of(files::scene_text(line)).map(|stages| stages.result());
+        let solved = solved(files::scene_text(line)).map(|stages| stages.result());
         if case["expect"]["singular"] == true {
             self.singular += 1;
             if !matches!(solved, Err(Error::Motion(MotionError::Singular { .. }))) {

@@ -9,15 +9,16 @@ use files::read;
 use kinegon::drawing::{Drawing, Emphasis, Mark, Pen, Rect, Shape, stepwise};
 use kinegon::format::{Text, layered_svg, svg};
 use kinegon::plan::Action;
-use stages::Stages;
+use kinegon::Solution;
+use stages::solved;
 use std::collections::BTreeSet;
 
 /// By how much a slanted letter may lean over the next word, in mm.
 const LEAN: f64 = 0.3;
 
 /// The steps of a scene and all of them drawn.
-fn drawn(text: &str) -> (Stages, Drawing) {
-    let stages = Stages::of(text).expect("a good scene");
+fn drawn(text: &str) -> (Solution, Drawing) {
+    let stages = solved(text).expect("a good scene");
     let all = stepwise(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction);
     (stages, all)
 }
@@ -144,8 +145,8 @@ fn words_keep_to_their_box() {
 #[test]
 fn layers_make_up_the_finished_figure() {
     for (name, text) in scenes() {
-        let drawing = Stages::of(&text).expect("a good scene").drawing();
-        let (flat, layered) = (svg(&drawing), layered_svg(&drawing, Text::Letters));
+        let drawing = solved(&text).expect("a good scene").figure();
+        let (flat, layered) = (drawing.svg(), layered_svg(&drawing, Text::Letters));
         // Every element of the flat file stands in the layered one too; groups and titles aside.
         let elements = |file: &str| {
             let lines = file.lines().map(str::trim);
@@ -213,7 +214,7 @@ fn the_program_writes_them() {
 #[test]
 fn crowded_places_are_shown_larger_beside_the_plan() {
     let text = read("examples/figure-2.json");
-    let drawing = Stages::of(&text).expect("a good scene").drawing();
+    let drawing = solved(&text).expect("a good scene").figure();
     let place = |id: &str| {
         let mark = drawing.marks.iter().find(|m| m.id.as_deref() == Some(id));
         mark.map(|mark| mark.shape.bounds().center()).expect("it is drawn")

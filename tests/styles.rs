@@ -9,12 +9,12 @@ use kinegon::drawing::{Colour, Drawing, Emphasis, Look, Mark, Pen, Shape, Style}
 use kinegon::format;
 use kinegon::scene::StyleName;
 use program::{kinegon, scratch, stderr};
-use stages::Stages;
+use stages::solved;
 use std::collections::BTreeSet;
 
 fn example(number: u8) -> Drawing {
-    let stages = Stages::of(&files::read(&format!("examples/figure-{number}.json")));
-    stages.expect("the example is sound").drawing()
+    let stages = solved(&files::read(&format!("examples/figure-{number}.json")));
+    stages.expect("the example is sound").figure()
 }
 
 fn text_of(name: StyleName) -> String {
@@ -48,10 +48,10 @@ fn every_style_draws_the_same_marks() {
         for name in StyleName::ALL {
             let text = files::read(&format!("examples/figure-{number}.json"));
             let text = with_style(&text, name);
-            let drawing = Stages::of(&text).expect("a good scene").drawing();
+            let drawing = solved(&text).expect("a good scene").figure();
             assert_eq!(drawing.style, Style::named(name));
             assert_eq!(drawing.marks, paper.marks);
-            let svg = format::svg(&drawing);
+            let svg = drawing.svg();
             let ground = format!("<rect fill=\"{}\"", drawing.style.background());
             assert!(svg.contains(&ground), "{}", name.as_str());
             files.insert(svg);
@@ -321,7 +321,7 @@ fn halos_are_of_the_background() {
     drawing.style = Style::named(StyleName::Board);
     assert!(drawing.halos().contains(&true));
     let ground = drawing.style.background();
-    let svg = format::svg(&drawing);
+    let svg = drawing.svg();
     let halo = format!("<g fill=\"{ground}\" stroke=\"{ground}\" stroke-width=\"0.6\"");
     assert!(svg.contains(&halo), "{svg}");
     assert!(!svg.contains("#ffffff"));

@@ -18,7 +18,8 @@ use files::{path, read, templates};
 use kinegon::format::ResultFile;
 use later::{differences, fastest};
 use serde_json::Value;
-use stages::Stages;
+use kinegon::Solution;
+use stages::solved;
 
 /// Largest error against the truth.
 const MOST: f64 = 1e-12;
@@ -40,8 +41,8 @@ fn solved(name: &str, text: &str) -> ResultFile {
     stages(name, text).result()
 }
 
-fn stages(name: &str, text: &str) -> Stages {
-    Stages::of(text).unwrap_or_else(|error| panic!("{name}: {error}"))
+fn stages(name: &str, text: &str) -> Solution {
+    solved(text).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
 #[test]

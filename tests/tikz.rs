@@ -10,7 +10,7 @@ use kinegon::format::tikz;
 use kinegon::mechanism::mechanism;
 use kinegon::position::pose;
 use kinegon::scene::Scene;
-use stages::Stages;
+use stages::solved;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
@@ -23,8 +23,8 @@ fn drawings() -> &'static [(String, Drawing)] {
 fn drawn() -> Vec<(String, Drawing)> {
     let scenes = files::templates().into_iter().chain(files::scenes("examples"));
     let drawn = scenes.map(|(name, text)| {
-        let stages = Stages::of(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name, stages.drawing())
+        let stages = solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        (name, stages.figure())
     });
     drawn.chain([("curves".to_owned(), curves())]).collect()
 }
@@ -45,7 +45,7 @@ fn latex(text: RichText) -> String {
     let mut drawing = Drawing::new(100.0, 50.0);
     let text = PlacedText::new(text, 4.0, Point::new(10.0, 20.0));
     drawing.draw(Pen::Caption, Shape::Text(text));
-    let file = tikz(&drawing);
+    let file = drawing.tikz();
     let node = file
         .lines()
         .find_map(|line| line.split_once("\\kinegontext{").filter(|(before, _)| before.starts_with("\\node")));
@@ -119,7 +119,7 @@ fn titles_are_no_commands() {
     let mut drawing = Drawing::new(10.0, 10.0);
     drawing.title = "first\n\\input{x}\r\u{85}".into();
     drawing.draw_named("a\nb", Pen::Link, Shape::Line(Point::ORIGIN, Point::new(1.0, 1.0)));
-    let file = tikz(&drawing);
+    let file = drawing.tikz();
     assert!(file.starts_with("% first \\input{x}  \n"), "{file}");
     assert!(file.contains("; % a b\n"), "{file}");
 }
@@ -127,7 +127,7 @@ fn titles_are_no_commands() {
 #[test]
 fn marks_keep_their_places_and_styles() {
     for (name, drawing) in drawings() {
-        let file = tikz(drawing);
+        let file = drawing.tikz();
         // Every style and colour that is used has been given before.
         let (styles, picture) = file.split_once("\\begin{tikzpicture}").expect("there is a picture");
         for line in picture.lines().filter(|line| line.contains("[kinegon")) {
@@ -174,7 +174,7 @@ fn numbers_that_tex_cannot_take_are_left_out() {
         drawing.draw(Pen::Label, Shape::Text(text));
     }
     let (_, picture) =
-        tikz(&drawing).split_once("(297,210);\n").map(|(a, b)| (a.to_owned(), b.to_owned())).expect("its size");
+        drawing.tikz().split_once("(297,210);\n").map(|(a, b)| (a.to_owned(), b.to_owned())).expect("its size");
     assert_eq!(picture, "\\end{tikzpicture}%\n\\kinegonend\n");
 }
 
@@ -206,7 +206,7 @@ fn assert_clean(name: &str, said: &str) {
 #[test]
 fn every_figure_compiles_alone() {
     for (name, drawing) in drawings() {
-        let Some((file, said)) = compile("tikz-alone", &[(&format!("{name}.tex"), &tikz(drawing))]) else {
+        let Some((file, said)) = compile("tikz-alone", &[(&format!("{name}.tex"), &drawing.tikz())]) else {
             return;
         };
         assert_clean(name, &said);
@@ -242,7 +242,7 @@ fn every_letter_that_is_no_outline_compiles() {
         }
     }
     drawing.title = "100 % \\end{document} {".into();
-    let Some((_, said)) = compile("tikz-hostile", &[("hostile.tex", &tikz(&drawing))]) else {
+    let Some((_, said)) = compile("tikz-hostile", &[("hostile.tex", &drawing.tikz())]) else {
         return;
     };
     assert_clean("hostile", &said);
@@ -261,7 +261,7 @@ before\begin{figure}[h]\centering\resizebox{10cm}{!}{\input{picture}}\caption{A 
 \setbox0\hbox{\input{picture}}\typeout{It is \the\wd0; \the\ht0; large.}
 \end{document}
 ";
-    let Some((file, said)) = compile("tikz-input", &[("picture.tex", &tikz(drawing)), ("document.tex", document)])
+    let Some((file, said)) = compile("tikz-input", &[("picture.tex", &drawing.tikz()), ("document.tex", document)])
     else {
         return;
     };

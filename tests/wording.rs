@@ -4,6 +4,7 @@ mod files;
 mod program;
 mod stages;
 
+use kinegon::Solution;
 use kinegon::check::Mistake;
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drafting::{Tolerance, pencil};
@@ -13,7 +14,7 @@ use kinegon::plan::{Asked, step_names};
 use kinegon::scene::{LanguageName, NotationName, Scene};
 use kinegon::words::Wording;
 use program::{kinegon, stderr};
-use stages::Stages;
+use stages::solved;
 
 /// Scenes of every kind: starting scenes, examples, cylinders, drawn configurations with special points at infinity.
 fn scenes() -> Vec<(String, String)> {
@@ -37,7 +38,7 @@ fn with(text: &str, entries: &[(&str, &str)]) -> String {
 }
 
 /// The text of `kinegon steps`.
-fn steps(stages: &Stages) -> String {
+fn steps(stages: &Solution) -> String {
     let (mechanism, pose, motion) = (&stages.mechanism, &stages.pose, &stages.motion);
     let construction = &stages.construction;
     let names = step_names(construction);
@@ -60,8 +61,8 @@ fn said(drawing: &Drawing) -> Vec<String> {
 
 /// All that is said of a scene: on the figure, on the sheets of its steps, in the text of the steps, on its curves.
 fn all_said(name: &str, text: &str) -> Vec<String> {
-    let stages = Stages::of(text).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let mut lines = said(&stages.drawing());
+    let stages = solved(text).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let mut lines = said(&stages.figure());
     lines.extend(said(&stepwise(&stages.scene, &stages.mechanism, &stages.pose, &stages.construction)));
     lines.extend(steps(&stages).lines().map(str::to_owned));
     lines.extend(said_of_curves(&stages));
@@ -69,7 +70,7 @@ fn all_said(name: &str, text: &str) -> Vec<String> {
 }
 
 /// What the curves of link rates say, for scenes that can be moved.
-fn said_of_curves(stages: &Stages) -> Vec<String> {
+fn said_of_curves(stages: &Solution) -> Vec<String> {
     let Ok(drive) = Drive::new(&stages.mechanism, None) else {
         return Vec::new();
     };
@@ -141,7 +142,7 @@ fn every_sentence_is_in_the_language_asked_for() {
 fn every_mistake_is_told_in_the_language_asked_for() {
     for (language, foreign) in [("es", ENGLISH), ("en", SPANISH)] {
         let scene = with(&files::read("examples/figure-2.json"), &[("language", language)]);
-        let scene = Stages::of(&scene).expect("a good scene").scene;
+        let scene = solved(&scene).expect("a good scene").scene;
         let words = Wording::of(&scene.figure);
         let other = Wording::of(&with_other(&scene, language));
         let mut told = 0;
@@ -236,7 +237,7 @@ fn results_do_not_depend_on_the_wording() {
     for (name, text) in scenes() {
         let plain = with(&text, &[]);
         let result = |text: &str| {
-            let stages = Stages::of(text).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let stages = solved(text).unwrap_or_else(|error| panic!("{name}: {error}"));
             let plans = stages.construction.plans();
             let points: Vec<_> = plans.map(|plan| plan.points.clone()).collect();
             (format::json(&stages.result()), points, stages.construction.warnings)
@@ -251,7 +252,7 @@ fn results_do_not_depend_on_the_wording() {
 /// What `kinegon steps` says of Figure 2 in a notation.
 fn figure_2_in(notation: &str) -> String {
     let text = files::read("examples/figure-2.json");
-    steps(&Stages::of(&with(&text, &[("notation", notation)])).expect("a good scene"))
+    steps(&solved(&with(&text, &[("notation", notation)])).expect("a good scene"))
 }
 
 #[test]
@@ -293,7 +294,7 @@ fn a_pole_shares_its_letter_with_nothing_that_moves() {
     let moving = moving.replace("\"DC\"", "\"DO\"");
     let moving = with(&moving, &[("notation", "english")]);
     let labels = |text: &str, panel: &str| -> Vec<String> {
-        let drawing = Stages::of(text).expect("a good scene").drawing();
+        let drawing = solved(text).expect("a good scene").figure();
         let prefix = format!("{panel}-label-");
         let of_plan = drawing.marks.iter().filter_map(|mark| match &mark.shape {
             Shape::Text(text) if mark.id.as_deref()?.starts_with(&prefix) => Some(text.text.content()),

@@ -12,7 +12,7 @@ mod textbook_cases;
 use comparison::Comparison;
 use exact::exceeds;
 use serde_json::Value;
-use stages::Stages;
+use stages::solved;
 use textbook_cases::{Case, cases, markdown, plain};
 
 /// Errors allowed, relative to the largest quantity of a kind.
@@ -29,7 +29,7 @@ fn every_case_moves_as_it_must() {
             let text = files::read(&format!("tests/worked/{case}/{file}"));
             let scene: Value = serde_json::from_str(&text).expect("JSON");
             let expect = decimals(&merged(&expect, &expect["per_file"][file]));
-            let stages = Stages::of(&text).unwrap_or_else(|e| panic!("{case}/{file}: {e}"));
+            let stages = solved(&text).unwrap_or_else(|e| panic!("{case}/{file}: {e}"));
             let result = stages.result();
             let mut comparison = Comparison::new(&expect, &scene, &result);
             comparison.all();

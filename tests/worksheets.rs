@@ -8,7 +8,8 @@ use faults::{faults, panels};
 use kinegon::drawing::{Drawing, Mark, Shape, scales};
 use kinegon::format::svg;
 use kinegon::plan::{Asked, Quantity, Scales, measured_names, quantity};
-use stages::Stages;
+use kinegon::Solution;
+use stages::solved;
 
 /// Every way to lay a sheet.
 const PAGES: [&str; 6] = ["a4", "a4-portrait", "a3", "a3-portrait", "letter", "letter-portrait"];
@@ -30,11 +31,11 @@ fn scenes() -> Vec<(String, String)> {
     all
 }
 
-fn worksheet(text: &str, keys: serde_json::Value) -> (Stages, Drawing) {
+fn worksheet(text: &str, keys: serde_json::Value) -> (Solution, Drawing) {
     let mut keys = keys;
     keys["worksheet"] = true.into();
-    let stages = Stages::of(&with_figure(text, keys)).expect("a good scene");
-    let drawing = stages.drawing();
+    let stages = solved(&with_figure(text, keys)).expect("a good scene");
+    let drawing = stages.figure();
     (stages, drawing)
 }
 
@@ -64,7 +65,7 @@ fn printed_lengths_are_the_results() {
     for (name, text) in scenes() {
         for decimal in ["point", "comma"] {
             let (stages, drawing) = worksheet(&text, serde_json::json!({ "decimal": decimal }));
-            let Stages { scene, mechanism, pose, motion, construction } = &stages;
+            let Solution { scene, mechanism, pose, motion, construction } = &stages;
             let used: Scales = scales(scene, mechanism, pose, construction);
             let names = measured_names(construction);
             for (index, asked) in names.iter().enumerate() {
@@ -110,9 +111,9 @@ fn names_follow_the_notation_and_hidden_points_have_no_rows() {
     assert_eq!(name(9), "ns3bs′3");
     let (_, drawing) = worksheet(&text, serde_json::json!({ "labels": { "S3": "Q" }, "panels": ["scheme"] }));
     assert_eq!(said(&drawing, "measured-1-name"), "B Q");
-    assert!(!svg(&drawing).contains("measured-5-"));
+    assert!(!drawing.svg().contains("measured-5-"));
     let (_, drawing) = worksheet(&text, serde_json::json!({ "special_points": false }));
-    assert!(!svg(&drawing).contains("measured-1-"));
+    assert!(!drawing.svg().contains("measured-1-"));
 }
 
 #[test]
@@ -120,7 +121,7 @@ fn the_ruler_has_fifty_millimetres() {
     for page in PAGES {
         let text = files::read("templates/four-bar.json");
         let (_, drawing) = worksheet(&text, serde_json::json!({ "page": page }));
-        let file = svg(&drawing);
+        let file = drawing.svg();
         let [width, height] = [drawing.width, drawing.height];
         let root = &file[..file.find('>').expect("the root ends")];
         for size in [

@@ -35,9 +35,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = root.join("out");
     fs::create_dir_all(&out)?;
     let drawing = picture::picture(&survey, &times);
-    fs::write(out.join("speed-vs-error.svg"), format::svg(&drawing))?;
+    fs::write(out.join("speed-vs-error.svg"), drawing.svg())?;
     #[cfg(feature = "png")]
-    fs::write(out.join("speed-vs-error.png"), format::png(&drawing, 200.0)?)?;
+    fs::write(out.join("speed-vs-error.png"), drawing.png(200.0)?)?;
     let numbers = document::numbers(&survey, &times, &machine);
     fs::write(out.join("speed-vs-error.json"), format::json(&numbers))?;
     let page = document::accuracy(&survey) + &document::speed(&times, &machine);

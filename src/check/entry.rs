@@ -2,9 +2,9 @@ use super::order::numbered_steps;
 use super::precision::Precision;
 use super::sheet::{CheckError, Given, Measured, Positive};
 use super::unit;
-use super::verdict::Drawn;
+use super::answer_key::AnswerKey;
 use crate::drafting::Sheet;
-use crate::plan::{Asked, Kind, Quantity, QuantityError, Snapshot, What};
+use crate::plan::{Asked, Kind, Quantity, QuantityError, What};
 use indexmap::IndexMap;
 
 /// A written value and what it stands for.
@@ -44,7 +44,7 @@ pub struct Entry {
 ///
 /// # Errors
 /// The first thing that is not understood: an unknown quantity, a wrong unit, a missing scale, contradictory entries, an empty form.
-pub fn entries(measured: &Measured, drawn: &Drawn<'_>) -> Result<Vec<Entry>, CheckError> {
+pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, CheckError> {
     for (mu, name) in measured.mu.iter().zip(["mu_l", "mu_v", "mu_a"]) {
         if mu.is_some_and(|mu| !(mu.is_finite() && mu > 0.0)) {
             return Err(CheckError::new(
@@ -53,7 +53,7 @@ pub fn entries(measured: &Measured, drawn: &Drawn<'_>) -> Result<Vec<Entry>, Che
             ));
         }
     }
-    let reader = Reader { measured, drawn, order: order(drawn) };
+    let reader = Reader { measured, key, order: order(key) };
     let mut entries: Vec<Entry> = Vec::new();
     for given in &measured.values {
         let entry = reader.entry(given).map_err(|e| e.at(&given.place))?;
@@ -83,9 +83,9 @@ pub fn entries(measured: &Measured, drawn: &Drawn<'_>) -> Result<Vec<Entry>, Che
 }
 
 /// The names of all quantities of the steps, in order, with the numbers of their steps.
-fn order(drawn: &Drawn<'_>) -> IndexMap<String, usize> {
+fn order(key: &AnswerKey<'_>) -> IndexMap<String, usize> {
     let mut order = IndexMap::new();
-    for step in numbered_steps(drawn.construction) {
+    for step in numbered_steps(&key.solution.construction) {
         for name in step.names() {
             order.entry(name).or_insert(step.number);
         }
@@ -111,7 +111,7 @@ fn find_precisions(entries: &mut [Entry]) {
 
 pub(super) struct Reader<'a> {
     pub measured: &'a Measured,
-    pub drawn: &'a Drawn<'a>,
+    pub key: &'a AnswerKey<'a>,
     /// The names of all quantities of the steps, in order, with the numbers of their steps.
     pub order: IndexMap<String, usize>,
 }
@@ -156,7 +156,7 @@ impl Reader<'_> {
         if marked && !has_length {
             return Err(CheckError::new(
                 format!("`{name}` is no length on paper, so `/mu` cannot follow it"),
-                format!("write it in {}", kind.unit(self.drawn.units)),
+                format!("write it in {}", kind.unit(self.key.solution.scene.units)),
             ));
         }
         let factor_without_unit = if on_paper {
@@ -164,7 +164,7 @@ impl Reader<'_> {
             own.ok_or_else(|| {
                 CheckError::new(
                     format!("`{name}` is in millimetres of paper, but your scale {mu} is missing"),
-                    format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(self.drawn.units), sheet.name()),
+                    format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(self.key.solution.scene.units), sheet.name()),
                 )
             })?
         } else {
@@ -179,7 +179,7 @@ impl Reader<'_> {
                     "leave the unit out, or the `/mu`",
                 ));
             }
-            Some(unit) => unit::factor(unit, kind, self.drawn.units)?,
+            Some(unit) => unit::factor(unit, kind, self.key.solution.scene.units)?,
             None => 1.0 * factor_without_unit,
         };
         let turns = matches!(asked.what(), What::Omega(_) | What::Alpha(_) | What::Angle(_)) || kind == Kind::Angle;
@@ -211,7 +211,7 @@ impl Reader<'_> {
 
     /// The student's own scales, those of the scene's figure where none are given.
     fn scales(&self) -> [Option<f64>; 3] {
-        let usual = &self.drawn.scales;
+        let usual = &self.key.scales;
         let usual = [usual.length, usual.velocity, usual.acceleration];
         let both = self.measured.mu.iter().zip(usual);
         let mut scales = [None; 3];
@@ -223,7 +223,7 @@ impl Reader<'_> {
 
     /// What a name stands for: the quantity, its exact value, its sheet, the number of its step.
     pub fn quantity(&self, name: &str) -> Result<(Asked, f64, Sheet, usize), CheckError> {
-        let Drawn { mechanism, pose, motion, construction, .. } = self.drawn;
+        let solution = self.key.solution;
         let wrong = |error: QuantityError| {
             let message = error.to_string();
             let (message, own) = match message.split_once("; did you mean") {
@@ -244,12 +244,11 @@ impl Reader<'_> {
         };
         let reversed = self.reversed(name);
         let name = reversed.as_deref().unwrap_or(name);
-        let mut asked = Asked::new(name, mechanism).map_err(wrong)?;
+        let mut asked = Asked::new(name, &solution.mechanism).map_err(wrong)?;
         if asked.is_vector() {
-            asked = Asked::new(&format!("{name}.size"), mechanism).map_err(wrong)?;
+            asked = Asked::new(&format!("{name}.size"), &solution.mechanism).map_err(wrong)?;
         }
-        let snapshot = Snapshot { pose, motion };
-        let value = asked.value(&snapshot, Some(construction), None);
+        let value = asked.value(&solution.snapshot(), Some(&solution.construction), None);
         let expected = match value.map_err(wrong)? {
             Quantity::Number(x) => x,
             Quantity::Vector(v) => v.norm(),
@@ -281,7 +280,7 @@ impl Reader<'_> {
         let own = format!(",{})", crate::plan::image_name(subject));
         let mut steps = self.order.iter();
         let found = steps.find(|(name, _)| name.starts_with(head) && name.ends_with(&own));
-        let sheets = numbered_steps(self.drawn.construction);
+        let sheets = numbered_steps(&self.key.solution.construction);
         let last = sheets.iter().filter(|s| s.sheet <= sheet).map(|s| s.number).max();
         match found {
             Some((_, &step)) if sheet != Sheet::Scheme => step,

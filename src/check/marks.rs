@@ -1,9 +1,10 @@
 //! A marking scheme: how many marks each quantity is worth, and what values earn.
 
+use super::answer_key::AnswerKey;
 use super::entry::entries;
 use super::sheet::{CheckError, Given, Measured};
 use super::template::form_names;
-use super::verdict::{Checked, Drawn, Verdict};
+use super::verdict::{Checked, Verdict};
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
 use crate::words::Wording;
 use indexmap::IndexMap;
@@ -76,7 +77,7 @@ impl Marks {
     ///
     /// # Errors
     /// A quantity that the scene does not have, or that stands there twice; marks or parts that are no such numbers; a scheme without any marks.
-    pub fn of(&self, drawn: &Drawn<'_>) -> Result<Scheme, CheckError> {
+    pub fn of(&self, key: &AnswerKey<'_>) -> Result<Scheme, CheckError> {
         let part = |key: &str, given: Option<f64>, usual: f64| {
             let part = given.unwrap_or(usual);
             let hint = "write a number from 0 (no marks) to 1 (all marks of the quantity)";
@@ -94,14 +95,14 @@ impl Marks {
         };
         let mut worth: IndexMap<String, f64> = IndexMap::new();
         if let Some(each) = each {
-            let all = form_names(drawn.construction).into_iter();
+            let all = form_names(&key.solution.construction).into_iter();
             worth.extend(all.map(|name| (name, each)));
         }
         let mut given: IndexMap<String, &str> = IndexMap::new();
         for (written, own) in &self.values {
             let place = format!("values.{written}");
             let own = marks(&place, *own)?;
-            let name = usual_name(written, drawn)?;
+            let name = usual_name(written, key)?;
             if let Some(other) = given.insert(name.clone(), written) {
                 let message = format!("`{other}` is the same quantity and has its marks already");
                 let error = CheckError::new(message, "keep the one that you mean");
@@ -124,7 +125,7 @@ impl Marks {
 }
 
 /// The name that steps and results give a quantity.
-fn usual_name(written: &str, drawn: &Drawn<'_>) -> Result<String, CheckError> {
+fn usual_name(written: &str, key: &AnswerKey<'_>) -> Result<String, CheckError> {
     let alone = Measured {
         mu: [Some(1.0); 3],
         values: vec![Given {
@@ -135,7 +136,7 @@ fn usual_name(written: &str, drawn: &Drawn<'_>) -> Result<String, CheckError> {
         }],
         ..Measured::default()
     };
-    let mut found = entries(&alone, drawn)?;
+    let mut found = entries(&alone, key)?;
     Ok(found.swap_remove(0).asked.name().to_owned())
 }
 

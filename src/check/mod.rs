@@ -9,6 +9,7 @@
 //! probably drawn; `student` draws with mistakes on purpose;
 //! `marks` says what values earn, `class` what is told of many drawings. Nothing is read or printed here, and no plan is computed again.
 
+mod answer_key;
 mod class;
 mod covariance;
 mod datum;
@@ -35,6 +36,7 @@ mod together;
 mod unit;
 mod verdict;
 
+pub use answer_key::AnswerKey;
 pub use class::{ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
 pub use diagnosis::{Diagnosis, Explanation, Finding};
 pub use entry::{Entry, entries};
@@ -50,4 +52,4 @@ pub use result::{CheckResult, check_result, check_schema};
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};
 pub use student::Student;
 pub use template::{form_names, template_csv, template_json};
-pub use verdict::{BANDS, Checked, Drawn, Judged, Verdict, check};
+pub use verdict::{BANDS, Checked, Judged, Verdict, check};

@@ -4,14 +4,12 @@ use super::entry::Entry;
 use super::order::{numbered_steps, step_of};
 use super::sheet::CheckError;
 use super::together::ways_together;
-use super::verdict::Drawn;
+use super::answer_key::AnswerKey;
 use crate::drafting::{
     Act, Band, Change, Deed, Disturbance, Drafting, LineId, NumberId, PlaceId, Reading, Reference, Sheet, SheetScales,
     Tolerance, Unread, Values, drafting_with,
 };
-use crate::motion::Motion;
-use crate::plan::{Asked, Construction};
-use crate::position::Pose;
+use crate::plan::{Asked, Construction, Solution};
 use smallvec::SmallVec;
 
 /// Kinds of errors whose sizes a hand may have apart: joints plotted, the rest of the scheme, the velocity plan, the acceleration plan,
@@ -89,16 +87,13 @@ pub(super) type Changes<'c> = SmallVec<[Disturbance<'c>; 4]>;
 impl Model {
     /// The construction of a position at the student's scales.
     pub fn new(
-        drawn: &Drawn<'_>,
-        pose: &Pose,
-        motion: &Motion,
-        construction: &Construction,
+        key: &AnswerKey<'_>,
+        solution: &Solution,
         mu: [Option<f64>; 3],
         entries: &[Entry],
     ) -> Result<Model, CheckError> {
-        let mechanism = drawn.mechanism;
         let asked: Vec<Asked> = entries.iter().map(|e| e.asked.clone()).collect();
-        let (mut drafting, readings) = drafting_with(mechanism, pose, motion, construction, &asked);
+        let (mut drafting, readings) = drafting_with(solution, &asked);
         given_first(&mut drafting.acts);
         let readings = readings.into_iter().map(|reading| {
             reading.map_err(|why| match why {
@@ -106,7 +101,7 @@ impl Model {
                 _ => NotRead::Otherwise,
             })
         });
-        let usual = [drawn.scales.length, drawn.scales.velocity, drawn.scales.acceleration];
+        let usual = [key.scales.length, key.scales.velocity, key.scales.acceleration];
         let mut per_mm = [1.0; 3];
         for (sheet, scale) in per_mm.iter_mut().enumerate() {
             *scale = mu[sheet].or(usual[sheet]).ok_or_else(|| {
@@ -133,8 +128,8 @@ impl Model {
             together: Vec::new(),
             drafting,
         };
-        model.look_around(construction);
-        model.together = ways_together(&model, mechanism);
+        model.look_around(&solution.construction);
+        model.together = ways_together(&model, &solution.mechanism);
         Ok(model)
     }
 

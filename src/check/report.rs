@@ -1,8 +1,9 @@
 //! The report as text, in the figure's language.
 
+use super::answer_key::AnswerKey;
 use super::diagnosis::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
-use super::verdict::{Checked, Drawn, Judged, Verdict};
+use super::verdict::{Checked, Judged, Verdict};
 use crate::plan::{PlanKind, shown_text};
 use crate::words::{Language, Medium, NumberStyle, Wording};
 
@@ -10,10 +11,10 @@ use super::order::numbered_steps;
 
 /// What is said to the student: verdicts in the order of the construction, then what probably happened.
 #[must_use]
-pub fn report(checked: &Checked, drawn: &Drawn<'_>, words: &Wording) -> String {
-    let page = Page::new(checked, drawn, words, Medium::Text);
+pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String {
+    let page = Page::new(checked, key, words, Medium::Text);
     let mut lines = vec![page.counts()];
-    let tolerance = &drawn.tolerance;
+    let tolerance = &key.tolerance;
     let [mm, degrees] = [tolerance.mm, tolerance.degrees].map(|x| words.write(x, NumberStyle::shortest()));
     lines.push(page.own.check_tolerance(&mm, &degrees));
     lines.push(String::new());
@@ -38,15 +39,15 @@ pub(super) struct Told {
 /// The sentences about checked values.
 pub(super) struct Page<'a> {
     pub checked: &'a Checked,
-    drawn: &'a Drawn<'a>,
+    key: &'a AnswerKey<'a>,
     words: &'a Wording,
     pub own: &'static Language,
     medium: Medium,
 }
 
 impl<'a> Page<'a> {
-    pub(super) fn new(checked: &'a Checked, drawn: &'a Drawn<'a>, words: &'a Wording, medium: Medium) -> Page<'a> {
-        Page { checked, drawn, words, own: words.language, medium }
+    pub(super) fn new(checked: &'a Checked, key: &'a AnswerKey<'a>, words: &'a Wording, medium: Medium) -> Page<'a> {
+        Page { checked, key, words, own: words.language, medium }
     }
 }
 
@@ -86,7 +87,7 @@ impl Page<'_> {
     /// A value in the columns of the table.
     pub(super) fn row(&self, value: &Judged) -> [String; 8] {
         let entry = &value.entry;
-        let unit = entry.asked.kind().unit(self.drawn.units);
+        let unit = entry.asked.kind().unit(self.key.solution.scene.units);
         let expected = if entry.is_magnitude { entry.expected.abs() } else { entry.expected };
         let on_paper = entry.per_mm.map(|mu| {
             let mm = self.words.write(value.difference / mu, signed(2).on(self.medium));
@@ -211,7 +212,7 @@ impl Page<'_> {
     pub(super) fn told(&self, finding: &Finding) -> Told {
         let Finding { candidate, follows, .. } = finding;
         let [done, should] = sentences(candidate, self.words);
-        let steps = numbered_steps(self.drawn.construction);
+        let steps = numbered_steps(&self.key.solution.construction);
         let step = steps.iter().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // All values are touched by it.

@@ -3,7 +3,8 @@
 use super::diagnosis::{Explanation, Finding};
 use super::marks::Awarded;
 use super::report::sentences;
-use super::verdict::{Checked, Drawn, Verdict};
+use super::answer_key::AnswerKey;
+use super::verdict::{Checked, Verdict};
 use crate::plan::PlanKind;
 use crate::words::Wording;
 use schemars::JsonSchema;
@@ -99,7 +100,7 @@ fn is_false(flag: &bool) -> bool {
 
 /// The result as JSON shows it, sentences in the wording's language.
 #[must_use]
-pub fn check_result(checked: &Checked, drawn: &Drawn<'_>, words: &Wording, name: Option<String>) -> CheckResult {
+pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, name: Option<String>) -> CheckResult {
     let names = |list: &[usize]| -> Vec<String> {
         let names = list.iter().map(|&i| checked.values[i].entry.asked.name().to_owned());
         names.collect()
@@ -111,7 +112,7 @@ pub fn check_result(checked: &Checked, drawn: &Drawn<'_>, words: &Wording, name:
             step: entry.step,
             value: entry.value,
             expected: entry.expected,
-            unit: entry.asked.kind().unit(drawn.units),
+            unit: entry.asked.kind().unit(key.solution.scene.units),
             difference: value.difference,
             difference_mm: entry.per_mm.map(|mu| value.difference / mu),
             percent: (entry.expected != 0.0).then(|| 100.0 * value.difference / entry.expected.abs()),

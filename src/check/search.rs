@@ -6,10 +6,9 @@ use super::fit::{Fit, Hands};
 use super::mistakes::{Candidate, Mistake, Site};
 use super::model::Model;
 use super::score::Scorer;
-use super::verdict::{Drawn, Judged};
+use super::answer_key::AnswerKey;
+use super::verdict::{Judged};
 use crate::cores::{on_all_cores, on_each_core};
-use crate::motion::{Order, motion};
-use crate::plan::construction;
 use crate::position::poses;
 
 /// How many candidates of a level are compared as a whole.
@@ -40,42 +39,40 @@ pub(super) struct Tried {
 }
 
 /// What explains the values of an own drawing.
-pub(super) fn diagnose(drawn: &Drawn<'_>, mu: [Option<f64>; 3], model: &Model, values: &[Judged]) -> Diagnosis {
+pub(super) fn diagnose(key: &AnswerKey<'_>, mu: [Option<f64>; 3], model: &Model, values: &[Judged]) -> Diagnosis {
     let entries: Vec<Entry> = values.iter().map(|v| v.entry.clone()).collect();
     let mut models = vec![model.clone()];
-    models.extend(other_modes(drawn, mu, &entries));
-    let site = Site { model, drawn, entries: &entries, other_modes: models.len() - 1 };
+    models.extend(other_modes(key, mu, &entries));
+    let site = Site { model, key, entries: &entries, other_modes: models.len() - 1 };
     let candidates = site.candidates();
-    let scorer = Scorer::new(&models, &entries, drawn.tolerance);
+    let scorer = Scorer::new(&models, &entries, key.tolerance);
     let search = Search {
         costs: costs(&candidates),
         all: (0..candidates.len()).collect(),
         candidates: &candidates,
         scorer: &scorer,
     };
-    let tried = search.run(drawn.depth);
+    let tried = search.run(key.depth);
     search.diagnosis(tried, values)
 }
 
 /// The same construction in the other positions in which the links fit together.
-pub(super) fn other_modes(drawn: &Drawn<'_>, mu: [Option<f64>; 3], entries: &[Entry]) -> Vec<Model> {
+pub(super) fn other_modes(key: &AnswerKey<'_>, mu: [Option<f64>; 3], entries: &[Entry]) -> Vec<Model> {
     // Groups without a construction take long to assemble and are not drawn.
-    if drawn.construction.agreement.iter().any(Option::is_none) {
+    if key.solution.construction.agreement.iter().any(Option::is_none) {
         return Vec::new();
     }
-    let Ok(all) = poses(drawn.mechanism, drawn.near) else {
+    let Ok(all) = poses(&key.solution.mechanism, &key.solution.scene.near) else {
         return Vec::new();
     };
     let away = |pose: &crate::position::Pose| {
-        let places = pose.points.iter().zip(&drawn.pose.points);
-        let size = crate::geometry::span(drawn.pose.points.iter().copied());
+        let places = pose.points.iter().zip(&key.solution.pose.points);
+        let size = crate::geometry::span(key.solution.pose.points.iter().copied());
         places.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max) > 1e-6 * size
     };
     let others = all.into_iter().filter(away).take(5);
     let models = others.filter_map(|pose| {
-        let motion = motion(drawn.mechanism, &pose, Order::Acceleration).ok()?;
-        let construction = construction(drawn.mechanism, &pose, &motion);
-        let model = Model::new(drawn, &pose, &motion, &construction, mu, entries).ok()?;
+        let model = Model::new(key, &key.solution.moved(pose).ok()?, mu, entries).ok()?;
         let same = model.readings.iter().zip(entries).all(|(r, _)| r.is_ok());
         let finite = model.read(&model.exact).iter().all(|x| x.is_finite());
         (same && finite).then_some(model)

@@ -5,13 +5,13 @@ use super::mistakes::{Candidate, Mistake, Site};
 use super::model::Model;
 use super::order::numbered_steps;
 use super::sheet::{CheckError, Given, Measured};
-use super::verdict::Drawn;
+use super::answer_key::AnswerKey;
 use crate::drafting::{Change, Disturbance};
 use crate::plan::Kind;
 
 /// Somebody who draws a scene and fills in the whole form.
 pub struct Student<'a> {
-    drawn: &'a Drawn<'a>,
+    key: &'a AnswerKey<'a>,
     models: Vec<Model>,
     mu: [Option<f64>; 3],
     names: Vec<String>,
@@ -23,11 +23,11 @@ impl<'a> Student<'a> {
     ///
     /// # Errors
     /// Where the figure lacks a sheet.
-    pub fn new(drawn: &'a Drawn<'a>) -> Result<Student<'a>, CheckError> {
-        let scales = &drawn.scales;
+    pub fn new(key: &'a AnswerKey<'a>) -> Result<Student<'a>, CheckError> {
+        let scales = &key.scales;
         let mu = [scales.length, scales.velocity, scales.acceleration];
         let mut names: Vec<String> = Vec::new();
-        for name in numbered_steps(drawn.construction).iter().flat_map(|s| s.names()) {
+        for name in numbered_steps(&key.solution.construction).iter().flat_map(|s| s.names()) {
             if !names.contains(&name) {
                 names.push(name);
             }
@@ -35,11 +35,11 @@ impl<'a> Student<'a> {
         // Written without digits, the form says what there is to read.
         let blank = |name: &String| Given { name: name.clone(), text: "0".to_owned(), unit: None, place: name.clone() };
         let form = Measured { mu, values: names.iter().map(blank).collect(), ..Measured::default() };
-        let entries = entries(&form, drawn)?;
-        let model = Model::new(drawn, drawn.pose, drawn.motion, drawn.construction, mu, &entries)?;
+        let entries = entries(&form, key)?;
+        let model = Model::new(key, key.solution, mu, &entries)?;
         let mut models = vec![model];
-        models.extend(super::search::other_modes(drawn, mu, &entries));
-        Ok(Student { drawn, models, mu, names, entries })
+        models.extend(super::search::other_modes(key, mu, &entries));
+        Ok(Student { key, models, mu, names, entries })
     }
 
     /// All ways to make a mistake of drawing, measuring or computing. Slips of writing need something written first.
@@ -47,7 +47,7 @@ impl<'a> Student<'a> {
     pub fn ways(&self, mistake: Mistake) -> Vec<Candidate> {
         let site = Site {
             model: &self.models[0],
-            drawn: self.drawn,
+            key: self.key,
             entries: &self.entries,
             other_modes: self.models.len() - 1,
         };
@@ -136,14 +136,14 @@ impl<'a> Student<'a> {
     #[must_use]
     pub fn unit(&self, given: &Given) -> Option<String> {
         let entry = self.entries.iter().find(|e| e.asked.name() == given.name)?;
-        Some(entry.asked.kind().unit(self.drawn.units))
+        Some(entry.asked.kind().unit(self.key.solution.scene.units))
     }
 
     /// By what a written number is multiplied for the value in the scene's units.
     #[must_use]
     pub fn factor(&self, given: &Given) -> Option<f64> {
         let form = Measured { mu: self.mu, values: vec![given.clone()], ..Measured::default() };
-        Some(entries(&form, self.drawn).ok()?.first()?.factor)
+        Some(entries(&form, self.key).ok()?.first()?.factor)
     }
 }
 

@@ -1,38 +1,11 @@
+use super::answer_key::AnswerKey;
 use super::diagnosis::Diagnosis;
 use super::entry::{Entry, entries};
 use super::model::Model;
 use super::points::is_mirrored;
 use super::search::diagnose;
 use super::sheet::{CheckError, Measured};
-use crate::drafting::Tolerance;
-use crate::mechanism::Mechanism;
-use crate::motion::Motion;
-use crate::plan::{Construction, PlanKind, Scales};
-use crate::position::Pose;
-use crate::scene::{Near, Units};
-
-/// A scene as it should be drawn: everything that values are held against.
-#[derive(Clone, Copy, Debug)]
-pub struct Drawn<'a> {
-    /// The scene's units.
-    pub units: Units,
-    /// Which assembly mode was asked for.
-    pub near: &'a Near,
-    /// The mechanism.
-    pub mechanism: &'a Mechanism,
-    /// Its position.
-    pub pose: &'a Pose,
-    /// Its motion, with accelerations.
-    pub motion: &'a Motion,
-    /// Its plans.
-    pub construction: &'a Construction,
-    /// The scales of the scene's figure.
-    pub scales: Scales,
-    /// How good a hand may be expected to be.
-    pub tolerance: Tolerance,
-    /// How many mistakes at once are looked for.
-    pub depth: usize,
-}
+use crate::plan::PlanKind;
 
 /// How a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,10 +62,10 @@ pub const BANDS: f64 = 2.0;
 ///
 /// # Errors
 /// Where the values are not understood.
-pub fn check(measured: &Measured, drawn: &Drawn<'_>) -> Result<Checked, CheckError> {
-    let entries = entries(measured, drawn)?;
-    let model = Model::new(drawn, drawn.pose, drawn.motion, drawn.construction, measured.mu, &entries)?;
-    let bands = model.bands(&drawn.tolerance);
+pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckError> {
+    let entries = entries(measured, key)?;
+    let model = Model::new(key, key.solution, measured.mu, &entries)?;
+    let bands = model.bands(&key.tolerance);
     let judged = entries.iter().zip(&bands).zip(&model.readings);
     let judged = judged.map(|((entry, band), reading)| {
         let mut difference =
@@ -126,8 +99,8 @@ pub fn check(measured: &Measured, drawn: &Drawn<'_>) -> Result<Checked, CheckErr
         }
     });
     let values: Vec<Judged> = judged.collect();
-    let diagnosis = diagnose(drawn, measured.mu, &model, &values);
-    let plans = drawn.construction.plans();
+    let diagnosis = diagnose(key, measured.mu, &model, &values);
+    let plans = key.solution.construction.plans();
     let mirrored = plans.filter(|plan| {
         let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
         places.any(|points| is_mirrored(points, plan))

@@ -4,11 +4,11 @@ use super::files::{self, Source};
 use super::message::Failure;
 use super::pencil::Hand;
 use super::wording::Words;
-use super::work::{Mode, Work, work};
-use crate::check::{self, CheckError, Drawn, Marks, Measured, Scheme};
-use crate::drawing::scales;
+use super::work::{Mode, solve, warn_of};
+use crate::check::{self, CheckError, AnswerKey, Marks, Measured, Scheme};
 use crate::format;
 use crate::motion::Order;
+use crate::plan::Solution;
 use crate::words::Wording;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -68,16 +68,16 @@ enum Form {
 impl Check {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let work = work(&source, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)?;
+        let solution = solve(&source, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)?;
         let Some(path) = &self.measured else {
-            return self.print_template(&work);
+            return self.print_template(&solution);
         };
         self.correction.refuse_useless(path.is_dir())?;
-        let drawn = self.drawn(&work);
-        let wording = Wording::of(&work.scene.figure);
-        let scheme = self.scheme(&drawn)?;
+        let key = self.key(&solution);
+        let wording = Wording::of(&solution.scene.figure);
+        let scheme = self.scheme(&key)?;
         if path.is_dir() {
-            return self.class(path, &work, &drawn, scheme.as_ref());
+            return self.class(path, &solution, &key, scheme.as_ref());
         }
         if self.output.is_some() {
             return Err(Failure::Misuse(
@@ -87,38 +87,38 @@ impl Check {
         }
         let text = files::read_text("form", path)?;
         let measured = read(path, &text)?;
-        let checked = check::check(&measured, &drawn);
+        let checked = check::check(&measured, &key);
         let checked = checked.map_err(|error| misuse(&text, &error))?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
         let printed = if self.json {
-            let mut result = check::check_result(&checked, &drawn, &wording, measured.name.clone());
+            let mut result = check::check_result(&checked, &key, &wording, measured.name.clone());
             result.marks = marks;
             format::json(&result)
         } else {
             let marks = marks.map_or_else(String::new, |marks| marks.line(&wording) + "\n");
-            check::report(&checked, &drawn, &wording) + &marks
+            check::report(&checked, &key, &wording) + &marks
         };
-        work.warn();
+        warn_of(&solution);
         let files = [self.scene.as_path(), path];
         let correction = &self.correction;
-        correction.write(&work, files, &measured, &drawn, &checked)?;
+        correction.write(&solution, files, &measured, &key, &checked)?;
         files::print(printed.as_bytes())?;
         if checked.is_passed() { Ok(()) } else { Err(Failure::NotPassed) }
     }
 
     /// The forms of a folder.
-    fn class(&self, folder: &Path, work: &Work, drawn: &Drawn<'_>, scheme: Option<&Scheme>) -> Result<(), Failure> {
+    fn class(&self, folder: &Path, solution: &Solution, key: &AnswerKey<'_>, scheme: Option<&Scheme>) -> Result<(), Failure> {
         let output = self.output.as_deref().unwrap_or(Path::new("-"));
         for (what, input) in [("scene", Some(&self.scene)), ("marking scheme", self.marks.as_ref())] {
             input.map_or(Ok(()), |input| files::keep_input(what, input, output))?;
         }
         let form = Report::of(output, self.json)?;
-        work.warn();
+        warn_of(&solution);
         let class = Class {
             folder,
             others: [Some(&self.scene), self.marks.as_deref()],
-            drawn,
-            words: &Wording::of(&work.scene.figure),
+            key,
+            words: &Wording::of(&solution.scene.figure),
             scheme,
             form,
             output,
@@ -127,35 +127,30 @@ impl Check {
     }
 
     /// The marks of the scene's quantities, where a marking scheme is given.
-    fn scheme(&self, drawn: &Drawn<'_>) -> Result<Option<Scheme>, Failure> {
+    fn scheme(&self, key: &AnswerKey<'_>) -> Result<Option<Scheme>, Failure> {
         let Some(path) = &self.marks else {
             return Ok(None);
         };
         let text = files::read_text("marking scheme", path)?;
         let marks = Marks::read(&text.text);
         let marks = marks.map_err(|e| Failure::Scene(text.clone(), Box::new(e.into())))?;
-        let scheme = marks.of(drawn).map_err(|error| misuse(&text, &error))?;
+        let scheme = marks.of(key).map_err(|error| misuse(&text, &error))?;
         Ok(Some(scheme))
     }
 
-    fn print_template(&self, work: &Work) -> Result<(), Failure> {
-        let scales = scales(&work.scene, &work.mechanism, &work.pose, &work.construction);
+    fn print_template(&self, solution: &Solution) -> Result<(), Failure> {
+        let scales = solution.scales();
         let text = match self.template.unwrap_or(Form::Json) {
-            Form::Json => check::template_json(&work.construction, &scales),
-            Form::Csv => check::template_csv(&work.construction, &scales),
+            Form::Json => check::template_json(&solution.construction, &scales),
+            Form::Csv => check::template_csv(&solution.construction, &scales),
         };
         files::print(text.as_bytes())
     }
 
-    fn drawn<'a>(&self, work: &'a Work) -> Drawn<'a> {
-        Drawn {
-            units: work.scene.units,
-            near: &work.scene.near,
-            mechanism: &work.mechanism,
-            pose: &work.pose,
-            motion: &work.motion,
-            construction: &work.construction,
-            scales: scales(&work.scene, &work.mechanism, &work.pose, &work.construction),
+    fn key<'a>(&self, solution: &'a Solution) -> AnswerKey<'a> {
+        AnswerKey {
+            solution,
+            scales: solution.scales(),
             tolerance: self.hand.tolerance(),
             depth: usize::from(self.depth),
         }

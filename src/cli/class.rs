@@ -4,7 +4,7 @@ use super::check::read;
 use super::files;
 use super::message::{Failure, note};
 use super::pieces::{Out, Pieces};
-use crate::check::{self, ClassRow, ClassSummary, Drawn, Scheme};
+use crate::check::{self, ClassRow, ClassSummary, AnswerKey, Scheme};
 use crate::words::Wording;
 use std::ffi::OsStr;
 use std::fs;
@@ -16,7 +16,7 @@ pub(super) struct Class<'a> {
     pub folder: &'a Path,
     /// Files of the folder that are no forms: the scene and the marking scheme.
     pub others: [Option<&'a Path>; 2],
-    pub drawn: &'a Drawn<'a>,
+    pub key: &'a AnswerKey<'a>,
     pub words: &'a Wording,
     pub scheme: Option<&'a Scheme>,
     pub form: Form,
@@ -177,7 +177,7 @@ impl Class<'_> {
             Ok(measured) => measured,
             Err(failure) => return broken(failure),
         };
-        match check::check(&measured, self.drawn) {
+        match check::check(&measured, self.key) {
             Ok(checked) => {
                 let name = measured.name.as_deref();
                 ClassRow::checked(file, name, &checked, self.words, self.scheme)

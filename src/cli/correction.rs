@@ -1,10 +1,9 @@
 use super::figures::{Figures, Forms, stem};
 use super::message::{Failure, warn};
 use super::paper::{GivenScales, Paper};
-use super::work::Work;
-use crate::check::{self, Checked, Drawn, Measured};
-use crate::drawing::{misfits, overlay};
-use crate::words::Wording;
+use crate::check::{self, Checked, AnswerKey, Measured};
+use crate::drawing::overlay;
+use crate::plan::Solution;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -51,10 +50,10 @@ impl Correction {
     /// Draws checked values, where that was asked for; `inputs` are the files of the scene and of the values, which are not written over.
     pub(super) fn write(
         &self,
-        work: &Work,
+        solution: &Solution,
         [scene_file, values_file]: [&Path; 2],
         measured: &Measured,
-        drawn: &Drawn<'_>,
+        key: &AnswerKey<'_>,
         checked: &Checked,
     ) -> Result<(), Failure> {
         let Some(output) = &self.draw else {
@@ -66,8 +65,8 @@ impl Correction {
                 Some("name a folder or a file after --draw".into()),
             ));
         }
-        let mut scene = work.scene.clone();
-        let figure = &mut scene.figure;
+        let mut own = solution.clone();
+        let figure = &mut own.scene.figure;
         // The student's own scales, unless others are asked for.
         let [mu_l, mu_v, mu_a] = measured.mu;
         figure.mu_l = mu_l.or(figure.mu_l);
@@ -75,13 +74,10 @@ impl Correction {
         figure.mu_a = mu_a.or(figure.mu_a);
         self.paper.put_into(figure);
         self.scales.put_into(figure);
-        let words = Wording::of(figure);
-        let own = check::redrawn(measured, drawn, checked, &words);
-        let own = own.map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
-        let (mechanism, pose, construction) = (&work.mechanism, &work.pose, &work.construction);
-        let left_out = misfits(&scene, mechanism, pose, construction);
-        left_out.iter().for_each(|text| warn(text));
-        let sheets = overlay(&scene, mechanism, pose, construction, &own);
+        let redrawn = check::redrawn(measured, key, checked, &own.wording())
+            .map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
+        own.overflow_warnings().iter().for_each(|text| warn(text));
+        let sheets = overlay(&own, &redrawn);
         let name = format!("{}-check", stem(values_file));
         let names = [name.clone(), format!("{name}-values")].into_iter();
         let names = names.chain((2..).map(|number| format!("{name}-values-{number}")));

@@ -3,11 +3,12 @@ use super::files::{self, Source};
 use super::message::{Failure, warn};
 use super::paper::{GivenScales, Paper};
 use super::wording::Words;
-use super::work::{Mode, Work, work};
+use super::work::{Mode, solve, warn_of};
 use crate::cycle::{Drive, Film};
-use crate::drawing::{Drawing, figure, frames, misfits, stepwise};
+use crate::drawing::{Drawing, frames};
 use crate::format::{Page, html};
 use crate::motion::Order;
+use crate::plan::Solution;
 use crate::scene::{Figure, Panel, Scene};
 use crate::words::{Medium, NumberStyle, Wording};
 use clap::Args;
@@ -65,24 +66,22 @@ impl Draw {
                 })
                 .to_vec(),
         };
-        let (mut drawings, mut works) = (Vec::new(), Vec::new());
+        let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
-            let work = work(&source, self.mode.number, |f| self.put_into(f), needed)?;
-            work.warn();
-            let (scene, mechanism) = (&work.scene, &work.mechanism);
-            let misfits = misfits(scene, mechanism, &work.pose, &work.construction);
-            misfits.iter().for_each(|text| warn(text));
-            self.sheets(name, &work, &mut drawings)?;
-            works.push((source, work));
+            let solution = solve(&source, self.mode.number, |f| self.put_into(f), needed)?;
+            warn_of(&solution);
+            solution.overflow_warnings().iter().for_each(|text| warn(text));
+            self.sheets(name, &solution, &mut drawings)?;
+            solved.push((source, solution));
         }
         let scene = self.scene.as_deref().map(|scene| ("scene", scene));
         let inputs: Vec<(&str, &Path)> = scene.into_iter().collect();
         if self.layered {
             return self.figures.write_layered(&inputs, drawings);
         }
-        let whole = drawings.len() == works.len();
-        let page = |index: usize| match works.get(index) {
-            Some((source, work)) if whole => self.page(source, work),
+        let whole = drawings.len() == solved.len();
+        let page = |index: usize| match solved.get(index) {
+            Some((source, solution)) if whole => self.page(source, solution),
             _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
         self.figures.write(&inputs, drawings, page)
@@ -98,11 +97,9 @@ impl Draw {
     }
 
     /// The page of a scene: its figure with all steps, in all positions of the drive.
-    fn page(&self, source: &Source, work: &Work) -> Result<String, Failure> {
-        let (mechanism, own) = (&work.mechanism, (&work.pose, &work.construction));
-        let words = Wording::of(&work.scene.figure);
-        let drive = self.drive.as_deref();
-        let film = Film::new(mechanism, own, &words, drive, self.positions.into());
+    fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
+        let words = solution.wording();
+        let film = Film::new(solution, self.drive.as_deref(), self.positions.into());
         let film = film.map_err(|error| Failure::Scene(source.clone(), Box::new(error.into())))?;
         let value = |value: &f64| {
             let drive = film.drive.as_ref();
@@ -110,7 +107,7 @@ impl Draw {
         };
         let values: Vec<String> = film.values.iter().map(value).collect();
         let quantity = film.drive.as_ref().map(Drive::quantity);
-        let mut frames = frames(&work.scene, mechanism, &film.positions, film.own);
+        let mut frames = frames(&film.positions, film.own);
         self.figures.dress(&mut frames)?;
         Ok(html(&Page {
             frames: &frames,
@@ -123,18 +120,16 @@ impl Draw {
     }
 
     /// The figure, or those of its steps that were asked for, under names of their own.
-    fn sheets(&self, name: String, work: &Work, drawings: &mut Vec<(String, Drawing)>) -> Result<(), Failure> {
-        let (scene, mechanism, pose) = (&work.scene, &work.mechanism, &work.pose);
-        let wanted = match (self.steps, scene.figure.step) {
+    fn sheets(&self, name: String, solution: &Solution, drawings: &mut Vec<(String, Drawing)>) -> Result<(), Failure> {
+        let wanted = match (self.steps, solution.scene.figure.step) {
             (false, None) => {
                 let name = if self.layered { format!("{name}-layered") } else { name };
-                let drawing = figure(scene, mechanism, pose, &work.construction);
-                drawings.push((name, drawing));
+                drawings.push((name, solution.figure()));
                 return Ok(());
             }
             (_, step) => step,
         };
-        let all = stepwise(scene, mechanism, pose, &work.construction);
+        let all = solution.stepwise_figure();
         let count = all.steps.len();
         let digits = count.to_string().len().max(2);
         let (first, last) = match wanted {

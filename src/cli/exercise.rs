@@ -4,7 +4,7 @@ use super::message::Failure;
 use super::new;
 use super::paper::{GivenScales, Paper};
 use super::wording::Words;
-use super::work::work;
+use super::work::solve;
 use crate::drawing::{Drawing, Style};
 use crate::exercise::{Exercise, ExerciseError, Exercises};
 use crate::format::{self, Text};
@@ -63,8 +63,8 @@ impl ExerciseCommand {
             figure.style = named.unwrap_or(figure.style);
         };
         let style = self.style.as_deref().map(style).transpose()?;
-        let work = work(&source, None, put, |_| Order::Acceleration)?;
-        let (figure, construction) = (&work.scene.figure, &work.construction);
+        let solution = solve(&source, None, put, |_| Order::Acceleration)?;
+        let (figure, construction) = (&solution.scene.figure, &solution.construction);
         let failed = |error: ExerciseError| Failure::Outside(format!("{}: {error}", source.name));
         let page = self.paper.is_given().then_some(figure.page);
         let exercises = Exercises::new(&source.text, figure, page, construction, self.seed);
@@ -135,7 +135,7 @@ fn files_of(exercise: &Exercise, style: Option<&Style>, folder: &Path) -> Result
 fn pictures(name: &str, drawing: &Drawing) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let svg = format::svg_with(drawing, Text::Letters).into_bytes();
     #[cfg(feature = "pdf")]
-    let pdf = format::pdf(drawing).map_err(|error| Failure::Misuse(error.to_string(), None))?;
+    let pdf = drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None))?;
     Ok(vec![
         (format!("{name}.svg"), svg),
         #[cfg(feature = "pdf")]

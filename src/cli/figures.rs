@@ -101,10 +101,10 @@ impl Figures {
                 let bytes = match form {
                     Form::Svg => format::svg_with(drawing, text).into_bytes(),
                     #[cfg(feature = "pdf")]
-                    Form::Pdf => format::pdf(drawing).map_err(|error| Failure::Misuse(error.to_string(), None))?,
-                    Form::Tikz => format::tikz(drawing).into_bytes(),
+                    Form::Pdf => drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None))?,
+                    Form::Tikz => drawing.tikz().into_bytes(),
                     #[cfg(feature = "png")]
-                    Form::Png => format::png(drawing, self.forms.dpi)
+                    Form::Png => drawing.png(self.forms.dpi)
                         .map_err(|error| Failure::Misuse(error.to_string(), None))?,
                     Form::Html => page(index)?.into_bytes(),
                 };

@@ -1,7 +1,5 @@
-use super::work::Work;
 use crate::drafting::{self, Pencil, Tolerance};
-use crate::drawing::scales;
-use crate::plan::Asked;
+use crate::plan::{Asked, Solution};
 use clap::Args;
 
 /// How good a hand is.
@@ -38,9 +36,7 @@ impl Hand {
     }
 
     /// The bands of what is asked for, drawn at the scales of the scene's figure.
-    pub(super) fn pencil(&self, work: &Work, asked: Vec<Asked>) -> Pencil {
-        let Work { scene, mechanism, pose, motion, construction } = work;
-        let scales = scales(scene, mechanism, pose, construction);
-        drafting::pencil(mechanism, pose, motion, construction, &scales, self.tolerance(), asked)
+    pub(super) fn pencil(&self, solution: &Solution, asked: Vec<Asked>) -> Pencil {
+        drafting::pencil(solution, &solution.scales(), self.tolerance(), asked)
     }
 }

@@ -1,13 +1,12 @@
 use super::files;
 use super::message::{Failure, warn};
 use super::pencil::Hand;
-use super::work::{Mode, Work, work};
-use crate::accuracy::bounds;
+use super::work::{Mode, solve, warn_of};
 use crate::drafting::readable_names;
-use crate::drawing::{Style, scales};
-use crate::format::{self, QuantityResult, ResultFile, Solved};
+use crate::drawing::Style;
+use crate::format::{self, QuantityResult, ResultFile};
 use crate::motion::Order;
-use crate::plan::{Asked, Quantity, is_acceleration, measured_names, quantity};
+use crate::plan::{Asked, Quantity, Solution, is_acceleration, measured_names};
 use crate::scene::Scene;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -32,38 +31,28 @@ pub(super) struct Solve {
 impl Solve {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let work = work(&source, self.mode.number, |_| (), needed)?;
+        let solution = solve(&source, self.mode.number, |_| (), needed)?;
         if self.digits {
-            return print_digits(&work);
+            return print_digits(&solution);
         }
-        let mut result = format::result(Solved {
-            units: work.scene.units,
-            mechanism: &work.mechanism,
-            pose: &work.pose,
-            motion: &work.motion,
-            construction: &work.construction,
-        });
+        let mut result = solution.result();
         let wrong = |error| Failure::Scene(source, Box::new(error));
-        add_quantities(&work, &mut result).map_err(wrong.clone())?;
+        add_quantities(&solution, &mut result).map_err(wrong.clone())?;
         if self.pencil || self.hand.is_given() {
-            let asked = drawn_quantities(&work).map_err(wrong)?;
-            let pencil = self.hand.pencil(&work, asked);
-            result.pencil = Some(format::pencil_result(&pencil, work.scene.units));
+            let asked = drawn_quantities(&solution).map_err(wrong)?;
+            let pencil = self.hand.pencil(&solution, asked);
+            result.pencil = Some(format::pencil_result(&pencil, solution.scene.units));
         }
-        work.warn();
+        warn_of(&solution);
         files::print(format::json(&result).as_bytes())
     }
 }
 
 /// The table of certain digits; says which of the wanted quantities have no stated bound.
-fn print_digits(work: &Work) -> Result<(), Failure> {
-    let (mechanism, pose, motion) = (&work.mechanism, &work.pose, &work.motion);
-    let units = work.scene.units;
-    let bounds = bounds(mechanism, pose, motion);
-    let construction = &work.construction;
-    let text = format::digits(units, mechanism, pose, motion, construction, &bounds);
-    work.warn();
-    for name in work.scene.want.iter().flatten() {
+fn print_digits(solution: &Solution) -> Result<(), Failure> {
+    let text = solution.digits();
+    warn_of(solution);
+    for name in solution.scene.want.iter().flatten() {
         // A vector stands there by its components.
         let begins = |line: &str| line.starts_with(&format!("{name} ")) || line.starts_with(&format!("{name}."));
         if !text.lines().any(begins) {
@@ -84,18 +73,19 @@ fn needed(scene: &Scene) -> Order {
 }
 
 /// The quantities that the scene wants; all that the construction measures where it does not say.
-fn add_quantities(work: &Work, result: &mut ResultFile) -> Result<(), crate::Error> {
-    let names = match &work.scene.want {
+fn add_quantities(solution: &Solution, result: &mut ResultFile) -> Result<(), crate::Error> {
+    let names = match &solution.scene.want {
         Some(want) => want.clone(),
-        None => measured_names(&work.construction),
+        None => measured_names(&solution.construction),
     };
     let on_paper = names.iter().any(|n| n.ends_with("/mu"));
-    let scales = on_paper.then(|| scales(&work.scene, &work.mechanism, &work.pose, &work.construction));
+    let scales = on_paper.then(|| solution.scales());
     for (index, name) in names.iter().enumerate() {
-        let value = quantity(name, &work.mechanism, &work.pose, &work.motion, &work.construction, scales.as_ref());
+        let value = Asked::new(name, &solution.mechanism)
+            .and_then(|asked| asked.value(&solution.snapshot(), Some(&solution.construction), scales.as_ref()));
         let value = value.map_err(|error| {
             let path = ["want", &index.to_string()];
-            work.scene.error_at(&path, error.to_string(), None)
+            solution.scene.error_at(&path, error.to_string(), None)
         })?;
         let value = match value {
             Quantity::Number(x) => QuantityResult::Number(x),
@@ -107,10 +97,10 @@ fn add_quantities(work: &Work, result: &mut ResultFile) -> Result<(), crate::Err
 }
 
 /// What may be read from a hand drawing of the scene: everything that the result gives, and what the scene wants; vectors by size and angle.
-fn drawn_quantities(work: &Work) -> Result<Vec<Asked>, crate::Error> {
-    let mut names = readable_names(&work.mechanism, &work.motion, &work.construction);
-    for name in work.scene.want.iter().flatten() {
-        let asked = Asked::new(name, &work.mechanism)?;
+fn drawn_quantities(solution: &Solution) -> Result<Vec<Asked>, crate::Error> {
+    let mut names = readable_names(solution);
+    for name in solution.scene.want.iter().flatten() {
+        let asked = Asked::new(name, &solution.mechanism)?;
         if asked.is_vector() {
             names.extend(["size", "angle"].map(|part| format!("{name}.{part}")));
         } else {
@@ -120,7 +110,7 @@ fn drawn_quantities(work: &Work) -> Result<Vec<Asked>, crate::Error> {
     let mut asked: Vec<Asked> = Vec::new();
     for name in names {
         if !asked.iter().any(|other| other.name() == name) {
-            asked.push(Asked::new(&name, &work.mechanism)?);
+            asked.push(Asked::new(&name, &solution.mechanism)?);
         }
     }
     Ok(asked)

@@ -3,8 +3,7 @@ use super::message::Failure;
 use super::paper::{GivenScales, Paper};
 use super::pencil::Hand;
 use super::wording::Words;
-use super::work::{Mode, work};
-use crate::format;
+use super::work::{Mode, solve, warn_of};
 use crate::motion::Order;
 use crate::plan::{Asked, step_names};
 use crate::scene::Figure;
@@ -36,14 +35,14 @@ impl Steps {
             self.paper.put_into(figure);
             self.scales.put_into(figure);
         };
-        let work = work(&source, self.mode.number, asked, |_| Order::Acceleration)?;
-        let names = step_names(&work.construction);
-        let asked = names.iter().map(|name| Asked::new(name, &work.mechanism));
+        let solution = solve(&source, self.mode.number, asked, |_| Order::Acceleration)?;
+        let names = step_names(&solution.construction);
+        let asked = names.iter().map(|name| Asked::new(name, &solution.mechanism));
         let asked = asked.collect::<Result<Vec<Asked>, _>>();
         let asked = asked.map_err(|error| Failure::Scene(source, Box::new(error.into())))?;
-        let pencil = self.hand.pencil(&work, asked);
-        let text = format::steps(&work.scene, &work.construction, &pencil);
-        work.warn();
+        let pencil = self.hand.pencil(&solution, asked);
+        let text = solution.steps(&pencil);
+        warn_of(&solution);
         files::print(text.as_bytes())
     }
 }

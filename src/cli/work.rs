@@ -1,11 +1,10 @@
 use super::files::{self, Source};
 use super::message::{Failure, warn};
 use crate::mechanism::{Mechanism, mechanism};
-use crate::motion::{Motion, Order, motion};
-use crate::plan::{Construction, construction_in};
+use crate::motion::Order;
+use crate::plan::Solution;
 use crate::position::{AssemblyError, Pose, pose, poses};
 use crate::scene::{Figure, Near, Scene};
-use crate::words::Wording;
 use clap::Args;
 use std::path::Path;
 
@@ -25,29 +24,18 @@ fn mode_number(text: &str) -> Result<usize, String> {
     }
 }
 
-/// A scene after all stages before drawing.
-pub(super) struct Work {
-    pub scene: Scene,
-    pub mechanism: Mechanism,
-    pub pose: Pose,
-    pub motion: Motion,
-    pub construction: Construction,
-}
-
-/// Takes a scene through its stages, as far as `order` says, with what was `asked` of its figure on the command line; in the assembly mode of that number, else the one that `near` picks.
-pub(super) fn work(
+/// Solves a scene, as far as `order` says, with what was `asked` of its figure on the command line; in the assembly mode of that number, else the one that `near` picks.
+pub(super) fn solve(
     source: &Source,
     mode: Option<usize>,
     asked: impl Fn(&mut Figure),
     order: impl Fn(&Scene) -> Order,
-) -> Result<Work, Failure> {
-    let stages = || -> Result<Work, crate::Error> {
+) -> Result<Solution, Failure> {
+    let stages = || -> Result<Solution, crate::Error> {
         let (mut scene, mechanism, pose) = posed(source, mode)?;
         asked(&mut scene.figure);
-        let motion = motion(&mechanism, &pose, order(&scene))?;
-        let wording = Wording::of(&scene.figure);
-        let construction = construction_in(&mechanism, &pose, &motion, &wording);
-        Ok(Work { scene, mechanism, pose, motion, construction })
+        let order = order(&scene);
+        Ok(Solution::new(scene, mechanism, pose, order)?)
     };
     stages().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))
 }
@@ -83,12 +71,7 @@ fn numbered(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<Pose, cra
     }
 }
 
-impl Work {
-    /// Says on stderr what the reader should know of the result.
-    pub(super) fn warn(&self) {
-        let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings, &self.construction.warnings];
-        for warning in found.into_iter().flatten() {
-            warn(warning);
-        }
-    }
+/// Says on stderr what the reader should know of a result.
+pub(super) fn warn_of(solution: &Solution) {
+    solution.warnings().for_each(warn);
 }

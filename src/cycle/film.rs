@@ -1,9 +1,5 @@
 use super::{CycleError, Drive, Path};
-use crate::mechanism::Mechanism;
-use crate::motion::{Order, motion};
-use crate::plan::{Construction, construction_in};
-use crate::position::Pose;
-use crate::words::Wording;
+use crate::plan::Solution;
 
 /// How far from each end of a drive's range the film keeps, in parts of the range: at a limit position rates are infinite.
 const OFF_THE_END: f64 = 0.004;
@@ -11,15 +7,15 @@ const OFF_THE_END: f64 = 0.004;
 /// How far a slider that has no end is followed either way, in parts of the mechanism's size.
 const WAY: f64 = 0.3;
 
-/// Positions of a mechanism at equal steps of a drive, with their constructions, for showing one after another.
+/// A mechanism solved at equal steps of a drive, for showing one position after another.
 #[derive(Clone, Debug)]
 pub struct Film {
     /// The drive; none for a drawn configuration and for a mechanism at rest, which have one position.
     pub drive: Option<Drive>,
     /// The drive's values in degrees or lengths, rising; one zero without a drive.
     pub values: Vec<f64>,
-    /// The position at each value, and what is drawn of it.
-    pub positions: Vec<(Pose, Construction)>,
+    /// The mechanism solved at each value.
+    pub positions: Vec<Solution>,
     /// Which of them is the scene's own.
     pub own: usize,
     /// Whether the last is followed by the first: the drive turns all the way round.
@@ -28,21 +24,16 @@ pub struct Film {
 
 impl Film {
     /// About `count` positions over the whole range that the drive of this name (without one, the first) can reach on the branch of
-    /// `pose`, and `pose` itself, which has this construction; steps are told in these words. Positions without a definite motion are left out.
+    /// the solution's own position, and that position itself. Positions without a definite motion are left out.
     ///
     /// # Errors
     /// There is no drive of that name, or the branch cannot be followed.
-    pub fn new(
-        mechanism: &Mechanism,
-        (pose, own): (&Pose, &Construction),
-        words: &Wording,
-        drive: Option<&str>,
-        count: usize,
-    ) -> Result<Self, CycleError> {
+    pub fn new(own: &Solution, drive: Option<&str>, count: usize) -> Result<Self, CycleError> {
+        let (mechanism, pose) = (&own.mechanism, &own.pose);
         let still = Self {
             drive: None,
             values: vec![0.0],
-            positions: vec![(pose.clone(), own.clone())],
+            positions: vec![own.clone()],
             own: 0,
             is_round: false,
         };
@@ -77,28 +68,23 @@ impl Film {
             values.remove(next);
         }
         values.insert(next, start);
-        let order = match own.acceleration {
-            Some(_) => Order::Acceleration,
-            None => Order::Velocity,
-        };
         let mut film = Self { drive: Some(drive), values: Vec::new(), positions: Vec::new(), is_round, ..still };
         let mut walker = path.walker();
         for value in values {
             if value == start {
                 film.own = film.values.len();
                 film.values.push(value);
-                film.positions.push((pose.clone(), own.clone()));
+                film.positions.push(own.clone());
                 continue;
             }
             let Some(pose) = walker.position(value).map(|position| position.pose()) else {
                 continue;
             };
-            let Ok(motion) = motion(mechanism, &pose, order) else {
+            let Ok(solution) = own.moved(pose) else {
                 continue;
             };
-            let construction = construction_in(mechanism, &pose, &motion, words);
             film.values.push(value);
-            film.positions.push((pose, construction));
+            film.positions.push(solution);
         }
         Ok(film)
     }

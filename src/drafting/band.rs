@@ -2,10 +2,7 @@ use super::act::Sheet;
 use super::read::{Reading, Unread, drafting_with};
 use super::replay::{Change, Disturbance, SheetScales, Values};
 use super::writer::Drafting;
-use crate::mechanism::Mechanism;
-use crate::motion::Motion;
-use crate::plan::{Asked, Construction, Scales};
-use crate::position::Pose;
+use crate::plan::{Asked, Scales, Solution};
 
 /// How far an honest hand may be off: limits within which every error is equally likely.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,16 +71,8 @@ impl Pencil {
 /// once with each sign: the mean of both leaves the exact value by the second-order part. Where its root mean square exceeds σ/5, as
 /// under small angles of crossing, or where a distance may be nothing within its band, the band says that it is rough.
 #[must_use]
-pub fn pencil(
-    mechanism: &Mechanism,
-    pose: &Pose,
-    motion: &Motion,
-    construction: &Construction,
-    scales: &Scales,
-    tolerance: Tolerance,
-    asked: Vec<Asked>,
-) -> Pencil {
-    let (drafting, readings) = drafting_with(mechanism, pose, motion, construction, &asked);
+pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked: Vec<Asked>) -> Pencil {
+    let (drafting, readings) = drafting_with(solution, &asked);
     let given = [scales.length, scales.velocity, scales.acceleration];
     let on_sheets = readings.into_iter().map(|reading| {
         let reading = reading?;

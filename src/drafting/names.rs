@@ -1,11 +1,12 @@
-use crate::mechanism::{Mechanism, Role, SliderId};
-use crate::motion::{Motion, Order};
-use crate::plan::{Construction, coincident_name, is_acceleration, measured_names};
+use crate::mechanism::{Role, SliderId};
+use crate::motion::Order;
+use crate::plan::{Solution, coincident_name, is_acceleration, measured_names};
 
 /// Names of what results and steps give and a hand drawing may have read from it: measured lengths and segments, rates, vectors by size
 /// and angle, angles of links, positions of sliders.
 #[must_use]
-pub fn readable_names(mechanism: &Mechanism, motion: &Motion, construction: &Construction) -> Vec<String> {
+pub fn readable_names(solution: &Solution) -> Vec<String> {
+    let Solution { mechanism, motion, construction, .. } = solution;
     let mut names = measured_names(construction);
     for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Stub) {
         // A link with one point has no line of its own.

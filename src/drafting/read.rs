@@ -1,11 +1,9 @@
 use super::act::{How, NumberId, PlaceId, Product, Reference, Sheet};
 use super::writer::{Drafting, Writer, written};
-use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
-use crate::motion::Motion;
+use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::plan::{
-    Asked, Component, Construction, Normality, PlanKind, Spot, What, image_name, is_acceleration, normal_name,
+    Asked, Component, Normality, PlanKind, Solution, Spot, What, image_name, is_acceleration, normal_name,
 };
-use crate::position::Pose;
 
 /// How a quantity is read: a number of the drafting, perhaps without its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,14 +61,8 @@ impl Sheet {
 /// A quantity that the construction measures or solves for is read there. A segment or a vector of a plan, a direction and a
 /// length are measured once more, with an error of their own.
 #[must_use]
-pub fn drafting_with(
-    mechanism: &Mechanism,
-    pose: &Pose,
-    motion: &Motion,
-    construction: &Construction,
-    asked: &[Asked],
-) -> (Drafting, Vec<Result<Reading, Unread>>) {
-    let mut reader = Reader { writer: written(mechanism, pose, motion, construction) };
+pub fn drafting_with(solution: &Solution, asked: &[Asked]) -> (Drafting, Vec<Result<Reading, Unread>>) {
+    let mut reader = Reader { writer: written(solution) };
     let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
     (reader.writer.drafting, readings)
 }

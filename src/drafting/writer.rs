@@ -3,7 +3,7 @@ use super::body::Anchor;
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, cross, span};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
 use crate::motion::{Motion, Order};
-use crate::plan::{Construction, PlanKind, image_name};
+use crate::plan::{Construction, PlanKind, Solution, image_name};
 use crate::position::Pose;
 use indexmap::IndexMap;
 
@@ -53,19 +53,14 @@ impl Drafting {
 /// are all in a drawn configuration. A guide that runs through two points of its link is drawn through them, any other in its
 /// direction. Places are counted from the mechanism's first point.
 #[must_use]
-pub fn drafting(mechanism: &Mechanism, pose: &Pose, motion: &Motion, construction: &Construction) -> Drafting {
-    written(mechanism, pose, motion, construction).drafting
+pub fn drafting(solution: &Solution) -> Drafting {
+    written(solution).drafting
 }
 
 /// The same, with what may still be added to it.
-pub(super) fn written<'a>(
-    mechanism: &'a Mechanism,
-    pose: &'a Pose,
-    motion: &'a Motion,
-    construction: &'a Construction,
-) -> Writer<'a> {
-    let mut writer = Writer::new(mechanism, pose, motion, construction);
-    for index in 0..mechanism.groups.len() {
+pub(super) fn written(solution: &Solution) -> Writer<'_> {
+    let mut writer = Writer::new(solution);
+    for index in 0..solution.mechanism.groups.len() {
         writer.group(index);
     }
     writer
@@ -90,7 +85,8 @@ pub(super) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    fn new(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion, construction: &'a Construction) -> Self {
+    fn new(solution: &'a Solution) -> Self {
+        let Solution { mechanism, pose, motion, construction, .. } = solution;
         let drafting = Drafting {
             acts: Vec::new(),
             origin: pose.points.first().copied().unwrap_or_default(),

@@ -9,9 +9,7 @@ use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::table::{Cells, Table};
 use super::view::Extent;
-use crate::mechanism::Mechanism;
-use crate::plan::Construction;
-use crate::position::Pose;
+use crate::plan::Solution;
 use crate::scene::{Panel, Scene};
 use kurbo::Rect;
 
@@ -47,13 +45,10 @@ struct Way {
 /// sheets of its own. What lies outside a panel is cut off there and named at its edge.
 #[must_use]
 pub fn overlay(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
+    solution: &Solution,
     overlay: &Overlay,
 ) -> Vec<Drawing> {
-    let scheme = Scheme::new(scene, mechanism, pose, construction);
+    let (scene, scheme) = (&solution.scene, Scheme::new(solution));
     let words = &scheme.words;
     let page = scene.figure.page.size_mm();
     let way = best_way(scene, &scheme, overlay);

@@ -7,9 +7,7 @@ use super::sheet::Drawing;
 use super::text::RichText;
 use super::view::Extent;
 use super::worksheet::Worksheet;
-use crate::mechanism::Mechanism;
-use crate::plan::{Asked, Construction};
-use crate::position::Pose;
+use crate::plan::{Asked, Solution};
 use crate::scene::{Panel, Scene};
 
 /// The sheet of an exercise: the scheme without special points, but with room for them; below it `sentences`, in markup; beside it a table with
@@ -17,32 +15,26 @@ use crate::scene::{Panel, Scene};
 /// scale that the scene gives.
 #[must_use]
 pub fn exercise_sheet(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
+    solution: &Solution,
     asked: &[Asked],
     sentences: &[String],
 ) -> Option<Drawing> {
-    let scene = alone(scene);
-    let scheme = Scheme::new(&scene, mechanism, pose, construction);
-    let laid = Laid::out(&scene, &scheme, sentences, |_| Worksheet::blank(&scheme, scene.units, asked));
+    let alone = alone(solution);
+    let scheme = Scheme::new(&alone);
+    let laid = Laid::out(&alone.scene, &scheme, sentences, |_| Worksheet::blank(&scheme, alone.scene.units, asked));
     let placed = laid.sheet.layout.panels.first()?;
     let size = laid.extents.first()?.1.size() / placed.mu;
     let fits = size.x <= placed.area.width() && size.y <= placed.area.height();
-    fits.then(|| compose(&scene, &scheme, &laid.sheet, &laid.extents, Shown::Words(&laid.lines)).after_step(0))
+    fits.then(|| compose(&alone.scene, &scheme, &laid.sheet, &laid.extents, Shown::Words(&laid.lines)).after_step(0))
 }
 
 /// The figure that a scene asks for with other `sentences` below its scales, in markup.
 #[must_use]
 pub fn key_sheet(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
+    solution: &Solution,
     sentences: &[String],
 ) -> Drawing {
-    let scheme = Scheme::new(scene, mechanism, pose, construction);
+    let (scene, scheme) = (&solution.scene, Scheme::new(solution));
     let table = |extents: &[(Panel, Extent)]| {
         let page = scene.figure.page.size_mm();
         Worksheet::new(&scheme, scene.units, extents, page)
@@ -54,24 +46,21 @@ pub fn key_sheet(
 /// The scale at which the scheme fits on the sheet of an exercise, from the same as [`exercise_sheet`]; that of the scene where it gives one.
 #[must_use]
 pub fn exercise_scale(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    construction: &Construction,
+    solution: &Solution,
     asked: &[Asked],
     sentences: &[String],
 ) -> Option<f64> {
-    let scene = alone(scene);
-    let scheme = Scheme::new(&scene, mechanism, pose, construction);
-    let laid = Laid::out(&scene, &scheme, sentences, |_| Worksheet::blank(&scheme, scene.units, asked));
+    let alone = alone(solution);
+    let scheme = Scheme::new(&alone);
+    let laid = Laid::out(&alone.scene, &scheme, sentences, |_| Worksheet::blank(&scheme, alone.scene.units, asked));
     laid.sheet.layout.panels.first().map(|placed| placed.mu)
 }
 
-/// The scene with nothing but the scheme in its figure.
-fn alone(scene: &Scene) -> Scene {
-    let mut scene = scene.clone();
-    scene.figure.panels = vec![Panel::Scheme];
-    scene
+/// The solution with nothing but the scheme in its figure.
+fn alone(solution: &Solution) -> Solution {
+    let mut alone = solution.clone();
+    alone.scene.figure.panels = vec![Panel::Scheme];
+    alone
 }
 
 /// A sheet of an exercise, divided up.
@@ -102,7 +91,7 @@ impl Laid {
 
 /// Whether the scheme has its special points at their places, none beyond reach.
 #[must_use]
-pub fn shows_special_points(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: &Construction) -> bool {
-    let scheme = Scheme::new(scene, mechanism, pose, construction);
+pub fn shows_special_points(solution: &Solution) -> bool {
+    let scheme = Scheme::new(solution);
     scheme.special().all(|special| scheme.is_near(special))
 }

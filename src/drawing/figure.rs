@@ -13,31 +13,79 @@ use super::view::{Extent, View, fitting_scale};
 use super::words;
 use super::worksheet::Worksheet;
 use crate::mechanism::{Class, Mechanism};
-use crate::plan::{Construction, Scales, shown_text};
-use crate::position::Pose;
+use crate::plan::{Scales, Solution, shown_text};
 use crate::scene::{Panel, Scene};
 use crate::words::{Language, Wording};
 use kurbo::{Point, Rect};
 
-/// The figure that a scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
-#[must_use]
-pub fn figure(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: &Construction) -> Drawing {
-    let scheme = Scheme::new(scene, mechanism, pose, construction);
-    let extents = extents(&scheme);
-    let sheet = Sheet::new(scene, &scheme, &extents, false);
-    compose(scene, &scheme, &sheet, &extents, Shown::Figure)
+impl Solution {
+    /// The figure that the scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
+    #[must_use]
+    pub fn figure(&self) -> Drawing {
+        let scheme = Scheme::new(self);
+        let extents = extents(&scheme);
+        let sheet = Sheet::new(&self.scene, &scheme, &extents, false);
+        compose(&self.scene, &scheme, &sheet, &extents, Shown::Figure)
+    }
+
+    /// The same figure with every step of the construction in it: [`Drawing::after_step`] gives the sheet as it stands after one of them,
+    /// with what to do and the equation below the panels.
+    ///
+    /// Plans that the figure has no panel for are not drawn, but their steps are told.
+    #[must_use]
+    pub fn stepwise_figure(&self) -> Drawing {
+        let scheme = Scheme::new(self);
+        let extents = extents(&scheme);
+        let sheet = Sheet::new(&self.scene, &scheme, &extents, true);
+        compose(&self.scene, &scheme, &sheet, &extents, Shown::Steps)
+    }
+
+    /// The scales of the figure; a plan without a panel has the scale that the scene gives, or none.
+    #[must_use]
+    pub fn scales(&self) -> Scales {
+        let scheme = Scheme::new(self);
+        let sheet = Sheet::new(&self.scene, &scheme, &extents(&scheme), false);
+        let of = |panel: Panel| {
+            let placed = sheet.layout.panels.iter().find(|p| p.panel == panel);
+            self.scene.figure.mu(panel).or(placed.map(|p| p.mu))
+        };
+        Scales { length: of(Panel::Scheme), velocity: of(Panel::Velocity), acceleration: of(Panel::Acceleration) }
+    }
+
+    /// What the figure leaves out because it does not fit at a scale that the scene gives: a sentence for each such panel, with a scale that
+    /// fits. Special points far away count as fitting: they are shown by their cut lines.
+    #[must_use]
+    pub fn overflow_warnings(&self) -> Vec<String> {
+        let figure = &self.scene.figure;
+        if !figure.panels.iter().any(|&panel| figure.mu(panel).is_some()) {
+            return Vec::new();
+        }
+        let scheme = Scheme::new(self);
+        let extents = extents(&scheme);
+        let sheet = Sheet::new(&self.scene, &scheme, &extents, false);
+        let panels = sheet.layout.panels.iter().zip(&extents);
+        panels.filter_map(|(placed, (_, extent))| overflow_warning(placed, extent)).collect()
+    }
 }
 
-/// The same figure with every step of the construction in it: [`Drawing::after_step`] gives the sheet as it stands after one of them,
-/// with what to do and the equation below the panels.
-///
-/// Plans that the figure has no panel for are not drawn, but their steps are told.
-#[must_use]
-pub fn stepwise(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: &Construction) -> Drawing {
-    let scheme = Scheme::new(scene, mechanism, pose, construction);
-    let extents = extents(&scheme);
-    let sheet = Sheet::new(scene, &scheme, &extents, true);
-    compose(scene, &scheme, &sheet, &extents, Shown::Steps)
+/// What is said of a panel whose content is larger than it.
+fn overflow_warning(placed: &Placed, extent: &Extent) -> Option<String> {
+    // Within the panel, even if not within the white around its content.
+    let (size, frame) = (extent.size() / placed.mu, placed.frame);
+    if size.x <= frame.width() && size.y <= frame.height() {
+        return None;
+    }
+    let key = match placed.panel {
+        Panel::Scheme => "mu_l",
+        Panel::Velocity => "mu_v",
+        Panel::Acceleration => "mu_a",
+    };
+    let words = Wording::default();
+    let panel = name(words.language, placed.panel).to_lowercase();
+    let [fitting, given] = [fitting_scale(extent, placed.area), placed.mu].map(|mu| words.write(mu, legend::SCALE));
+    Some(format!(
+        "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
+    ))
 }
 
 /// What a figure shows.
@@ -60,12 +108,13 @@ pub(super) enum Shown<'a> {
 /// several times as large as most: near a limit position rates grow without bound, and special points run to infinity. What does not
 /// fit is cut off at the panel's edge. Moving figures are for the screen: none is a work sheet.
 #[must_use]
-pub fn frames(scene: &Scene, mechanism: &Mechanism, positions: &[(Pose, Construction)], own: usize) -> Vec<Drawing> {
-    let scheme = |(pose, construction)| Scheme { insets: false, ..Scheme::new(scene, mechanism, pose, construction) };
-    let schemes: Vec<Scheme<'_>> = positions.iter().map(|(p, c)| scheme((p, c))).collect();
-    let Some(first) = schemes.get(own) else {
+pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
+    let schemes: Vec<Scheme<'_>> =
+        positions.iter().map(|solution| Scheme { insets: false, ..Scheme::new(solution) }).collect();
+    let Some(scene) = positions.get(own).map(|solution| &solution.scene) else {
         return Vec::new();
     };
+    let first = &schemes[own];
     let extents: Vec<(Panel, Extent)> = extents(first)
         .into_iter()
         .map(|(panel, extent)| {
@@ -151,52 +200,6 @@ pub(super) fn draw_title(drawing: &mut Drawing, room: Rect) {
     let size = TITLE_SIZE * (room.width() / title.width(TITLE_SIZE)).min(1.0);
     let heading = PlacedText::new(title, size, Point::new(room.x0, room.y0 + 5.6));
     drawing.draw(Pen::Heading, Shape::Text(heading));
-}
-
-/// The scales of the figure that a scene asks for; a plan without a panel has the scale that the scene gives, or none.
-#[must_use]
-pub fn scales(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: &Construction) -> Scales {
-    let scheme = Scheme::new(scene, mechanism, pose, construction);
-    let sheet = Sheet::new(scene, &scheme, &extents(&scheme), false);
-    let of = |panel: Panel| {
-        let mut panels = sheet.layout.panels.iter();
-        let placed = panels.find(|p| p.panel == panel);
-        scene.figure.mu(panel).or(placed.map(|p| p.mu))
-    };
-    Scales { length: of(Panel::Scheme), velocity: of(Panel::Velocity), acceleration: of(Panel::Acceleration) }
-}
-
-/// What the figure leaves out because it does not fit at a scale that the scene gives: a sentence for each such panel, with a scale that
-/// fits. Special points far away count as fitting: they are shown by their cut lines.
-#[must_use]
-pub fn misfits(scene: &Scene, mechanism: &Mechanism, pose: &Pose, construction: &Construction) -> Vec<String> {
-    let given = |&panel: &Panel| scene.figure.mu(panel).is_some();
-    if !scene.figure.panels.iter().any(given) {
-        return Vec::new();
-    }
-    let scheme = Scheme::new(scene, mechanism, pose, construction);
-    let extents = extents(&scheme);
-    let sheet = Sheet::new(scene, &scheme, &extents, false);
-    let panels = sheet.layout.panels.iter().zip(&extents);
-    let misfit = |(placed, (_, extent)): (&Placed, &(Panel, Extent))| {
-        // Within the panel, even if not within the white around its content.
-        let (size, frame) = (extent.size() / placed.mu, placed.frame);
-        let fits = size.x <= frame.width() && size.y <= frame.height();
-        let key = match placed.panel {
-            Panel::Scheme => "mu_l",
-            Panel::Velocity => "mu_v",
-            Panel::Acceleration => "mu_a",
-        };
-        let panel = name(Wording::default().language, placed.panel).to_lowercase();
-        let [fitting, given] =
-            [fitting_scale(extent, placed.area), placed.mu].map(|mu| Wording::default().write(mu, legend::SCALE));
-        (!fits).then(|| {
-            format!(
-                "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
-            )
-        })
-    };
-    panels.filter_map(misfit).collect()
 }
 
 /// The panels that have something to show, and how much.

@@ -39,7 +39,7 @@ pub use arrow::arrow_head;
 pub use correction::overlay;
 pub use curves::{CurvesError, curves, hodographs};
 pub use exercise::{exercise_scale, exercise_sheet, key_sheet, shows_special_points};
-pub use figure::{figure, frames, misfits, scales, stepwise};
+pub use figure::frames;
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look};

@@ -292,6 +292,6 @@ mod tests {
             drawing.draw(Pen::Label, Shape::Text(text));
         }
         assert_eq!(drawing.halos().len(), drawing.marks.len());
-        assert!(!crate::format::svg(&drawing).contains("NaN"));
+        assert!(!drawing.svg().contains("NaN"));
     }
 }

@@ -3,7 +3,7 @@
 use super::judge::{Exercise, Refusal, key_page};
 use super::vary::{OnGuide, length_step, varied};
 use crate::geometry::Random;
-use crate::plan::{Asked, Construction, Quantity, Snapshot};
+use crate::plan::{Construction, Quantity};
 use crate::scene::{Figure, Page, PageSize, Panel, SceneError};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -136,8 +136,8 @@ impl Exercises {
         self.put_near(&mut file, &first);
         self.put_figure(&mut file, &first);
         let exercise = Exercise::of(&crate::format::json(&file), self.figure.page, None)?;
-        let same = exercise.pose.points.iter().zip(&first.pose.points);
-        let size = crate::geometry::span(first.pose.points.iter().copied());
+        let same = exercise.solution.pose.points.iter().zip(&first.solution.pose.points);
+        let size = crate::geometry::span(first.solution.pose.points.iter().copied());
         let moved = same.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
         match moved < 1e-6 * size {
             true => Ok(exercise),
@@ -153,14 +153,12 @@ impl Exercises {
         };
         // What it says of places holds for the template's.
         near.shift_remove("note");
-        let snapshot = Snapshot { pose: &found.pose, motion: &found.motion };
+        let solution = &found.solution;
         for (name, value) in near {
-            if let Some(point) = found.mechanism.point(name) {
-                let place = found.pose.point(point);
+            if let Some(point) = solution.mechanism.point(name) {
+                let place = solution.pose.point(point);
                 *value = json!([place.x, place.y].map(|x| super::numbers::written(step.nearest(x))));
-            } else if let Ok(asked) = Asked::new(name, &found.mechanism)
-                && let Ok(Quantity::Number(angle)) = asked.value(&snapshot, Some(&found.construction), None)
-            {
+            } else if let Ok(Quantity::Number(angle)) = solution.quantity(name) {
                 *value = super::numbers::written(libm::round(angle));
             }
         }

@@ -3,13 +3,12 @@
 use super::given::sentences;
 use crate::check::{BANDS, form_names, numbered_steps};
 use crate::drafting::{Pencil, Tolerance, pencil};
-use crate::drawing::{Drawing, exercise_scale, exercise_sheet, misfits, scales, shows_special_points};
-use crate::mechanism::{Mechanism, mechanism};
-use crate::motion::{Motion, Order, motion};
-use crate::plan::{Action, Asked, Construction, PlanKind, Quantity, Scales, Snapshot, What, construction_in};
-use crate::position::{Pose, pose};
+use crate::drawing::{Drawing, exercise_scale, exercise_sheet, shows_special_points};
+use crate::mechanism::mechanism;
+use crate::motion::Order;
+use crate::plan::{Action, Asked, Construction, PlanKind, Quantity, Scales, Solution, What};
+use crate::position::pose;
 use crate::scene::{Figure, Page, PageSize, Scene};
-use crate::words::Wording;
 
 /// Condition numbers of groups are at most this: near singular positions every length counts many times.
 const CONDITION: f64 = 40.0;
@@ -29,16 +28,8 @@ const NOTHING: f64 = 1e-9;
 pub struct Exercise {
     /// The text of its scene file.
     pub text: String,
-    /// The scene.
-    pub scene: Scene,
-    /// Its mechanism.
-    pub mechanism: Mechanism,
-    /// Its position.
-    pub pose: Pose,
-    /// Its motion, with accelerations.
-    pub motion: Motion,
-    /// Its plans.
-    pub construction: Construction,
+    /// The scene, solved.
+    pub solution: Solution,
     /// The scales of its sheets.
     pub scales: Scales,
     /// How exactly a careful hand finds each quantity of the form.
@@ -89,64 +80,50 @@ impl Exercise {
         scene.figure = asked.unwrap_or(&scene.figure).clone();
         let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
         let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
-        let motion = motion(&mechanism, &pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
-        let conditions = motion.groups.iter().map(|group| group.condition);
+        let mut solution =
+            Solution::new(scene, mechanism, pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
+        let conditions = solution.motion.groups.iter().map(|group| group.condition);
         if conditions.fold(1.0, f64::max) > CONDITION {
             return Err(Refusal::Singular);
         }
-        let wording = Wording::of(&scene.figure);
-        let construction = construction_in(&mechanism, &pose, &motion, &wording);
-        crosses_well(&construction)?;
-        let quantities = form_names(&construction).into_iter();
-        let quantities = quantities.map(|name| Asked::new(&name, &mechanism));
-        let quantities: Vec<Asked> = quantities.collect::<Result<_, _>>().map_err(|_| Refusal::NoConstruction)?;
+        crosses_well(&solution.construction)?;
+        let quantities: Vec<Asked> = form_names(&solution.construction)
+            .iter()
+            .map(|name| Asked::new(name, &solution.mechanism))
+            .collect::<Result<_, _>>()
+            .map_err(|_| Refusal::NoConstruction)?;
         // Scheme and plans are as large as the key has room; the scheme smaller where the student's sheet needs it.
-        let mut students = scene.clone();
-        (students.figure.page, students.figure.worksheet) = (page, false);
-        (scene.figure.page, scene.figure.worksheet) = (key_page(page), true);
-        let mut own = scales(&scene, &mechanism, &pose, &construction);
-        if scene.figure.mu_l.is_none() {
-            let given = sentences(&scene, text, &own, &wording);
-            let (asked, given) = (quantities.as_slice(), given.as_slice());
-            let mu = exercise_scale(&students, &mechanism, &pose, &construction, asked, given);
-            if mu > own.length {
-                scene.figure.mu_l = mu;
-                own = scales(&scene, &mechanism, &pose, &construction);
+        let mut students = solution.clone();
+        let figure = &mut students.scene.figure;
+        (figure.page, figure.worksheet) = (page, false);
+        let figure = &mut solution.scene.figure;
+        (figure.page, figure.worksheet) = (key_page(page), true);
+        let wording = solution.wording();
+        let mut scales = solution.scales();
+        if solution.scene.figure.mu_l.is_none() {
+            let given = sentences(&solution.scene, text, &scales, &wording);
+            let mu = exercise_scale(&students, &quantities, &given);
+            if mu > scales.length {
+                solution.scene.figure.mu_l = mu;
+                scales = solution.scales();
             }
-            students.figure.mu_l = own.length;
+            students.scene.figure.mu_l = scales.length;
         }
-        let scales = own;
-        is_long_enough(&construction, &scales)?;
-        let fits = misfits(&scene, &mechanism, &pose, &construction).is_empty()
-            && shows_special_points(&scene, &mechanism, &pose, &construction);
-        if !fits {
+        is_long_enough(&solution.construction, &scales)?;
+        if !(solution.overflow_warnings().is_empty() && shows_special_points(&solution)) {
             return Err(Refusal::Sheet);
         }
-        let hand = Tolerance::default();
-        let asked = quantities.clone();
-        let pencil = pencil(&mechanism, &pose, &motion, &construction, &scales, hand, asked);
-        is_sure(&pencil, &values(&quantities, &pose, &motion, &construction))?;
-        let given = sentences(&scene, text, &scales, &wording);
-        let (asked, given) = (quantities.as_slice(), given.as_slice());
-        let sheet = exercise_sheet(&students, &mechanism, &pose, &construction, asked, given);
-        Ok(Exercise {
-            text: text.to_owned(),
-            scales,
-            pencil,
-            sheet: sheet.ok_or(Refusal::Sheet)?,
-            scene,
-            mechanism,
-            pose,
-            motion,
-            construction,
-        })
+        let pencil = pencil(&solution, &scales, Tolerance::default(), quantities.clone());
+        is_sure(&pencil, &values(&quantities, &solution))?;
+        let given = sentences(&solution.scene, text, &scales, &wording);
+        let sheet = exercise_sheet(&students, &quantities, &given).ok_or(Refusal::Sheet)?;
+        Ok(Exercise { text: text.to_owned(), scales, pencil, sheet, solution })
     }
 
     /// What is asked for, with its exact value.
     pub(super) fn values(&self) -> Vec<(Asked, f64)> {
-        let asked = self.pencil.quantities.iter().map(|(asked, _)| asked.clone());
-        let asked: Vec<Asked> = asked.collect();
-        values(&asked, &self.pose, &self.motion, &self.construction)
+        let asked: Vec<Asked> = self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
+        values(&asked, &self.solution)
     }
 }
 
@@ -156,9 +133,9 @@ pub(super) fn key_page(students: Page) -> Page {
 }
 
 /// Quantities with their exact values.
-fn values(asked: &[Asked], pose: &Pose, motion: &Motion, construction: &Construction) -> Vec<(Asked, f64)> {
-    let snapshot = Snapshot { pose, motion };
-    let value = |asked: &Asked| match asked.value(&snapshot, Some(construction), None).ok()? {
+fn values(asked: &[Asked], solution: &Solution) -> Vec<(Asked, f64)> {
+    let construction = Some(&solution.construction);
+    let value = |asked: &Asked| match asked.value(&solution.snapshot(), construction, None).ok()? {
         Quantity::Number(x) => Some(x),
         Quantity::Vector(v) => Some(v.norm()),
     };

@@ -6,7 +6,7 @@ use crate::check::{BANDS, numbered_steps, significant, template_csv, template_js
 use crate::drawing::{Drawing, key_sheet};
 use crate::plan::What;
 use crate::scene::schema_of;
-use crate::words::{Medium, Wording};
+use crate::words::Medium;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -54,7 +54,7 @@ impl Exercise {
     /// All values of the form, with what a careful hand may be off by.
     #[must_use]
     pub fn key(&self) -> KeyResult {
-        let steps = numbered_steps(&self.construction);
+        let steps = numbered_steps(&self.solution.construction);
         let names: Vec<(usize, Vec<String>)> = steps.iter().map(|s| (s.number, s.names())).collect();
         let step = |name: &str| {
             let mut found = names.iter().filter(|(_, own)| own.iter().any(|n| n == name));
@@ -64,7 +64,7 @@ impl Exercise {
             let band = self.pencil.band(asked.name());
             let value = KeyValue {
                 value,
-                unit: asked.kind().unit(self.scene.units),
+                unit: asked.kind().unit(self.solution.scene.units),
                 allowed: band.map(|band| BANDS * band.band),
                 step: step(asked.name()),
             };
@@ -72,7 +72,7 @@ impl Exercise {
         });
         KeyResult {
             kinegon_key: 1,
-            title: self.scene.title.clone(),
+            title: self.solution.scene.title.clone(),
             scales: KeyScales { mu_l: self.scales.length, mu_v: self.scales.velocity, mu_a: self.scales.acceleration },
             values: values.collect(),
         }
@@ -81,33 +81,32 @@ impl Exercise {
     /// The key as a figure: scheme and plans with a table of all measured lengths, and the rates that come from them.
     #[must_use]
     pub fn key_sheet(&self) -> Drawing {
-        let words = Wording::of(&self.scene.figure);
+        let words = self.solution.wording();
         let rates = self.values().into_iter();
         let rates = rates.filter(|(a, _)| !matches!(a.what(), What::Segment { .. } | What::Length(..)));
         let rates = rates.map(|(asked, value)| {
             let number = |x: f64, digits: usize| words.write(x, significant(digits).on(Medium::Figure));
-            let symbol = asked.symbol(&self.mechanism, words.notation, &str::to_owned);
+            let symbol = asked.symbol(&self.solution.mechanism, words.notation, &str::to_owned);
             let band = self.pencil.band(asked.name());
             let allowed = band.map_or_else(String::new, |band| format!(" ± {}", number(BANDS * band.band, 2)));
-            let unit = asked.kind().unit(self.scene.units);
+            let unit = asked.kind().unit(self.solution.scene.units);
             format!("{symbol} = {}{allowed} {unit}", number(value, 4))
         });
         let rates: Vec<String> = rates.collect();
         let sentence = words.language.exercise_rates(&listed(&rates));
-        let Exercise { scene, mechanism, pose, construction, .. } = self;
-        key_sheet(scene, mechanism, pose, construction, &[sentence])
+        key_sheet(&self.solution, &[sentence])
     }
 
     /// The empty form as JSON.
     #[must_use]
     pub fn form_json(&self) -> String {
-        template_json(&self.construction, &self.scales)
+        template_json(&self.solution.construction, &self.scales)
     }
 
     /// The empty form as a table.
     #[must_use]
     pub fn form_csv(&self) -> String {
-        template_csv(&self.construction, &self.scales)
+        template_csv(&self.solution.construction, &self.scales)
     }
 }
 

@@ -1,63 +1,59 @@
-use crate::accuracy::Bounds;
+use crate::accuracy::{Bounds, bounds};
 use crate::geometry::{Point, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::Motion;
-use crate::plan::{Construction, Kind, coincident_name};
-use crate::position::Pose;
+use crate::plan::{Kind, Solution, coincident_name};
 use crate::scene::{DecimalMark, Units};
 use crate::words::NumberStyle;
 
-/// Every ω, α, velocity and acceleration with only those digits that are certain, as a table: name, value, unit, bound of the error.
-///
-/// The true value is within one unit of the last digit that is printed. A given value stands there as it is, with bound 0.
-#[must_use]
-pub fn digits(
-    units: Units,
-    mechanism: &Mechanism,
-    pose: &Pose,
-    motion: &Motion,
-    construction: &Construction,
-    bounds: &Bounds<'_>,
-) -> String {
-    let mut table = Table { units, bounds, motion, lines: Vec::new() };
-    for (link, body) in mechanism.links() {
-        // Of a stub only one point's motion means anything.
-        if body.role != Role::Stub {
-            let (rates, [omega, alpha]) = (motion.body(link), bounds.spin(link));
-            let name = |letter: &str| format!("{letter}({})", body.name);
-            table.line(name("omega"), rates.omega, omega, Kind::AngularVelocity);
-            table.line(name("alpha"), rates.alpha, alpha, Kind::AngularAcceleration);
+impl Solution {
+    /// Every ω, α, velocity and acceleration with only those digits that are certain, as a table: name, value, unit, bound of the error.
+    ///
+    /// The true value is within one unit of the last digit that is printed. A given value stands there as it is, with bound 0.
+    #[must_use]
+    pub fn digits(&self) -> String {
+        let Solution { scene, mechanism, pose, motion, construction } = self;
+        let bounds = &bounds(mechanism, pose, motion);
+        let mut table = Table { units: scene.units, bounds, motion, lines: Vec::new() };
+        for (link, body) in mechanism.links() {
+            // Of a stub only one point's motion means anything.
+            if body.role != Role::Stub {
+                let (rates, [omega, alpha]) = (motion.body(link), bounds.spin(link));
+                let name = |letter: &str| format!("{letter}({})", body.name);
+                table.line(name("omega"), rates.omega, omega, Kind::AngularVelocity);
+                table.line(name("alpha"), rates.alpha, alpha, Kind::AngularAcceleration);
+            }
         }
-    }
-    for slider in (0..mechanism.sliders.len()).map(SliderId) {
-        let (slide, [velocity, acceleration]) = (motion.slide(slider), bounds.slide(slider));
-        let name = mechanism.slider_name(slider);
-        let letter = |letter: &str| format!("{letter}({name})");
-        table.line(letter("v_r"), slide.velocity, velocity, Kind::Velocity);
-        table.line(letter("a_r"), slide.acceleration, acceleration, Kind::Acceleration);
-        let coriolis = motion.coriolis(pose, slider, mechanism.slider(slider).on);
-        let bound = bounds.coriolis(slider);
-        table.vector(&letter("a_c"), coriolis, bound, Kind::Acceleration);
-    }
-    for point in (0..mechanism.points.len()).map(PointId) {
-        if let Some(body) = holder(mechanism, point) {
-            table.point(mechanism.point_name(point), body, pose.point(point));
+        for slider in (0..mechanism.sliders.len()).map(SliderId) {
+            let (slide, [velocity, acceleration]) = (motion.slide(slider), bounds.slide(slider));
+            let name = mechanism.slider_name(slider);
+            let letter = |letter: &str| format!("{letter}({name})");
+            table.line(letter("v_r"), slide.velocity, velocity, Kind::Velocity);
+            table.line(letter("a_r"), slide.acceleration, acceleration, Kind::Acceleration);
+            let coriolis = motion.coriolis(pose, slider, mechanism.slider(slider).on);
+            let bound = bounds.coriolis(slider);
+            table.vector(&letter("a_c"), coriolis, bound, Kind::Acceleration);
         }
-    }
-    for slider in &mechanism.sliders {
-        let (at, on) = (mechanism.point_name(slider.at), mechanism.body(slider.on));
-        if !on.points.contains(&slider.at) {
-            let name = coincident_name(at, &on.name);
-            table.point(&name, slider.on, pose.point(slider.at));
+        for point in (0..mechanism.points.len()).map(PointId) {
+            if let Some(body) = holder(mechanism, point) {
+                table.point(mechanism.point_name(point), body, pose.point(point));
+            }
         }
-    }
-    for special in construction.special.iter().flatten() {
-        if let Some(place) = special.place.finite().filter(|_| special.is_assur) {
-            let errors = bounds.special(special).unwrap_or_default();
-            table.place(&special.name, special.link, place, errors);
+        for slider in &mechanism.sliders {
+            let (at, on) = (mechanism.point_name(slider.at), mechanism.body(slider.on));
+            if !on.points.contains(&slider.at) {
+                let name = coincident_name(at, &on.name);
+                table.point(&name, slider.on, pose.point(slider.at));
+            }
         }
+        for special in construction.special.iter().flatten() {
+            if let Some(place) = special.place.finite().filter(|_| special.is_assur) {
+                let errors = bounds.special(special).unwrap_or_default();
+                table.place(&special.name, special.link, place, errors);
+            }
+        }
+        table.text()
     }
-    table.text()
 }
 
 /// The body whose motion a point's is read from: one of known motion first.

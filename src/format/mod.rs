@@ -24,24 +24,20 @@ mod tikz;
 
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
-pub use self::digits::digits;
 #[cfg(feature = "html")]
 pub use self::html::{Page, html};
 pub use self::json::json;
 #[cfg(feature = "pdf")]
-pub use self::pdf::{PdfError, pdf};
+pub use self::pdf::PdfError;
 pub use self::pencil::{BandResult, PencilResult, pencil_result};
 #[cfg(feature = "png")]
-pub use self::png::{PngError, png};
+pub use self::png::PngError;
 pub use self::result::{
-    GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult, Solved, result,
-    result_schema,
+    GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult, result_schema,
 };
-pub use self::steps::steps;
 pub use self::structure::{modes, structure};
-pub use self::svg::{Text, layered_svg, svg, svg_with};
+pub use self::svg::{Text, layered_svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines};
-pub use self::tikz::tikz;
 
 #[cfg(test)]
 pub(crate) use self::svg::ink_in;

@@ -40,31 +40,33 @@ pub enum PngError {
     Encoding(#[from] ::png::EncodingError),
 }
 
-/// The bytes of a PNG file: the drawing on its background at `dpi` dots per inch, 24-bit colour, its
-/// resolution written in.
-///
-/// The picture is made from the SVG file with its texts as outlines, so it is the same on every
-/// machine.
-pub fn png(drawing: &Drawing, dpi: f64) -> Result<Vec<u8>, PngError> {
-    if !(dpi > 0.0 && dpi.is_finite()) {
-        return Err(PngError::Resolution { dpi });
+impl Drawing {
+    /// The bytes of a PNG file: the drawing on its background at `dpi` dots per inch, 24-bit colour, its
+    /// resolution written in.
+    ///
+    /// The picture is made from the SVG file with its texts as outlines, so it is the same on every
+    /// machine.
+    pub fn png(&self, dpi: f64) -> Result<Vec<u8>, PngError> {
+        if !(dpi > 0.0 && dpi.is_finite()) {
+            return Err(PngError::Resolution { dpi });
+        }
+        let svg = svg_with(self, Text::Outlines);
+        let tree = Tree::from_str(&svg, &Options::default())?;
+        let scale = dpi / CSS_DPI;
+        let pixels = |size: f32| (f64::from(size) * scale).round().max(1.0);
+        let (width, height) = (pixels(tree.size().width()), pixels(tree.size().height()));
+        let too_large = PngError::TooLarge { width, height };
+        if width > MOST_PIXELS || height > MOST_PIXELS || width * height > MOST_AREA {
+            return Err(too_large);
+        }
+        // Both fit: they are at most 20 000.
+        let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or(too_large)?;
+        let Colour { red, green, blue } = self.style.background();
+        pixmap.fill(Color::from_rgba8(red, green, blue, 255));
+        let (across, down) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
+        resvg::render(&tree, Transform::from_scale(across, down), &mut pixmap.as_mut());
+        encode(&pixmap, dpi)
     }
-    let svg = svg_with(drawing, Text::Outlines);
-    let tree = Tree::from_str(&svg, &Options::default())?;
-    let scale = dpi / CSS_DPI;
-    let pixels = |size: f32| (f64::from(size) * scale).round().max(1.0);
-    let (width, height) = (pixels(tree.size().width()), pixels(tree.size().height()));
-    let too_large = PngError::TooLarge { width, height };
-    if width > MOST_PIXELS || height > MOST_PIXELS || width * height > MOST_AREA {
-        return Err(too_large);
-    }
-    // Both fit: they are at most 20 000.
-    let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or(too_large)?;
-    let Colour { red, green, blue } = drawing.style.background();
-    pixmap.fill(Color::from_rgba8(red, green, blue, 255));
-    let (across, down) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
-    resvg::render(&tree, Transform::from_scale(across, down), &mut pixmap.as_mut());
-    encode(&pixmap, dpi)
 }
 
 /// The pixels as a PNG file.
@@ -119,7 +121,7 @@ mod tests {
 
     #[test]
     fn pixels_and_resolution_follow_the_sheet() {
-        let file = png(&sheet(), 150.0).unwrap();
+        let file = sheet().png(150.0).unwrap();
         let mut reader = ::png::Decoder::new(std::io::Cursor::new(&file)).read_info().unwrap();
         let info = reader.info();
         assert_eq!((info.width, info.height, info.color_type), (600, 300, ::png::ColorType::Rgb));
@@ -148,12 +150,12 @@ mod tests {
     #[test]
     fn impossible_pictures_are_refused() {
         let sheet = sheet();
-        assert!(matches!(png(&sheet, 6000.0), Err(PngError::TooLarge { width: 24000.0, .. })));
-        assert!(png(&sheet, 6000.0).unwrap_err().to_string().contains("24000 x 12000 pixels; a side may have 20000"));
+        assert!(matches!(sheet.png(6000.0), Err(PngError::TooLarge { width: 24000.0, .. })));
+        assert!(sheet.png(6000.0).unwrap_err().to_string().contains("24000 x 12000 pixels; a side may have 20000"));
         for dpi in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(png(&sheet, dpi), Err(PngError::Resolution { .. })));
+            assert!(matches!(sheet.png(dpi), Err(PngError::Resolution { .. })));
         }
         let nowhere = Drawing::new(f64::NAN, 10.0);
-        assert!(matches!(png(&nowhere, 96.0), Err(PngError::Svg(_))));
+        assert!(matches!(nowhere.png(96.0), Err(PngError::Svg(_))));
     }
 }

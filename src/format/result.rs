@@ -1,11 +1,9 @@
 use super::digits::holder;
 use super::pencil::PencilResult;
 use crate::geometry::{Place, Vector, degrees_of};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
-use crate::motion::{Motion, Order};
-use crate::plan::{Construction, coincident_name};
-use crate::position::Pose;
-use crate::scene::Units;
+use crate::mechanism::{BodyId, PointId, Role, SliderId};
+use crate::motion::Order;
+use crate::plan::{Solution, coincident_name};
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -147,83 +145,69 @@ pub fn result_schema() -> serde_json::Value {
     schemars::schema_for!(ResultFile).to_value()
 }
 
-/// What a result is made from.
-#[derive(Clone, Copy, Debug)]
-pub struct Solved<'a> {
-    /// The scene's units.
-    pub units: Units,
-    /// The mechanism.
-    pub mechanism: &'a Mechanism,
-    /// Its pose.
-    pub pose: &'a Pose,
-    /// Its motion.
-    pub motion: &'a Motion,
-    /// Its plans.
-    pub construction: &'a Construction,
-}
-
-/// The result file's content, without `quantities`.
-#[must_use]
-pub fn result(solved: Solved<'_>) -> ResultFile {
-    let Solved { mechanism, pose, motion, construction, .. } = solved;
-    let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
-    let links = mechanism.links().filter(|(_, body)| body.role != Role::Stub).map(|(id, body)| {
-        let (rates, errors) = (motion.body(id), motion.errors[id.0]);
-        let link = LinkResult {
-            angle: pose.axes[id.0].map(degrees_of),
-            omega: rates.omega,
-            omega_error: errors.omega,
-            alpha: second(rates.alpha),
-            alpha_error: second(errors.alpha),
-        };
-        (body.name.clone(), link)
-    });
-    let sliders = (0..mechanism.sliders.len()).map(|index| {
-        let id = SliderId(index);
-        let (slider, slide) = (mechanism.slider(id), motion.slide(id));
-        let result = SliderResult {
-            on: mechanism.body(slider.on).name.clone(),
-            position: pose.slides[index],
-            velocity: slide.velocity,
-            velocity_error: slide.velocity_error,
-            acceleration: second(slide.acceleration),
-            acceleration_error: second(slide.acceleration_error),
-            coriolis: second(0.0).map(|_| pair(motion.coriolis(pose, id, slider.on))),
-        };
-        (mechanism.slider_name(id), result)
-    });
-    let groups = mechanism.groups.iter().enumerate().map(|(index, group)| {
-        let name = |&b: &BodyId| mechanism.body(b).name.clone();
-        let agreement = construction.agreement[index];
-        GroupResult {
-            links: group.bodies.iter().map(name).collect(),
-            class: group.class.numeral(),
-            joints: group.pattern(mechanism),
-            special_points: construction.special[index].iter().filter(|s| s.is_assur).map(|s| s.name.clone()).collect(),
-            condition: motion.groups[index].condition,
-            disagreement: agreement.map(|a| a.difference),
-            disagreement_allowed: agreement.map(|a| a.allowed),
-            mode: pose.assemblies[index].map(|a| a.mode),
-            modes: pose.assemblies[index].map(|a| a.modes),
+impl Solution {
+    /// The result file's content, without `quantities`.
+    #[must_use]
+    pub fn result(&self) -> ResultFile {
+        let Solution { scene, mechanism, pose, motion, construction } = self;
+        let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
+        let links = mechanism.links().filter(|(_, body)| body.role != Role::Stub).map(|(id, body)| {
+            let (rates, errors) = (motion.body(id), motion.errors[id.0]);
+            let link = LinkResult {
+                angle: pose.axes[id.0].map(degrees_of),
+                omega: rates.omega,
+                omega_error: errors.omega,
+                alpha: second(rates.alpha),
+                alpha_error: second(errors.alpha),
+            };
+            (body.name.clone(), link)
+        });
+        let sliders = (0..mechanism.sliders.len()).map(|index| {
+            let id = SliderId(index);
+            let (slider, slide) = (mechanism.slider(id), motion.slide(id));
+            let result = SliderResult {
+                on: mechanism.body(slider.on).name.clone(),
+                position: pose.slides[index],
+                velocity: slide.velocity,
+                velocity_error: slide.velocity_error,
+                acceleration: second(slide.acceleration),
+                acceleration_error: second(slide.acceleration_error),
+                coriolis: second(0.0).map(|_| pair(motion.coriolis(pose, id, slider.on))),
+            };
+            (mechanism.slider_name(id), result)
+        });
+        let groups = mechanism.groups.iter().enumerate().map(|(index, group)| {
+            let name = |&b: &BodyId| mechanism.body(b).name.clone();
+            let agreement = construction.agreement[index];
+            GroupResult {
+                links: group.bodies.iter().map(name).collect(),
+                class: group.class.numeral(),
+                joints: group.pattern(mechanism),
+                special_points: construction.special[index].iter().filter(|s| s.is_assur).map(|s| s.name.clone()).collect(),
+                condition: motion.groups[index].condition,
+                disagreement: agreement.map(|a| a.difference),
+                disagreement_allowed: agreement.map(|a| a.allowed),
+                mode: pose.assemblies[index].map(|a| a.mode),
+                modes: pose.assemblies[index].map(|a| a.modes),
+            }
+        });
+        ResultFile {
+            kinegon: 1,
+            units: ResultUnits { length: scene.units.length.as_str(), time: scene.units.time.as_str() },
+            links: links.collect(),
+            points: points(self),
+            sliders: sliders.collect(),
+            groups: groups.collect(),
+            quantities: IndexMap::new(),
+            pencil: None,
+            warnings: self.warnings().map(str::to_owned).collect(),
         }
-    });
-    let warnings = [&mechanism.warnings, &pose.warnings, &motion.warnings, &construction.warnings];
-    ResultFile {
-        kinegon: 1,
-        units: ResultUnits { length: solved.units.length.as_str(), time: solved.units.time.as_str() },
-        links: links.collect(),
-        points: points(solved),
-        sliders: sliders.collect(),
-        groups: groups.collect(),
-        quantities: IndexMap::new(),
-        pencil: None,
-        warnings: warnings.into_iter().flatten().cloned().collect(),
     }
 }
 
 /// All points: joints, points of guides under sliders, special points.
-fn points(solved: Solved<'_>) -> IndexMap<String, PointResult> {
-    let Solved { mechanism, pose, motion, construction, .. } = solved;
+fn points(solution: &Solution) -> IndexMap<String, PointResult> {
+    let Solution { mechanism, pose, motion, construction, .. } = solution;
     let mut points = IndexMap::new();
     let moving = |body: BodyId, place: crate::geometry::Point, on: Option<BodyId>| PointResult {
         position: Some([place.x, place.y]),

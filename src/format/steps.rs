@@ -1,7 +1,7 @@
 use crate::drafting::{Pencil, Sheet, Tolerance, Unread};
 use crate::geometry::{Vector, degrees_of};
-use crate::plan::{Action, Construction, Plan, PlanKind, Step, plain_text, shown_text};
-use crate::scene::{Scene, Units};
+use crate::plan::{Action, Plan, PlanKind, Solution, Step, plain_text, shown_text};
+use crate::scene::Units;
 use crate::words::{NumberStyle, Wording};
 use std::fmt::Write;
 
@@ -10,35 +10,38 @@ const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2);
 /// How it is written how far two routes differ.
 const ONE_DIGIT: NumberStyle = NumberStyle::significant(1).in_full(0, 0);
 
-/// The construction as numbered text, each step with its values, its lengths in millimetres of paper and the bands of hand drawings.
-#[must_use]
-pub fn steps(scene: &Scene, construction: &Construction, pencil: &Pencil) -> String {
-    let words = Wording::of(&scene.figure);
-    let language = words.language;
-    let mut page = Page { text: String::new(), number: 0, units: scene.units, words, pencil };
-    if let Some(title) = &scene.title {
-        page.line(title);
-    }
-    page.scales_line();
-    page.pencil_lines();
-    page.heading(language.on_the_mechanism());
-    for step in &construction.scheme {
-        page.step(step, None);
-    }
-    for plan in construction.plans() {
-        page.heading(match plan.kind {
-            PlanKind::Velocity => language.velocity_plan(),
-            PlanKind::Acceleration => language.acceleration_plan(),
-        });
-        for step in &plan.steps {
-            page.step(step, Some(plan));
+impl Solution {
+    /// The construction as numbered text, each step with its values, its lengths in millimetres of paper and the bands of hand drawings.
+    #[must_use]
+    pub fn steps(&self, pencil: &Pencil) -> String {
+        let Solution { scene, construction, .. } = self;
+        let words = self.wording();
+        let language = words.language;
+        let mut page = Page { text: String::new(), number: 0, units: scene.units, words, pencil };
+        if let Some(title) = &scene.title {
+            page.line(title);
         }
+        page.scales_line();
+        page.pencil_lines();
+        page.heading(language.on_the_mechanism());
+        for step in &construction.scheme {
+            page.step(step, None);
+        }
+        for plan in construction.plans() {
+            page.heading(match plan.kind {
+                PlanKind::Velocity => language.velocity_plan(),
+                PlanKind::Acceleration => language.acceleration_plan(),
+            });
+            for step in &plan.steps {
+                page.step(step, Some(plan));
+            }
+        }
+        for agreement in construction.agreement.iter().flatten() {
+            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            page.heading(&language.routes_differ(&difference, &allowed));
+        }
+        page.text
     }
-    for agreement in construction.agreement.iter().flatten() {
-        let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
-        page.heading(&language.routes_differ(&difference, &allowed));
-    }
-    page.text
 }
 
 struct Page<'a> {

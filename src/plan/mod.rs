@@ -9,6 +9,7 @@ mod equations;
 mod images;
 mod name;
 mod quantity;
+mod solution;
 mod state;
 mod step;
 mod symbol;
@@ -24,6 +25,7 @@ pub use quantity::{
     Asked, Component, Normality, Quantity, QuantityError, Scales, Spot, What, is_acceleration, measured_names,
     quantity, step_names,
 };
+pub use solution::{Solution, solve};
 pub use state::{Snapshot, State};
 pub use step::{Action, Arrow, Part, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step};
 pub use symbol::Kind;

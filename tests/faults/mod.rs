@@ -108,7 +108,7 @@ pub fn faults(drawing: &Drawing) -> Vec<String> {
             }
         }
     }
-    let text = svg(drawing);
+    let text = drawing.svg();
     if text.len() > MOST_BYTES {
         faults.push(format!("{} bytes", text.len()));
     }

@@ -2,7 +2,8 @@
 //! α over −ω² and √(α² + ω⁴) times as large in the acceleration plan (Mehmke's theorem).
 
 use crate::changes::{ACCELERATION_BOUND, BOUND, Sizes, U};
-use crate::stages::Stages;
+use kinegon::Solution;
+
 use kinegon::format::ResultFile;
 use kinegon::geometry::{Point, Vector, quarter_turn};
 use kinegon::mechanism::BodyId;
@@ -16,8 +17,8 @@ struct Imaged {
 }
 
 /// The points of a link that have images.
-fn images(stages: &Stages, plan: &Plan, link: BodyId) -> Vec<Imaged> {
-    let Stages { mechanism, pose, construction, .. } = stages;
+fn images(stages: &Solution, plan: &Plan, link: BodyId) -> Vec<Imaged> {
+    let Solution { mechanism, pose, construction, .. } = stages;
     let mut points = Vec::new();
     let mut see = |name: &str, place: Point| {
         if let Some(point) = plan.points.get(&image_name(name)) {
@@ -43,7 +44,7 @@ fn images(stages: &Stages, plan: &Plan, link: BodyId) -> Vec<Imaged> {
 
 /// How far images are from similar to their links, in parts of what rounding allows: how many pairs of points were seen, and the
 /// largest part with its name.
-pub fn dissimilarity(stages: &Stages, result: &ResultFile, condition: f64) -> (usize, f64, String) {
+pub fn dissimilarity(stages: &Solution, result: &ResultFile, condition: f64) -> (usize, f64, String) {
     let sizes = Sizes::of(result);
     let (mut pairs, mut worst) = (0, (0.0, String::new()));
     for plan in stages.construction.plans() {

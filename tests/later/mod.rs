@@ -1,6 +1,6 @@
 //! A scene a moment later or earlier, and what differences of positions say of its rates.
 
-use crate::stages::Stages;
+use crate::stages::solved;
 use kinegon::Error;
 use kinegon::format::ResultFile;
 use serde_json::Value;
@@ -52,8 +52,8 @@ pub fn fastest(scene: &Value) -> Option<f64> {
 
 /// Largest errors of central differences of positions: of the first against velocities, of the second against accelerations.
 pub fn differences(scene: &Value, now: &ResultFile, time: f64) -> Result<[f64; 2], Error> {
-    let before = Stages::of(&moved(scene, now, -time))?.result();
-    let after = Stages::of(&moved(scene, now, time))?.result();
+    let before = solved(&moved(scene, now, -time))?.result();
+    let after = solved(&moved(scene, now, time))?.result();
     let mut errors = [0.0_f64; 2];
     for (point, here) in now.points.iter().filter(|(_, point)| point.on.is_none()) {
         let place = |result: &ResultFile| result.points[point].position.expect("a place");

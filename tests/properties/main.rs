@@ -37,7 +37,8 @@ use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, RngSeed};
 use scenes::{Scene, scenes, varied};
 use serde_json::Value;
-use stages::Stages;
+use kinegon::Solution;
+use stages::solved;
 
 /// Positions that are less certain than this are left to the tests that know how uncertain.
 const HARDEST: f64 = 1e3;
@@ -56,7 +57,7 @@ fn config() -> ProptestConfig {
 
 /// A scene that can be solved, with all that is known of it.
 struct Solved {
-    stages: Stages,
+    stages: Solution,
     result: ResultFile,
     /// The product of its groups' condition numbers: how much they can enlarge an error together.
     condition: f64,
@@ -64,7 +65,7 @@ struct Solved {
 
 /// `None` where it cannot be assembled or moved.
 fn solved(scene: &Value) -> Result<Option<Solved>, TestCaseError> {
-    match Stages::of(&scene.to_string()) {
+    match solved(&scene.to_string()) {
         Ok(stages) => {
             let result = stages.result();
             let condition = result.groups.iter().map(|group| group.condition).product();

@@ -10,7 +10,8 @@ use kinegon::scene::Scene;
 use resvg::usvg::roxmltree::Document;
 use serde_json::Value;
 
-use crate::stages::Stages;
+use kinegon::Solution;
+use crate::stages::solved;
 
 /// Reads the text; an error must be one that can be shown.
 pub fn reading(text: &str) {
@@ -21,19 +22,19 @@ pub fn reading(text: &str) {
 
 /// Takes the text through all stages and looks at everything that comes out.
 pub fn whole_way(text: &str) -> Result<(), Error> {
-    let stages = Stages::of(text).inspect_err(|error| can_be_shown(text, error))?;
+    let stages = solved(text).inspect_err(|error| can_be_shown(text, error))?;
     let mut result = stages.result();
     add_quantities(&stages, &mut result);
     result_is_finite(&result);
-    drawing_is_finite(&stages.drawing());
-    let Stages { scene, mechanism, pose, motion, construction } = &stages;
+    drawing_is_finite(&stages.figure());
+    let Solution { scene, mechanism, pose, motion, construction } = &stages;
     let all = stepwise(scene, mechanism, pose, construction);
     for step in [1, all.steps.len() / 2 + 1, all.steps.len() + 1] {
         drawing_is_finite(&all.after_step(step));
     }
     let layered = format::layered_svg(&all, format::Text::Letters);
     assert!(Document::parse(&layered).is_ok(), "{layered}");
-    assert!(!format::tikz(&stages.drawing()).is_empty());
+    assert!(!stages.figure().tikz().is_empty());
     assert!(!format::structure(mechanism).is_empty());
     let names = step_names(construction);
     let asked = names.iter().map(|name| Asked::new(name, mechanism));
@@ -64,8 +65,8 @@ fn can_be_shown(text: &str, error: &Error) {
 }
 
 /// All that the construction measures.
-fn add_quantities(stages: &Stages, result: &mut ResultFile) {
-    let Stages { scene, mechanism, pose, motion, construction } = stages;
+fn add_quantities(stages: &Solution, result: &mut ResultFile) {
+    let Solution { scene, mechanism, pose, motion, construction } = stages;
     let scales = scales(scene, mechanism, pose, construction);
     for name in measured_names(construction) {
         let value = quantity(&name, mechanism, pose, motion, construction, Some(&scales));
@@ -114,7 +115,7 @@ fn drawing_is_finite(drawing: &Drawing) {
     for mark in &drawing.marks {
         assert!(mark.shape.is_finite(), "{mark:?}");
     }
-    let svg = format::svg(drawing);
+    let svg = drawing.svg();
     let document = Document::parse(&svg).unwrap_or_else(|error| panic!("{error}\n{svg}"));
     for attribute in document.descendants().flat_map(|node| node.attributes()) {
         let is_number = attribute.name() != "id";

@@ -164,7 +164,7 @@ pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
     for (index, entry) in written(site) {
         let Some(unit) = &entry.unit else { continue };
         let factor = entry.factor_without_unit / entry.factor;
-        let right = entry.asked.kind().unit(site.drawn.units);
+        let right = entry.asked.kind().unit(site.key.solution.scene.units);
         found.extend(in_unit(site, Mistake::WrongUnit, index, factor, [unit, &right]));
     }
     found
@@ -174,7 +174,7 @@ pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
 pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, entry) in written(site) {
-        let own = entry.asked.kind().unit(site.drawn.units);
+        let own = entry.asked.kind().unit(site.key.solution.scene.units);
         let head = own.split('/').next().unwrap_or("");
         let Some(metric) = METRIC.iter().find(|m| m.0 == head) else {
             continue;

@@ -7,10 +7,10 @@ mod rates;
 mod rays;
 mod vectors;
 
+use super::answer_key::AnswerKey;
 use super::datum::Datum;
 use super::entry::Entry;
 use super::model::{Model, Put};
-use super::verdict::Drawn;
 use crate::drafting::{Act, Deed, NumberId, Product};
 use crate::words::MistakeWords;
 
@@ -202,7 +202,7 @@ impl Mistake {
 /// A construction in which mistakes are looked for.
 pub(super) struct Site<'a> {
     pub model: &'a Model,
-    pub drawn: &'a Drawn<'a>,
+    pub key: &'a AnswerKey<'a>,
     pub entries: &'a [Entry],
     /// How many other assembly modes there are.
     pub other_modes: usize,

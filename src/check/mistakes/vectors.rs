@@ -90,7 +90,7 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
         let length = *product.of.last()?;
         let name = site.number_name(length);
         let (_, end) = name.strip_prefix("L(")?.strip_suffix(')')?.split_once(',')?;
-        let plan = &site.drawn.construction.velocity;
+        let plan = &site.key.solution.construction.velocity;
         let velocity = plan.points.get(&image_name(end))?.vector.norm();
         let length = site.model.exact.number(length);
         (length != 0.0).then(|| velocity * velocity / length)

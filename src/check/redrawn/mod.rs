@@ -2,12 +2,13 @@
 
 mod sheets;
 
+use super::answer_key::AnswerKey;
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
 use super::order::numbered_steps;
 use super::report::{Page, sentences};
 use super::sheet::{CheckError, Measured};
-use super::verdict::{Checked, Drawn, Verdict};
+use super::verdict::{Checked, Verdict};
 use crate::drafting::Sheet;
 use crate::drawing::{Overlay, OwnValue, WrongStep};
 use crate::plan::Action;
@@ -34,23 +35,22 @@ const COLUMNS: [usize; 6] = [0, 1, 2, 4, 5, 7];
 /// Where a scale is missing; values that have been checked have theirs.
 pub fn redrawn(
     measured: &Measured,
-    drawn: &Drawn<'_>,
+    key: &AnswerKey<'_>,
     checked: &Checked,
     words: &Wording,
 ) -> Result<Overlay, CheckError> {
     let mu = measured.mu;
     let entries: Vec<_> = checked.values.iter().map(|v| v.entry.clone()).collect();
-    let (pose, motion, construction) = (drawn.pose, drawn.motion, drawn.construction);
-    let right = Model::new(drawn, pose, motion, construction, mu, &entries)?;
+    let right = Model::new(key, key.solution, mu, &entries)?;
     let findings = &checked.diagnosis.best.findings;
     let mode = findings.iter().map(|f| f.candidate.mode).max();
     let mode = mode.unwrap_or(0);
-    let other = (mode > 0).then(|| super::search::other_modes(drawn, mu, &entries));
+    let other = (mode > 0).then(|| super::search::other_modes(key, mu, &entries));
     let other = other.and_then(|models| models.into_iter().nth(mode - 1));
     let own = other.as_ref().unwrap_or(&right);
     let found: Vec<&Candidate> = findings.iter().map(|f| &f.candidate).collect();
 
-    let mut sheets = Sheets::new(drawn, &right, own, &found, words);
+    let mut sheets = Sheets::new(key, &right, own, &found, words);
     let turns = sheets.lay_points(measured);
     sheets.draw_acts();
     if mode > 0 {
@@ -66,7 +66,7 @@ pub fn redrawn(
     }
     let (points, lines) = sheets.finish();
 
-    let page = Page::new(checked, drawn, words, Medium::Figure);
+    let page = Page::new(checked, key, words, Medium::Figure);
     let sure = (!findings.is_empty()).then(|| page.sure(&checked.diagnosis.best));
     let sure = sure.map_or_else(String::new, |sure| format!(" ({sure})"));
     let mut said = vec![format!("{}. {}{sure}", page.counts(), page.heading())];
@@ -113,7 +113,7 @@ pub fn redrawn(
         name: measured.name.clone(),
         points,
         lines,
-        steps: wrong_steps(drawn, &found, language),
+        steps: wrong_steps(key, &found, language),
         words: said.collect(),
         head: cells(language.check_columns().map(str::to_owned)),
         values: values.collect(),
@@ -121,8 +121,8 @@ pub fn redrawn(
 }
 
 /// The steps at which something went wrong, each once.
-fn wrong_steps(drawn: &Drawn<'_>, found: &[&Candidate], language: &Language) -> Vec<WrongStep> {
-    let all = numbered_steps(drawn.construction);
+fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -> Vec<WrongStep> {
+    let all = numbered_steps(&key.solution.construction);
     let mut wrong: Vec<WrongStep> = Vec::new();
     for candidate in found {
         let own = all.iter().find(|s| s.number == candidate.step);

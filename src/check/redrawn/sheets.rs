@@ -1,10 +1,11 @@
 //! The student's sheets: where each place is, and which lines lead there.
 
+use super::super::answer_key::AnswerKey;
 use super::super::mistakes::Candidate;
 use super::super::model::{Changes, Model, Put};
 use super::super::report::significant;
 use super::super::sheet::Measured;
-use super::super::verdict::{Drawn, Judged};
+use super::super::verdict::Judged;
 use super::panel;
 use crate::drafting::{Act, Change, Deed, Disturbance, How, LineId, PlaceId, Sheet, Values};
 use crate::drawing::{OwnKind, OwnLine, OwnPoint};
@@ -22,7 +23,7 @@ const LONG: f64 = 400.0;
 
 /// The sheets as they were probably drawn.
 pub(super) struct Sheets<'a> {
-    drawn: &'a Drawn<'a>,
+    key: &'a AnswerKey<'a>,
     right: &'a Model,
     own: &'a Model,
     values: Values,
@@ -37,7 +38,7 @@ pub(super) struct Sheets<'a> {
 
 impl<'a> Sheets<'a> {
     pub(super) fn new(
-        drawn: &'a Drawn<'a>,
+        key: &'a AnswerKey<'a>,
         right: &'a Model,
         own: &'a Model,
         found: &[&'a Candidate],
@@ -61,7 +62,7 @@ impl<'a> Sheets<'a> {
         changes.sort_by_key(|c| c.act);
         Self {
             values: own.replay(&changes),
-            drawn,
+            key,
             right,
             own,
             instead,
@@ -141,7 +142,7 @@ impl<'a> Sheets<'a> {
 
     /// Draws the links of a mechanism that is assembled otherwise.
     pub(super) fn draw_links(&mut self) {
-        let mechanism = self.drawn.mechanism;
+        let mechanism = &self.key.solution.mechanism;
         for (_, body) in mechanism.links() {
             let names = body.points.iter().map(|&p| mechanism.point_name(p));
             let places = names.filter_map(|n| self.own.drafting.place(Sheet::Scheme, n));
@@ -268,7 +269,7 @@ impl<'a> Sheets<'a> {
     fn with_unit(&self, sheet: Sheet, value: f64) -> String {
         let kind = [Kind::Length, Kind::Velocity, Kind::Acceleration][sheet as usize];
         let value = self.words.write(value.abs(), significant(4).on(Medium::Figure));
-        format!("{value} {}", kind.unit(self.drawn.units))
+        format!("{value} {}", kind.unit(self.key.solution.scene.units))
     }
 
     /// The names of a place.
@@ -279,7 +280,7 @@ impl<'a> Sheets<'a> {
 
     /// The name by which the figure knows a place: the first that its plan has.
     fn name(&self, sheet: Sheet, place: PlaceId) -> Option<&'a str> {
-        let construction = self.drawn.construction;
+        let construction = &self.key.solution.construction;
         let plan = match sheet {
             Sheet::Scheme => None,
             Sheet::Velocity => Some(&construction.velocity),

@@ -16,9 +16,9 @@ use super::text::RichText;
 use super::view::{Extent, View};
 use crate::geometry::{self, quarter_turn};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
-use crate::plan::{Action, Construction, CutLine, Ray, image_name};
+use crate::plan::{Action, Construction, CutLine, Ray, Solution, image_name};
 use crate::position::Pose;
-use crate::scene::{Figure, Scene};
+use crate::scene::Figure;
 use crate::words::Wording;
 use kurbo::Point;
 use std::cell::OnceCell;
@@ -43,12 +43,8 @@ pub(super) struct Scheme<'a> {
 
 impl<'a> Scheme<'a> {
     /// The scheme of a scene after its construction.
-    pub(super) fn new(
-        scene: &'a Scene,
-        mechanism: &'a Mechanism,
-        pose: &'a Pose,
-        construction: &'a Construction,
-    ) -> Self {
+    pub(super) fn new(solution: &'a Solution) -> Self {
+        let Solution { scene, mechanism, pose, construction, .. } = solution;
         Self {
             figure: &scene.figure,
             mechanism,
@@ -57,7 +53,7 @@ impl<'a> Scheme<'a> {
             names: Names::new(mechanism, construction),
             stages: Stages::new(construction),
             insets: true,
-            words: Wording::of(&scene.figure),
+            words: solution.wording(),
             agreement: OnceCell::new(),
         }
     }

@@ -35,64 +35,66 @@ pub enum PdfError {
     Writing(String),
 }
 
-/// The bytes of a PDF file of one page, as large as the sheet, in lines and letters, with those letters of the bundled fonts that it uses.
-///
-/// Texts can be searched and copied. Title, language and, for readers who cannot see it, the description are written in; no date, so that the
-/// same drawing gives the same bytes. A letter that the bundled font lacks is an empty box and still found. Marks whose numbers are not
-/// finite are left out.
-pub fn pdf(drawing: &Drawing) -> Result<Vec<u8>, PdfError> {
-    let (width, height) = (drawing.width, drawing.height);
-    let fits = |side: f64| side > 0.0 && side <= MOST_MM;
-    let page = PageSettings::from_wh((width * POINTS) as f32, (height * POINTS) as f32);
-    let page = page.filter(|_| fits(width) && fits(height));
-    let page = page.ok_or(PdfError::Size { width, height })?;
+impl Drawing {
+    /// The bytes of a PDF file of one page, as large as the sheet, in lines and letters, with those letters of the bundled fonts that it uses.
+    ///
+    /// Texts can be searched and copied. Title, language and, for readers who cannot see it, the description are written in; no date, so that the
+    /// same drawing gives the same bytes. A letter that the bundled font lacks is an empty box and still found. Marks whose numbers are not
+    /// finite are left out.
+    pub fn pdf(&self) -> Result<Vec<u8>, PdfError> {
+        let (width, height) = (self.width, self.height);
+        let fits = |side: f64| side > 0.0 && side <= MOST_MM;
+        let page = PageSettings::from_wh((width * POINTS) as f32, (height * POINTS) as f32);
+        let page = page.filter(|_| fits(width) && fits(height));
+        let page = page.ok_or(PdfError::Size { width, height })?;
 
-    let fonts = Fonts::new();
-    let mut document = Document::new();
-    let mut figure = TagGroup::new(Tag::Figure(Some(drawing.description.clone())));
-    let mut page = document.start_page_with(page);
-    let mut surface = page.surface();
-    let millimetres = POINTS as f32;
-    surface.push_transform(&Transform::from_scale(millimetres, millimetres));
-    let marks: Vec<(&Mark, bool)> = drawing.marks.iter().zip(drawing.halos()).collect();
-    let background = drawing.style.background();
-    if background != Colour::new(0xffffff) {
-        let (x, y) = (width, height);
-        let corners = [(0.0, 0.0), (x, 0.0), (x, y), (0.0, y)].map(Point::from);
-        surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
-        pens(&mut surface, None, Some(fill(background)));
-        draw_path(&mut surface, paths::chain(&corners, true));
-        surface.end_tagged();
-    }
-    // Stretches of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
-    for marks in marks.chunk_by(|a, b| a.0.pen == b.0.pen && is_text(a.0) == is_text(b.0)) {
-        for (mark, _) in marks.iter().filter(|mark| mark.1) {
+        let fonts = Fonts::new();
+        let mut document = Document::new();
+        let mut figure = TagGroup::new(Tag::Figure(Some(self.description.clone())));
+        let mut page = document.start_page_with(page);
+        let mut surface = page.surface();
+        let millimetres = POINTS as f32;
+        surface.push_transform(&Transform::from_scale(millimetres, millimetres));
+        let marks: Vec<(&Mark, bool)> = self.marks.iter().zip(self.halos()).collect();
+        let background = self.style.background();
+        if background != Colour::new(0xffffff) {
+            let (x, y) = (width, height);
+            let corners = [(0.0, 0.0), (x, 0.0), (x, y), (0.0, y)].map(Point::from);
             surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
-            halo(&mut surface, background, &drawing.look(mark), &mark.shape);
+            pens(&mut surface, None, Some(fill(background)));
+            draw_path(&mut surface, paths::chain(&corners, true));
             surface.end_tagged();
         }
-        for (mark, _) in marks.iter().filter(|(mark, _)| mark.shape.is_finite()) {
-            let look = drawing.look(mark);
-            if let Shape::Text(text) = &mark.shape {
-                pens(&mut surface, None, Some(fill(look.ink)));
-                figure.push(fonts.write(&mut surface, text));
-            } else {
-                figure.push(surface.start_tagged(ContentTag::Other));
-                draw(&mut surface, &look, &mark.shape);
+        // Stretches of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
+        for marks in marks.chunk_by(|a, b| a.0.pen == b.0.pen && is_text(a.0) == is_text(b.0)) {
+            for (mark, _) in marks.iter().filter(|mark| mark.1) {
+                surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
+                halo(&mut surface, background, &self.look(mark), &mark.shape);
                 surface.end_tagged();
             }
+            for (mark, _) in marks.iter().filter(|(mark, _)| mark.shape.is_finite()) {
+                let look = self.look(mark);
+                if let Shape::Text(text) = &mark.shape {
+                    pens(&mut surface, None, Some(fill(look.ink)));
+                    figure.push(fonts.write(&mut surface, text));
+                } else {
+                    figure.push(surface.start_tagged(ContentTag::Other));
+                    draw(&mut surface, &look, &mark.shape);
+                    surface.end_tagged();
+                }
+            }
         }
-    }
-    surface.pop();
-    surface.finish();
-    page.finish();
+        surface.pop();
+        surface.finish();
+        page.finish();
 
-    let mut tags = TagTree::new();
-    tags.push(figure);
-    document.set_tag_tree(tags);
-    let about = Metadata::new().title(drawing.title.clone()).language(drawing.language.into());
-    document.set_metadata(about.description(drawing.description.clone()).creator("Kinegon".into()));
-    document.finish().map_err(|error| PdfError::Writing(format!("{error:?}")))
+        let mut tags = TagTree::new();
+        tags.push(figure);
+        document.set_tag_tree(tags);
+        let about = Metadata::new().title(self.title.clone()).language(self.language.into());
+        document.set_metadata(about.description(self.description.clone()).creator("Kinegon".into()));
+        document.finish().map_err(|error| PdfError::Writing(format!("{error:?}")))
+    }
 }
 
 fn is_text(mark: &Mark) -> bool {

@@ -29,11 +29,13 @@ pub enum Text {
     Outlines,
 }
 
-/// The drawing as the text of an SVG file, with its texts as letters.
-///
-/// The same as [`svg_with`] for [`Text::Letters`].
-pub fn svg(drawing: &Drawing) -> String {
-    svg_with(drawing, Text::Letters)
+impl Drawing {
+    /// The drawing as the text of an SVG file, with its texts as letters.
+    ///
+    /// The same as [`svg_with`] for [`Text::Letters`].
+    pub fn svg(&self) -> String {
+        svg_with(self, Text::Letters)
+    }
 }
 
 /// The drawing as the text of an SVG file: true to scale in mm, one group for each stretch of marks
@@ -322,7 +324,7 @@ mod tests {
         drawing.title = "a < b & \"c\" \u{1}".into();
         let text = PlacedText::new(RichText::verbatim("<tspan>&\u{0}"), 4.0, Point::new(1.0, 5.0));
         drawing.draw_named("x\"><script>", Pen::Label, Shape::Text(text));
-        let file = svg(&drawing);
+        let file = drawing.svg();
         assert!(
             file.contains("<title>a &lt; b &amp; \"c\" </title>") || file.contains("a &lt; b &amp; \"c\" \n"),
             "{file}"
@@ -361,7 +363,7 @@ mod tests {
         let mut drawing = Drawing::new(10.0, 10.0);
         drawing.draw(Pen::Link, Shape::Line(Point::new(f64::NAN, 0.0), Point::new(1.0, 1.0)));
         drawing.draw(Pen::Link, Shape::Circle { center: Point::ORIGIN, radius: f64::INFINITY });
-        let file = svg(&drawing);
+        let file = drawing.svg();
         assert!(!file.contains("<path") && !file.contains("<circle"));
     }
 
@@ -373,7 +375,7 @@ mod tests {
             Pen::Velocity,
             Shape::Arrow { from: Point::new(0.0, 10.0), to: Point::new(20.0, 10.0) },
         );
-        let file = svg(&drawing);
+        let file = drawing.svg();
         let arrow = "<g id=\"vector-v\"><path d=\"M0 10L18.18 10\"/><path fill=\"#0b4f8a\" stroke=\"none\" \
                      d=\"M20 10L17.4 10.442L17.816 10L17.4 9.558Z\"/></g>";
         assert!(file.contains(arrow), "{file}");

@@ -10,44 +10,46 @@ mod words;
 use paths::write_path;
 use style::{Used, name, write_colour, write_style};
 
-/// The drawing as the text of a LaTeX file: a TikZ picture, true to scale in mm.
-///
-/// The file compiles by itself and can be read with `\input` into a document that loads the package `tikz`; then only the picture is taken.
-/// Colours and styles have names, one for each pen, and keep to what the document has set before. Texts are LaTeX text and formulas in the
-/// document's own fonts; each keeps its left end, middle or right end, because those fonts are not the measured one. A text with a letter that plain LaTeX lacks is drawn by the outlines of the bundled font. Marks whose numbers are not finite,
-/// or beyond what TeX counts to, are left out.
-pub fn tikz(drawing: &Drawing) -> String {
-    let marks = drawing.marks.iter().zip(drawing.halos());
-    let marks: Vec<(&Mark, bool)> = marks.filter(|(mark, _)| fits(&mark.shape)).collect();
-    let mut file = head(drawing);
-    let mut used: BTreeMap<String, (Look, Used)> = BTreeMap::new();
-    for (mark, _) in &marks {
-        let used = used.entry(name(drawing, mark));
-        let (_, used) = used.or_insert_with(|| (drawing.look(mark), Used::default()));
-        used.count(&mark.shape);
-    }
-    let background = drawing.style.background();
-    write_colour(&mut file, "background", background);
-    for (name, (look, used)) in used {
-        write_style(&mut file, &name, &look, used);
-    }
-    let [width, height] = [drawing.width, drawing.height].map(number);
-    let _ =
-        write!(file, "\\begin{{tikzpicture}}[x=1mm,y=-1mm]\n\\useasboundingbox (0,0) rectangle ({width},{height});\n");
-    if background != Colour::new(0xffffff) {
-        let _ = writeln!(file, "\\fill[kinegon-background] (0,0) rectangle ({width},{height});");
-    }
-    // Stretches of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
-    for marks in marks.chunk_by(|a, b| a.0.pen == b.0.pen) {
-        for (mark, _) in marks.iter().filter(|mark| mark.1) {
-            write_mark(&mut file, drawing, mark, true);
+impl Drawing {
+    /// The drawing as the text of a LaTeX file: a TikZ picture, true to scale in mm.
+    ///
+    /// The file compiles by itself and can be read with `\input` into a document that loads the package `tikz`; then only the picture is taken.
+    /// Colours and styles have names, one for each pen, and keep to what the document has set before. Texts are LaTeX text and formulas in the
+    /// document's own fonts; each keeps its left end, middle or right end, because those fonts are not the measured one. A text with a letter that plain LaTeX lacks is drawn by the outlines of the bundled font. Marks whose numbers are not finite,
+    /// or beyond what TeX counts to, are left out.
+    pub fn tikz(&self) -> String {
+        let marks = self.marks.iter().zip(self.halos());
+        let marks: Vec<(&Mark, bool)> = marks.filter(|(mark, _)| fits(&mark.shape)).collect();
+        let mut file = head(self);
+        let mut used: BTreeMap<String, (Look, Used)> = BTreeMap::new();
+        for (mark, _) in &marks {
+            let used = used.entry(name(self, mark));
+            let (_, used) = used.or_insert_with(|| (self.look(mark), Used::default()));
+            used.count(&mark.shape);
         }
-        for (mark, _) in marks {
-            write_mark(&mut file, drawing, mark, false);
+        let background = self.style.background();
+        write_colour(&mut file, "background", background);
+        for (name, (look, used)) in used {
+            write_style(&mut file, &name, &look, used);
         }
+        let [width, height] = [self.width, self.height].map(number);
+        let _ =
+            write!(file, "\\begin{{tikzpicture}}[x=1mm,y=-1mm]\n\\useasboundingbox (0,0) rectangle ({width},{height});\n");
+        if background != Colour::new(0xffffff) {
+            let _ = writeln!(file, "\\fill[kinegon-background] (0,0) rectangle ({width},{height});");
+        }
+        // Stretches of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
+        for marks in marks.chunk_by(|a, b| a.0.pen == b.0.pen) {
+            for (mark, _) in marks.iter().filter(|mark| mark.1) {
+                write_mark(&mut file, self, mark, true);
+            }
+            for (mark, _) in marks {
+                write_mark(&mut file, self, mark, false);
+            }
+        }
+        file.push_str("\\end{tikzpicture}%\n\\kinegonend\n");
+        file
     }
-    file.push_str("\\end{tikzpicture}%\n\\kinegonend\n");
-    file
 }
 
 /// Whether TeX can count as far as a shape reaches: to 5.7 m.
