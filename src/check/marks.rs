@@ -197,9 +197,12 @@ impl Awarded {
     #[must_use]
     pub fn line(&self, words: &Wording) -> String {
         let number = |marks: f64| words.number(Awarded::written(marks));
-        let follow = Some(self.follow_through).filter(|f| *f > 0.0);
-        let follow = follow.map_or_else(String::new, number);
-        (words.language.class.marks)(&number(self.earned), &number(self.of), &follow)
+        let [earned, of] = [self.earned, self.of].map(number);
+        if self.follow_through > 0.0 {
+            words.language.class_marks_following(&earned, &of, &number(self.follow_through))
+        } else {
+            words.language.class_marks(&earned, &of)
+        }
     }
 
     /// Marks as people write them: two decimals at most.

@@ -9,7 +9,7 @@ use super::step::{Action, Added, Arrow, LegEquation, Plan, PlanKind, Ray, Relati
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role};
 use crate::position::Pose;
-use crate::words::{NormalParts, Wording};
+use crate::words::{Language, NumberStyle, Wording};
 
 /// A name within a caption.
 fn written(name: &str) -> String {
@@ -73,10 +73,10 @@ pub fn rate_symbol(name: &str) -> String {
 pub fn no_construction(words: &Wording, far: &[String]) -> String {
     let language = words.language;
     if far.is_empty() {
-        return language.no_construction.to_owned();
+        return language.no_construction().to_owned();
     }
     let far: Vec<String> = far.iter().map(|name| written(name)).collect();
-    (language.no_construction_far)(&far.join(language.and))
+    language.no_construction_far(&far.join(language.and()))
 }
 
 /// Tells steps in a language and a notation.
@@ -103,20 +103,20 @@ impl<'a> Teller<'a> {
         match &step.action {
             Action::Pole { images } => self.pole(plan.map_or(PlanKind::Velocity, |plan| plan.kind), images),
             Action::SpecialPoint { special, .. } => self.special_point(self.construction.special(*special)),
-            Action::MeasureLength { from, to, .. } => (language.measure_length)(&written(from), &written(to)),
+            Action::MeasureLength { from, to, .. } => language.measure_length(&written(from), &written(to)),
             Action::LayOff(arrow) => self.lay_off(plan.map_or(PlanKind::Velocity, |plan| plan.kind), arrow).1,
             Action::Ray(ray) => {
                 let sentence = match ray.relation {
-                    Relation::Perpendicular => language.ray_normal,
-                    Relation::Parallel => language.ray_parallel,
+                    Relation::Perpendicular => Language::ray_normal,
+                    Relation::Parallel => Language::ray_parallel,
                 };
-                sentence(&written(&ray.through), &self.line_of(ray), &written(&ray.to))
+                sentence(language, &written(&ray.through), &self.line_of(ray), &written(&ray.to))
             }
-            Action::Cross { point, .. } => (language.cross)(&written(point)),
-            Action::Measure { from, to, .. } => (language.measure_segment)(&written(from), &written(to)),
+            Action::Cross { point, .. } => language.cross(&written(point)),
+            Action::Measure { from, to, .. } => language.measure_segment(&written(from), &written(to)),
             Action::Solve { unknowns, .. } => {
                 let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
-                (language.solve)(&names.join(", "))
+                language.solve(&names.join(", "))
             }
             Action::NoConstruction { far } => no_construction(self.words, far),
         }
@@ -145,7 +145,7 @@ impl<'a> Teller<'a> {
         let special = self.construction.special(ray.special);
         let cut = &special.cuts[ray.side];
         match cut.course {
-            Course::Normal(slider, _) => (self.words.language.guide_of)(&self.mechanism.slider_name(slider)),
+            Course::Normal(slider, _) => self.words.language.guide_of(&self.mechanism.slider_name(slider)),
             Course::Through(..) | Course::AtInfinity => cut.name(self.words, self.mechanism, &special.name),
         }
     }
@@ -153,10 +153,10 @@ impl<'a> Teller<'a> {
     fn pole(&self, kind: PlanKind, images: &[String]) -> String {
         let (pole, scale) = (kind.pole_in(self.words.notation), kind.scale_name());
         if images.is_empty() {
-            return (self.words.language.choose_pole)(pole, scale);
+            return self.words.language.choose_pole(pole, scale);
         }
         let images: Vec<String> = images.iter().map(|i| written(i)).collect();
-        (self.words.language.choose_pole_with)(pole, scale, &images.join(", "))
+        self.words.language.choose_pole_with(pole, scale, &images.join(", "))
     }
 
     fn special_point(&self, special: &Special) -> String {
@@ -164,10 +164,10 @@ impl<'a> Teller<'a> {
         let link = &self.mechanism.body(special.link).name;
         let cut = |side: usize| special.cuts[side].name(self.words, self.mechanism, &special.name);
         match special.place {
-            Place::At(_) => (language.special_point)(&name, link, &cut(0), &cut(1)),
+            Place::At(_) => language.special_point(&name, link, &cut(0), &cut(1)),
             Place::AtInfinity(direction) => {
-                let direction = self.words.number(format!("{:.2}", degrees_of(direction)));
-                (language.special_point_at_infinity)(&name, link, &direction, &cut(0), &cut(1))
+                let direction = self.words.write(degrees_of(direction), NumberStyle::decimals(2));
+                language.special_point_at_infinity(&name, link, &direction, &cut(0), &cut(1))
             }
         }
     }
@@ -182,13 +182,13 @@ impl<'a> Teller<'a> {
                 let formula = format!("v{0} = ω_{link} L{0}", low(&[to, from])).into();
                 let language = self.words.language;
                 let line = format!("{from}{to}");
-                (formula, (language.lay_off_relative)(link, &written(to), &written(from), &line))
+                (formula, language.lay_off_relative(link, &written(to), &written(from), &line))
             }
             VectorOf::Sliding(slider, under) => {
                 let name = self.mechanism.slider_name(*slider);
                 let at = self.mechanism.point_name(self.mechanism.slider(*slider).at);
                 let (language, notation) = (self.words.language, self.words.notation);
-                let caption = (language.lay_off_sliding_velocity)(&name, false, &written(under), &written(at));
+                let caption = language.lay_off_sliding_velocity(&name, &written(under), &written(at));
                 (format!("v_{}({name})", notation.relative).into(), caption)
             }
             VectorOf::Driven(slide, added) => self.driven(slide, *added, [from, to]),
@@ -214,29 +214,29 @@ impl<'a> Teller<'a> {
                 match kind {
                     PlanKind::Velocity => (
                         format!("v{own} = ω_{link} {arm}").into(),
-                        (language.lay_off_velocity)(name, &line, link),
+                        language.lay_off_velocity(name, &line, link),
                     ),
                     PlanKind::Acceleration if *alpha == 0.0 => (
                         format!("a{own} = a^{n}{both} = ω_{link}^2 {arm}").into(),
-                        (language.lay_off_normal_acceleration)(name, k, link),
+                        language.lay_off_normal_acceleration(name, k, link),
                     ),
                     PlanKind::Acceleration => (
                         format!(
                             "a{own} = a^{n}{both} + a^{t}{both}, a^{n}{both} = ω_{link}^2 {arm}, a^{t}{both} = α_{link} {arm}"
                         )
                         .into(),
-                        (language.lay_off_whole_acceleration)(name, k, &line),
+                        language.lay_off_whole_acceleration(name, k, &line),
                     ),
                 }
             }
             Role::Carrier { .. } => {
                 let vector = format!("{letter}_{name}");
-                let caption = (language.lay_off_given)(&vector);
+                let caption = language.lay_off_given(&vector);
                 (self.given(vector), caption)
             }
             _ => (
                 format!("{letter}{}", low(&[under, &body.name])).into(),
-                (language.lay_off_point_under)(&body.name, &written(under)),
+                language.lay_off_point_under(&body.name, &written(under)),
             ),
         }
     }
@@ -245,7 +245,7 @@ impl<'a> Teller<'a> {
     fn given(&self, vector: String) -> Formula {
         let mut formula = Formula::default();
         formula.vector(vector, Known::Entirely, None);
-        formula.words(self.words.language.given);
+        formula.words(self.words.language.given());
         formula
     }
 
@@ -337,28 +337,28 @@ impl<'a> Teller<'a> {
                 }
             }
         }
-        let what = match (normals.len(), coriolis.is_some()) {
-            (2, _) => NormalParts::Both,
-            (1, true) => NormalParts::WithCoriolis,
-            (_, true) => NormalParts::Coriolis,
-            (_, false) => NormalParts::One,
+        let sentence = match (normals.len(), coriolis.is_some()) {
+            (2, _) => Language::lay_off_normal_parts,
+            (1, true) => Language::lay_off_normal_and_coriolis,
+            (_, true) => Language::lay_off_coriolis_part,
+            (_, false) => Language::lay_off_normal_part,
         };
         let language = words.language;
         let start = cut.start().map_or("", |start| mechanism.point_name(start));
         let mut formula = Formula::default();
         formula.vector(format!("a^{}{}", words.notation.normal, low(&[s, start])), Known::Entirely, None);
-        let mut between = language.made_from;
+        let mut between = language.made_from();
         for part in normals {
             formula.words(between);
             formula.sign(&part);
-            between = language.and;
+            between = language.and();
         }
         if let Some(part) = coriolis {
-            formula.words(&format!("{between}{}", language.coriolis_word));
+            formula.words(&format!("{between}{}", language.coriolis_word()));
             formula.sign(&part);
         }
         let line = cut.name(words, mechanism, s);
-        (formula, (language.lay_off_normal)(what, &line, &written(from), &written(to)))
+        (formula, sentence(language, &line, &written(from), &written(to)))
     }
 
     /// The arm of a term, to the point looked for where it does not end at another joint.
@@ -422,14 +422,20 @@ impl<'a> Teller<'a> {
         let minus = if backwards { "−" } else { "" };
         let (language, notation) = (self.words.language, self.words.notation);
         let (r, c) = (notation.relative, notation.coriolis);
-        let (equation, sentence) = match added {
-            Added::SlidingVelocity => (format!("{minus}v_{r}({name})"), language.lay_off_sliding_velocity),
-            Added::SlidingAcceleration => (format!("{minus}a_{r}({name})"), language.lay_off_sliding_acceleration),
-            Added::Coriolis => {
-                (format!("{minus}a_{c}({name}) = {minus}2 ω_{on} v_{r}({name})"), language.lay_off_coriolis)
-            }
+        let equation = match added {
+            Added::SlidingVelocity => format!("{minus}v_{r}({name})"),
+            Added::SlidingAcceleration => format!("{minus}a_{r}({name})"),
+            Added::Coriolis => format!("{minus}a_{c}({name}) = {minus}2 ω_{on} v_{r}({name})"),
         };
-        let caption = sentence(&name, backwards, &written(from), &written(to));
+        let sentence = match (added, backwards) {
+            (Added::SlidingVelocity, false) => Language::lay_off_sliding_velocity,
+            (Added::SlidingVelocity, true) => Language::lay_off_sliding_velocity_reversed,
+            (Added::SlidingAcceleration, false) => Language::lay_off_sliding_acceleration,
+            (Added::SlidingAcceleration, true) => Language::lay_off_sliding_acceleration_reversed,
+            (Added::Coriolis, false) => Language::lay_off_coriolis,
+            (Added::Coriolis, true) => Language::lay_off_coriolis_reversed,
+        };
+        let caption = sentence(language, &name, &written(from), &written(to));
         (equation.into(), caption)
     }
 }

@@ -15,13 +15,13 @@ impl Worksheet {
     pub(super) fn blank(scheme: &Scheme<'_>, units: Units, asked: &[Asked]) -> Self {
         let language = scheme.words.language;
         let rows: Vec<Row> = asked.iter().map(|asked| blank_row(scheme, units, asked)).collect();
-        let mut table = table(language.exercise.quantity, language.value, rows.len());
+        let mut table = table(language.exercise_quantity(), language.value(), rows.len());
         let none = RichText::plain("");
         for row in &rows {
             table.widen([&row.name, &none, &symbol(row.scale), &none, &row.unit]);
         }
         [table.widths[1], table.widths[3]] = BOXES;
-        Self { table, rows, ruler: language.ruler, is_blank: true }
+        Self { table, rows, ruler: language.ruler(), is_blank: true }
     }
 }
 

@@ -82,8 +82,7 @@ fn overflow_warning(placed: &Placed, extent: &Extent) -> Option<String> {
     };
     let words = Wording::default();
     let panel = name(words.language, placed.panel).to_lowercase();
-    let fitting = legend::short(&words, fitting_scale(extent, placed.area));
-    let given = legend::short(&words, placed.mu);
+    let [fitting, given] = [fitting_scale(extent, placed.area), placed.mu].map(|mu| words.write(mu, legend::SCALE));
     Some(format!(
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
     ))
@@ -153,7 +152,7 @@ pub(super) fn compose(
     let mut drawing = Drawing::new(width, height);
     drawing.style = Style::named(scene.figure.style);
     let language = scheme.words.language;
-    let title = scene.title.as_deref().unwrap_or(language.title);
+    let title = scene.title.as_deref().unwrap_or(language.title());
     drawing.title = match shown {
         Shown::Overlay(Overlay { name: Some(name), .. }) => format!("{title} – {name}"),
         _ => title.to_owned(),
@@ -327,11 +326,11 @@ const TITLE_SIZE: f64 = 5.2;
 const HEADING_SIZE: f64 = 1.05 * CAPTION;
 const BEFORE_HEADING: f64 = 2.5;
 
-fn name(language: &Language, panel: Panel) -> &'static str {
+fn name(language: &Language, panel: Panel) -> &str {
     match panel {
-        Panel::Scheme => language.scheme,
-        Panel::Velocity => language.velocity_plan,
-        Panel::Acceleration => language.acceleration_plan,
+        Panel::Scheme => language.scheme(),
+        Panel::Velocity => language.velocity_plan(),
+        Panel::Acceleration => language.acceleration_plan(),
     }
 }
 
@@ -348,9 +347,9 @@ fn description(language: &Language, mechanism: &Mechanism, layout: &Layout) -> S
         .panels
         .iter()
         .map(|p| match p.panel {
-            Panel::Scheme => language.described_scheme,
-            Panel::Velocity => language.described_velocity_plan,
-            Panel::Acceleration => language.described_acceleration_plan,
+            Panel::Scheme => language.described_scheme(),
+            Panel::Velocity => language.described_velocity_plan(),
+            Panel::Acceleration => language.described_acceleration_plan(),
         })
         .collect();
     let groups: Vec<String> = mechanism
@@ -358,11 +357,11 @@ fn description(language: &Language, mechanism: &Mechanism, layout: &Layout) -> S
         .iter()
         .map(|g| {
             let class = match g.class {
-                Class::Higher => language.higher,
+                Class::Higher => language.higher(),
                 other => other.numeral(),
             };
-            (language.described_group)(class, &g.link_names(mechanism))
+            language.described_group(class, &g.link_names(mechanism))
         })
         .collect();
-    (language.description)(&panels.join(", "), &groups.join("; "))
+    language.description(&panels.join(", "), &groups.join("; "))
 }

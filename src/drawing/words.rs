@@ -2,7 +2,7 @@
 
 use super::canvas::CAPTION;
 use super::layout::Layout;
-use super::legend::short;
+use super::legend::SCALE;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
@@ -13,10 +13,16 @@ use crate::construction::{
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::Kind;
 use crate::scene::{Panel, Units};
+use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect};
 
 /// Room that the words need below the scales, in mm.
 pub(super) const HEIGHT: f64 = 30.0;
+
+/// How values are written.
+pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7).on(Medium::Figure);
+/// How lengths on paper and angles are written.
+pub(super) const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).on(Medium::Figure);
 
 /// Size of the words.
 const SIZE: f64 = 1.05 * CAPTION;
@@ -221,10 +227,10 @@ impl Page<'_> {
             }
             let text = RichText::math(&term.markup);
             let mut name = match term.part {
-                Some(NamedPart::Normal) => language.normal,
-                Some(NamedPart::Tangential) => language.tangential,
-                Some(NamedPart::Sliding) => language.sliding,
-                Some(NamedPart::Coriolis) => language.coriolis,
+                Some(NamedPart::Normal) => language.normal(),
+                Some(NamedPart::Tangential) => language.tangential(),
+                Some(NamedPart::Sliding) => language.sliding(),
+                Some(NamedPart::Coriolis) => language.coriolis(),
                 None => "",
             }
             .to_owned();
@@ -270,8 +276,8 @@ impl Page<'_> {
         let placed = self.layout.panels.iter().find(|p| p.panel == panel);
         let words = &self.scheme.words;
         let on_paper = placed.map(|p| {
-            let mm = words.number(format!("{:.2}", value / p.mu));
-            format!(" ({mm} mm × {})", short(words, p.mu))
+            let mm = words.write(value / p.mu, HUNDREDTHS);
+            format!(" ({mm} mm × {})", words.write(p.mu, SCALE))
         });
         let value = self.significant(value);
         format!("{value} {unit}{}", on_paper.unwrap_or_default())
@@ -284,26 +290,10 @@ impl Page<'_> {
             return size;
         }
         let words = &self.scheme.words;
-        let degrees = words.number(format!("{:.2}", degrees_of(vector)));
-        (words.language.with_direction)(&size, &degrees.replace('-', "−"))
+        words.language.with_direction(&size, &words.write(degrees_of(vector), HUNDREDTHS))
     }
 
     fn significant(&self, value: f64) -> String {
-        self.scheme.words.number(significant(value))
+        self.scheme.words.write(value, VALUE)
     }
-}
-
-/// A number with five significant digits and a proper minus.
-pub(super) fn significant(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let exponent = libm::floor(libm::log10(x.abs())) as i32;
-    let text = if (-4..7).contains(&exponent) {
-        format!("{x:.*}", (4 - exponent).max(0) as usize)
-    } else {
-        let mantissa = x / libm::pow(10.0, f64::from(exponent));
-        format!("{mantissa:.4}·10^{{{exponent}}}")
-    };
-    text.replace('-', "−")
 }

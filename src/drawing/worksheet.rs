@@ -10,7 +10,7 @@ use super::sheet::{Drawing, Pen};
 use super::table::{Cells, Table};
 use super::text::{PlacedText, RichText};
 use super::view::Extent;
-use super::words::significant;
+use super::words::{HUNDREDTHS, VALUE};
 use crate::construction::{Action, Plan, PlanKind};
 use crate::quantity::Kind;
 use crate::scene::{Panel, Units};
@@ -54,7 +54,7 @@ impl Worksheet {
         let language = scheme.words.language;
         let rows: Vec<Row> =
             rows(scheme, units).filter(|row| extents.iter().any(|(panel, _)| *panel == row.panel)).collect();
-        let mut table = table(language.segment, language.value, rows.len());
+        let mut table = table(language.segment(), language.value(), rows.len());
         let figure = scheme.figure;
         // No panel is larger than the page, so its scale is at least this one.
         let least = |panel: Panel| {
@@ -67,7 +67,7 @@ impl Worksheet {
             let most = millimetres(&scheme.words, row.value, least(row.panel));
             table.widen([&row.name, &most, &symbol(row.scale), &row.written, &row.unit]);
         }
-        Self { table, rows, ruler: language.ruler, is_blank: false }
+        Self { table, rows, ruler: language.ruler(), is_blank: false }
     }
 
     /// The parts of a room that it may take.
@@ -121,7 +121,7 @@ pub(super) fn symbol(scale: &str) -> RichText {
 /// A value in millimetres of paper at a scale.
 fn millimetres(words: &Wording, value: f64, mu: f64) -> RichText {
     let mm = if mu > 0.0 { value / mu } else { 0.0 };
-    RichText::plain(&words.number(format!("{mm:.2}")))
+    RichText::plain(&words.write(mm, HUNDREDTHS))
 }
 
 /// What is measured, and visible, in the order of the construction.
@@ -145,7 +145,7 @@ fn rows<'a>(scheme: &'a Scheme<'_>, units: Units) -> impl Iterator<Item = Row> +
             Some(own) => (Panel::Acceleration, Kind::Acceleration, own.scale_name()),
         };
         let name = |name: &str| scheme.shown(name, plan);
-        let written = scheme.words.number(significant(value));
+        let written = scheme.words.write(value, VALUE);
         Some(Row {
             step,
             panel,

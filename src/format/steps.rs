@@ -4,8 +4,13 @@ use crate::construction::{
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::{Pencil, Unread};
 use crate::scene::Units;
-use crate::words::Wording;
+use crate::words::{NumberStyle, Wording};
 use std::fmt::Write;
+
+/// How lengths on paper and angles are written.
+const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2);
+/// How it is written how far two routes differ.
+const ONE_DIGIT: NumberStyle = NumberStyle::significant(1).in_full(0, 0);
 
 impl Solution {
     /// The construction as numbered text, each step with its values, its lengths in millimetres of paper and the bands of hand drawings.
@@ -21,23 +26,23 @@ impl Solution {
         }
         page.scales_line();
         page.pencil_lines();
-        page.heading(language.on_the_mechanism);
+        page.heading(language.on_the_mechanism());
         let mut steps = construction.numbered_steps().peekable();
         while let Some(step) = steps.next_if(|step| step.plan.is_none()) {
             page.step(&step);
         }
         for plan in construction.plans() {
             page.heading(match plan.kind {
-                PlanKind::Velocity => language.velocity_plan,
-                PlanKind::Acceleration => language.acceleration_plan,
+                PlanKind::Velocity => language.velocity_plan(),
+                PlanKind::Acceleration => language.acceleration_plan(),
             });
             while let Some(step) = steps.next_if(|step| step.sheet() == plan.kind.sheet()) {
                 page.step(&step);
             }
         }
         for agreement in construction.agreement.iter().flatten() {
-            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| format!("{x:.0e}"));
-            page.heading(&(language.routes_differ)(&difference, &allowed));
+            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            page.heading(&language.routes_differ(&difference, &allowed));
         }
         page.text
     }
@@ -63,10 +68,6 @@ impl Page<'_> {
         self.line(line);
     }
 
-    fn number(&self, written: String) -> String {
-        self.words.number(written)
-    }
-
     fn unit(&self, kind: Option<PlanKind>) -> String {
         let (length, time) = (self.units.length.as_str(), self.units.time.as_str());
         match kind {
@@ -87,20 +88,20 @@ impl Page<'_> {
     fn scales_line(&mut self) {
         let kinds = [None, Some(PlanKind::Velocity), Some(PlanKind::Acceleration)];
         let entries = kinds.into_iter().zip(["μ_l", "μ_v", "μ_a"]).filter_map(|(kind, name)| {
-            let mu = self.number(self.mu(kind)?.to_string());
-            Some((self.words.language.scale_per_mm)(name, &mu, &self.unit(kind)))
+            let mu = self.words.write(self.mu(kind)?, NumberStyle::shortest());
+            Some(self.words.language.scale_per_mm(name, &mu, &self.unit(kind)))
         });
         let entries: Vec<String> = entries.collect();
-        let line = (self.words.language.scales)(&entries.join(", "));
+        let line = self.words.language.scales(&entries.join(", "));
         self.line(&line);
     }
 
     /// What the bands mean, and why some values have none.
     fn pencil_lines(&mut self) {
         let Tolerance { mm, degrees } = self.pencil.tolerance;
-        let [mm, degrees] = [mm, degrees].map(|x| self.number(x.to_string()));
+        let [mm, degrees] = [mm, degrees].map(|x| self.words.write(x, NumberStyle::shortest()));
         let language = self.words.language;
-        self.line(&(language.bands)(&mm, &degrees));
+        self.line(&language.bands(&mm, &degrees));
         let mut reasons: Vec<&Unread> = Vec::new();
         for (_, band) in &self.pencil.quantities {
             if let Err(why @ (Unread::NoConstruction | Unread::NoSheet(_))) = band
@@ -111,15 +112,15 @@ impl Page<'_> {
         }
         for why in reasons {
             let sheet = match why {
-                Unread::NoSheet(Sheet::Scheme) => language.scheme,
-                Unread::NoSheet(Sheet::Velocity) => language.velocity_plan,
-                Unread::NoSheet(Sheet::Acceleration) => language.acceleration_plan,
+                Unread::NoSheet(Sheet::Scheme) => language.scheme(),
+                Unread::NoSheet(Sheet::Velocity) => language.velocity_plan(),
+                Unread::NoSheet(Sheet::Acceleration) => language.acceleration_plan(),
                 _ => {
-                    self.line(language.no_band_no_construction);
+                    self.line(language.no_band_no_construction());
                     continue;
                 }
             };
-            self.line(&(language.no_band_no_sheet)(&sheet.to_lowercase()));
+            self.line(&language.no_band_no_sheet(&sheet.to_lowercase()));
         }
     }
 
@@ -129,11 +130,15 @@ impl Page<'_> {
             return String::new();
         };
         let on_paper = mu.map(|mu| {
-            let mm = self.number(format!("{:.2}", band.band / mu));
+            let mm = self.words.write(band.band / mu, HUNDREDTHS);
             format!(" ({mm} mm)")
         });
-        let rough = if band.is_rough { self.words.language.only_roughly } else { "" };
-        format!("; ± {} {unit}{}{rough}", self.number(significant(band.band, 2)), on_paper.unwrap_or_default())
+        let rough = if band.is_rough { self.words.language.only_roughly() } else { "" };
+        format!(
+            "; ± {} {unit}{}{rough}",
+            self.words.write(band.band, NumberStyle::significant(2)),
+            on_paper.unwrap_or_default()
+        )
     }
 
     /// The band of a plan's segment.
@@ -145,8 +150,8 @@ impl Page<'_> {
     /// A value with its unit and its length on paper.
     fn measure(&self, value: f64, kind: Option<PlanKind>) -> String {
         let on_paper = self.mu(kind).map(|mu| {
-            let mm = self.number(format!("{:.2}", value / mu));
-            format!(" ({})", (self.words.language.on_paper)(&mm))
+            let mm = self.words.write(value / mu, HUNDREDTHS);
+            format!(" ({})", self.words.language.on_paper(&mm))
         });
         format!("{} {}{}", self.digits(value), self.unit(kind), on_paper.unwrap_or_default())
     }
@@ -166,23 +171,23 @@ impl Page<'_> {
 
     /// A number with seven significant digits.
     fn digits(&self, value: f64) -> String {
-        self.number(significant(value, 7))
+        self.words.write(value, NumberStyle::significant(7))
     }
 
     fn degrees(&self, degrees: f64) -> String {
-        self.number(format!("{degrees:.2}"))
+        self.words.write(degrees, HUNDREDTHS)
     }
 
     /// The acute angle of a crossing with this sine.
     fn crossing(&self, sine: f64) -> String {
         let angle = libm::asin(sine.abs().min(1.0)).to_degrees();
-        (self.words.language.angle_of_crossing)(&self.degrees(angle))
+        self.words.language.angle_of_crossing(&self.degrees(angle))
     }
 
     /// A vector's size with its length on paper, and its direction.
     fn vector(&self, vector: Vector, kind: Option<PlanKind>) -> String {
         let size = self.measure(vector.norm(), kind);
-        (self.words.language.with_direction)(&size, &self.degrees(degrees_of(vector)))
+        self.words.language.with_direction(&size, &self.degrees(degrees_of(vector)))
     }
 
     /// Equation and values of a step, a line each.
@@ -222,7 +227,7 @@ impl Page<'_> {
                 lines
             }
             Action::Ray(ray) => {
-                let direction = (self.words.language.direction)(&self.degrees(degrees_of(ray.direction)));
+                let direction = self.words.language.direction(&self.degrees(degrees_of(ray.direction)));
                 if equation.is_empty() { vec![direction] } else { vec![format!("{equation}; {direction}")] }
             }
             Action::Cross { point, sine, .. } => {
@@ -262,14 +267,4 @@ impl Page<'_> {
             }
         }
     }
-}
-
-/// A number with so many significant digits.
-fn significant(x: f64, count: i32) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let exponent = libm::floor(libm::log10(x.abs())) as i32;
-    let after = (count - 1 - exponent).max(0) as usize;
-    if (-4..9).contains(&exponent) { format!("{x:.after$}") } else { format!("{x:.*e}", count as usize - 1) }
 }

@@ -135,11 +135,10 @@ fn every_mistake_is_told_in_the_language_asked_for() {
     for (language, foreign) in [("es", ENGLISH), ("en", SPANISH)] {
         let scene = with(&files::read("examples/figure-2.json"), &[("language", language)]);
         let scene = solved(&scene).expect("a good scene").scene;
-        let words = Wording::of(&scene.figure).language.check;
-        let other = Wording::of(&with_other(&scene, language)).language.check;
+        let words = Wording::of(&scene.figure);
+        let other = Wording::of(&with_other(&scene, language));
         let mut told = 0;
         for mistake in Mistake::all() {
-            let [own, foreigner] = [words, other].map(|words| mistake.words(words));
             // Only of special points wrong lines are told.
             let lines = match mistake {
                 Mistake::WrongLines => ["S3", "cut line of S5", "guide of 3/2", ""],
@@ -147,11 +146,11 @@ fn every_mistake_is_told_in_the_language_asked_for() {
             };
             for blanks in [["p", "b", "omega(2)", "L(B,S3)"], lines, ["", "", "mm", "m"]] {
                 let blanks = blanks.map(str::to_owned);
-                for (say, other) in [(own.done, foreigner.done), (own.should, foreigner.should)] {
-                    let said = say(&blanks);
-                    let found = words_of(foreign, &said);
+                let own = words.mistake(mistake.words(), &blanks);
+                for (said, other) in own.iter().zip(other.mistake(mistake.words(), &blanks)) {
+                    let found = words_of(foreign, said);
                     assert!(found.is_empty(), "{language}: {found:?} in {said:?}");
-                    told += usize::from(said != other(&blanks));
+                    told += usize::from(*said != other);
                 }
             }
         }

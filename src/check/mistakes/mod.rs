@@ -12,7 +12,7 @@ use super::datum::Datum;
 use super::entry::Entry;
 use super::model::{Edit, Model};
 use crate::construction::{Does, NumberId, NumberKind, Operation, PlaceId, Product};
-use crate::words::{CheckWords, MistakeWords};
+use crate::words::MistakeWords;
 
 /// A mistake of the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -132,12 +132,12 @@ pub(super) struct Listed {
     /// Puts it into the construction wherever it fits.
     find: fn(&Site<'_>) -> Vec<Candidate>,
     /// Its sentences.
-    pub words: fn(&CheckWords) -> &MistakeWords,
+    pub words: MistakeWords,
 }
 
 macro_rules! listed {
     ($($mistake:ident $id:literal $percent:literal $find:path => $words:ident,)*) => {
-        [$(Listed { mistake: Mistake::$mistake, id: $id, percent: $percent, find: $find, words: |w| &w.$words }),*]
+        [$(Listed { mistake: Mistake::$mistake, id: $id, percent: $percent, find: $find, words: MistakeWords::$words }),*]
     };
 }
 
@@ -192,10 +192,10 @@ impl Mistake {
         &CATALOGUE[self as usize]
     }
 
-    /// Its sentences in a language.
+    /// Its sentences.
     #[must_use]
-    pub fn words(self, words: &CheckWords) -> &MistakeWords {
-        (self.listed().words)(words)
+    pub fn words(self) -> MistakeWords {
+        self.listed().words
     }
 }
 

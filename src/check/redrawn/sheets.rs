@@ -11,7 +11,7 @@ use crate::construction::{Change, Disturbance, Does, How, LineId, PlaceId, Sheet
 use crate::drawing::{OwnKind, OwnLine, OwnPoint};
 use crate::geometry::{Point, Vector, cross, degrees_of, turn_of_degrees, unit};
 use crate::quantity::Kind;
-use crate::words::Wording;
+use crate::words::{Medium, Wording};
 use indexmap::IndexMap;
 
 /// So far apart on paper, in mm, a place is seen to be another one.
@@ -268,7 +268,7 @@ impl<'a> Sheets<'a> {
     /// A size on a sheet with its unit.
     fn with_unit(&self, sheet: Sheet, value: f64) -> String {
         let kind = [Kind::Length, Kind::Velocity, Kind::Acceleration][sheet as usize];
-        let value = self.words.number(significant(value.abs(), 4));
+        let value = self.words.write(value.abs(), significant(4).on(Medium::Figure));
         format!("{value} {}", kind.unit(self.key.solution.scene.units))
     }
 

@@ -153,7 +153,8 @@ impl Overlay {
         let is_column = area.width() < 0.5 * drawing.width;
         let mut at = legend::baseline(area, 0);
         for (line, sample) in (1..).zip(self.key()) {
-            let words = words.language.check.key[sample];
+            let language = words.language;
+            let words = [language.check_key_right(), language.check_key_own(), language.check_key_wrong()][sample];
             let end = key(drawing, at, sample, words);
             at = match is_column {
                 true => legend::baseline(area, line),

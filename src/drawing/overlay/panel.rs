@@ -11,6 +11,7 @@ use crate::drawing::sheet::{Mark, Pen};
 use crate::drawing::text::RichText;
 use crate::drawing::view::{View, towards};
 use crate::scene::Panel;
+use crate::words::NumberStyle;
 use kurbo::{Point, Vec2};
 
 /// Points closer than this on paper, in mm, share a name.
@@ -139,8 +140,8 @@ impl Overlay {
             canvas.draw_named(&name, Pen::StudentPoint, shape);
         }
         let mm = (target - edge).hypot();
-        let mm = scheme.words.number(format!("{mm:.0}"));
-        let words = (scheme.words.language.check.beyond)(label, &mm);
+        let mm = scheme.words.write(mm, NumberStyle::decimals(0));
+        let words = scheme.words.language.check_beyond(label, &mm);
         let wanted = canvas.label(&name, &words, tail, 1.0, None, 3);
         wanted.request.text = RichText::plain(&words);
         wanted.pen = Pen::StudentPoint;

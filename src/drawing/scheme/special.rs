@@ -7,10 +7,14 @@ use super::super::view::{View, on_sheet, towards};
 use super::{JOINT, Scheme};
 use crate::construction::{Course, Special};
 use crate::geometry::{Place, span};
+use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
 /// A special point that would make the scheme more than this many times larger is not drawn at its place.
 const REACH: f64 = 2.5;
+
+/// How the distances of others are written.
+const DISTANCE: NumberStyle = NumberStyle::significant(4).in_full(-3, 6).on(Medium::Figure);
 
 impl Scheme<'_> {
     pub(in crate::drawing) fn special(&self) -> impl Iterator<Item = &Special> {
@@ -98,26 +102,13 @@ impl Scheme<'_> {
             Place::At(place) => {
                 let distance = (place - self.pose.point(start)).norm();
                 let name = self.mechanism.point_name(start);
-                let distance = self.words.number(significant(distance));
-                (self.words.language.far_away)(&label, &distance, name)
+                let distance = self.words.write(distance, DISTANCE);
+                self.words.language.far_away(&label, &distance, name)
             }
-            Place::AtInfinity(_) => (self.words.language.at_infinity)(&label),
+            Place::AtInfinity(_) => self.words.language.at_infinity(&label),
         };
         let name = format!("point-{}", special.name);
         canvas.draw_named(&name, Pen::Special, Shape::Arrow { from: tail, to: edge });
         canvas.words(&special.name, &distance, tail);
     }
-}
-
-/// A number with four significant digits, for captions.
-fn significant(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let exponent = libm::floor(libm::log10(x.abs())) as i32;
-    if !(-3..6).contains(&exponent) {
-        let mantissa = x / libm::pow(10.0, f64::from(exponent));
-        return format!("{mantissa:.3}·10^{{{exponent}}}");
-    }
-    format!("{x:.*}", (3 - exponent).max(0) as usize)
 }
