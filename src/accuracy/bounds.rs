@@ -1,7 +1,7 @@
 use super::group::carry_group;
 use crate::construction::Special;
 use crate::geometry::{Point, UNIT_ROUNDOFF};
-use crate::mechanism::{BodyId, JointId, JointKind, Mechanism, SliderId};
+use crate::mechanism::{BodyId, JointId, Mechanism, SliderId};
 use crate::motion::{Motion, Order};
 use crate::position::Pose;
 
@@ -141,7 +141,7 @@ impl Bounds<'_> {
     pub(super) fn across(&self, joint: JointId, from: BodyId) -> PlaceErrors {
         let p = self.pose.point(self.mechanism.joint_point(joint));
         let mut errors = self.at(from, p);
-        if let JointKind::Prismatic(id) = self.mechanism.joint(joint).kind {
+        if let Some(id) = self.mechanism.joint(joint).slider {
             let (slide, own) = (self.motion.slide(id), &self.slides[id.0]);
             let turn = self.bodies[from.0].turn;
             let twice = 2.0 * self.motion.body(from).omega.abs();

@@ -69,9 +69,17 @@ struct Spread<'a> {
 }
 
 impl Spread<'_> {
-    /// |A⁻¹| times what is uncertain in each loop, the same for both of its equations.
-    fn to_unknowns(&self, loops: impl Iterator<Item = f64>) -> Numbers {
-        let uncertain: Numbers = loops.flat_map(|x| [x, x]).collect();
+    /// |A⁻¹| times what is uncertain in each loop, the same for both of its equations, and in each tie, by that of the known bodies'
+    /// rotations.
+    fn to_unknowns(&self, loops: impl Iterator<Item = f64>, known: &[f64]) -> Numbers {
+        let ties = self.equations.ties.iter().map(|terms| {
+            let uncertain = terms.iter().map(|&(spin, weight)| match spin {
+                Spin::Unknown(_) => 0.0,
+                Spin::Known(body) => weight.abs() * known[body.0],
+            });
+            uncertain.sum()
+        });
+        let uncertain: Numbers = loops.flat_map(|x| [x, x]).chain(ties).collect();
         let zeros: Numbers = uncertain.iter().map(|_| 0.0).collect();
         self.system.error_bound(&zeros, &zeros, &uncertain)
     }
@@ -85,7 +93,7 @@ impl Spread<'_> {
             Form::Lengths => OPEN * UNIT_ROUNDOFF * size,
             Form::Drawn => 0.0,
         };
-        self.to_unknowns(self.equations.loops.iter().map(|terms| {
+        let loops = self.equations.loops.iter().map(|terms| {
             let ends = terms.ends.map_or(0.0, |[start, end]| {
                 bounds.at(start, pose.point(terms.first)).position + bounds.at(end, pose.point(terms.last)).position
             });
@@ -94,13 +102,14 @@ impl Spread<'_> {
                 Spin::Known(body) => pose.arm(arm.from, arm.to).norm() * turns[body.0],
             });
             open + ends + arms.sum::<f64>()
-        }))
+        });
+        self.to_unknowns(loops, turns)
     }
 
     /// What inexact places and outer motions add to the errors of the rates.
     fn velocities(&self, bounds: &Bounds<'_>, turn: &dyn Fn(Spin) -> f64, omegas: &[f64]) -> Numbers {
         let Bounds { pose, motion, .. } = bounds;
-        self.to_unknowns(self.equations.loops.iter().map(|terms| {
+        let loops = self.equations.loops.iter().map(|terms| {
             let ends = terms.ends.map_or(0.0, |[start, end]| {
                 bounds.at(start, pose.point(terms.first)).velocity + bounds.at(end, pose.point(terms.last)).velocity
             });
@@ -115,7 +124,8 @@ impl Spread<'_> {
             let slides = terms.slides.iter();
             let slides = slides.map(|s| motion.slide(s.slider).velocity.abs() * turn(s.spin));
             ends + arms.sum::<f64>() + slides.sum::<f64>()
-        }))
+        });
+        self.to_unknowns(loops, omegas)
     }
 
     /// The same for the accelerations; `rates` are the errors that [`Self::velocities`] has found.
@@ -127,7 +137,7 @@ impl Spread<'_> {
         rates: &[f64],
     ) -> Numbers {
         let Bounds { pose, motion, .. } = bounds;
-        self.to_unknowns(self.equations.loops.iter().map(|terms| {
+        let loops = self.equations.loops.iter().map(|terms| {
             let ends = terms.ends.map_or(0.0, |[start, end]| {
                 bounds.at(start, pose.point(terms.first)).acceleration
                     + bounds.at(end, pose.point(terms.last)).acceleration
@@ -155,7 +165,8 @@ impl Spread<'_> {
                 turned + 2.0 * (omega * rate_error + rate * spin_error)
             });
             ends + arms.sum::<f64>() + slides.sum::<f64>()
-        }))
+        });
+        self.to_unknowns(loops, alphas)
     }
 
     /// ω and α of a rotation of the loops.
@@ -183,9 +194,9 @@ fn carry_places(bounds: &mut Bounds<'_>, group: &Group) {
             let errors = joints.filter_map(|id| {
                 let [a, b] = mechanism.joint(id).bodies;
                 let other = if a == link { b } else { a };
-                let place = bounds.pose.point(mechanism.joint_point(id));
-                let joins = (a == link || b == link) && reached(other) && place == at(link);
-                joins.then(|| bounds.across(id, other))
+                let joins = (a == link || b == link) && reached(other) && mechanism.joint(id).holds_places();
+                let place = || bounds.pose.point(mechanism.joint_point(id));
+                (joins && place() == at(link)).then(|| bounds.across(id, other))
             });
             let largest = errors.reduce(|a, b| super::bounds::PlaceErrors {
                 position: a.position.max(b.position),

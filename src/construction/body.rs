@@ -5,7 +5,7 @@ use super::operation::{Along, NumberKind, PlaceId, Product, ProductKind, Rate, S
 use super::step::{Action, Added, Arrow, PointRole, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
-use crate::mechanism::{BodyId, DrivenSlide, JointId, JointKind, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, DrivenSlide, JointId, PointId, Role, SliderId};
 
 /// How a body hangs on one whose motion is there.
 #[derive(Clone, Copy, Debug)]
@@ -125,7 +125,7 @@ impl Writer<'_> {
         if let Some(Anchor { joint, from }) = self.anchors[body.0] {
             let at = mechanism.joint_point(joint);
             let mut place = self.motion(sheet, from, at);
-            if let JointKind::Prismatic(slider) = mechanism.joint(joint).kind {
+            if let Some(slider) = mechanism.joint(joint).slider {
                 let guide_first = mechanism.slider(slider).on == from;
                 let slide = DrivenSlide { slider, from, to: body, sign: if guide_first { 1.0 } else { -1.0 } };
                 place = self.slides(sheet, place, &[slide])?;

@@ -1,9 +1,9 @@
 use super::name::{normal_name, point_on};
 use crate::geometry::{Crossing, Line, Place, quarter_turn};
-use crate::mechanism::{BodyId, DrivenSlide, Group, JointKind, Leg, Mechanism, PointId, SliderId, SpecialPoint};
+use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, Joint, Leg, Mechanism, PointId, SliderId, SpecialPoint};
 use crate::position::Pose;
 use crate::words::Wording;
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 /// Index of a special point (or a dyad's joint) among all of a mechanism, group by group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -65,28 +65,30 @@ impl CutLine {
     /// The cut line of a leg of `point`.
     #[must_use]
     pub fn new(mechanism: &Mechanism, pose: &Pose, point: &SpecialPoint, leg: &Leg) -> Self {
-        use JointKind::{Prismatic, Revolute};
-        let outer = mechanism.joint(leg.outer).kind;
-        let inner = leg.carried.map(|c| mechanism.joint(c.inner).kind);
         let carrier = leg.carried.map_or(point.link, |c| c.carrier);
-        let turn = |link, from, to| Term::Turn { link, from, to };
-        let slide = |slider, from| Term::Slide { slider, from };
-        let (course, terms) = match (outer, inner, point.target) {
-            // The link itself hangs on the known body by a pin, or slides on it.
-            (Revolute(pin), None, Some(_)) => (Course::Through(pin, None), [Some(turn(point.link, pin, None)), None]),
-            (Prismatic(slider), None, Some(at)) => (Course::Normal(slider, at), [Some(slide(slider, leg.base)), None]),
-            // A carrying link joins it to the known body.
-            (Revolute(outer), Some(Revolute(inner)), _) => {
-                let terms = [turn(carrier, outer, Some(inner)), turn(point.link, inner, None)];
-                (Course::Through(outer, Some(inner)), terms.map(Some))
-            }
-            (Revolute(pin), Some(Prismatic(slider)), _) => {
-                (Course::Normal(slider, pin), [turn(carrier, pin, None), slide(slider, carrier)].map(Some))
-            }
-            (Prismatic(slider), Some(Revolute(pin)), _) => {
-                (Course::Normal(slider, pin), [slide(slider, leg.base), turn(point.link, pin, None)].map(Some))
-            }
-            (Prismatic(_), Some(Prismatic(_)), _) | (_, None, None) => (Course::AtInfinity, [None; 2]),
+        // Each joint of the leg with the bodies that the way over it leaves and enters.
+        let way: SmallVec<[(BodyId, &Joint, BodyId); 2]> = match leg.carried {
+            None => smallvec![(leg.base, mechanism.joint(leg.outer), point.link)],
+            Some(Carried { carrier, inner }) => smallvec![
+                (leg.base, mechanism.joint(leg.outer), carrier),
+                (carrier, mechanism.joint(inner), point.link)
+            ],
+        };
+        let pin = |index: usize| way.get(index).and_then(|(_, joint, _)| joint.pin);
+        let sliders: SmallVec<[SliderId; 2]> = way.iter().filter_map(|(_, joint, _)| joint.slider).collect();
+        let course = match sliders.as_slice() {
+            [] => pin(0).map(|from| Course::Through(from, pin(1))),
+            [slider] => pin(0).or(pin(1)).or(point.target).map(|at| Course::Normal(*slider, at)),
+            _ => None,
+        };
+        let course = course.unwrap_or(Course::AtInfinity);
+        let term = |(index, &(left, joint, entered)): (usize, &(BodyId, &Joint, BodyId))| {
+            let turn = joint.pin.map(|from| Term::Turn { link: entered, from, to: pin(index + 1) });
+            turn.or(joint.slider.map(|slider| Term::Slide { slider, from: left }))
+        };
+        let terms = match course {
+            Course::AtInfinity => SmallVec::new(),
+            _ => way.iter().enumerate().filter_map(term).collect(),
         };
         let line = match course {
             Course::Through(from, to) => {
@@ -99,7 +101,7 @@ impl CutLine {
             leg: *leg,
             course,
             line: line.unwrap_or(Line::AtInfinity),
-            terms: terms.into_iter().flatten().collect(),
+            terms,
             carrier,
             slides: driven_slides(mechanism, point, leg),
         }

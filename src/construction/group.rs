@@ -8,7 +8,7 @@ use super::operation::{Does, How, LineId, NumberId, NumberKind, Part, PlaceId, R
 use super::step::{Action, Arrow, LegEquation, PointRole, Ray, Relation, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn, span};
-use crate::mechanism::{BodyId, Carried, GROUND, Group, JointKind, LoopEquations, PointId, Role, SliderId, Spin};
+use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId, Spin};
 
 /// The ray of a leg.
 struct DrawnRay {
@@ -211,7 +211,7 @@ impl Writer<'_> {
         let Some(target) = point.special.target else { return };
         self.note_motion(sheet, point.special.link, target, place);
         for Carried { carrier, inner } in point.special.cuts.iter().filter_map(|cut| cut.leg.carried) {
-            if !self.mechanism.is_prismatic(inner) {
+            if self.mechanism.joint(inner).pin.is_some() {
                 self.note_motion(sheet, self.mechanism.side(inner, carrier), target, place);
             }
         }
@@ -359,7 +359,7 @@ impl Writer<'_> {
             }
         }
         // Pins first, so that a slider's point has its image before the point under it is joined to it.
-        carried.sort_by_key(|(_, second)| self.mechanism.is_prismatic(second.inner));
+        carried.sort_by_key(|(_, second)| self.mechanism.joint(second.inner).pin.is_none());
         for (leg, second) in &carried {
             self.image_of_leg(leg, second);
         }
@@ -372,7 +372,7 @@ impl Writer<'_> {
         // The links of a compound one that hold the outer and the inner joint.
         let [near, far] = [leg.outer, second.inner].map(|joint| mechanism.side(joint, second.carrier));
         let mut from = image_name(mechanism.point_name(outer));
-        if let JointKind::Prismatic(slider) = mechanism.joint(leg.outer).kind {
+        if let Some(slider) = mechanism.joint(leg.outer).slider {
             let [under, own] = self.slide_told(slider);
             from = if mechanism.slide_sign(slider, second.carrier) > 0.0 { under } else { own };
         }
@@ -385,12 +385,10 @@ impl Writer<'_> {
         }
         let inner = mechanism.joint_point(second.inner);
         let name = mechanism.point_name(inner);
-        let (own, slider) = match mechanism.joint(second.inner).kind {
-            JointKind::Revolute(_) => (name.to_owned(), None),
-            JointKind::Prismatic(id) if mechanism.slider(id).on == far => {
-                (coincident_name(name, &mechanism.body(far).name), Some(id))
-            }
-            JointKind::Prismatic(id) => (name.to_owned(), Some(id)),
+        let slider = mechanism.joint(second.inner).slider;
+        let own = match slider.is_some_and(|id| mechanism.slider(id).on == far) {
+            true => coincident_name(name, &mechanism.body(far).name),
+            false => name.to_owned(),
         };
         let to = image_name(&own);
         // A dyad's joint has its image already, where the rays cross.
@@ -428,7 +426,7 @@ impl Writer<'_> {
         let mechanism = self.mechanism;
         for (special, leg) in group.special.iter().flat_map(|s| s.legs.map(|leg| (s, leg))) {
             let Some(Carried { carrier, inner }) = leg.carried else { continue };
-            if let JointKind::Revolute(point) = mechanism.joint(inner).kind {
+            if let Some(point) = mechanism.joint(inner).pin {
                 let place = self.motion(sheet, mechanism.side(inner, carrier), point);
                 self.name_place(sheet, &image_name(mechanism.point_name(point)), place);
                 let other = mechanism.side(inner, mechanism.lead(special.link));
@@ -438,7 +436,7 @@ impl Writer<'_> {
             }
         }
         for joint in mechanism.joints_of(group) {
-            let JointKind::Prismatic(slider) = mechanism.joint(joint).kind else { continue };
+            let Some(slider) = mechanism.joint(joint).slider else { continue };
             let ends = mechanism.slider(slider);
             let at = mechanism.point_name(ends.at);
             let under = coincident_name(at, &mechanism.body(ends.on).name);

@@ -1,5 +1,5 @@
 use crate::geometry::degrees_of;
-use crate::mechanism::{BodyId, Class, Group, JointId, Mechanism, Role};
+use crate::mechanism::{BodyId, Class, Group, Joint, Mechanism, Role};
 use crate::position::Pose;
 use crate::scene::Scene;
 use std::fmt::Write;
@@ -76,14 +76,10 @@ fn joints(mechanism: &Mechanism, group: &Group) -> String {
         return group.pattern(mechanism);
     }
     let of_link = |link: BodyId| {
-        let own = |j: &&JointId| {
-            let bodies = mechanism.joint(**j).bodies;
-            bodies.into_iter().any(|b| mechanism.lead(b) == link)
-        };
-        let mut letters: Vec<char> =
-            group.joints.iter().filter(own).map(|&j| if mechanism.is_prismatic(j) { 'P' } else { 'R' }).collect();
-        letters.sort_by_key(|c| *c == 'P');
-        letters.into_iter().collect::<String>()
+        let own = |joint: &&Joint| joint.bodies.iter().any(|&b| mechanism.lead(b) == link);
+        let mut joints: Vec<&Joint> = group.joints.iter().map(|&j| mechanism.joint(j)).filter(own).collect();
+        joints.sort_by_key(|joint| joint.slider.is_some());
+        joints.into_iter().map(|joint| joint.letter).collect::<String>()
     };
     format!("{}-{}", of_link(group.links[0]), of_link(group.links[2]))
 }

@@ -30,11 +30,12 @@ pub(super) struct Placing {
     pub reach: usize,
 }
 
-/// The loop equations of a group.
+/// The equations of a group: of its loops, then of its ties.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Closing {
     pub group: usize,
     pub chains: Vec<Chain>,
+    pub ties: Vec<Tied>,
     pub unknowns: Vec<Unknown>,
     /// How the equations reduce, if they do; unknowns are then in the order shared, shared, own, own.
     pub reduced: Option<ReducedColumns>,
@@ -53,6 +54,30 @@ pub(super) struct Chain {
     pub rails: Vec<Rail>,
     /// By unknown: its column; [`ZERO`] where the loop does not pass it.
     pub columns: Vec<usize>,
+}
+
+/// A tie of rotations: the angles of classes, each times its weight, add up to a constant angle but for whole turns.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tied {
+    pub classes: Vec<TiedClass>,
+    /// The constant angle, in radians.
+    pub apart: f64,
+}
+
+impl Tied {
+    /// The coefficient of an unknown.
+    pub fn weight(&self, unknown: usize) -> f64 {
+        self.classes.iter().filter(|c| c.spin == Some(unknown)).map(|c| c.weight).sum()
+    }
+}
+
+/// A class in a tie.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TiedClass {
+    pub class: usize,
+    pub weight: f64,
+    /// Which unknown its rotation is; none where that is known before the group is solved.
+    pub spin: Option<usize>,
 }
 
 /// All that a loop passes of one class.

@@ -33,8 +33,9 @@ pub struct Block<R: Row> {
     pub(super) columns: Vec<[R; 2]>,
     /// By placing: the vector from the point that it starts at.
     pub(super) reaches: Vec<[R; 2]>,
-    /// Right sides, and solutions for them.
+    /// Right sides of loops and of ties, and solutions for them.
     pub(super) sides: Vec<[R; 2]>,
+    pub(super) tie_sides: Vec<R>,
     pub(super) solution: Vec<R>,
 }
 
@@ -89,7 +90,8 @@ impl<R: Row> Block<R> {
             columns: pairs(kernel.columns),
             reaches: pairs(kernel.placings),
             sides: pairs(kernel.loops),
-            solution: numbers(2 * kernel.loops),
+            tie_sides: numbers(kernel.ties),
+            solution: numbers(2 * kernel.loops + kernel.ties),
         };
         (0..R::LEN).for_each(|position| block.set_lengths(position, kernel));
         block

@@ -77,23 +77,26 @@ impl Kernel {
         worst
     }
 
-    /// One Newton step for a group from anywhere; the largest gap of its loops before it.
+    /// One Newton step for a group from anywhere; the largest gap of its loops before it, and that of its ties in radians.
     ///
-    /// Not a number or not finite where the step cannot be made.
-    pub fn step(&self, block: &mut Single, group: usize) -> f64 {
+    /// Not numbers or not finite where the step cannot be made.
+    pub fn step(&self, block: &mut Single, group: usize) -> [f64; 2] {
         let Some(closing) = self.closing(group) else {
-            return f64::NAN;
+            return [f64::NAN; 2];
         };
         turn_columns(OneByOne, block, closing);
-        let sides = block.sides[..closing.chains.len()].iter();
-        let gap = sides.flatten().map(|[x]| x.abs()).fold(0.0, larger);
+        let largest = |sides: &mut dyn Iterator<Item = &[f64; 1]>| sides.map(|[x]| x.abs()).fold(0.0, larger);
+        let gaps = [
+            largest(&mut block.sides[..closing.chains.len()].iter().flatten()),
+            largest(&mut block.tie_sides[..closing.ties.len()].iter()),
+        ];
         solve::<_, _, true>(OneByOne, block, closing);
         let steps = &block.solution[..closing.unknowns.len()];
         if !steps.iter().flatten().all(|x| x.is_finite()) {
-            return f64::INFINITY;
+            return [f64::INFINITY; 2];
         }
         correct(OneByOne, block, closing, Size::Large);
-        gap
+        gaps
     }
 
     /// Places the points of a group's links from its angles and slides.

@@ -1,10 +1,11 @@
-use super::Block;
-use super::action::{Chain, Closing};
+use super::action::{Chain, Closing, Tied, TiedClass};
 use super::close::portions;
-use crate::geometry::{Lanes, MANY, Pair, Row};
+use super::{Block, vector};
+use crate::geometry::{Lanes, MANY, Pair, Row, Vector};
+use std::f64::consts::TAU;
 
 /// Turns the vectors of all loops' members, and the guides in them, and finds what is missing for the loops to close:
-/// from their starts, along their members, to their ends.
+/// from their starts, along their members, to their ends; and for the ties to hold.
 #[inline(always)]
 pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     let Block { turns, slides, points, columns, lengths, sides, .. } = block;
@@ -43,6 +44,23 @@ pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, clo
         for k in portions::<L, R>() {
             lanes.store_pair(side, k, gaps[k]);
         }
+    }
+    for (tied, side) in closing.ties.iter().zip(&mut block.tie_sides) {
+        for position in 0..R::LEN {
+            side[position] = tied.gap(|class| vector(&block.turns[class], position));
+        }
+    }
+}
+
+impl Tied {
+    /// What is missing of its constant angle where classes are turned in these directions: at most half a turn.
+    fn gap(&self, direction: impl Fn(usize) -> Vector) -> f64 {
+        let angle = |c: &TiedClass| {
+            let turned = direction(c.class);
+            c.weight * libm::atan2(turned.y, turned.x)
+        };
+        let gap = self.apart - self.classes.iter().map(angle).sum::<f64>();
+        gap - TAU * (gap / TAU).round()
     }
 }
 

@@ -1,8 +1,8 @@
-use super::action::{Action, Chain, Closing, Member, Placing, Rail, ReducedColumns, Unknown, ZERO};
-use super::classes::{at_local, classes, guide};
+use super::action::{Action, Chain, Closing, Member, Placing, Rail, ReducedColumns, Tied, TiedClass, Unknown, ZERO};
+use super::classes::classes;
 use crate::geometry::{Point, Turn, Vector};
 use crate::mechanism::{
-    Body, BodyId, GROUND, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, Reduction, Role, SliderId,
+    Body, BodyId, GROUND, Group, Joint, JointId, Loop, LoopEquations, Mechanism, Reduction, Role, Slider, SliderId, Tie,
 };
 use crate::scene::Form;
 use std::collections::BTreeSet;
@@ -18,8 +18,9 @@ pub struct Kernel {
     pub unknowns: Vec<Vec<Unknown>>,
     pub(super) classes: usize,
     pub(super) sliders: usize,
-    /// The most loops that a group has.
+    /// The most loops that a group has, and the most ties.
     pub(super) loops: usize,
+    pub(super) ties: usize,
     /// Points first, then places of guides on bodies without points.
     pub(super) slots: usize,
     /// Columns of loop equations, the zero column first.
@@ -142,6 +143,7 @@ impl<'a> Compiler<'a> {
                 classes: classes.iter().map(|c| c.0 + 1).max().unwrap_or(1),
                 sliders: mechanism.sliders.len(),
                 loops: mechanism.groups.iter().map(|g| g.loops.len()).max().unwrap_or(0),
+                ties: 0,
                 slots: points,
                 columns: ZERO + 1,
                 placings: 0,
@@ -189,6 +191,7 @@ impl<'a> Compiler<'a> {
         self.reach(&all, |body| mechanism.is_known(body));
         for (index, group) in self.mechanism.groups.iter().enumerate() {
             let closing = self.closing(index, group);
+            self.kernel.ties = self.kernel.ties.max(closing.ties.len());
             self.kernel.unknowns.push(closing.unknowns.clone());
             self.kernel.actions.push(Action::Close(closing));
             let joints = self.mechanism.joints_of(group);
@@ -216,7 +219,7 @@ impl<'a> Compiler<'a> {
         self.anchors[GROUND.0] = first;
         // A frame without points is known by a place of its first guide.
         let mut sliders = self.mechanism.sliders.iter();
-        let guide = sliders.find(|s| s.on == GROUND).map(guide);
+        let guide = sliders.find(|s| s.on == GROUND).map(Slider::line);
         if let (None, Some((through, _))) = (first, guide) {
             let slot = self.new_slot();
             self.kernel.fixed.push((slot, through));
@@ -265,19 +268,19 @@ impl<'a> Compiler<'a> {
     /// Places every body of the kind asked for that hangs by one of `joints` on a body placed before.
     fn reach(&mut self, joints: &[JointId], wanted: impl Fn(BodyId) -> bool) {
         let open = |this: &Self, body: BodyId| this.anchors[body.0].is_none() && wanted(body);
-        while let Some((joint, from, to)) = joints.iter().find_map(|&j| {
-            let joint = self.mechanism.joint(j);
-            let [a, b] = joint.bodies;
+        let holding = || joints.iter().filter(|&&joint| self.mechanism.joint(joint).holds_places());
+        while let Some((joint, from, to)) = holding().find_map(|&joint| {
+            let [a, b] = self.mechanism.joint(joint).bodies;
             let ways = [(a, b), (b, a)];
             let way = ways.into_iter().find(|(from, to)| self.anchors[from.0].is_some() && open(self, *to));
             way.map(|(from, to)| (joint, from, to))
         }) {
-            match joint.kind {
-                JointKind::Revolute(point) => {
-                    let local = self.mechanism.body(to).local_of(point);
-                    self.anchor(to, point.0, local.unwrap_or_else(Point::origin));
-                }
-                JointKind::Prismatic(id) => self.across(id, from, to),
+            let Joint { pin, slider, .. } = *self.mechanism.joint(joint);
+            if let Some(point) = pin {
+                self.anchor(to, point.0, self.mechanism.joint_on(joint, to));
+            }
+            if let Some(id) = slider {
+                self.across(id, from, to);
             }
         }
     }
@@ -285,9 +288,9 @@ impl<'a> Compiler<'a> {
     /// Places `to`, which a slider joins to the placed body `from`.
     fn across(&mut self, id: SliderId, from: BodyId, to: BodyId) {
         let slider = self.mechanism.slider(id);
-        let (through, direction) = guide(slider);
+        let (through, direction) = slider.line();
         let direction = self.in_class(slider.on, direction);
-        let at = at_local(self.mechanism, slider);
+        let at = self.mechanism.slider_at(id);
         let (slot, anchor) = self.anchors[from.0].unwrap_or((0, Point::origin()));
         if slider.on == from {
             // A carriage slides without a point of its own.
@@ -337,7 +340,10 @@ impl<'a> Compiler<'a> {
             let order = [shared[0], shared[1], own[0], own[1]];
             unknowns = order.map(|unknown| unknowns[unknown]).to_vec();
         }
-        let mut closing = Closing { group: index, chains: Vec::new(), reduced: None, unknowns, reach: 0.0 };
+        let ties =
+            group.joints.iter().filter_map(|&joint| self.tied(self.mechanism.joint(joint).tie.as_ref()?, &unknowns));
+        let ties = ties.collect();
+        let mut closing = Closing { group: index, chains: Vec::new(), ties, reduced: None, unknowns, reach: 0.0 };
         for chain in &group.loops {
             self.chain(chain, &mut closing);
         }
@@ -347,6 +353,22 @@ impl<'a> Compiler<'a> {
         let reduction = equations.reduction;
         closing.reduced = reduction.and_then(|r| ReducedColumns::new(r, &closing.chains));
         closing
+    }
+
+    /// A tie of rotations in terms of classes; `None` for one that has made one class of its bodies.
+    fn tied(&self, tie: &Tie, unknowns: &[Unknown]) -> Option<Tied> {
+        if tie.as_alike().is_some() {
+            return None;
+        }
+        let mut tied = Tied { classes: Vec::new(), apart: angle(tie.apart) };
+        for &(body, weight) in &tie.turns {
+            let (class, turn) = self.classes[body.0];
+            let spin = unknowns.iter().position(|u| *u == Unknown::Spin(class));
+            let weight = f64::from(weight);
+            tied.classes.push(TiedClass { class, weight, spin });
+            tied.apart -= weight * angle(turn);
+        }
+        Some(tied)
     }
 
     /// Walks a loop and adds up what it passes of each class.
@@ -362,17 +384,7 @@ impl<'a> Compiler<'a> {
         for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
             let [body, next] = [sides[0], sides[1]].map(|link| side(joint, link));
             self.within(&mut passed, &mut walk, body);
-            match self.mechanism.joint(joint).kind {
-                JointKind::Revolute(point) => {
-                    let local = |b: BodyId| {
-                        let local = self.mechanism.body(b).local_of(point);
-                        local.unwrap_or_else(Point::origin)
-                    };
-                    passed.pass(body, local(body) - walk.here);
-                    walk = Walk { body: next, here: local(next) };
-                }
-                JointKind::Prismatic(id) => self.slide(&mut passed, &mut walk, id, next),
-            }
+            self.pass(&mut passed, &mut walk, joint, next);
         }
         let ends = if chain.closed {
             self.within(&mut passed, &mut walk, first);
@@ -415,32 +427,35 @@ impl<'a> Compiler<'a> {
     /// Walks over the driven sliders of a compound link to another of its bodies.
     fn within(&self, passed: &mut Passed, walk: &mut Walk, to: BodyId) {
         for driven in self.mechanism.way(walk.body, to) {
-            self.slide(passed, walk, driven.slider, driven.to);
+            self.pass(passed, walk, self.mechanism.slider_joint(driven.slider), driven.to);
         }
     }
 
-    /// Walks over a slider to the body on its other side.
-    fn slide(&self, passed: &mut Passed, walk: &mut Walk, id: SliderId, to: BodyId) {
-        let slider = self.mechanism.slider(id);
-        let (through, direction) = guide(slider);
-        let direction = self.in_class(slider.on, direction);
-        let at = at_local(self.mechanism, slider);
-        let (leave, arrive, direction) =
-            if slider.on == walk.body { (through, at, direction) } else { (at, through, -direction) };
+    /// Walks over a joint to the body on its other side: to where it is on this body, along its guide if it has one, on from where it is on that body.
+    fn pass(&self, passed: &mut Passed, walk: &mut Walk, joint: JointId, to: BodyId) {
+        let [leave, arrive] = [walk.body, to].map(|body| self.mechanism.joint_on(joint, body));
         passed.pass(walk.body, leave - walk.here);
-        passed.slide(walk.body, id.0, direction);
+        if let Some(id) = self.mechanism.joint(joint).slider {
+            let slider = self.mechanism.slider(id);
+            let direction = self.in_class(slider.on, slider.line().1);
+            passed.slide(walk.body, id.0, if slider.on == walk.body { direction } else { -direction });
+        }
         *walk = Walk { body: to, here: arrive };
     }
 
     /// Where a loop begins or ends on a known body: at the pin, or at the body's first place.
     fn end(&self, body: BodyId, joint: JointId, closed: bool) -> (usize, Point) {
-        let own = self.mechanism.body(body);
-        match self.mechanism.joint(joint).kind {
-            JointKind::Revolute(point) => (point.0, own.local_of(point).unwrap_or_else(Point::origin)),
-            JointKind::Prismatic(_) if closed => (0, Point::origin()),
-            JointKind::Prismatic(_) => self.anchors[body.0].unwrap_or((0, Point::origin())),
+        match self.mechanism.joint(joint).pin {
+            Some(point) => (point.0, self.mechanism.joint_on(joint, body)),
+            None if closed => (0, Point::origin()),
+            None => self.anchors[body.0].unwrap_or((0, Point::origin())),
         }
     }
+}
+
+/// The angle of a rotation in radians.
+fn angle(turn: Turn) -> f64 {
+    libm::atan2(turn.im, turn.re)
 }
 
 /// Where a walk along a loop stands: a body, and a place in its frame.

@@ -3,7 +3,7 @@ use super::close::portions;
 use super::compile::InputKind;
 use super::solve::solve;
 use super::{Block, Kernel};
-use crate::geometry::{Lanes, MANY, Pair, Row};
+use crate::geometry::{Lanes, MANY, Number, Pair, Row};
 use std::marker::PhantomData;
 
 impl Kernel {
@@ -70,6 +70,7 @@ fn carry<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
 #[inline(always)]
 fn move_group<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     velocity_sides(lanes, block, closing);
+    tie_sides(lanes, closing, &mut block.tie_sides, &block.omegas);
     solve::<_, _, true>(lanes, block, closing);
     for (unknown, rates) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
@@ -78,6 +79,7 @@ fn move_group<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closin
         }
     }
     acceleration_sides(lanes, block, closing);
+    tie_sides(lanes, closing, &mut block.tie_sides, &block.alphas);
     solve::<_, _, false>(lanes, block, closing);
     for (unknown, seconds) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
@@ -129,6 +131,20 @@ fn acceleration_sides<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing:
             }
         }
         side.store(rows);
+    }
+}
+
+/// − Σ weight · rate of the classes whose rotation is known.
+#[inline(always)]
+fn tie_sides<L: Lanes, R: Row>(lanes: L, closing: &Closing, sides: &mut [R], rates: &[R]) {
+    for (tied, side) in closing.ties.iter().zip(sides) {
+        for k in portions::<L, R>() {
+            let known = tied.classes.iter().filter(|c| c.spin.is_none());
+            let sum = known.fold(lanes.splat(0.0), |sum, c| {
+                sum.minus_product(lanes.splat(c.weight), lanes.load(&rates[c.class], k))
+            });
+            lanes.store(side, k, sum);
+        }
     }
 }
 

@@ -8,13 +8,14 @@ use nalgebra::DMatrix;
 /// The solution for the block's right sides; factors the equations where `FACTOR`, else takes the factors that there are.
 #[inline(always)]
 pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(lanes: L, block: &mut Block<R>, closing: &Closing) {
-    let Block { columns, systems, sides, solution, .. } = block;
+    let Block { columns, systems, sides, tie_sides, solution, .. } = block;
     let system = &mut systems[closing.group];
     let Some(reduced) = closing.reduced else {
         if FACTOR {
             system.general = general_systems(columns, closing);
         }
-        return solve_general(system, &sides[..closing.chains.len()], solution);
+        let (sides, tie_sides) = (&sides[..closing.chains.len()], &tie_sides[..closing.ties.len()]);
+        return solve_general(system, sides, tie_sides, solution);
     };
     let System { inverse_determinant, inverse_squares, .. } = system;
     let one = lanes.splat(1.0);
@@ -70,9 +71,11 @@ pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(lanes: L, block: &mut 
 fn general_systems<R: Row>(columns: &[[R; 2]], closing: &Closing) -> Vec<Option<LinearSystem>> {
     let (loops, unknowns) = (closing.chains.len(), closing.unknowns.len());
     let system = |position: usize| {
-        let matrix = DMatrix::from_fn(2 * loops, unknowns, |row, unknown| {
-            let column = closing.chains[row / 2].columns[unknown];
-            columns[column][row % 2][position]
+        let matrix = DMatrix::from_fn(2 * loops + closing.ties.len(), unknowns, |row, unknown| {
+            match closing.chains.get(row / 2) {
+                Some(chain) => columns[chain.columns[unknown]][row % 2][position],
+                None => closing.ties[row - 2 * loops].weight(unknown),
+            }
         });
         LinearSystem::new((matrix.nrows() == matrix.ncols()).then_some(matrix)?)
     };
@@ -80,9 +83,9 @@ fn general_systems<R: Row>(columns: &[[R; 2]], closing: &Closing) -> Vec<Option<
 }
 
 #[inline(never)]
-fn solve_general<R: Row>(system: &System<R>, sides: &[[R; 2]], solution: &mut [R]) {
+fn solve_general<R: Row>(system: &System<R>, sides: &[[R; 2]], tie_sides: &[R], solution: &mut [R]) {
     for (position, system) in system.general.iter().enumerate() {
-        let side: Vec<f64> = sides.iter().flatten().map(|row| row[position]).collect();
+        let side: Vec<f64> = sides.iter().flatten().chain(tie_sides).map(|row| row[position]).collect();
         let solved = system.as_ref().map(|system| system.solve(&side));
         for (unknown, row) in solution[..side.len()].iter_mut().enumerate() {
             row[position] = solved.as_ref().map_or(f64::NAN, |s| s[unknown]);

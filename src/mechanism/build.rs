@@ -1,14 +1,12 @@
 use super::drives::{angle_in_place, driven_places, role};
 use super::group::group;
+use super::joint::{add_given, add_pins};
 use super::placing::placing;
-use super::shape::{direction, local_points};
+use super::shape::local_points;
 use super::structure::{Edge, Structure, structure};
-use super::{
-    Body, BodyId, GROUND, Group, Guide, Joint, JointId, JointKind, Mechanism, PointId, Role, Slider, SliderId,
-    StructureError,
-};
-use crate::geometry::{Point, Vector, direction_of_degrees};
-use crate::scene::{self, Along, At, Form, On, Scene};
+use super::{Body, BodyId, Group, JointId, Mechanism, PointId, Role, StructureError};
+use crate::geometry::Point;
+use crate::scene::{Form, Scene};
 use indexmap::IndexMap;
 
 /// The mechanism that a scene describes.
@@ -18,8 +16,8 @@ use indexmap::IndexMap;
 pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
     let mut builder = Builder::new(scene);
     builder.add_bodies()?;
-    builder.add_sliders();
     let mut mechanism = builder.mechanism;
+    add_given(scene, &mut mechanism);
     let given = angle_in_place(scene)?;
     let unpinned = given.map(|_| mechanism.clone());
     mechanism.join_driven();
@@ -36,7 +34,11 @@ pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>,
     let members: Vec<BodyId> =
         (0..mechanism.bodies.len()).map(BodyId).filter(|&b| mechanism.body(b).role == Role::Member).collect();
     let index = |b: BodyId| members.iter().position(|&m| m == mechanism.lead(b));
-    let edges: Vec<Edge> = mechanism.joints.iter().map(|joint| Edge { ends: joint.bodies.map(index) }).collect();
+    let edges: Vec<Edge> = mechanism
+        .joints
+        .iter()
+        .map(|joint| Edge { ends: joint.bodies.map(index), constraints: joint.constraints() })
+        .collect();
     let (mut surplus, mut over) = mechanism.surplus();
     let (mut missing, mut under) = (0, Vec::new());
     let links = |found: Vec<usize>| {
@@ -147,100 +149,5 @@ impl<'a> Builder<'a> {
             self.add_body(name, std::slice::from_ref(name), role, Vec::new());
         }
         Ok(())
-    }
-
-    fn add_sliders(&mut self) {
-        for slider in &self.scene.sliders {
-            let on = match &slider.on {
-                On::Ground => GROUND,
-                On::Link(name) => self.mechanism.link(name).expect("checked by the scene"),
-            };
-            let (link, at) = match (&slider.link, &slider.at, &slider.pin) {
-                (Some(link), Some(at), _) => {
-                    let link = self.mechanism.link(link);
-                    (link.expect("checked by the scene"), self.point(at))
-                }
-                (_, _, pin) => self.block(pin.as_deref().expect("checked by the scene")),
-            };
-            let guide = self.guide(slider, on);
-            let counted_from = match (&slider.through, &slider.along) {
-                (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => self.mechanism.point(p),
-                _ => None,
-            };
-            self.mechanism.sliders.push(Slider {
-                counted_from,
-                link,
-                at,
-                on,
-                guide,
-                turned: slider.turned_deg,
-                drive: slider.drive,
-            });
-            let id = SliderId(self.mechanism.sliders.len() - 1);
-            self.mechanism.joints.push(Joint { kind: JointKind::Prismatic(id), bodies: [on, link] });
-        }
-    }
-
-    /// The block of a pin that rides in a slot: a body with that one point.
-    fn block(&mut self, pin: &str) -> (BodyId, PointId) {
-        let local = match self.scene.form {
-            Form::Lengths => vec![Point::origin()],
-            Form::Drawn => Vec::new(),
-        };
-        self.add_body(pin, &[pin.to_owned()], Role::Member, local);
-        let block = self.mechanism.bodies.len() - 1;
-        self.mechanism.bodies[block].block = true;
-        (BodyId(block), self.point(pin))
-    }
-
-    fn guide(&self, slider: &scene::Slider, on: BodyId) -> Guide {
-        let body = self.mechanism.body(on);
-        let id = |name: &String| self.mechanism.point(name).expect("checked by the scene");
-        if self.scene.form == Form::Drawn {
-            return match &slider.along {
-                Along::Points(a, b) => Guide::DrawnBetween(id(a), id(b)),
-                Along::Direction(d) => Guide::Drawn(direction(Vector::from(*d))),
-                // Degrees count from the axis of the guide's body.
-                Along::Degrees(angle) => {
-                    let axis = match body.points.as_slice() {
-                        [a, b, ..] if on != GROUND => {
-                            let place = |p: &PointId| self.mechanism.given[p.0];
-                            place(b).zip(place(a)).map(|(b, a)| direction(b - a))
-                        }
-                        _ => None,
-                    };
-                    let (turn, axis) = (direction_of_degrees(*angle), axis.unwrap_or_else(Vector::x));
-                    Guide::Drawn(Vector::new(axis.x * turn.x - axis.y * turn.y, axis.x * turn.y + axis.y * turn.x))
-                }
-            };
-        }
-        let local = |name: &String| body.local_of(id(name)).unwrap_or_else(Point::origin);
-        let along = match &slider.along {
-            Along::Points(a, b) => direction(local(b) - local(a)),
-            Along::Direction(d) => direction(Vector::from(*d)),
-            Along::Degrees(angle) => direction_of_degrees(*angle),
-        };
-        let through = match (&slider.through, &slider.along) {
-            (Some(At::Place(p)), _) => (*p).into(),
-            (Some(At::Point(p)), _) => local(p),
-            (None, Along::Points(a, _)) => local(a),
-            (None, _) => body.local.first().copied().unwrap_or_else(Point::origin),
-        };
-        Guide::Local { through, direction: along }
-    }
-}
-
-/// Adds one revolute joint for every further body at a point, from the first known one where there is one.
-pub(super) fn add_pins(mechanism: &mut Mechanism) {
-    for point in (0..mechanism.points.len()).map(PointId) {
-        let mut bodies: Vec<BodyId> =
-            (0..mechanism.bodies.len()).map(BodyId).filter(|&b| mechanism.body(b).points.contains(&point)).collect();
-        bodies.sort_by_key(|&b| !mechanism.is_known(b));
-        let Some((&first, others)) = bodies.split_first() else {
-            continue;
-        };
-        for &other in others {
-            mechanism.joints.push(Joint { kind: JointKind::Revolute(point), bodies: [first, other] });
-        }
     }
 }

@@ -1,4 +1,4 @@
-use super::{BodyId, GROUND, Group, Joint, JointId, JointKind, Mechanism, Role, Slider, SliderId};
+use super::{BodyId, GROUND, Group, Joint, JointId, Mechanism, Role, Slider, SliderId};
 
 /// A driven slider on the way from one link to another that turns as it does.
 ///
@@ -169,10 +169,7 @@ impl Mechanism {
         let (mut surplus, mut bodies) = (0, Vec::new());
         for joint in &self.joints {
             let [a, b] = joint.bodies;
-            let driven = match joint.kind {
-                JointKind::Prismatic(id) => self.slider(id).drive.map(|_| id),
-                JointKind::Revolute(_) => None,
-            };
+            let driven = joint.slider.filter(|&id| self.slider(id).drive.is_some());
             let idle = match driven {
                 Some(id) => ![a, b].into_iter().any(|b| self.is_pushed_by(b, id)),
                 None => self.is_rigid_between(a, b) && !self.is_pivot_of_driver(joint),
@@ -180,7 +177,7 @@ impl Mechanism {
             if !idle {
                 continue;
             }
-            surplus += if driven.is_some() { 3 } else { 2 };
+            surplus += joint.constraints() + usize::from(driven.is_some());
             let way = self.way(a, b).into_iter();
             bodies.extend([a, b].into_iter().chain(way.map(|slide| slide.to)));
         }
@@ -203,7 +200,7 @@ impl Mechanism {
 
     fn is_pivot_of_driver(&self, joint: &Joint) -> bool {
         let pivots = |b: BodyId| match self.body(b).role {
-            Role::Driver { pivot, .. } => joint.kind == JointKind::Revolute(pivot),
+            Role::Driver { pivot, .. } => joint.pin == Some(pivot),
             Role::Ground => true,
             _ => false,
         };

@@ -1,4 +1,4 @@
-use super::{BodyId, DrivenSlide, JointId, JointKind, Mechanism, PointId};
+use super::{BodyId, DrivenSlide, JointId, Mechanism, PointId};
 use std::collections::VecDeque;
 
 /// The class of an Assur group, by the convention that two links make class II, four links with a central link that hangs on
@@ -115,7 +115,7 @@ impl Group {
     /// separated by `-`. Class IV: B C D E F G. Higher: outer joints first.
     #[must_use]
     pub fn pattern(&self, mechanism: &Mechanism) -> String {
-        let letter = |&j: &JointId| if mechanism.is_prismatic(j) { 'P' } else { 'R' };
+        let letter = |&j: &JointId| mechanism.joint(j).letter;
         let joints = |k: usize| self.loops[k].joints.iter();
         match self.class {
             Class::Second => joints(0).map(letter).collect(),
@@ -127,6 +127,30 @@ impl Group {
             Class::Fourth => joints(0).chain(joints(1).rev().skip(1).take(2)).map(letter).collect(),
             Class::Higher => self.joints.iter().map(letter).collect(),
         }
+    }
+
+    /// How links that no loop passes hang on bodies whose motion is known by then: joint, that body and the link, one after another.
+    #[must_use]
+    pub fn hanging(&self, mechanism: &Mechanism) -> Vec<(JointId, BodyId, BodyId)> {
+        let mut placed: Vec<BodyId> = self.loops.iter().flat_map(|l| &l.bodies).copied().collect();
+        let mut found = Vec::new();
+        let holding = || self.joints.iter().filter(|&&joint| mechanism.joint(joint).holds_places());
+        while let Some(next) = holding().find_map(|&joint| {
+            let is_there = |b: BodyId| !self.links.contains(&b) || placed.contains(&b);
+            let [a, b] = mechanism.joint(joint).bodies.map(|body| match mechanism.lead(body) {
+                lead if self.links.contains(&lead) => lead,
+                _ => body,
+            });
+            match (is_there(a), is_there(b)) {
+                (true, false) => Some((joint, a, b)),
+                (false, true) => Some((joint, b, a)),
+                _ => None,
+            }
+        }) {
+            placed.push(next.2);
+            found.push(next);
+        }
+        found
     }
 
     /// Outer and inner joint of each leg of a third-class group.
@@ -160,16 +184,19 @@ impl Group {
 
 /// The group that `links`, leads of compound links or links by themselves, form with `joints`; other bodies count as known.
 pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId]) -> Group {
-    let builder = Builder { mechanism, links, joints };
+    let holding: Vec<JointId> = joints.iter().copied().filter(|&j| mechanism.joint(j).holds_places()).collect();
+    let builder = Builder { mechanism, links, joints: &holding };
     let loops = builder.loops();
     let outer = |b: &&BodyId| builder.outer(**b).is_some();
     let hanging = links.iter().filter(outer).count();
     // Three bars pinned to a triangle are rigid: among four links they make another shape, with a loop of their own.
     let three_links_each = loops.iter().all(|l| l.bodies.len() == 5);
+    // Classes are told by links and joints of two constraints.
+    let is_plain = joints.iter().all(|&j| mechanism.joint(j).constraints() == 2);
     let class = match (links.len(), hanging) {
-        (2, _) => Class::Second,
-        (4, 3) if three_links_each => Class::Third,
-        (4, 2) if three_links_each => Class::Fourth,
+        (2, _) if is_plain => Class::Second,
+        (4, 3) if is_plain && three_links_each => Class::Third,
+        (4, 2) if is_plain && three_links_each => Class::Fourth,
         _ => Class::Higher,
     };
     let special = builder.special(class, &loops);
@@ -186,6 +213,7 @@ pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId])
 struct Builder<'a> {
     mechanism: &'a Mechanism,
     links: &'a [BodyId],
+    /// Those of the group's joints that hold places.
     joints: &'a [JointId],
 }
 
@@ -308,10 +336,7 @@ impl Builder<'_> {
     /// other. `None` with three sliders.
     fn dyad_point(&self, chain: &Loop) -> Option<SpecialPoint> {
         let mechanism = self.mechanism;
-        let pin = |j: JointId| match mechanism.joint(j).kind {
-            JointKind::Revolute(point) => Some(point),
-            JointKind::Prismatic(_) => None,
-        };
+        let pin = |j: JointId| mechanism.joint(j).pin;
         let [start, a, b, end] = *chain.bodies.as_slice() else {
             return None;
         };
@@ -335,9 +360,8 @@ impl Builder<'_> {
         }
         // At a slider the sliding link's own pin is taken as a point of the other link, as one does with a crank pin in a slot; the
         // other link's pin where the sliding link slides at both ends.
-        let slides = |link: BodyId| match mechanism.joint(inner).kind {
-            JointKind::Prismatic(id) => mechanism.lead(mechanism.slider(id).link) == link,
-            JointKind::Revolute(_) => false,
+        let slides = |link: BodyId| {
+            mechanism.joint(inner).slider.is_some_and(|id| mechanism.lead(mechanism.slider(id).link) == link)
         };
         let ways = [
             (pin(outer_b), a, legs((start, outer_a), end, outer_b, b), slides(b)),

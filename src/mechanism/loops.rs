@@ -1,6 +1,7 @@
-use super::{BodyId, DrivenSlide, Group, JointKind, Loop, Mechanism, PointId, SliderId};
+use super::{BodyId, DrivenSlide, Group, Loop, Mechanism, PointId, SliderId, Tie};
 use crate::geometry::{LinearSystem, Point, Vector, quarter_turn};
 use nalgebra::DMatrix;
+use smallvec::SmallVec;
 
 /// The loop equations of a group: which rates are unknown and which arms and slides each loop sums.
 ///
@@ -12,12 +13,16 @@ use nalgebra::DMatrix;
 ///
 /// Both have the same matrix. A loop that closes on a link of the group has one arm more, back to p_1, and zero for the ends.
 /// The rates of driven sliders are known: their terms stand on the right.
+/// Joints that make links turn alike leave their class of links one angular rate. Any other tie of rotations is an equation
+/// of its own, after those of the loops: Σ weight ω = 0, and the same of α.
 /// Made once for a mechanism; positions come with each pose. The unknowns are the angular rates of classes of links that turn
-/// together, then the slide rates: two for each loop.
+/// together, then the slide rates: two for each loop and one for each tie.
 #[derive(Clone, Debug)]
 pub struct LoopEquations {
     /// One entry for each loop of the group.
     pub loops: Vec<LoopTerms>,
+    /// One entry for each joint that ties rotations otherwise than alike.
+    pub ties: Vec<TieTerms>,
     /// How many rates are unknown.
     pub unknowns: usize,
     /// Where two equations for two rates can be split off: which ones.
@@ -97,6 +102,9 @@ pub struct Slide {
     pub spin: Spin,
 }
 
+/// What a tie sums: rotations, each with its weight.
+pub type TieTerms = SmallVec<[(Spin, f64); 3]>;
+
 impl LoopTerms {
     /// Adds the columns of this loop's two equations, one for each unknown, where the points and the guides' unit directions are
     /// these.
@@ -137,7 +145,11 @@ impl LoopEquations {
         for chain in &group.loops {
             loops.push(terms(mechanism, chain, &spins, &mut slides, &mut unknowns));
         }
-        Self { reduction: reduction(&loops, unknowns), loops, unknowns, spins, slides }
+        let ties = group.joints.iter().filter_map(|&joint| {
+            let tie = mechanism.joint(joint).tie.as_ref().filter(|tie| tie.as_alike().is_none())?;
+            Some(tie.turns.iter().map(|&(body, weight)| (spin_of(&spins, body), f64::from(weight))).collect())
+        });
+        Self { reduction: reduction(&loops, unknowns), loops, ties: ties.collect(), unknowns, spins, slides }
     }
 
     /// The unknown that is the slide rate of `slider`; `None` for one of another group and for a driven one.
@@ -147,7 +159,7 @@ impl LoopEquations {
         found.map(|(_, unknown)| *unknown)
     }
 
-    /// The unknown that is the angular rate of `link`; `None` where a prismatic joint ties it to a known body.
+    /// The unknown that is the angular rate of `link`; `None` where it turns as a known body does.
     #[must_use]
     pub fn spin_unknown(&self, link: BodyId) -> Option<usize> {
         match self.spins.iter().find(|(b, _)| *b == link)?.1 {
@@ -156,7 +168,7 @@ impl LoopEquations {
         }
     }
 
-    /// The rotation of `link`: an unknown, or that of the known body to which prismatic joints tie it.
+    /// The rotation of `link`: an unknown, or that of the known body as which it turns.
     #[must_use]
     pub fn spin_of(&self, link: BodyId) -> Spin {
         spin_of(&self.spins, link)
@@ -179,10 +191,15 @@ impl LoopEquations {
         }
     }
 
+    /// How many equations there are.
+    fn count(&self) -> usize {
+        2 * self.loops.len() + self.ties.len()
+    }
+
     /// The matrix where the points and the guides' unit directions are these.
     #[must_use]
     pub fn matrix(&self, points: &[Point], guides: &[Vector]) -> DMatrix<f64> {
-        let mut matrix = DMatrix::zeros(2 * self.loops.len(), self.unknowns);
+        let mut matrix = DMatrix::zeros(self.count(), self.unknowns);
         for (index, terms) in self.loops.iter().enumerate() {
             let mut columns = vec![Vector::zeros(); self.unknowns];
             terms.add_columns(points, guides, &mut columns);
@@ -191,13 +208,20 @@ impl LoopEquations {
                 matrix[(2 * index + 1, unknown)] = column.y;
             }
         }
+        for (index, terms) in self.ties.iter().enumerate() {
+            for (spin, weight) in terms {
+                if let Spin::Unknown(unknown) = *spin {
+                    matrix[(2 * self.loops.len() + index, unknown)] += weight;
+                }
+            }
+        }
         matrix
     }
 
     /// The factored matrix there; `None` where it is exactly singular, or not square as in a group singular by structure.
     #[must_use]
     pub fn factored(&self, points: &[Point], guides: &[Vector]) -> Option<LinearSystem> {
-        let square = 2 * self.loops.len() == self.unknowns;
+        let square = self.count() == self.unknowns;
         LinearSystem::new(square.then(|| self.matrix(points, guides))?)
     }
 }
@@ -235,27 +259,26 @@ fn terms(
             sliding.extend(driven(mechanism.way(from, left), spin));
         }
         entered = Some(mechanism.side(joint, sides[1]));
-        match mechanism.joint(joint).kind {
-            JointKind::Revolute(to) => {
-                if let Some(&from) = pins.last() {
-                    arms.push(Arm { from, to, spin });
-                }
-                pins.push(to);
+        let joint = mechanism.joint(joint);
+        if let Some(to) = joint.pin {
+            if let Some(&from) = pins.last() {
+                arms.push(Arm { from, to, spin });
             }
-            JointKind::Prismatic(slider) => {
-                let known = slides.iter().find(|(s, _)| *s == slider);
-                let unknown = known.map_or(*unknowns, |(_, u)| *u);
-                if unknown == *unknowns {
-                    slides.push((slider, unknown));
-                    *unknowns += 1;
-                }
-                sliding.push(Slide {
-                    slider,
-                    rate: SlideRate::Unknown(unknown),
-                    sign: mechanism.slide_sign(slider, sides[0]),
-                    spin,
-                });
+            pins.push(to);
+        }
+        if let Some(slider) = joint.slider {
+            let known = slides.iter().find(|(s, _)| *s == slider);
+            let unknown = known.map_or(*unknowns, |(_, u)| *u);
+            if unknown == *unknowns {
+                slides.push((slider, unknown));
+                *unknowns += 1;
             }
+            sliding.push(Slide {
+                slider,
+                rate: SlideRate::Unknown(unknown),
+                sign: mechanism.slide_sign(slider, sides[0]),
+                spin,
+            });
         }
     }
     // A loop without a revolute joint has a group singular by structure; any point will do.
@@ -299,14 +322,13 @@ fn reduction(loops: &[LoopTerms], unknowns: usize) -> Option<Reduction> {
     }
 }
 
-/// The spin of every link of the group: links tied by prismatic joints turn together.
+/// The spin of every link of the group: links that joints make turn alike have one.
 fn spins(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, Spin)> {
     let mut classes: Vec<Vec<BodyId>> = group.links.iter().map(|&lead| mechanism.compound(lead)).collect();
     for &joint in &group.joints {
-        if !mechanism.is_prismatic(joint) {
+        let Some((sides, _)) = mechanism.joint(joint).tie.as_ref().and_then(Tie::as_alike) else {
             continue;
-        }
-        let sides = mechanism.joint(joint).bodies;
+        };
         let find = |body| classes.iter().position(|c| c.contains(&body));
         match sides.map(find) {
             [Some(a), Some(b)] if a != b => {

@@ -7,6 +7,7 @@ mod compound;
 mod drives;
 mod error;
 mod group;
+mod joint;
 mod loops;
 mod placing;
 mod shape;
@@ -16,10 +17,11 @@ pub use build::mechanism;
 pub use compound::DrivenSlide;
 pub use error::StructureError;
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
-pub use loops::{Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate, Spin};
+pub use joint::{Guide, Joint, Mark, Slider, Tie};
+pub use loops::{Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate, Spin, TieTerms};
 
 use crate::geometry::{Point, Vector};
-use crate::scene::{Form, SliderDrive};
+use crate::scene::Form;
 
 /// Index of a named point in [`Mechanism::points`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -139,59 +141,6 @@ pub enum Role {
     Member,
 }
 
-/// A link that slides along a straight guide of another body and keeps its angle to it.
-#[derive(Clone, Debug)]
-pub struct Slider {
-    /// The sliding link.
-    pub link: BodyId,
-    /// Its point that stands on the guide's line.
-    pub at: PointId,
-    /// The body that carries the guide.
-    pub on: BodyId,
-    /// The guide.
-    pub guide: Guide,
-    /// In a drawn configuration: the point of the guide from which the slider's position counts, if there is one.
-    pub counted_from: Option<PointId>,
-    /// Degrees from the guide to the sliding link's axis.
-    pub turned: f64,
-    /// How it is pushed along the guide, if it is driven; the position is none in a drawn configuration.
-    pub drive: Option<SliderDrive>,
-}
-
-/// A straight guide.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Guide {
-    /// In the frame of its body: a point of it, and its unit direction.
-    Local {
-        /// A point of the guide, from which the slider's position counts.
-        through: Point,
-        /// Unit direction.
-        direction: Vector,
-    },
-    /// As drawn, through the slider's `at`: between two points of its body, from the first to the second.
-    DrawnBetween(PointId, PointId),
-    /// As drawn, through the slider's `at`: in this direction.
-    Drawn(Vector),
-}
-
-/// A joint between two bodies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Joint {
-    /// Revolute or prismatic, and where.
-    pub kind: JointKind,
-    /// The bodies that it joins; of a slider: guide body, then sliding link.
-    pub bodies: [BodyId; 2],
-}
-
-/// The kind of a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum JointKind {
-    /// A pin at a point of both bodies.
-    Revolute(PointId),
-    /// A slider on its guide.
-    Prismatic(SliderId),
-}
-
 impl Mechanism {
     /// The mechanism by which positions are found: itself, unless a link's angle is given in place of that of a drive.
     #[must_use]
@@ -205,36 +154,10 @@ impl Mechanism {
         &self.bodies[id.0]
     }
 
-    /// The slider of that index.
-    #[must_use]
-    pub fn slider(&self, id: SliderId) -> &Slider {
-        &self.sliders[id.0]
-    }
-
-    /// The joint of that index.
-    #[must_use]
-    pub fn joint(&self, id: JointId) -> &Joint {
-        &self.joints[id.0]
-    }
-
     /// The name of a point.
     #[must_use]
     pub fn point_name(&self, id: PointId) -> &str {
         &self.points[id.0]
-    }
-
-    /// The name of a slider in results: sliding link / guide body, as in `3/2`, or pin / guide body, as in `P/3`.
-    ///
-    /// Of further sliders with the same two, as where a pin rides in two slots of a link, `P/3#2`, in scene order.
-    #[must_use]
-    pub fn slider_name(&self, id: SliderId) -> String {
-        let names = |slider: &Slider| [slider.link, slider.on].map(|b| self.body(b).name.as_str());
-        let own = names(self.slider(id));
-        let before = self.sliders[..id.0].iter().filter(|s| names(s) == own);
-        match before.count() {
-            0 => own.join("/"),
-            count => format!("{}#{}", own.join("/"), count + 1),
-        }
     }
 
     /// Names of the drives: turned links first, then pushed ones: by link on the ground, by slider on a moving link, as in `3/2`.
@@ -245,13 +168,6 @@ impl Mechanism {
         let pushed = (0..self.sliders.len()).map(SliderId);
         let pushed = pushed.filter(|&id| self.slider(id).drive.is_some());
         turned.map(|body| body.name.clone()).chain(pushed.map(|id| self.push_name(id))).collect()
-    }
-
-    /// The name by which a driven slider is called as a drive.
-    #[must_use]
-    pub fn push_name(&self, id: SliderId) -> String {
-        let slider = self.slider(id);
-        if slider.on == GROUND { self.body(slider.link).name.clone() } else { self.slider_name(id) }
     }
 
     /// The point of that name.
@@ -286,21 +202,6 @@ impl Mechanism {
         };
         let points = (0..self.points.len()).map(PointId);
         points.filter(|p| holds(p, false) && !holds(p, true)).collect()
-    }
-
-    /// The point where a joint is: the pin, or the slider's point on the guide.
-    #[must_use]
-    pub fn joint_point(&self, id: JointId) -> PointId {
-        match self.joint(id).kind {
-            JointKind::Revolute(point) => point,
-            JointKind::Prismatic(slider) => self.slider(slider).at,
-        }
-    }
-
-    /// Whether a joint is prismatic.
-    #[must_use]
-    pub fn is_prismatic(&self, id: JointId) -> bool {
-        matches!(self.joint(id).kind, JointKind::Prismatic(_))
     }
 }
 

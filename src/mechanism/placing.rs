@@ -1,7 +1,6 @@
-use super::build::{add_pins, groups};
-use super::{
-    Body, BodyId, GROUND, Guide, Joint, JointKind, Mechanism, Placing, Role, Slider, SliderId, StructureError,
-};
+use super::build::groups;
+use super::joint::add_pins;
+use super::{Body, BodyId, GROUND, Guide, Mechanism, Placing, Role, Slider, StructureError};
 use crate::geometry::{Point, Vector};
 use crate::scene::Scene;
 
@@ -61,16 +60,7 @@ fn hold(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     let slides = [(GROUND, carriage, ground, Vector::y(), -90.0), (carriage, link, None, Vector::x(), angle)];
     for (on, link, through, direction, turned) in slides {
         let through = through.unwrap_or_else(Point::origin);
-        mechanism.sliders.push(Slider {
-            link,
-            at,
-            on,
-            guide: Guide::Local { through, direction },
-            counted_from: None,
-            turned,
-            drive: None,
-        });
-        let slider = SliderId(mechanism.sliders.len() - 1);
-        mechanism.joints.push(Joint { kind: JointKind::Prismatic(slider), bodies: [on, link] });
+        let guide = Guide::Local { through, direction };
+        mechanism.add_slider(Slider { link, at, on, guide, counted_from: None, turned, drive: None });
     }
 }

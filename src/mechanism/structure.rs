@@ -1,6 +1,6 @@
 //! Which links can be solved together, and in which order: the Assur groups, found from the joints alone.
 //!
-//! A link has three free motions, a joint supplies two constraints. Each constraint is given to one of the two links it joins, three to
+//! A link has three free motions, a joint supplies constraints: most kinds two. Each constraint is given to one of the two links it joins, three to
 //! a link at most; a link given a constraint depends on the link at the joint's other end. The strongly connected components of that
 //! dependence are the groups of L. V. Assur (1914), and they do not depend on which of the possible assignments was found
 //! (A. L. Dulmage, N. S. Mendelsohn, "Coverings of bipartite graphs", Canadian Journal of Mathematics 10, 1958).
@@ -22,12 +22,12 @@ use petgraph::graph::{DiGraph, NodeIndex};
 
 /// Free motions of a link in the plane.
 const MOTIONS: usize = 3;
-/// Constraints a revolute or prismatic joint supplies.
-const CONSTRAINTS: usize = 2;
 
-/// A joint as the structure sees it, revolute or prismatic alike.
+/// A joint as the structure sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Edge {
+    /// How many constraints it supplies.
+    pub constraints: usize,
     /// The two bodies joined: the index of an unknown link, or `None` for a body whose motion is known (ground, drivers, given).
     pub ends: [Option<usize>; 2],
 }
@@ -51,7 +51,7 @@ pub enum Structure {
     },
 }
 
-/// Links to be solved together, given the groups before: an Assur group, for which `2 joints = 3 links`.
+/// Links to be solved together, given the groups before: an Assur group, which has three constraints for each link.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Component {
     /// Indices of links, ascending.
@@ -84,7 +84,7 @@ pub fn structure(links: usize, edges: &[Edge]) -> Structure {
         if ends[0] == ends[1] {
             continue;
         }
-        for _ in 0..CONSTRAINTS {
+        for _ in 0..edge.constraints {
             if !assignment.take(joint, ends) {
                 surplus += 1;
                 over.extend(assignment.reach(&ends));
@@ -96,7 +96,7 @@ pub fn structure(links: usize, edges: &[Edge]) -> Structure {
 
     let missing: usize = assignment.room[..links].iter().sum();
     if missing == 0 && surplus == 0 {
-        return Structure::Groups(groups(links, &assignment.taken));
+        return Structure::Groups(groups(links, &assignment.taken, edges));
     }
     Structure::Misfit { under: assignment.movable(links), missing, over: over.into_iter().collect(), surplus }
 }
@@ -218,7 +218,7 @@ impl Assignment {
 }
 
 /// The strongly connected components of the dependence between links, in order of solving. Each link is given three constraints.
-fn groups(links: usize, taken: &[Constraint]) -> Vec<Component> {
+fn groups(links: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> {
     let known = links;
     let between_links = || taken.iter().filter(|constraint| constraint.from != known);
 
@@ -252,10 +252,13 @@ fn groups(links: usize, taken: &[Constraint]) -> Vec<Component> {
         components[group_of[constraint.to]].joints.push(constraint.joint);
     }
     for component in &mut components {
-        // A joint split between two links makes them depend on each other, so both its constraints are in one group.
+        // A joint split between two links makes them depend on each other, so all its constraints are in one group.
         component.joints.sort_unstable();
         component.joints.dedup();
-        debug_assert_eq!(CONSTRAINTS * component.joints.len(), MOTIONS * component.links.len());
+        debug_assert_eq!(
+            component.joints.iter().map(|&joint| edges[joint].constraints).sum::<usize>(),
+            MOTIONS * component.links.len()
+        );
     }
 
     let mut dependents = vec![Vec::new(); components.len()];

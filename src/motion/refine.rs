@@ -40,7 +40,7 @@ impl<'a> Solver<'a> {
         let mut rest = sides.clone();
         let mut before = f64::INFINITY;
         loop {
-            let right: Numbers = components(&rest).map(|x| x.high).collect();
+            let right: Numbers = rest.numbers().map(|x| x.high).collect();
             let correction = match &self.closed {
                 Some(form) => form.solve_all(&right),
                 None => self.system.solve(&right),
@@ -62,8 +62,8 @@ impl<'a> Solver<'a> {
 
     /// Adds the bounds of the errors after the last correction, which has been found for the right side `rest`.
     fn bound(&self, solution: &mut Balls, rest: &Sides, correction: &[f64]) {
-        let right: Numbers = components(rest).map(|x| x.high).collect();
-        let mut uncertain: Numbers = components(rest).map(Ball::error).collect();
+        let right: Numbers = rest.numbers().map(|x| x.high).collect();
+        let mut uncertain: Numbers = rest.numbers().map(Ball::error).collect();
         self.doubt_coefficients(&mut uncertain, correction);
         let errors = self.system.error_bound(correction, &right, &uncertain);
         for (x, error) in solution.iter_mut().zip(errors) {
@@ -94,8 +94,4 @@ impl<'a> Solver<'a> {
             }
         }
     }
-}
-
-fn components(sides: &Sides) -> impl Iterator<Item = Ball> {
-    sides.iter().flat_map(|side| [side.x, side.y])
 }

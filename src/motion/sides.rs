@@ -1,32 +1,67 @@
 use super::errors::guide;
 use super::moving::State;
 use crate::geometry::{Ball, Pair};
-use crate::mechanism::{LoopEquations, LoopTerms, SlideRate, Spin};
+use crate::mechanism::{BodyId, LoopEquations, LoopTerms, SlideRate, Spin, TieTerms};
 use crate::position::Pose;
 use smallvec::SmallVec;
 
 /// As many numbers as a group has unknowns.
 pub(super) type Balls = SmallVec<[Ball; 4]>;
 
-/// One vector for each loop.
-pub(super) type Sides = SmallVec<[Pair<Ball>; 2]>;
+/// Right sides of the equations, or what is left of them: a vector for each loop, a number for each tie.
+#[derive(Clone, Debug)]
+pub(super) struct Sides {
+    loops: SmallVec<[Pair<Ball>; 2]>,
+    ties: SmallVec<[Ball; 1]>,
+}
+
+impl Sides {
+    /// All of them in the order of the equations.
+    pub fn numbers(&self) -> impl Iterator<Item = Ball> {
+        self.loops.iter().flat_map(|side| [side.x, side.y]).chain(self.ties.iter().copied())
+    }
+}
 
 /// The right sides of the velocity equations, where known bodies move as `state` says.
 pub(super) fn velocity_sides(equations: &LoopEquations, pose: &Pose, state: &State) -> Sides {
-    let loops = equations.loops.iter();
-    loops.map(|terms| velocity(terms, pose, state)).collect()
+    Sides {
+        loops: equations.loops.iter().map(|terms| velocity(terms, pose, state)).collect(),
+        ties: equations.ties.iter().map(|terms| tied(terms, |body| state.body(body).omega)).collect(),
+    }
 }
 
 /// The right sides of the acceleration equations, with the solution `rates` of the velocity equations.
 pub(super) fn acceleration_sides(equations: &LoopEquations, pose: &Pose, state: &State, rates: &[Ball]) -> Sides {
-    let loops = equations.loops.iter();
-    loops.map(|terms| acceleration(terms, pose, state, rates)).collect()
+    Sides {
+        loops: equations.loops.iter().map(|terms| acceleration(terms, pose, state, rates)).collect(),
+        ties: equations.ties.iter().map(|terms| tied(terms, |body| state.body(body).alpha)).collect(),
+    }
 }
 
 /// What the unknowns `x` leave of these right sides.
 pub(super) fn residuals(equations: &LoopEquations, pose: &Pose, sides: &Sides, x: &[Ball]) -> Sides {
-    let loops = equations.loops.iter().zip(sides);
-    loops.map(|(terms, &side)| residual(terms, pose, side, x)).collect()
+    let loops = equations.loops.iter().zip(&sides.loops);
+    let ties = equations.ties.iter().zip(&sides.ties);
+    Sides {
+        loops: loops.map(|(terms, &side)| residual(terms, pose, side, x)).collect(),
+        ties: ties.map(|(terms, &side)| tie_residual(terms, side, x)).collect(),
+    }
+}
+
+/// side − Σ weight · rate with the unknowns `x`.
+fn tie_residual(terms: &TieTerms, side: Ball, x: &[Ball]) -> Ball {
+    terms.iter().fold(side, |rest, &(spin, weight)| match spin {
+        Spin::Unknown(unknown) => rest - x[unknown] * weight.into(),
+        Spin::Known(_) => rest,
+    })
+}
+
+/// The right side of a tie: − Σ weight · rate of the bodies whose rotation is known.
+fn tied(terms: &TieTerms, rate: impl Fn(BodyId) -> Ball) -> Ball {
+    terms.iter().fold(Ball::default(), |side, &(spin, weight)| match spin {
+        Spin::Unknown(_) => side,
+        Spin::Known(body) => side - rate(body) * weight.into(),
+    })
 }
 
 /// side − Σ ω J r − Σ ṡ u with the unknowns `x`.

@@ -1,6 +1,6 @@
 use super::MotionError;
 use crate::geometry::{Line, Vector, cross, quarter_turn};
-use crate::mechanism::{Class, Group, JointId, JointKind, Mechanism};
+use crate::mechanism::{Class, Group, JointId, Mechanism};
 use crate::position::Pose;
 
 /// The finding that a group is singular, with the lines whose common point (or common direction) makes it so.
@@ -38,10 +38,7 @@ fn critical_lines(group: &Group) -> Vec<[JointId; 2]> {
 
 /// The line through two joints; a prismatic joint is a pin at infinity, normal to its guide.
 fn joint_line(mechanism: &Mechanism, pose: &Pose, a: JointId, b: JointId) -> Option<Line> {
-    let normal = |j: JointId| match mechanism.joint(j).kind {
-        JointKind::Prismatic(slider) => Some(quarter_turn(pose.guide(slider))),
-        JointKind::Revolute(_) => None,
-    };
+    let normal = |j: JointId| mechanism.joint(j).slider.map(|slider| quarter_turn(pose.guide(slider)));
     let place = |j: JointId| pose.point(mechanism.joint_point(j));
     match (normal(a), normal(b)) {
         (None, None) => Line::new(place(a), place(b) - place(a)),
@@ -54,7 +51,8 @@ fn joint_line(mechanism: &Mechanism, pose: &Pose, a: JointId, b: JointId) -> Opt
 /// That line in words.
 fn line_name(mechanism: &Mechanism, a: JointId, b: JointId) -> String {
     let name = |j: JointId| mechanism.point_name(mechanism.joint_point(j)).to_owned();
-    match (mechanism.is_prismatic(a), mechanism.is_prismatic(b)) {
+    let slides = |j: JointId| mechanism.joint(j).slider.is_some();
+    match (slides(a), slides(b)) {
         (false, false) => format!("{}{}", name(a), name(b)),
         (true, false) => format!("through {} normal to the guide at {}", name(b), name(a)),
         (false, true) => format!("through {} normal to the guide at {}", name(a), name(b)),

@@ -5,7 +5,7 @@ use super::sides::{acceleration_sides, velocity_sides};
 use super::singular::singular;
 use super::{GroupAccuracy, Motion, MotionError, Order};
 use crate::geometry::{Ball, UNIT_ROUNDOFF, Vector};
-use crate::mechanism::{BodyId, Group, JointId, JointKind, Loop, LoopEquations, Mechanism, SliderId, Spin};
+use crate::mechanism::{BodyId, Group, JointId, Loop, LoopEquations, Mechanism, SliderId, Spin};
 use crate::position::Pose;
 use smallvec::smallvec;
 
@@ -113,9 +113,22 @@ fn move_group(
 }
 
 /// Gives each link a place whose motion is known: from the start of its loop, the last link from the end; the links of a compound
-/// link from that of them which the loop enters.
+/// link from that of them which the loop enters. A link in no loop gets it over the joint by which it hangs on what is known.
 fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, state: &mut State) {
     let mut placed: Vec<BodyId> = Vec::new();
+    let mut place = |joint: JointId, from: BodyId, to: BodyId, placed: &mut Vec<BodyId>| {
+        if placed.contains(&to) {
+            return;
+        }
+        placed.push(to);
+        let [from, entered] = [from, to].map(|link| mechanism.side(joint, link));
+        carry_over(mechanism, pose, state, joint, from, entered);
+        for link in mechanism.compound(to) {
+            for slide in mechanism.way(entered, link) {
+                slide_over(mechanism, pose, state, slide.slider, slide.from, slide.to);
+            }
+        }
+    };
     let mut waiting: Vec<&Loop> = group.loops.iter().collect();
     // A loop that closes on a link of the group waits for that link.
     let starts = |chain: &&Loop, placed: &[BodyId]| !chain.closed || placed.contains(&chain.bodies[0]);
@@ -125,31 +138,22 @@ fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, state: &mut 
         let end = (chain.joints[last], chain.bodies[last + 1], chain.bodies[last]);
         let forward = (0..last).map(|i| (chain.joints[i], chain.bodies[i], chain.bodies[i + 1]));
         for (joint, from, to) in std::iter::once(end).chain(forward) {
-            if placed.contains(&to) {
-                continue;
-            }
-            placed.push(to);
-            let [from, entered] = [from, to].map(|link| mechanism.side(joint, link));
-            carry_over(mechanism, pose, state, joint, from, entered);
-            for link in mechanism.compound(to) {
-                for slide in mechanism.way(entered, link) {
-                    slide_over(mechanism, pose, state, slide.slider, slide.from, slide.to);
-                }
-            }
+            place(joint, from, to, &mut placed);
         }
+    }
+    for (joint, from, to) in group.hanging(mechanism) {
+        place(joint, from, to, &mut placed);
     }
 }
 
 /// The motion of body `to` at `joint`, from that of body `from`.
 fn carry_over(mechanism: &Mechanism, pose: &Pose, state: &mut State, joint: JointId, from: BodyId, to: BodyId) {
-    match mechanism.joint(joint).kind {
-        JointKind::Prismatic(slider) => slide_over(mechanism, pose, state, slider, from, to),
-        JointKind::Revolute(point) => {
-            let own = *state.body(to);
-            state.bodies[to.0] =
-                Moving { omega: own.omega, alpha: own.alpha, ..state.body(from).referred_to(pose.point(point)) };
-        }
+    if let Some(slider) = mechanism.joint(joint).slider {
+        return slide_over(mechanism, pose, state, slider, from, to);
     }
+    let own = *state.body(to);
+    let moved = state.body(from).referred_to(pose.point(mechanism.joint_point(joint)));
+    state.bodies[to.0] = Moving { omega: own.omega, alpha: own.alpha, ..moved };
 }
 
 /// The motion of body `to`, from that of body `from` on the other side of a slider; they turn alike.

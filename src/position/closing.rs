@@ -1,4 +1,4 @@
-use super::frames::{Frames, local_guide, pinned};
+use super::frames::{Frames, pinned};
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::kernel::{Kernel, Single};
 use crate::mechanism::{BodyId, Group, Mechanism};
@@ -13,7 +13,7 @@ pub(super) struct Assembled {
     pub frames: Frames,
     /// By slider.
     pub slides: Vec<f64>,
-    /// What is left of the loops' gaps, relative to the mechanism's size.
+    /// What is left of the loops' gaps, relative to the mechanism's size, and of the ties', in radians.
     pub gap: f64,
 }
 
@@ -45,10 +45,12 @@ impl<'a> Closer<'a> {
             let state = self.state();
             let points = self.block.points[..self.mechanism.points.len()].iter();
             let size = span(points.map(|[[x], [y]]| Point::new(*x, *y)));
-            let gap = self.kernel.step(&mut self.block, self.index) / size;
-            if !gap.is_finite() {
+            let [gap, turn] = self.kernel.step(&mut self.block, self.index);
+            let gap = gap / size;
+            if !(gap.is_finite() && turn.is_finite()) {
                 break;
             }
+            let gap = gap.max(turn);
             let better = gap < best.0;
             if better {
                 best = (gap, state);
@@ -120,7 +122,7 @@ pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec
         }
     }
     let guides = mechanism.sliders.iter().map(|slider| {
-        let (_, direction) = local_guide(slider);
+        let (_, direction) = slider.line();
         // Frames that follow one another leave rotations a few roundings off length 1.
         frames.of(slider.on).map_or(direction, |frame| (frame.rotation * direction).normalize())
     });

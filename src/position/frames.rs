@@ -1,5 +1,5 @@
 use crate::geometry::{Placement, Point, Turn, Vector, cross, quarter_turn, turn_of_degrees};
-use crate::mechanism::{Body, BodyId, Guide, JointId, JointKind, Mechanism, PointId, Role, Slider};
+use crate::mechanism::{Body, BodyId, JointId, Mechanism, PointId, Role, Slider};
 
 /// Where bodies are: the placement of each body's own frame in the fixed frame, as far as known.
 #[derive(Clone, Debug)]
@@ -60,21 +60,11 @@ pub(super) fn local(mechanism: &Mechanism, body: BodyId, point: PointId) -> Poin
     local.unwrap_or_else(Point::origin)
 }
 
-/// A guide in the frame of its body; the x axis where it is not local.
-pub(super) fn local_guide(slider: &Slider) -> (Point, Vector) {
-    match slider.guide {
-        Guide::Local { through, direction } => (through, direction),
-        Guide::Drawn(direction) => (Point::origin(), direction),
-        Guide::DrawnBetween(..) => (Point::origin(), Vector::x()),
-    }
-}
-
 /// The sliding link's placement in the frame of the guide's body, at slider position `s`.
 pub(super) fn slid(mechanism: &Mechanism, slider: &Slider, s: f64) -> Placement {
-    let (through, direction) = local_guide(slider);
-    let turn = Turn::from_cos_sin_unchecked(direction.x, direction.y) * turn_of_degrees(slider.turned);
+    let (through, direction) = slider.line();
     let at = local(mechanism, slider.link, slider.at);
-    pinned(turn, at, through + direction * s)
+    pinned(slider.turn(), at, through + direction * s)
 }
 
 /// The placement of `to` in the frame of `from`, across a prismatic joint at slider position `s`.
@@ -118,13 +108,12 @@ impl Hold {
         (side, side_frame): (BodyId, Placement),
         (middle, middle_frame): (BodyId, Placement),
     ) -> Hold {
-        match mechanism.joint(joint).kind {
-            JointKind::Revolute(point) => Hold::Pin {
-                local: side_frame * local(mechanism, side, point),
-                place: middle_frame * local(mechanism, middle, point),
+        match mechanism.joint(joint).slider.map(|id| mechanism.slider(id)) {
+            None => Hold::Pin {
+                local: side_frame * mechanism.joint_on(joint, side),
+                place: middle_frame * mechanism.joint_on(joint, middle),
             },
-            JointKind::Prismatic(id) => {
-                let slider = mechanism.slider(id);
+            Some(slider) => {
                 let at = |s: f64| middle_frame * across(mechanism, slider, middle, s) * side_frame.inverse();
                 let (frame, moved) = (at(0.0), at(1.0));
                 // Directions are differences of placements one unit of slide apart: exact enough for a start.

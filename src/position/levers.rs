@@ -1,5 +1,5 @@
 use super::closing::Assembled;
-use super::frames::{local, local_guide, pinned};
+use super::frames::{local, pinned};
 use crate::geometry::{Turn, cross};
 use crate::mechanism::{BodyId, Group, LoopEquations, Mechanism, SliderId};
 
@@ -42,7 +42,7 @@ impl Lever {
         let through_it = |&id: &SliderId| {
             let slider = mechanism.slider(id);
             let own = local(mechanism, slider.on, mechanism.body(slider.on).points[0]);
-            let (through, direction) = local_guide(slider);
+            let (through, direction) = slider.line();
             // Coordinates as the scene gives them: on the line or not, nothing is computed before.
             cross(through - own, direction) == 0.0
         };
@@ -66,7 +66,7 @@ impl Lever {
             // The slide counts from `through`, which may be elsewhere on the line than the lever's point.
             let slider = mechanism.slider(id);
             let own = local(mechanism, slider.on, mechanism.body(slider.on).points[0]);
-            let (through, direction) = local_guide(slider);
+            let (through, direction) = slider.line();
             let offset = (through - own).dot(&direction);
             reversed.slides[id.0] = -assembled.slides[id.0] - 2.0 * offset;
         }

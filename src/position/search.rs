@@ -1,8 +1,8 @@
 use super::closing::Assembled;
-use super::frames::{Frames, across, fitted, local, local_guide, pinned, within};
+use super::frames::{Frames, fitted, local, pinned, within};
 use super::rough::Rough;
 use crate::geometry::{Placement, Point, Random, Turn, span};
-use crate::mechanism::{BodyId, Group, JointKind, Mechanism, SliderId};
+use crate::mechanism::{BodyId, Group, Mechanism, SliderId, Tie};
 use std::f64::consts::TAU;
 
 /// Starts that take what the rough places say of the links; what they do not say is drawn by lot each time.
@@ -105,7 +105,7 @@ impl<'a> Search<'a> {
         }
         let mut slides = self.slides.to_vec();
         for &joint in &self.group.joints {
-            if let JointKind::Prismatic(id) = self.mechanism.joint(joint).kind {
+            if let Some(id) = self.mechanism.joint(joint).slider {
                 let lot = (self.random.unit() - 0.5) * self.reach;
                 let near = self.near_slide(id).filter(|_| guided);
                 slides[id.0] = near.unwrap_or(lot);
@@ -123,20 +123,19 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Turns the links that prismatic joints tie to links whose turn is known. Where they are is found by walking the loops.
+    /// Turns the links that turn alike with links whose turn is known. Where they are is found by walking the loops.
     fn carry_turns(&self, frames: &mut Frames) {
         let mut carried = true;
         while carried {
             carried = false;
             for &joint in &self.group.joints {
-                let JointKind::Prismatic(id) = self.mechanism.joint(joint).kind else {
+                let Some(([a, b], apart)) = self.mechanism.joint(joint).tie.as_ref().and_then(Tie::as_alike) else {
                     continue;
                 };
-                let slider = self.mechanism.slider(id);
-                for (from, to) in [(slider.on, slider.link), (slider.link, slider.on)] {
-                    if let (Some(&frame), None) = (frames.of(from), frames.of(to)) {
-                        let frame = frame * across(self.mechanism, slider, from, 0.0);
-                        frames.set_compound(self.mechanism, to, frame);
+                for (from, to, turn) in [(a, b, apart), (b, a, apart.inverse())] {
+                    if let (Some(frame), None) = (frames.of(from), frames.of(to)) {
+                        let turned = pinned(frame.rotation * turn, Point::origin(), Point::origin());
+                        frames.set_compound(self.mechanism, to, turned);
                         carried = true;
                     }
                 }
@@ -148,7 +147,7 @@ impl<'a> Search<'a> {
     fn near_slide(&self, id: SliderId) -> Option<f64> {
         let slider = self.mechanism.slider(id);
         let (on, link) = (self.guide.of(slider.on)?, self.guide.of(slider.link)?);
-        let (through, direction) = local_guide(slider);
+        let (through, direction) = slider.line();
         let at = link * local(self.mechanism, slider.link, slider.at);
         Some((on.inverse() * at - through).dot(&direction))
     }

@@ -1,8 +1,8 @@
 use super::closing::Assembled;
-use super::frames::{Frames, Hold, local, local_guide, pinned, turned_towards, within};
+use super::frames::{Frames, Hold, local, pinned, turned_towards, within};
 use super::legs::{LegCondition, joined_placements, placements, smallest_miss};
 use crate::geometry::{Placement, cross};
-use crate::mechanism::{BodyId, Class, Group, JointId, JointKind, Mechanism, SliderId};
+use crate::mechanism::{BodyId, Class, Group, JointId, Mechanism, SliderId};
 
 /// A group seen as rigid bodies a and b joined by legs, each a middle body with a joint to either.
 ///
@@ -50,14 +50,7 @@ impl<'a> Truss<'a> {
             legs: Vec::new(),
             direct: None,
             names: Vec::new(),
-            sliders: group
-                .joints
-                .iter()
-                .filter_map(|&j| match mechanism.joint(j).kind {
-                    JointKind::Prismatic(id) => Some(id),
-                    JointKind::Revolute(_) => None,
-                })
-                .collect(),
+            sliders: group.joints.iter().filter_map(|&j| mechanism.joint(j).slider).collect(),
         };
         let mut leg = |near: JointId, a, middle: BodyId, far: JointId, b| {
             let number = truss.legs.len();
@@ -70,7 +63,8 @@ impl<'a> Truss<'a> {
             Class::Second => {
                 let (bodies, joints) = (&chain(0).bodies, &chain(0).joints);
                 // A link that slides on the known body keeps its angle: it is found first, by a line or a circle.
-                let from_end = mechanism.is_prismatic(joints[2]) && !mechanism.is_prismatic(joints[0]);
+                let ties = |joint: JointId| mechanism.joint(joint).tie.is_some();
+                let from_end = ties(joints[2]) && !ties(joints[0]);
                 let at = |forward: usize, backward: usize| if from_end { backward } else { forward };
                 let (start, b) = (bodies[at(0, 3)], bodies[at(1, 2)]);
                 let (middle, end) = (bodies[at(2, 1)], bodies[at(3, 0)]);
@@ -143,7 +137,7 @@ impl<'a> Truss<'a> {
         for id in &self.sliders {
             let slider = self.mechanism.slider(*id);
             let (on, link) = (frames.of(slider.on)?, frames.of(slider.link)?);
-            let (through, direction) = local_guide(slider);
+            let (through, direction) = slider.line();
             let at = link * local(self.mechanism, slider.link, slider.at);
             slides[id.0] = (on.inverse() * at - through).dot(&direction);
         }

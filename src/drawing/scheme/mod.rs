@@ -11,12 +11,14 @@ mod special;
 use super::canvas::Canvas;
 use super::legend;
 use super::names::Names;
+use super::shape::Shape;
+use super::sheet::Pen;
 use super::stages::Stages;
 use super::text::RichText;
 use super::view::{Extent, View};
 use crate::construction::{Action, Construction, NumberedStep, Ray, Solution, Teller};
 use crate::geometry;
-use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
+use crate::mechanism::{BodyId, GROUND, Mark, Mechanism, PointId, Role};
 use crate::position::Pose;
 use crate::scene::Figure;
 use crate::words::Wording;
@@ -87,7 +89,35 @@ impl<'a> Scheme<'a> {
 
     fn own_places(&self) -> impl Iterator<Item = geometry::Point> {
         let points = self.pose.points.iter().copied();
-        points.chain(self.guide_ends())
+        points.chain(self.guide_ends()).chain(self.circles().flat_map(|(center, radius)| {
+            let (center, arm) = (self.pose.point(center), geometry::Vector::new(radius, radius));
+            [center - arm, center + arm]
+        }))
+    }
+
+    /// The marks of all joints.
+    fn marks(&self) -> impl Iterator<Item = Mark> {
+        self.mechanism.joints.iter().flat_map(|joint| joint.marks.iter().copied())
+    }
+
+    /// The circles by which joints are drawn: center, and radius in the scene's unit of length; that of a pin has none.
+    fn circles(&self) -> impl Iterator<Item = (PointId, f64)> {
+        self.marks().filter_map(|mark| match mark {
+            Mark::Circle { center, towards, part } => Some((center, part * self.pose.arm(center, towards).norm())),
+            Mark::Block(_) => None,
+        })
+    }
+
+    /// The circles that are larger than that of a pin.
+    fn wheels(&self, canvas: &mut Canvas<'_>, view: &View) {
+        for (center, radius) in self.circles() {
+            let (center, rim) = (self.pose.point(center), geometry::Vector::new(radius, 0.0));
+            let (center, rim) = (view.at(center), view.at(center + rim));
+            let radius = (rim - center).hypot();
+            if radius > JOINT {
+                canvas.draw(Pen::Guide, Shape::Circle { center, radius });
+            }
+        }
     }
 
     /// Draws the mechanism.
@@ -104,6 +134,7 @@ impl<'a> Scheme<'a> {
         for &point in &self.mechanism.body(GROUND).points {
             self.pivot(canvas, view, point);
         }
+        self.wheels(canvas, view);
         self.link_lines(canvas, view);
         self.pushed_sliders(canvas, view);
         for slider in self.sliders() {

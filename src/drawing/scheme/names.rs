@@ -8,7 +8,7 @@ use super::links::LinkShape;
 use super::sliders::BLOCK;
 use super::{JOINT, Scheme};
 use crate::construction::display;
-use crate::mechanism::{BodyId, GROUND, JointKind, PointId, Role, Slider, SliderId};
+use crate::mechanism::{BodyId, GROUND, PointId, Role, Slider, SliderId};
 use kurbo::{Point, Vec2};
 
 impl Scheme<'_> {
@@ -39,8 +39,7 @@ impl Scheme<'_> {
 
     /// Whether links are joined by a pin there.
     pub(super) fn is_pin(&self, point: PointId) -> bool {
-        let mut kinds = self.mechanism.joints.iter().map(|joint| joint.kind);
-        kinds.any(|kind| kind == JointKind::Revolute(point))
+        self.circles().any(|(center, _)| center == point)
     }
 
     /// The direction away from the middle of the mechanism.

@@ -8,7 +8,7 @@ use super::ground::{HATCH, hatch, strokes};
 use super::links::{ON_LINE, is_on};
 use super::{JOINT, Scheme};
 use crate::geometry::{self, span};
-use crate::mechanism::{GROUND, SliderId};
+use crate::mechanism::{GROUND, Mark, SliderId};
 use kurbo::{Point, Rect, Vec2};
 
 /// Half length and half width of a slider block in mm.
@@ -29,8 +29,12 @@ impl Scheme<'_> {
 
     /// The sliders in drawing order: those on the ground lie behind.
     pub(super) fn sliders(&self) -> Vec<SliderId> {
-        let ids = (0..self.mechanism.sliders.len()).map(SliderId);
-        let (back, front): (Vec<SliderId>, Vec<SliderId>) = ids.partition(|&id| self.mechanism.slider(id).on == GROUND);
+        let blocks = self.marks().filter_map(|mark| match mark {
+            Mark::Block(slider) => Some(slider),
+            Mark::Circle { .. } => None,
+        });
+        let (back, front): (Vec<SliderId>, Vec<SliderId>) =
+            blocks.partition(|&id| self.mechanism.slider(id).on == GROUND);
         [back, front].concat()
     }
 

@@ -1,0 +1,27 @@
+//! Pins: revolute joints, which follow from points that bodies share.
+
+use super::{Joint, Mark};
+use crate::mechanism::{BodyId, Mechanism, PointId};
+use smallvec::smallvec;
+
+impl Joint {
+    /// A pin at a point of both bodies.
+    #[must_use]
+    pub fn pin(point: PointId, bodies: [BodyId; 2]) -> Self {
+        let circle = Mark::Circle { center: point, towards: point, part: 0.0 };
+        Self { letter: 'R', bodies, pin: Some(point), slider: None, tie: None, marks: smallvec![circle] }
+    }
+}
+
+/// Adds one revolute joint for every further body at a point, from the first known one where there is one.
+pub(in crate::mechanism) fn add_pins(mechanism: &mut Mechanism) {
+    for point in (0..mechanism.points.len()).map(PointId) {
+        let mut bodies: Vec<BodyId> =
+            (0..mechanism.bodies.len()).map(BodyId).filter(|&b| mechanism.body(b).points.contains(&point)).collect();
+        bodies.sort_by_key(|&b| !mechanism.is_known(b));
+        let Some((&first, others)) = bodies.split_first() else {
+            continue;
+        };
+        mechanism.joints.extend(others.iter().map(|&other| Joint::pin(point, [first, other])));
+    }
+}
