@@ -41,6 +41,8 @@ pub mod words;
 mod cores;
 mod error;
 mod solve;
+#[cfg(test)]
+mod ties;
 
 pub use construction::Solution;
 pub use error::Error;

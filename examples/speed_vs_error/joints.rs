@@ -4,7 +4,7 @@
 //! three for each link, two equations for each joint and one for each slider's drive (Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*,
 //! 1989, chapter 3). Accelerations have the same matrix. Nothing here uses the library's loops.
 
-use kinegon::mechanism::{BodyId, JointKind, Mechanism, Role};
+use kinegon::mechanism::{BodyId, JointId, Mechanism, Role};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// What the equations calculate with: f64 or more digits.
@@ -179,21 +179,17 @@ impl JointEquations {
         let links: Vec<Option<usize>> = links.collect();
         let mut joints: Vec<Joint> = Vec::new();
         let mut row = 0;
-        for joint in &mechanism.joints {
+        for (id, joint) in mechanism.joints.iter().enumerate() {
             let side = |b: BodyId| links[b.0].map_or(Side::Known(b.0), Side::Link);
             let sides = joint.bodies.map(side);
             if sides.iter().all(|s| matches!(s, Side::Known(_))) {
                 continue;
             }
-            let (point, slider) = match joint.kind {
-                JointKind::Revolute(point) => (point, None),
-                JointKind::Prismatic(slider) => (mechanism.slider(slider).at, Some(slider)),
-            };
-            let drive = slider.and_then(|slider| mechanism.slider(slider).drive);
+            let drive = joint.slider.and_then(|slider| mechanism.slider(slider).drive);
             joints.push(Joint {
                 sides,
-                point: point.0,
-                slider: slider.map(|slider| slider.0),
+                point: mechanism.joint_point(JointId(id)).0,
+                slider: joint.slider.map(|slider| slider.0),
                 drive: drive.map(|drive| [drive.speed, drive.acceleration]),
                 row,
             });

@@ -3,7 +3,7 @@ use crate::geometry::{LinearSystem, Numbers, UNIT_ROUNDOFF};
 use crate::mechanism::{BodyId, Group, JointId, LoopEquations, SlideRate, SliderId, Spin};
 use crate::scene::Form;
 
-/// Roundings, of the size of the mechanism, by which a loop closed from lengths may stay open.
+/// Roundings, of the size of the mechanism, by which a loop closed from lengths may stay open; of a radian, by which an angle in a tie.
 const OPEN: f64 = 8.0;
 
 /// Adds the bounds of a group, whose outer bodies' are there.
@@ -69,13 +69,13 @@ struct Spread<'a> {
 }
 
 impl Spread<'_> {
-    /// |A⁻¹| times what is uncertain in each loop, the same for both of its equations, and in each tie, by that of the known bodies'
-    /// rotations.
-    fn to_unknowns(&self, loops: impl Iterator<Item = f64>, known: &[f64]) -> Numbers {
+    /// |A⁻¹| times what is uncertain in each loop, the same for both of its equations, and in each tie: by `any` in every rotation, and by
+    /// what is `known` of each body in those that are not looked for.
+    fn to_unknowns(&self, loops: impl Iterator<Item = f64>, any: f64, known: &[f64]) -> Numbers {
         let ties = self.equations.ties.iter().map(|terms| {
             let uncertain = terms.iter().map(|&(spin, weight)| match spin {
-                Spin::Unknown(_) => 0.0,
-                Spin::Known(body) => weight.abs() * known[body.0],
+                Spin::Unknown(_) => weight.abs() * any,
+                Spin::Known(body) => weight.abs() * (any + known[body.0]),
             });
             uncertain.sum()
         });
@@ -90,7 +90,7 @@ impl Spread<'_> {
         let largest = pose.points.iter().flat_map(|p| [p.x.abs(), p.y.abs()]);
         let size = largest.fold(0.0, f64::max);
         let open = match mechanism.form {
-            Form::Lengths => OPEN * UNIT_ROUNDOFF * size,
+            Form::Lengths => OPEN * UNIT_ROUNDOFF,
             Form::Drawn => 0.0,
         };
         let loops = self.equations.loops.iter().map(|terms| {
@@ -101,9 +101,9 @@ impl Spread<'_> {
                 Spin::Unknown(_) => 0.0,
                 Spin::Known(body) => pose.arm(arm.from, arm.to).norm() * turns[body.0],
             });
-            open + ends + arms.sum::<f64>()
+            open * size + ends + arms.sum::<f64>()
         });
-        self.to_unknowns(loops, turns)
+        self.to_unknowns(loops, open, turns)
     }
 
     /// What inexact places and outer motions add to the errors of the rates.
@@ -125,7 +125,7 @@ impl Spread<'_> {
             let slides = slides.map(|s| motion.slide(s.slider).velocity.abs() * turn(s.spin));
             ends + arms.sum::<f64>() + slides.sum::<f64>()
         });
-        self.to_unknowns(loops, omegas)
+        self.to_unknowns(loops, 0.0, omegas)
     }
 
     /// The same for the accelerations; `rates` are the errors that [`Self::velocities`] has found.
@@ -166,7 +166,7 @@ impl Spread<'_> {
             });
             ends + arms.sum::<f64>() + slides.sum::<f64>()
         });
-        self.to_unknowns(loops, alphas)
+        self.to_unknowns(loops, 0.0, alphas)
     }
 
     /// ω and α of a rotation of the loops.

@@ -29,14 +29,17 @@ impl Writer<'_> {
             }
         }
         let crosses = |s: &Special| s.place.finite().is_some() && s.cuts.iter().all(|c| c.line.direction().is_some());
-        let has_rays = !special.is_empty() && 2 * special.len() == equations.unknowns && special.iter().all(crosses);
+        let found = 2 * special.len() + equations.ties.len();
+        let has_rays = found == equations.unknowns && special.iter().all(crosses);
         let ids = (first..).map(SpecialId);
         let drawn: Vec<Option<Drawn<'_>>> =
             special.iter().zip(ids).map(|(special, id)| self.special_point(special, id, has_rays)).collect();
         let mut starts: Vec<(BodyId, PointId)> = Vec::new();
-        for cut in special.iter().flat_map(|s| &s.cuts) {
-            let start = cut.start().map(|point| (cut.leg.base, point));
-            if let Some((base, point)) = start.filter(|start| !starts.contains(start)) {
+        let cuts = special.iter().flat_map(|s| &s.cuts);
+        let legs = cuts.filter_map(|cut| cut.start().map(|point| (cut.leg.base, point)));
+        let hanging = group.hanging(self.mechanism).into_iter();
+        for (base, point) in legs.chain(hanging.map(|(joint, base, _)| (base, self.mechanism.joint_point(joint)))) {
+            if !starts.contains(&(base, point)) {
                 starts.push((base, point));
                 self.plans().iter().for_each(|&sheet| self.known_vector(sheet, base, point));
             }
@@ -168,7 +171,8 @@ impl Writer<'_> {
         self.note_motion(sheet, base, point, place);
     }
 
-    /// Rays, crossings and measured segments of a plan, and the rates that follow; `None` where rays cross nowhere or the equations have no solution.
+    /// Rays, crossings and measured segments of a plan, and the rates that follow from them and from ties; `None` where rays cross nowhere or the equations
+    /// have no solution.
     fn rays(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, drawn: &[Drawn<'_>]) -> Option<()> {
         let (mut rows, mut written) = (Vec::new(), Vec::new());
         for point in drawn {
@@ -195,13 +199,21 @@ impl Writer<'_> {
             }
             self.note_holders(sheet, point, crossing);
         }
+        for terms in &equations.ties {
+            rows.push(self.tied(sheet, terms)?);
+        }
         let rates = self.unknown_rates(sheet, group, equations);
-        self.begin(sheet, Action::Solve { equations: written, unknowns: Vec::new() });
-        let Some(numbers) = self.solve(sheet, &rates, rows) else {
+        // What ties alone give is only computed.
+        let is_step = !written.is_empty();
+        if is_step {
+            let unknowns = self.told_rates(sheet, group, equations);
+            self.begin(sheet, Action::Solve { equations: written, unknowns });
+        }
+        let numbers = self.solve(sheet, &rates, rows);
+        if numbers.is_none() && is_step {
             self.plan(sheet).steps.pop();
-            return None;
-        };
-        self.keep_rates(sheet, group, equations, &numbers);
+        }
+        self.keep_rates(sheet, group, equations, &numbers?);
         self.step = None;
         Some(())
     }
@@ -235,34 +247,35 @@ impl Writer<'_> {
         rates
     }
 
-    /// Notes whose the solved rates are, and tells them in the step that solves.
+    /// Notes whose the solved rates are.
     fn keep_rates(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, numbers: &[NumberId]) {
-        let mechanism = self.mechanism;
         let order = sheet.order();
-        let mut told = Vec::new();
         for &link in &group.bodies {
             if let Some(unknown) = equations.spin_unknown(link) {
                 self.construction.spins[link.0].get_or_insert_default()[order] = Some(numbers[unknown]);
-                let (name, body) = (&mechanism.body(link).name, self.motion.body(link));
-                told.push(match order {
-                    0 => (format!("omega({name})"), body.omega),
-                    _ => (format!("alpha({name})"), body.alpha),
-                });
             }
         }
-        for slider in (0..mechanism.sliders.len()).map(SliderId) {
+        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
             if let Some(unknown) = equations.slide_unknown(slider) {
                 self.construction.slides[slider.0].get_or_insert_default()[order] = Some(numbers[unknown]);
-                let (name, slide) = (mechanism.slider_name(slider), self.motion.slide(slider));
-                told.push(match order {
-                    0 => (format!("v_r({name})"), slide.velocity),
-                    _ => (format!("a_r({name})"), slide.acceleration),
-                });
             }
         }
-        if let Some(Action::Solve { unknowns, .. }) = self.plan(sheet).steps.last_mut().map(|step| &mut step.action) {
-            *unknowns = told;
-        }
+    }
+
+    /// The rates that a group is solved for, with their values.
+    fn told_rates(&self, sheet: Sheet, group: &Group, equations: &LoopEquations) -> Vec<(String, f64)> {
+        let (motion, order) = (self.motion, sheet.order());
+        let links = group.bodies.iter().filter(|&&link| equations.spin_unknown(link).is_some()).map(|&link| {
+            let body = motion.body(link);
+            [(Rate::Omega(link), body.omega), (Rate::Alpha(link), body.alpha)][order]
+        });
+        let sliders = (0..self.mechanism.sliders.len()).map(SliderId);
+        let slides = sliders.filter(|&slider| equations.slide_unknown(slider).is_some()).map(|slider| {
+            let slide = motion.slide(slider);
+            [(Rate::SlideVelocity(slider), slide.velocity), (Rate::SlideAcceleration(slider), slide.acceleration)]
+                [order]
+        });
+        links.chain(slides).map(|(rate, value)| (rate.name(self.mechanism), value)).collect()
     }
 
     /// The rates of a group without a construction, as the motion has them: beyond what a hand finds.
@@ -344,6 +357,10 @@ impl Writer<'_> {
                 let from = mechanism.side(inner, carrier);
                 self.anchors[holder.0].get_or_insert(Anchor { joint: inner, from });
             }
+        }
+        for (joint, from, link) in group.hanging(mechanism) {
+            let [from, holder] = [from, link].map(|body| mechanism.side(joint, body));
+            self.anchors[holder.0].get_or_insert(Anchor { joint, from });
         }
     }
 

@@ -7,7 +7,7 @@ use super::operation::{
 };
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
-use crate::mechanism::{BodyId, LoopEquations, PointId, SliderId};
+use crate::mechanism::{BodyId, LoopEquations, PointId, SliderId, Spin, TieTerms};
 
 /// A leg as it is drawn.
 #[derive(Clone, Copy)]
@@ -119,6 +119,21 @@ impl Writer<'_> {
                     if let Some(unknown) = equations.slide_unknown(slider) {
                         left.push((unknown, Product::new(ProductKind::Sliding, sign, &[])));
                     }
+                }
+            }
+        }
+        Some(Equation { left, right })
+    }
+
+    /// The equation of a tie; `None` where the rate of a known body is not there.
+    pub(super) fn tied(&self, sheet: Sheet, terms: &TieTerms) -> Option<Equation> {
+        let (mut left, mut right) = (Vec::new(), Vec::new());
+        for &(spin, weight) in terms {
+            match spin {
+                Spin::Unknown(unknown) => left.push((unknown, Product::new(ProductKind::Plain, weight, &[]))),
+                Spin::Known(body) => {
+                    let rate = self.construction.spins[body.0]?[sheet.order()];
+                    right.extend(rate.map(|rate| Product::new(ProductKind::Plain, -weight, &[rate])));
                 }
             }
         }

@@ -14,10 +14,15 @@ use indexmap::IndexMap;
 /// # Errors
 /// Where the scene asks for something that is no mechanism or that cannot be solved here, with its place.
 pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
+    mechanism_with(scene, |mechanism| add_given(scene, mechanism))
+}
+
+/// The mechanism with the joints that `add` adds to the bodies; pins follow from shared points.
+pub(crate) fn mechanism_with(scene: &Scene, add: impl FnOnce(&mut Mechanism)) -> Result<Mechanism, StructureError> {
     let mut builder = Builder::new(scene);
     builder.add_bodies()?;
     let mut mechanism = builder.mechanism;
-    add_given(scene, &mut mechanism);
+    add(&mut mechanism);
     let given = angle_in_place(scene)?;
     let unpinned = given.map(|_| mechanism.clone());
     mechanism.join_driven();

@@ -201,7 +201,7 @@ pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId])
     };
     let special = builder.special(class, &loops);
     let mut ordered = Vec::new();
-    for body in loops.iter().flat_map(|l| &l.bodies) {
+    for body in loops.iter().flat_map(|l| &l.bodies).chain(links) {
         if links.contains(body) && !ordered.contains(body) {
             ordered.push(*body);
         }

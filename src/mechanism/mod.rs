@@ -14,6 +14,8 @@ mod shape;
 mod structure;
 
 pub use build::mechanism;
+#[cfg(test)]
+pub(crate) use build::mechanism_with;
 pub use compound::DrivenSlide;
 pub use error::StructureError;
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};

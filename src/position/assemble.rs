@@ -80,10 +80,10 @@ impl Way {
     }
 }
 
-/// What to say of groups whose modes are not all the roots of a polynomial.
+/// What to say of groups whose modes are not all the roots of a polynomial. Without a loop there is nothing to miss.
 fn searched(mechanism: &Mechanism) -> impl Iterator<Item = String> {
     let groups = mechanism.groups.iter();
-    let higher = groups.filter(|group| group.class == Class::Higher);
+    let higher = groups.filter(|group| group.class == Class::Higher && !group.loops.is_empty());
     higher.map(|group| {
         format!(
             "links {} form a group of higher class: its assembly modes were found by a search, and there may be more",

@@ -3,13 +3,12 @@
 use super::build_parts::{Guide, NewLink};
 use super::error::SceneError;
 use super::figure::Figure;
-use super::file::SceneFile;
 use super::kind::FileKind;
 use super::link::LinkFile;
 use super::motion::PointMotion;
 use super::place::Source;
 use super::points::Ground;
-use super::read::Scene;
+use super::read::{Scene, SceneFile};
 use super::slider::SliderFile;
 use super::units::{LengthUnit, TimeUnit, Units};
 use super::value::{Entries, NearValue, Vector};
@@ -63,20 +62,7 @@ pub struct Builder {
 impl Builder {
     /// An empty scene in these units.
     pub fn new(length: LengthUnit, time: TimeUnit) -> Builder {
-        let file = SceneFile {
-            kinegon: 1,
-            title: None,
-            units: Units { length, time },
-            ground: None,
-            points: None,
-            known: None,
-            links: Entries::default(),
-            sliders: None,
-            near: None,
-            figure: None,
-            want: None,
-        };
-        Builder { file, wrong: None }
+        Builder { file: SceneFile::new(Units { length, time }), wrong: None }
     }
 
     /// Gives the scene a title.

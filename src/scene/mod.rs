@@ -4,10 +4,10 @@
 //!
 //! In reading order: from text to types (`text` makes JSON of it, `typed` the types of any strict file), with the place of
 //! what is wrong (`wrong`, `place`, `words`); then the parts of a scene, a file each, with the types that stand in the scene
-//! file, what a `Scene` makes of them and what must be true; `file` lists them key by key, and `read` goes the whole way.
+//! file, what a `Scene` makes of them and what must be true; `read` lists them key by key, and goes the whole way.
 //! `build` fills the same types in Rust, and `write` lays their text out.
 //!
-//! To add a kind of joint: a file like `slider`; its key in `file`, its field and its line in `read`; its method in `build`.
+//! To add a kind of joint: a file like `slider`; its key, its field and its line in `read`. CONTRIBUTING.md has the whole list.
 
 mod error;
 mod kind;
@@ -39,7 +39,6 @@ mod slider;
 
 mod known;
 
-mod file;
 mod read;
 
 mod build_parts;

@@ -1,23 +1,82 @@
-//! A scene, and the whole way to it: text, file, checks.
+//! The scene file, version 1: the contract, key by key; what a scene makes of it; and the whole way there: text, file, checks.
 
 use indexmap::IndexMap;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
 
 use super::error::SceneError;
 use super::figure::Figure;
-use super::file::SceneFile;
 use super::form::Form;
 use super::kind::FileKind;
 use super::known::{check_given_once, check_motions, known};
-use super::link::{Link, links};
+use super::link::{Link, LinkFile, links};
 use super::motion::PointMotion;
 use super::names::Names;
 use super::place::Source;
-use super::points::{Near, check_points, ground, near};
+use super::points::{Ground, Near, check_points, ground, near};
 use super::schema::schema_of;
-use super::slider::{Slider, sliders};
+use super::slider::{Slider, SliderFile, sliders};
 use super::typed::read_as;
 use super::units::Units;
+use super::value::{Entries, NearValue, Vector};
+use super::write::write_keys;
 use super::wrong::Wrong;
+
+/// A planar mechanism: x right, y up, counter-clockwise positive, angles in degrees.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = r#"a scene as { "kinegon": 1, … }"#)]
+#[schemars(rename = "scene")]
+pub(super) struct SceneFile {
+    /// Version of the scene format.
+    #[schemars(schema_with = "version")]
+    pub kinegon: u64,
+    /// Title of the mechanism, for example the publication it is from.
+    pub title: Option<String>,
+    /// Units of every length and time of the scene. They are labels; nothing is converted.
+    pub units: Units,
+    /// The frame's points with their coordinates; in a drawn configuration their names are enough.
+    pub ground: Option<Ground>,
+    /// A drawn configuration: coordinates of every point. Then there are no lengths, shapes or angles.
+    pub points: Option<Entries<Vector>>,
+    /// Points of known motion, in a drawn configuration.
+    pub known: Option<Entries<PointMotion>>,
+    /// The links by name. A point named in two links is a revolute joint between them.
+    pub links: Entries<LinkFile>,
+    /// Links that slide along straight guides, and pins that ride in slots.
+    pub sliders: Option<Vec<SliderFile>>,
+    /// Approximate coordinates of some points, and angles of links as "angle(3)", to choose the assembly mode.
+    /// A slotted lever with one point has its slider on the positive side of `through`, unless its angle stands here.
+    pub near: Option<Entries<NearValue>>,
+    /// What the figure shows, and how large.
+    pub figure: Option<Figure>,
+    /// Names of the quantities asked for, as "omega(2)" or "a(S3)"; left out: everything.
+    pub want: Option<Vec<String>>,
+}
+
+fn version(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "const": 1 })
+}
+
+impl SceneFile {
+    /// A file that says nothing but its units.
+    pub fn new(units: Units) -> SceneFile {
+        SceneFile {
+            kinegon: 1,
+            title: None,
+            units,
+            ground: None,
+            points: None,
+            known: None,
+            links: Entries::default(),
+            sliders: None,
+            near: None,
+            figure: None,
+            want: None,
+        }
+    }
+}
+
+write_keys!(SceneFile { kinegon, title, units, ground, points, known, links, sliders, near, figure, want });
 
 /// A mechanism as its scene file describes it: checked, complete, in the file's order and units, angles in degrees.
 ///
