@@ -1,6 +1,6 @@
 use crate::geometry::{Point, Row, Vector, quarter_turn};
 use crate::kernel::{Block, Kernel, vector};
-use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
 use crate::quantity::State;
 
@@ -55,10 +55,7 @@ impl<R: Row> State for Position<'_, R> {
 
     fn guide(&self, slider: SliderId) -> Vector {
         let slider = self.mechanism.slider(slider);
-        let along = match slider.guide {
-            Guide::Local { direction, .. } | Guide::Drawn(direction) => direction,
-            Guide::DrawnBetween(..) => Vector::x(),
-        };
+        let (_, along) = slider.line();
         let seat = self.kernel.seat(slider.on);
         self.block.turn(seat.class, self.lane) * seat.turn * along
     }

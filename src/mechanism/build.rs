@@ -1,5 +1,5 @@
 use super::drives::{angle_in_place, driven_places, role};
-use super::group::group;
+use super::grouping::group;
 use super::joint::{add_given, add_pins};
 use super::placing::placing;
 use super::shape::local_points;

@@ -7,6 +7,7 @@ mod compound;
 mod drives;
 mod error;
 mod group;
+mod grouping;
 mod joint;
 mod loops;
 mod placing;
