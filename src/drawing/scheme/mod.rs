@@ -24,6 +24,7 @@ use crate::scene::Figure;
 use crate::words::Wording;
 use kurbo::Point;
 use std::cell::OnceCell;
+use std::f64::consts::PI;
 
 /// Radius of a joint's circle in mm.
 const JOINT: f64 = 1.15;
@@ -114,8 +115,12 @@ impl<'a> Scheme<'a> {
             let (center, rim) = (self.pose.point(center), geometry::Vector::new(radius, 0.0));
             let (center, rim) = (view.at(center), view.at(center + rim));
             let radius = (rim - center).hypot();
-            if radius > JOINT {
-                canvas.draw(Pen::Guide, Shape::Circle { center, radius });
+            if radius <= JOINT {
+                continue;
+            }
+            // In halves: a label may stand inside.
+            for start in [0.0, PI] {
+                canvas.draw(Pen::Guide, Shape::Arc { center, radius, start, sweep: PI });
             }
         }
     }
