@@ -9,14 +9,14 @@ use crate::scene::Scene;
 use clap::Args;
 use std::path::PathBuf;
 
-/// Notes of extreme and change positions at most.
+/// Notes of extreme and change points at most.
 const NOTES: usize = 30;
 
 /// What `--help` says after the options.
 const AFTER_HELP: &str = "\
 The motion is followed from the scene's own position, without a jump to another assembly mode. The table keeps what can be
 reached: if a limit position comes before the end of the range, that is said and the exit code is 1. Cells without a number,
-as at a change position, are empty (null in JSON lines).
+as at a change point, are empty (null in JSON lines).
 
 Examples:
   kinegon sweep scene.json --step 5                        once around, every 5 degrees, all quantities, to the terminal
@@ -105,7 +105,7 @@ impl Range {
         }
         if events.len() > NOTES {
             let more = events.len() - NOTES;
-            note(&format!("{more} more extreme or change positions follow"));
+            note(&format!("{more} more extreme or change points follow"));
         }
         let beyond = |value: f64| !(branch.low()..=branch.high()).contains(&value);
         let ends = [false, true].map(|above| branch.end(above));

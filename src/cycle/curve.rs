@@ -13,7 +13,7 @@ const PARTS_OF_SEGMENT: usize = 2;
 /// How far beyond what is worth showing curves are sampled, in parts of its height: a panel has a border.
 const BEYOND: f64 = 0.5;
 
-/// The part of a curve's height below which it is zero in a dead position.
+/// The part of a curve's height below which it is zero at a dead centre.
 const ZERO: f64 = 1e-6;
 
 /// What differs by less than this part of itself is the same.
@@ -48,7 +48,7 @@ pub struct Curve {
     pub extremes: Vec<Extreme>,
     /// Its value where that is everywhere the same.
     pub constant: Option<f64>,
-    /// For ω of a link and v_r of a slider: where it is zero, in dead positions and at the ends of the range.
+    /// For ω of a link and v_r of a slider: where it is zero, at dead centres and at the ends of the range.
     pub dead: Vec<f64>,
 }
 
@@ -185,7 +185,7 @@ impl<'a> Curves<'a> {
             }
         }
         curve.extremes.sort_by(|a, b| a.at.total_cmp(&b.at));
-        if curve.asked[0].has_dead_positions() {
+        if curve.asked[0].has_dead_centres() {
             let height = curve.window[1] - curve.window[0];
             let turns = |e: &&Event| {
                 let what = &e.what;
