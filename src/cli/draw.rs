@@ -7,7 +7,7 @@ use super::work::{Mode, solve, warn_of};
 use crate::construction::Solution;
 use crate::cycle::{Animation, Drive};
 use crate::drawing::{Drawing, frames};
-use crate::format::{Page, html};
+use crate::format::{WebPage, html};
 use crate::motion::Order;
 use crate::scene::{Figure, Panel, Scene};
 use crate::words::{Medium, NumberStyle, Wording};
@@ -109,7 +109,7 @@ impl Draw {
         let quantity = animation.drive.as_ref().map(Drive::quantity);
         let mut frames = frames(&animation.positions, animation.own);
         self.figures.dress(&mut frames)?;
-        Ok(html(&Page {
+        Ok(html(&WebPage {
             frames: &frames,
             values: &values,
             own: animation.own,

@@ -1,6 +1,6 @@
 use super::files::{self, Source};
 use super::message::{Failure, note};
-use super::table::{self, Form};
+use super::table::{self, TableFormat};
 use super::work::{Mode, start};
 use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
 use crate::mechanism::Mechanism;
@@ -37,7 +37,7 @@ pub(super) struct SweepCommand {
     output: PathBuf,
     /// Form of the table; without it that of the file's ending, else CSV.
     #[arg(long, value_enum)]
-    format: Option<Form>,
+    format: Option<TableFormat>,
 }
 
 /// Which motion of which scene.
@@ -169,13 +169,13 @@ impl SweepCommand {
         self.range.tell(&branch, [from, to], "table")
     }
 
-    fn form(&self) -> Result<Form, Failure> {
+    fn form(&self) -> Result<TableFormat, Failure> {
         if let Some(form) = self.format {
             return Ok(form);
         }
         let ending = self.output.extension().and_then(|e| e.to_str());
-        Form::of_ending(ending.unwrap_or("csv")).ok_or_else(|| {
-            let known: Vec<&str> = Form::ENDINGS.iter().map(|(ending, _)| *ending).collect();
+        TableFormat::of_ending(ending.unwrap_or("csv")).ok_or_else(|| {
+            let known: Vec<&str> = TableFormat::ENDINGS.iter().map(|(ending, _)| *ending).collect();
             Failure::Misuse(
                 format!("no form of table for files ending in `.{}`", ending.unwrap_or_default()),
                 Some(format!("known endings: {}; or give --format", known.join(", "))),
