@@ -1,9 +1,10 @@
 //! What a teacher sees of a whole class: a row for each drawing, and what went wrong most often.
 
-use super::diagnosis::Finding;
-use super::marks::{Awarded, Scheme};
+use super::checked::Checked;
+use super::explanation::Finding;
+use super::marks::{Awarded, MarkScheme};
 use super::report::sentences;
-use super::verdict::{Checked, Verdict};
+use super::verdict::Verdict;
 use crate::scene::schema_of;
 use crate::words::Wording;
 use schemars::JsonSchema;
@@ -88,7 +89,7 @@ impl ClassRow {
         name: Option<&str>,
         checked: &Checked,
         words: &Wording,
-        scheme: Option<&Scheme>,
+        scheme: Option<&MarkScheme>,
     ) -> ClassRow {
         let count = |verdict| {
             let values = checked.values.iter();

@@ -1,10 +1,11 @@
 //! A marking scheme: how many marks each quantity is worth, and what values earn.
 
 use super::answer_key::AnswerKey;
+use super::checked::Checked;
 use super::entry::entries;
 use super::sheet::{CheckError, Given, Measured};
 use super::template::form_names;
-use super::verdict::{Checked, Verdict};
+use super::verdict::Verdict;
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
 use crate::words::Wording;
 use indexmap::IndexMap;
@@ -77,7 +78,7 @@ impl Marks {
     ///
     /// # Errors
     /// A quantity that the scene does not have, or that stands there twice; marks or parts that are no such numbers; a scheme without any marks.
-    pub fn of(&self, key: &AnswerKey<'_>) -> Result<Scheme, CheckError> {
+    pub fn of(&self, key: &AnswerKey<'_>) -> Result<MarkScheme, CheckError> {
         let part = |key: &str, given: Option<f64>, usual: f64| {
             let part = given.unwrap_or(usual);
             let hint = "write a number from 0 (no marks) to 1 (all marks of the quantity)";
@@ -116,7 +117,7 @@ impl Marks {
                 r#"add "each": 1, or marks for the quantities that count"#,
             ));
         }
-        Ok(Scheme {
+        Ok(MarkScheme {
             worth,
             follow_through: part("follow_through", self.follow_through, 1.0)?,
             missing: part("missing", self.missing, 0.0)?,
@@ -142,7 +143,7 @@ fn usual_name(written: &str, key: &AnswerKey<'_>) -> Result<String, CheckError> 
 
 /// What the quantities of a scene are worth.
 #[derive(Clone, Debug)]
-pub struct Scheme {
+pub struct MarkScheme {
     /// Marks by the quantities' names.
     worth: IndexMap<String, f64>,
     follow_through: f64,
@@ -160,7 +161,7 @@ pub struct Awarded {
     pub follow_through: f64,
 }
 
-impl Scheme {
+impl MarkScheme {
     /// The marks that checked values earn. Values without marks in the scheme earn none.
     #[must_use]
     pub fn award(&self, checked: &Checked) -> Awarded {
