@@ -1,4 +1,4 @@
-use super::clip::{clipped, holds, is_within};
+use super::clip::{clipped, clipped_segment, holds, is_within};
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
 use super::shape::{Shape, around};
@@ -311,35 +311,4 @@ fn ascii(name: &str) -> String {
         }
     }
     id
-}
-
-/// The part of the line through `p` along `d` that lies in `area`, from the first to the last crossing of its border; `None` where
-/// it misses.
-fn line_in(area: Rect, p: Point, d: Vec2) -> Option<(Point, Point)> {
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    for (start, step, near, far) in [(p.x, d.x, area.x0, area.x1), (p.y, d.y, area.y0, area.y1)] {
-        if step == 0.0 {
-            if start < near || start > far {
-                return None;
-            }
-        } else {
-            let (a, b) = ((near - start) / step, (far - start) / step);
-            low = low.max(a.min(b));
-            high = high.min(a.max(b));
-        }
-    }
-    (low < high && low.is_finite() && high.is_finite()).then(|| (p + d * low, p + d * high))
-}
-
-/// The part of the segment between two points that lies in `area`.
-pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
-    let d = b - a;
-    let (p, q) = line_in(area, a, d)?;
-    let size = d.hypot2();
-    if size == 0.0 {
-        return None;
-    }
-    let share = |x: Point| ((x - a).dot(d) / size).clamp(0.0, 1.0);
-    let (from, to) = (share(p), share(q));
-    (from < to).then(|| (a + d * from, a + d * to))
 }

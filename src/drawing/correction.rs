@@ -44,10 +44,7 @@ struct Way {
 /// without words: then they stand above the table. The table is on the figure's sheet where that takes nothing from the panels, else on
 /// sheets of its own. What lies outside a panel is cut off there and named at its edge.
 #[must_use]
-pub fn overlay(
-    solution: &Solution,
-    overlay: &Overlay,
-) -> Vec<Drawing> {
+pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
     let (scene, scheme) = (&solution.scene, Scheme::new(solution));
     let words = &scheme.words;
     let page = scene.figure.page.size_mm();

@@ -14,11 +14,7 @@ use crate::scene::{Panel, Scene};
 /// a row for each of `asked` and boxes for its millimetres and its value, and a ruler. `None` where the scheme does not fit beside them at the
 /// scale that the scene gives.
 #[must_use]
-pub fn exercise_sheet(
-    solution: &Solution,
-    asked: &[Asked],
-    sentences: &[String],
-) -> Option<Drawing> {
+pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<Drawing> {
     let alone = alone(solution);
     let scheme = Scheme::new(&alone);
     let laid = Laid::out(&alone.scene, &scheme, sentences, |_| Worksheet::blank(&scheme, alone.scene.units, asked));
@@ -30,10 +26,7 @@ pub fn exercise_sheet(
 
 /// The figure that a scene asks for with other `sentences` below its scales, in markup.
 #[must_use]
-pub fn key_sheet(
-    solution: &Solution,
-    sentences: &[String],
-) -> Drawing {
+pub fn key_sheet(solution: &Solution, sentences: &[String]) -> Drawing {
     let (scene, scheme) = (&solution.scene, Scheme::new(solution));
     let table = |extents: &[(Panel, Extent)]| {
         let page = scene.figure.page.size_mm();
@@ -45,11 +38,7 @@ pub fn key_sheet(
 
 /// The scale at which the scheme fits on the sheet of an exercise, from the same as [`exercise_sheet`]; that of the scene where it gives one.
 #[must_use]
-pub fn exercise_scale(
-    solution: &Solution,
-    asked: &[Asked],
-    sentences: &[String],
-) -> Option<f64> {
+pub fn exercise_scale(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<f64> {
     let alone = alone(solution);
     let scheme = Scheme::new(&alone);
     let laid = Laid::out(&alone.scene, &scheme, sentences, |_| Worksheet::blank(&scheme, alone.scene.units, asked));

@@ -49,11 +49,7 @@ impl Solution {
             let placed = sheet.layout.panels.iter().find(|p| p.panel == panel);
             self.scene.figure.mu(panel).or(placed.map(|p| p.mu))
         };
-        Scales {
-            length: of(Panel::Scheme),
-            velocity: of(Panel::Velocity),
-            acceleration: of(Panel::Acceleration),
-        }
+        Scales { length: of(Panel::Scheme), velocity: of(Panel::Velocity), acceleration: of(Panel::Acceleration) }
     }
 
     /// What the figure leaves out because it does not fit at a scale that the scene gives: a sentence for each such panel, with a scale that

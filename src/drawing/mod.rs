@@ -23,6 +23,7 @@ mod look;
 mod markup;
 mod names;
 mod overlay;
+mod pen;
 mod plan_panel;
 mod scheme;
 mod shape;
@@ -43,11 +44,13 @@ pub use figure::frames;
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look};
+pub use markup::{Run, Script};
 pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
+pub use pen::Pen;
 pub use shape::Shape;
-pub use sheet::{Drawing, Emphasis, Mark, Pen};
+pub use sheet::{Drawing, Emphasis, Mark};
 pub use style::Style;
-pub use text::{Anchor, PlacedRun, PlacedText, RichText, Run, Script};
+pub use text::{Anchor, PlacedRun, PlacedText, RichText};
 pub use view::{Extent, View, fitting_scale, next_scale};
 
 /// A point of the sheet: millimetres from its upper left corner, y down.

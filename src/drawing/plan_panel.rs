@@ -1,4 +1,5 @@
-use super::canvas::{Canvas, clipped_segment};
+use super::canvas::Canvas;
+use super::clip::clipped_segment;
 use super::inset::Inset;
 use super::scheme::Scheme;
 use super::shape::Shape;

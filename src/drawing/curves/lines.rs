@@ -1,4 +1,4 @@
-use crate::drawing::canvas::clipped_segment;
+use crate::drawing::clip::clipped_segment;
 use kurbo::{Point, Rect};
 
 /// How far the drawn line may be from the samples, in mm.

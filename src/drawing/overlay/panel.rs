@@ -1,8 +1,8 @@
 //! What a panel has of a student's drawing: lines, crosses with names, numbers of steps.
 
 use super::{CROSS, Overlay, OwnKind, OwnLine, OwnPoint, WrongStep, cross, is_of};
-use crate::drawing::canvas::{Canvas, clipped_segment};
-use crate::drawing::clip::holds;
+use crate::drawing::canvas::Canvas;
+use crate::drawing::clip::{clipped_segment, holds};
 use crate::drawing::plan_panel::is_hidden;
 use crate::drawing::scheme::Scheme;
 use crate::drawing::shape::Shape;

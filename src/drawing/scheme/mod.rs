@@ -16,7 +16,7 @@ use super::text::RichText;
 use super::view::{Extent, View};
 use crate::geometry::{self, quarter_turn};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
-use crate::plan::{Action, Construction, CutLine, Ray, Solution, image_name};
+use crate::plan::{Action, Construction, CutLine, Plan, Ray, Solution, image_name};
 use crate::position::Pose;
 use crate::scene::Figure;
 use crate::words::Wording;
@@ -145,6 +145,18 @@ impl<'a> Scheme<'a> {
         let along = |cut: &&CutLine| cut.line.direction().map(quarter_turn) == Some(ray.direction);
         let cut = special.cuts.iter().find(along)?;
         Some((self.pose.point(cut.start()?), special.place.finite()?))
+    }
+
+    /// The markup by which a point is shown, on the mechanism or within a plan: as the scene renames it, else in the figure's notation.
+    pub(super) fn shown(&self, name: &str, plan: Option<&Plan>) -> String {
+        if let Some(renamed) = self.figure.labels.get(name) {
+            return renamed.clone();
+        }
+        let written = self.names.markup(name);
+        match plan {
+            Some(plan) => plan.shown(name, written, self.words.notation),
+            None => written,
+        }
     }
 
     /// The number of a link among all, by which a style picks its colour; none for the ground and for blocks without name.
