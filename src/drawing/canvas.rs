@@ -21,7 +21,7 @@ pub(super) struct Canvas<'a> {
     obstacles: Obstacles,
     requests: Vec<(Wanted, u16)>,
     frame: Rect,
-    /// How many marks the drawing had before.
+    /// How many marks the drawing has that are not of the content.
     before: usize,
     /// With which step that which is drawn now comes.
     since: u16,
@@ -63,6 +63,16 @@ impl<'a> Canvas<'a> {
             closed: Vec::new(),
             is_overlaid: false,
         }
+    }
+
+    /// The panel with its border.
+    pub(super) fn frame(&self) -> Rect {
+        self.frame
+    }
+
+    /// Lets stand what has been drawn so far: it is not cut off at the panel's edge, and no part of the content.
+    pub(super) fn settle(&mut self) {
+        self.before = self.drawing.marks.len();
     }
 
     /// The panel without its border.
@@ -155,7 +165,7 @@ impl<'a> Canvas<'a> {
         lines + self.obstacles.boxes.iter().filter(touches).count()
     }
 
-    /// What has been drawn so far.
+    /// What has been drawn of the content so far.
     pub(super) fn marks(&self) -> &[Mark] {
         &self.drawing.marks[self.before..]
     }

@@ -8,7 +8,7 @@ use super::stages::numbered;
 use super::view::{Extent, View, on_sheet, towards};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
-use crate::plan::{Action, Part, Plan, PlanKind, PointRole, Relation, coincident_name, image_name};
+use crate::plan::{Action, Kind, Part, Plan, PlanKind, PointRole, Relation, coincident_name, image_name};
 use crate::scene::Figure;
 use kurbo::{Point, Vec2};
 
@@ -16,6 +16,15 @@ use kurbo::{Point, Vec2};
 const SHARED: f64 = 0.35;
 /// How far a ray runs beyond the crossing, in mm.
 const BEYOND: f64 = 5.0;
+
+/// The kind of quantity that a millimetre of a plan stands for; of the scheme, where there is no plan.
+pub(super) fn kind(plan: Option<PlanKind>) -> Kind {
+    match plan {
+        None => Kind::Length,
+        Some(PlanKind::Velocity) => Kind::Velocity,
+        Some(PlanKind::Acceleration) => Kind::Acceleration,
+    }
+}
 
 /// What must find room: all points of the plan.
 pub(super) fn extent(plan: &Plan) -> Extent {

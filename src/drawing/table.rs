@@ -2,8 +2,7 @@
 
 use super::canvas::CAPTION;
 use super::layout::Aside;
-use super::legend;
-use super::shape::Shape;
+use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Emphasis, Mark, Pen};
 use super::text::{PlacedText, RichText};
 use kurbo::{Point, Rect};
@@ -149,7 +148,7 @@ impl<const N: usize> Table<N> {
 
     /// Draws the table in its area. Where the foot's lower left corner is.
     pub(super) fn draw(&self, drawing: &mut Drawing, area: Rect, rows: &[Cells<N>]) -> Point {
-        drawing.draw(Pen::Frame, Shape::Polygon(legend::corners(area)));
+        drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
         let Grid { columns, depth, last, small } = self.grid(area);
         let pitch = area.width() / columns as f64;
         let mut left = rows;
@@ -192,7 +191,7 @@ impl<const N: usize> Table<N> {
             if row.is_some_and(|row| row.boxes[cell]) {
                 let [above, below] = BOX.map(|y| y * small);
                 let area = Rect::new(x, from.y - above, x + width, from.y + below);
-                drawing.add(Mark { id: id.clone(), ..Mark::new(Pen::Frame, Shape::Polygon(legend::corners(area))) });
+                drawing.add(Mark { id: id.clone(), ..Mark::new(Pen::Frame, Shape::Polygon(corners(area))) });
             }
             x += width + GUTTER * small;
             if text.is_empty() {

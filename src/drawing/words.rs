@@ -1,8 +1,11 @@
 //! What is said of each step below the panels: what to do, the equation, what comes out.
 
 use super::canvas::CAPTION;
+use super::item::Item;
 use super::layout::Layout;
 use super::legend::short;
+use super::lines::PAD;
+use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
@@ -10,11 +13,10 @@ use super::stages::numbered;
 use super::text::{PlacedText, RichText};
 use crate::geometry::{Vector, degrees_of};
 use crate::plan::{Action, Equation, Kind, Known, NamedPart, Plan, PlanKind, Relation, Step, rate_symbol};
-use crate::scene::{Panel, Units};
 use kurbo::{Point, Rect};
 
 /// Room that the words need below the scales, in mm.
-pub(super) const HEIGHT: f64 = 30.0;
+const HEIGHT: f64 = 30.0;
 
 /// Size of the words.
 const SIZE: f64 = 1.05 * CAPTION;
@@ -31,25 +33,33 @@ const LAST: f64 = 27.0;
 const UNDER: f64 = 1.9;
 const BELOW: f64 = 7.4;
 
-/// Writes the words of every step, each to be seen in its own step.
-pub(super) fn draw(drawing: &mut Drawing, layout: &Layout, units: Units, scheme: &Scheme<'_>) {
-    let area = layout.legend;
-    let line = |y: f64| Shape::Line(Point::new(area.x0, y), Point::new(area.x1, y));
-    drawing.draw(Pen::Frame, line(area.y0 + layout.scales));
-    let area = Rect::new(area.x0 + 4.0, area.y0 + layout.scales, area.x1 - 4.0, area.y1);
-    let steps: Vec<_> = numbered(scheme.construction).collect();
-    let count = steps.len();
-    for (number, plan, step) in steps {
-        let mut page = Page { drawing, layout, units, scheme, area, number };
-        page.caption(step, plan, count);
-        page.details(step, plan);
+/// The words of every step, each to be seen in its own step.
+pub(super) struct StepWords<'a>(pub &'a Scheme<'a>);
+
+impl Item for StepWords<'_> {
+    fn height(&self) -> f64 {
+        HEIGHT
+    }
+
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let scheme = self.0;
+        let area = layout.below();
+        drawing.draw(Pen::Frame, Shape::Line(area.origin(), Point::new(area.x1, area.y0)));
+        let area = Rect { x0: area.x0 + PAD, x1: area.x1 - PAD, ..area };
+        let steps: Vec<_> = numbered(scheme.construction).collect();
+        let count = steps.len();
+        for (number, plan, step) in steps {
+            let mut writer = Writer { drawing, layout, scheme, area, number };
+            writer.caption(step, plan, count);
+            writer.details(step, plan);
+        }
     }
 }
 
-struct Page<'a> {
+/// Writes the words of a step.
+struct Writer<'a> {
     drawing: &'a mut Drawing,
     layout: &'a Layout,
-    units: Units,
     scheme: &'a Scheme<'a>,
     /// Where words go.
     area: Rect,
@@ -63,7 +73,7 @@ enum Piece {
     Math(String),
 }
 
-impl Page<'_> {
+impl Writer<'_> {
     fn put(&mut self, pen: Pen, shape: Shape) {
         self.drawing.marks.push(Mark { since: self.number, passing: true, ..Mark::new(pen, shape) });
     }
@@ -193,7 +203,7 @@ impl Page<'_> {
             Some("v_r") => Kind::Velocity,
             _ => Kind::Acceleration,
         };
-        (rate_symbol(name), kind.unit(self.units))
+        (rate_symbol(name), kind.unit(self.scheme.scene.units))
     }
 
     /// Writes an equation, with lines under what is known: two under whole vectors, one under directions; below them what they are
@@ -254,17 +264,12 @@ impl Page<'_> {
 
     /// A size of a plan, or of the mechanism, with its length on paper.
     fn size(&self, value: f64, kind: Option<PlanKind>) -> String {
-        let (panel, unit) = match kind {
-            None => (Panel::Scheme, Kind::Length),
-            Some(PlanKind::Velocity) => (Panel::Velocity, Kind::Velocity),
-            Some(PlanKind::Acceleration) => (Panel::Acceleration, Kind::Acceleration),
-        };
-        let unit = unit.unit(self.units);
-        let placed = self.layout.panels.iter().find(|p| p.panel == panel);
+        let kind = plan_panel::kind(kind);
+        let unit = kind.unit(self.scheme.scene.units);
         let words = &self.scheme.words;
-        let on_paper = placed.map(|p| {
-            let mm = words.number(format!("{:.2}", value / p.mu));
-            format!(" ({mm} mm × {})", short(words, p.mu))
+        let on_paper = self.layout.mu(kind).map(|mu| {
+            let mm = words.number(format!("{:.2}", value / mu));
+            format!(" ({mm} mm × {})", short(words, mu))
         });
         let value = self.significant(value);
         format!("{value} {unit}{}", on_paper.unwrap_or_default())

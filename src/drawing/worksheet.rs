@@ -2,18 +2,19 @@
 //! and a ruler that shows whether it was printed at 100 %.
 
 use super::canvas::CAPTION;
-use super::layout::{Aside, Placed};
-use super::plan_panel::is_hidden;
+use super::item::Item;
+use super::layout::{Aside, Layout};
+use super::legend::symbol;
+use super::panel::Panel;
+use super::plan_panel::{self, is_hidden};
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::stages::numbered;
 use super::table::{Cells, Table};
 use super::text::{PlacedText, RichText};
-use super::view::Extent;
 use super::words::significant;
-use crate::plan::{Action, Kind, Plan, PlanKind};
-use crate::scene::{Panel, Units};
+use crate::plan::{Action, Kind, Plan};
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 
@@ -28,7 +29,7 @@ const RULER_ROWS: usize = 3;
 pub(super) struct Worksheet {
     pub(super) table: Table<CELLS>,
     pub(super) rows: Vec<Row>,
-    pub(super) ruler: &'static str,
+    pub(super) words: Wording,
     /// Whether millimetres and values are left to be filled in.
     pub(super) is_blank: bool,
 }
@@ -40,55 +41,52 @@ pub(super) const CELLS: usize = 5;
 pub(super) struct Row {
     /// The step that measures it.
     pub(super) step: u16,
-    pub(super) panel: Panel,
     pub(super) value: f64,
     pub(super) name: RichText,
-    pub(super) scale: &'static str,
+    /// The kind of quantity in whose scale it has a length on paper.
+    pub(super) scale: Option<Kind>,
     pub(super) written: RichText,
     pub(super) unit: RichText,
 }
 
 impl Worksheet {
-    /// The table for the panels of a figure on a page of this size.
-    pub(super) fn new(scheme: &Scheme<'_>, units: Units, extents: &[(Panel, Extent)], page: [f64; 2]) -> Self {
-        let language = scheme.words.language;
-        let rows: Vec<Row> =
-            rows(scheme, units).filter(|row| extents.iter().any(|(panel, _)| *panel == row.panel)).collect();
-        let mut table = table(language.segment, language.value, rows.len());
-        let figure = scheme.figure;
-        // No panel is larger than the page, so its scale is at least this one.
-        let least = |panel: Panel| {
-            let given = figure.mu(panel);
-            let extent = extents.iter().find(|(p, _)| *p == panel);
-            let size = extent.map_or(nalgebra::zero(), |(_, extent)| extent.size());
-            given.unwrap_or((size.x / page[0]).max(size.y / page[1]))
-        };
+    /// The table for the panels of a figure.
+    pub(super) fn new(scheme: &Scheme<'_>, panels: &[Panel<'_>]) -> Self {
+        let (words, page) = (scheme.words, scheme.figure.page.size_mm());
+        let needs = |row: &Row| panels.iter().map(|panel| panel.needs).find(|needs| Some(needs.kind) == row.scale);
+        let rows: Vec<Row> = rows(scheme).filter(|row| needs(row).is_some()).collect();
+        let mut table = table(words.language.segment, words.language.value, rows.len());
         for row in &rows {
-            let most = millimetres(&scheme.words, row.value, least(row.panel));
-            table.widen([&row.name, &most, &symbol(row.scale), &row.written, &row.unit]);
+            // No panel is larger than the page, so its scale is at least this one.
+            let least = needs(row).map_or(0.0, |needs| {
+                let size = needs.extent.size();
+                needs.mu.unwrap_or((size.x / page[0]).max(size.y / page[1]))
+            });
+            let most = millimetres(&words, row.value, least);
+            table.widen([&row.name, &most, &row.symbol(), &row.written, &row.unit]);
         }
-        Self { table, rows, ruler: language.ruler, is_blank: false }
+        Self { table, rows, words, is_blank: false }
     }
+}
 
-    /// The parts of a room that it may take.
-    pub(super) fn asides(&self, room: Rect) -> Vec<Aside> {
+impl Item for Worksheet {
+    fn asides(&self, room: Rect) -> Vec<Aside> {
         self.table.asides(room)
     }
 
-    /// Draws the table in its area, beside these panels.
-    pub(super) fn draw(&self, drawing: &mut Drawing, area: Rect, panels: &[Placed], words: &Wording) {
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let Some(area) = layout.aside else { return };
         let cells = self.rows.iter().zip(1..).map(|(row, number)| {
-            let mu = panels.iter().find(|p| p.panel == row.panel).map(|p| p.mu);
+            let mu = row.scale.and_then(|kind| layout.mu(kind));
             let mm = match (self.is_blank, mu) {
                 (true, _) => RichText::plain(""),
                 (false, None) => RichText::plain("–"),
-                (false, Some(mu)) => millimetres(words, row.value, mu),
+                (false, Some(mu)) => millimetres(&self.words, row.value, mu),
             };
-            // What has no scale has no millimetres.
-            let boxes = [false, !row.scale.is_empty(), false, true, false];
+            let boxes = [false, row.scale.is_some(), false, true, false];
             let kind = if self.is_blank { "box" } else { "measured" };
             Cells {
-                texts: [row.name.clone(), mm, symbol(row.scale), row.written.clone(), row.unit.clone()],
+                texts: [row.name.clone(), mm, row.symbol(), row.written.clone(), row.unit.clone()],
                 id: Some(format!("{kind}-{number}")),
                 since: row.step,
                 stands_out: false,
@@ -97,7 +95,7 @@ impl Worksheet {
         });
         let cells: Vec<Cells<CELLS>> = cells.collect();
         let foot = self.table.draw(drawing, area, &cells);
-        ruler(drawing, foot + Vec2::new(2.0, -RULER_ROOM[1]), self.ruler);
+        ruler(drawing, foot + Vec2::new(2.0, -RULER_ROOM[1]), self.words.language.ruler);
     }
 }
 
@@ -114,8 +112,11 @@ pub(super) fn table(name: &str, value: &str, rows: usize) -> Table<CELLS> {
     }
 }
 
-pub(super) fn symbol(scale: &str) -> RichText {
-    RichText::math(scale)
+impl Row {
+    /// The symbol of its scale.
+    pub(super) fn symbol(&self) -> RichText {
+        RichText::math(self.scale.map_or("", symbol))
+    }
 }
 
 /// A value in millimetres of paper at a scale.
@@ -125,7 +126,7 @@ fn millimetres(words: &Wording, value: f64, mu: f64) -> RichText {
 }
 
 /// What is measured, and visible, in the order of the construction.
-fn rows<'a>(scheme: &'a Scheme<'_>, units: Units) -> impl Iterator<Item = Row> + 'a {
+fn rows<'a>(scheme: &'a Scheme<'_>) -> impl Iterator<Item = Row> + 'a {
     let figure = scheme.figure;
     let hidden = move |plan: Option<&Plan>, name: &str| match plan {
         Some(plan) => is_hidden(figure, plan, name),
@@ -139,21 +140,16 @@ fn rows<'a>(scheme: &'a Scheme<'_>, units: Units) -> impl Iterator<Item = Row> +
         if hidden(plan, from) || hidden(plan, to) {
             return None;
         }
-        let (panel, kind, scale) = match plan.map(|plan| plan.kind) {
-            None => (Panel::Scheme, Kind::Length, "μ_l"),
-            Some(own @ PlanKind::Velocity) => (Panel::Velocity, Kind::Velocity, own.scale_name()),
-            Some(own) => (Panel::Acceleration, Kind::Acceleration, own.scale_name()),
-        };
+        let kind = plan_panel::kind(plan.map(|plan| plan.kind));
         let name = |name: &str| scheme.shown(name, plan);
         let written = scheme.words.number(significant(value));
         Some(Row {
             step,
-            panel,
             value,
             name: RichText::math(&format!("{} {}", name(from), name(to))),
-            scale,
+            scale: Some(kind),
             written: RichText::plain(&written),
-            unit: RichText::plain(&kind.unit(units)),
+            unit: RichText::plain(&kind.unit(scheme.scene.units)),
         })
     };
     let steps = numbered(scheme.construction);

@@ -7,8 +7,8 @@ use crate::cycle::{Curves, Happening, Hodograph, Hodographs};
 use crate::drawing::canvas::{CAPTION, Canvas, LABEL, Wanted};
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::layout::{HEADING, MARGIN, TITLE};
-use crate::drawing::legend::{Entry, corners};
-use crate::drawing::shape::Shape;
+use crate::drawing::legend::Entry;
+use crate::drawing::shape::{Shape, corners};
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::style::Style;
 use crate::drawing::text::RichText;
@@ -107,12 +107,7 @@ fn frames(sheet: &Sheet, whole: Rect, all: &[Hodograph]) -> Vec<Rect> {
 
 /// The scale of a panel, with its bar.
 fn scale(sheet: &Sheet, one: &Hodograph, mu: f64) -> Entry {
-    let symbol = match one.asked.kind() {
-        Kind::Acceleration => "μ_a",
-        _ => "μ_v",
-    };
-    let unit = one.asked.kind().unit(sheet.scene.units);
-    Entry::new(symbol, &unit, mu, &sheet.words)
+    Entry::new(one.asked.kind(), mu, &sheet.words, sheet.scene.units)
 }
 
 /// Where the way goes in a panel.

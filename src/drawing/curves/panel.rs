@@ -5,8 +5,8 @@ use super::{BESIDE, Sheet, words};
 use crate::cycle::Curve;
 use crate::drawing::canvas::{CAPTION, Canvas, LABEL, Wanted};
 use crate::drawing::labels::LabelRequest;
-use crate::drawing::legend::corners;
-use crate::drawing::shape::Shape;
+
+use crate::drawing::shape::{Shape, corners};
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{PlacedText, RichText};
 use crate::plan::Kind;

@@ -9,25 +9,23 @@ mod sliders;
 mod special;
 
 use super::canvas::Canvas;
-use super::legend;
 use super::names::Names;
 use super::stages::{Stages, numbered};
-use super::text::RichText;
 use super::view::{Extent, View};
 use crate::geometry::{self, quarter_turn};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
 use crate::plan::{Action, Construction, CutLine, Plan, Ray, Solution, image_name};
 use crate::position::Pose;
-use crate::scene::Figure;
+use crate::scene::{Figure, Panel as PanelName, Scene};
 use crate::words::Wording;
 use kurbo::Point;
-use std::cell::OnceCell;
 
 /// Radius of a joint's circle in mm.
 const JOINT: f64 = 1.15;
 
 /// What the scheme shows.
 pub(super) struct Scheme<'a> {
+    pub scene: &'a Scene,
     pub figure: &'a Figure,
     pub mechanism: &'a Mechanism,
     pub pose: &'a Pose,
@@ -37,8 +35,6 @@ pub(super) struct Scheme<'a> {
     /// Whether crowded places of plans are shown larger beside them; in motion such circles would come and go.
     pub insets: bool,
     pub words: Wording,
-    /// How the construction and the loop equations agree, in lines; once somebody has asked.
-    pub agreement: OnceCell<Vec<RichText>>,
 }
 
 impl<'a> Scheme<'a> {
@@ -46,6 +42,7 @@ impl<'a> Scheme<'a> {
     pub(super) fn new(solution: &'a Solution) -> Self {
         let Solution { scene, mechanism, pose, construction, .. } = solution;
         Self {
+            scene,
             figure: &scene.figure,
             mechanism,
             pose,
@@ -54,16 +51,7 @@ impl<'a> Scheme<'a> {
             stages: Stages::new(construction),
             insets: true,
             words: solution.wording(),
-            agreement: OnceCell::new(),
         }
-    }
-
-    /// How the construction and the loop equations agree, in lines for the figure's page.
-    pub(super) fn agreement(&self) -> &[RichText] {
-        self.agreement.get_or_init(|| {
-            let [width, _] = self.figure.page.size_mm();
-            legend::agreement(&self.words, self.construction, width)
-        })
     }
 
     /// What must find room: all points, and the special points that are not too far away.
@@ -156,6 +144,15 @@ impl<'a> Scheme<'a> {
         match plan {
             Some(plan) => plan.shown(name, written, self.words.notation),
             None => written,
+        }
+    }
+
+    /// The plan that a panel shows; none for the scheme.
+    pub(super) fn plan(&self, panel: PanelName) -> Option<&Plan> {
+        match panel {
+            PanelName::Scheme => None,
+            PanelName::Velocity => Some(&self.construction.velocity),
+            PanelName::Acceleration => self.construction.acceleration.as_ref(),
         }
     }
 
