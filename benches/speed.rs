@@ -2,13 +2,13 @@
 
 use divan::{Bencher, black_box};
 use kinegon::check::{AnswerKey, Measured, check};
+use kinegon::construction::{SheetScales, Tolerance, construct};
 use kinegon::cycle::{Drive, Path, Steps, Sweep, Walker};
-use kinegon::drafting::{SheetScales, Tolerance, drafting, pencil, readable_names};
 use kinegon::geometry::{MANY, Many};
 use kinegon::mechanism::Mechanism;
 use kinegon::motion::{Order, motion};
-use kinegon::plan::{Asked, construction};
 use kinegon::position::{Pose, pose};
+use kinegon::quantity::{Asked, pencil, read_by_hand, readable_names};
 use kinegon::scene::Scene;
 use kinegon::{Solution, solve};
 
@@ -165,16 +165,16 @@ fn motion_with_bounds(bencher: Bencher) {
 #[divan::bench]
 fn plans(bencher: Bencher) {
     let Solution { mechanism, pose, motion, .. } = solved(FIGURE_2);
-    bencher.bench(|| construction(&mechanism, black_box(&pose), &motion));
+    bencher.bench(|| construct(&mechanism, black_box(&pose), &motion));
 }
 
-/// The whole construction once more, act by act.
+/// The whole construction once more, operation by operation.
 #[divan::bench]
 fn replay_by_hand(bencher: Bencher) {
-    let drafting = drafting(&solved(FIGURE_2));
+    let (drawn, _) = read_by_hand(&solved(FIGURE_2), &[]);
     let scales = SheetScales { per_mm: [5.0, 1.0, 2.0] };
-    let mut values = drafting.replay(scales, &[]);
-    bencher.bench_local(|| drafting.replay_from(0, black_box(&mut values), scales, &[]));
+    let mut values = drawn.run(scales, &[]);
+    bencher.bench_local(|| black_box(&mut values).carry_out(&drawn.operations, 0, scales, &[]));
 }
 
 /// The bands of all quantities of a result.
@@ -253,7 +253,6 @@ fn check_a_drawing(bencher: Bencher, depth: usize) {
     let solution = solved(FIGURE_2);
     let values = include_str!("../examples/paper-as-student.json");
     let measured = Measured::read_json(values).expect("a good form");
-    let key =
-        AnswerKey { solution: &solution, scales: solution.scales(), tolerance: Tolerance::default(), depth };
+    let key = AnswerKey { solution: &solution, scales: solution.scales(), tolerance: Tolerance::default(), depth };
     bencher.bench(|| check(black_box(&measured), &key));
 }

@@ -1,20 +1,15 @@
 //! Draws every starting scene of `kinegon new` and every kind of picture, and writes docs/gallery.md with the pictures in docs/gallery.
 //! Run with `cargo run --release --example gallery`.
 
+use kinegon::Solution;
+use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch};
+use kinegon::drawing::{Drawing, curves, hodographs};
+use kinegon::format::structure;
+use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Scene, StyleName};
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
-
-use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch};
-use kinegon::drawing::{Drawing, curves, figure, hodographs, stepwise};
-use kinegon::format::{structure, svg};
-use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{Order, motion};
-use kinegon::plan::{Construction, construction_in};
-use kinegon::position::{Pose, pose};
-use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Scene, StyleName};
-use kinegon::words::Wording;
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
 const KINDS: [(&str, &str, &str); 19] = [
@@ -170,56 +165,32 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 9] = [
     ),
 ];
 
-/// A scene of the repository after all stages before drawing.
-struct Work {
-    scene: Scene,
-    mechanism: Mechanism,
-    pose: Pose,
-    construction: Construction,
+/// The scene of a file, with what is asked of its figure, solved.
+fn solution(path: &str, asked: impl Fn(&mut Figure)) -> Result<Solution, Box<dyn Error>> {
+    let mut scene = Scene::read(&fs::read_to_string(root().join(path))?)?;
+    asked(&mut scene.figure);
+    Ok(kinegon::solve(&scene)?)
 }
 
-impl Work {
-    /// The scene of a file, with what is asked of its figure.
-    fn of(path: &str, asked: impl Fn(&mut Figure)) -> Result<Work, Box<dyn Error>> {
-        let mut scene = Scene::read(&fs::read_to_string(root().join(path))?)?;
-        asked(&mut scene.figure);
-        let mechanism = mechanism(&scene)?;
-        let pose = pose(&mechanism, &scene.near)?;
-        let motion = motion(&mechanism, &pose, Order::Acceleration)?;
-        let words = Wording::of(&scene.figure);
-        let construction = construction_in(&mechanism, &pose, &motion, &words);
-        Ok(Work { scene, mechanism, pose, construction })
-    }
+/// The branch of the scene's own position over a whole turn from 0°, as `kinegon curves` follows it.
+fn turned(solution: &Solution) -> Result<Branch<'_>, Box<dyn Error>> {
+    let drive = Drive::new(&solution.mechanism, None)?;
+    let mut branch = Branch::new(&solution.mechanism, &solution.pose, drive)?;
+    branch.cover(None, None)?;
+    branch.follow_to(0.0);
+    Ok(branch)
+}
 
-    fn figure(&self) -> Drawing {
-        figure(&self.scene, &self.mechanism, &self.pose, &self.construction)
-    }
+fn curves_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
+    let branch = turned(solution)?;
+    let sampled = Curves::new(&branch, [0.0, 360.0], Some(&owned(names)))?;
+    Ok(curves(&solution.scene, &sampled)?)
+}
 
-    fn step(&self, number: usize) -> Drawing {
-        let (scene, mechanism) = (&self.scene, &self.mechanism);
-        stepwise(scene, mechanism, &self.pose, &self.construction).after_step(number)
-    }
-
-    /// The branch of the scene's own position over a whole turn from 0°, as `kinegon curves` follows it.
-    fn turned(&self) -> Result<Branch<'_>, Box<dyn Error>> {
-        let drive = Drive::new(&self.mechanism, None)?;
-        let mut branch = Branch::new(&self.mechanism, &self.pose, drive)?;
-        branch.cover(None, None)?;
-        branch.follow_to(0.0);
-        Ok(branch)
-    }
-
-    fn curves(&self, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
-        let (branch, names) = (self.turned()?, owned(names));
-        let sampled = Curves::new(&branch, [0.0, 360.0], Some(&names))?;
-        Ok(curves(&self.scene, &sampled)?)
-    }
-
-    fn hodographs(&self, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
-        let (branch, names) = (self.turned()?, owned(names));
-        let sampled = Hodographs::new(&branch, [0.0, 360.0], &names)?;
-        Ok(hodographs(&self.scene, &sampled)?)
-    }
+fn hodographs_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
+    let branch = turned(solution)?;
+    let sampled = Hodographs::new(&branch, [0.0, 360.0], &owned(names))?;
+    Ok(hodographs(&solution.scene, &sampled)?)
 }
 
 fn owned(names: &[&str]) -> Vec<String> {
@@ -242,10 +213,10 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
     );
     let mut pictures = Vec::new();
     for (kind, path, teaches) in KINDS {
-        let work = Work::of(path, |_| ())?;
-        let drawing = work.figure();
-        let title = work.scene.title.as_deref().unwrap_or(kind);
-        let structure = structure(&work.mechanism);
+        let solution = solution(path, |_| ())?;
+        let drawing = solution.figure();
+        let title = solution.scene.title.as_deref().unwrap_or(kind);
+        let structure = structure(&solution.mechanism);
         let formula = structure.lines().next().unwrap_or_default();
         let _ = write!(
             page,
@@ -257,10 +228,10 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
     page.push_str("\n## Kinds of pictures\n");
     for (name, path, command, purpose, kind) in PICTURES {
         let drawing = match kind {
-            Kind::Figure(asked) => Work::of(path, asked)?.figure(),
-            Kind::Step(number) => Work::of(path, |_| ())?.step(number),
-            Kind::Curves(names) => Work::of(path, |_| ())?.curves(names)?,
-            Kind::Hodographs(names) => Work::of(path, |_| ())?.hodographs(names)?,
+            Kind::Figure(asked) => solution(path, asked)?.figure(),
+            Kind::Step(number) => solution(path, |_| ())?.stepwise_figure().after_step(number),
+            Kind::Curves(names) => curves_of(&solution(path, |_| ())?, names)?,
+            Kind::Hodographs(names) => hodographs_of(&solution(path, |_| ())?, names)?,
         };
         let _ = write!(page, "\n{purpose}\n\n`kinegon {command}`\n\n![{}](gallery/{name}.svg)\n", drawing.description);
         pictures.push((format!("docs/gallery/{name}.svg"), drawing.svg()));

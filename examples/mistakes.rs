@@ -6,15 +6,11 @@
 //! lengths to 0.1 mm of paper, rates to four digits. A mistake that moves no value beyond its tolerance is none that anybody
 //! could find, and one that throws a point off a sheet of 594 mm is seen at once; both are drawn again elsewhere.
 
-use kinegon::check::{Candidate, Drawn, Explanation, Given, Measured, Mistake, Student, Verdict, check};
-use kinegon::drafting::Tolerance;
-use kinegon::drawing::scales;
+use kinegon::Solution;
+use kinegon::check::{AnswerKey, Candidate, Explanation, Given, Measured, Mistake, Student, Verdict, check};
+use kinegon::construction::Tolerance;
 use kinegon::exercise::{Number, each_number};
 use kinegon::geometry::Random;
-use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{Motion, Order, motion};
-use kinegon::plan::{Construction, construction};
-use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -37,59 +33,33 @@ const SCENES: [&str; 14] = [
     include_str!("figure-2.json"),
 ];
 
-/// A random scene with all that is known of it.
-pub struct Sheet {
-    scene: Scene,
-    mechanism: Mechanism,
-    pose: Pose,
-    motion: Motion,
-    construction: Construction,
+/// A random scene that can be drawn.
+pub fn random_scene(random: &mut Random) -> Solution {
+    loop {
+        let text = SCENES[random.below(SCENES.len())];
+        let mut scene: Value = serde_json::from_str(text).unwrap_or_default();
+        vary(&mut scene, random);
+        if let Some(solution) = drawable(&scene.to_string()) {
+            return solution;
+        }
+    }
 }
 
-impl Sheet {
-    /// One that can be drawn.
-    pub fn random(random: &mut Random) -> Sheet {
-        loop {
-            let text = SCENES[random.below(SCENES.len())];
-            let mut scene: Value = serde_json::from_str(text).unwrap_or_default();
-            vary(&mut scene, random);
-            if let Some(sheet) = Sheet::read(&scene.to_string()) {
-                return sheet;
-            }
-        }
-    }
+/// The scene solved, where its plans have a construction without rays that hardly cross: those are no exercise.
+fn drawable(text: &str) -> Option<Solution> {
+    let solution = kinegon::solve(&Scene::read(text).ok()?).ok()?;
+    let construction = &solution.construction;
+    let is_drawn = construction.agreement.iter().all(Option::is_some);
+    let sines = construction.plans().flat_map(|plan| &plan.steps).filter_map(|step| match step.action {
+        kinegon::construction::Action::Cross { sine, .. } => Some(sine.abs()),
+        _ => None,
+    });
+    let is_good = sines.fold(1.0, f64::min) > 0.3;
+    (is_drawn && is_good).then_some(solution)
+}
 
-    fn read(text: &str) -> Option<Sheet> {
-        let scene = Scene::read(text).ok()?;
-        let mechanism = mechanism(&scene).ok()?;
-        let pose = pose(&mechanism, &scene.near).ok()?;
-        let motion = motion(&mechanism, &pose, Order::Acceleration).ok()?;
-        let construction = construction(&mechanism, &pose, &motion);
-        let is_drawn = construction.agreement.iter().all(Option::is_some);
-        // Rays that hardly cross are no exercise.
-        let sines = construction.plans().flat_map(|plan| &plan.steps);
-        let sines = sines.filter_map(|step| match step.action {
-            kinegon::plan::Action::Cross { sine, .. } => Some(sine.abs()),
-            _ => None,
-        });
-        let is_good = sines.fold(1.0, f64::min) > 0.3;
-        (is_drawn && is_good).then_some(Sheet { scene, mechanism, pose, motion, construction })
-    }
-
-    pub fn drawn(&self, depth: usize) -> Drawn<'_> {
-        let Sheet { scene, mechanism, pose, motion, construction } = self;
-        Drawn {
-            units: scene.units,
-            near: &scene.near,
-            mechanism,
-            pose,
-            motion,
-            construction,
-            scales: scales(scene, mechanism, pose, construction),
-            tolerance: Tolerance::default(),
-            depth,
-        }
-    }
+pub fn answer_key(solution: &Solution, depth: usize) -> AnswerKey<'_> {
+    AnswerKey { solution, scales: solution.scales(), tolerance: Tolerance::default(), depth }
 }
 
 /// Varies lengths, places and motions by up to an eighth, drives by up to 20°.
@@ -289,15 +259,15 @@ pub fn row(mistake: Mistake, count: usize, hand: [f64; 2], seed: u64) -> Row {
     let mut tries = 0;
     while row.planted < count && tries < 60 * count {
         tries += 1;
-        let sheet = Sheet::random(&mut random);
-        let drawn = sheet.drawn(1);
-        let Ok(student) = Student::new(&drawn) else {
+        let solution = random_scene(&mut random);
+        let key = answer_key(&solution, 1);
+        let Ok(student) = Student::new(&key) else {
             continue;
         };
         let Some(planted) = plant(&student, mistake, hand, &mut random) else {
             continue;
         };
-        let Ok(checked) = check(&planted.measured, &drawn) else {
+        let Ok(checked) = check(&planted.measured, &key) else {
             continue;
         };
         // Cutting off in place of rounding moves no value beyond its tolerance.
@@ -331,13 +301,13 @@ pub fn clean(count: usize, hand: [f64; 2], seed: u64) -> [usize; 2] {
     let mut random = Random(seed);
     let mut alarms = [0; 2];
     for _ in 0..count {
-        let sheet = Sheet::random(&mut random);
-        let drawn = sheet.drawn(1);
-        let Ok(student) = Student::new(&drawn) else {
+        let solution = random_scene(&mut random);
+        let key = answer_key(&solution, 1);
+        let Ok(student) = Student::new(&key) else {
             continue;
         };
         let measured = student.draw(&[], hand, &mut || random.within(), &[]);
-        if let Ok(checked) = check(&measured, &drawn) {
+        if let Ok(checked) = check(&measured, &key) {
             alarms[0] += usize::from(!checked.is_passed());
             alarms[1] += usize::from(!checked.diagnosis.best.findings.is_empty());
         }
@@ -355,9 +325,9 @@ pub fn pairs(count: usize, hand: [f64; 2], seed: u64) -> [usize; 3] {
     let mut tries = 0;
     while found[0] < count && tries < 60 * count {
         tries += 1;
-        let sheet = Sheet::random(&mut random);
-        let drawn = sheet.drawn(2);
-        let Ok(student) = Student::new(&drawn) else {
+        let solution = random_scene(&mut random);
+        let key = answer_key(&solution, 2);
+        let Ok(student) = Student::new(&key) else {
             continue;
         };
         let chosen = [0, 1].map(|_| kinds[random.below(kinds.len())]);
@@ -370,7 +340,7 @@ pub fn pairs(count: usize, hand: [f64; 2], seed: u64) -> [usize; 3] {
         // Each by itself must be one that somebody could find.
         let seen = |mistakes: &[&Candidate]| {
             let measured = student.draw(mistakes, [0.0; 2], &mut || 0.0, &[]);
-            let shallow = Drawn { depth: 0, ..drawn };
+            let shallow = AnswerKey { depth: 0, ..key };
             check(&measured, &shallow).is_ok_and(|c| !c.is_passed())
         };
         if both[0].step == both[1].step || !seen(&[&both[0]]) || !seen(&[&both[1]]) {
@@ -380,7 +350,7 @@ pub fn pairs(count: usize, hand: [f64; 2], seed: u64) -> [usize; 3] {
         if !stays_on_paper(&measured) {
             continue;
         }
-        let Ok(checked) = check(&measured, &drawn) else {
+        let Ok(checked) = check(&measured, &key) else {
             continue;
         };
         found[0] += 1;

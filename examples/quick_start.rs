@@ -1,7 +1,7 @@
 //! A four-bar linkage put together in Rust and solved at one crank angle: `cargo run --example quick_start`.
 //! With a path, its figure goes there as SVG: `cargo run --example quick_start four-bar.svg`.
 
-use kinegon::plan::Quantity;
+use kinegon::quantity::Quantity;
 use kinegon::scene::{Builder, LengthUnit, NewLink, TimeUnit, Turn};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

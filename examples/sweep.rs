@@ -1,10 +1,10 @@
 //! A crank-rocker put together in Rust and moved once around: `cargo run --example sweep`.
 //! Prints a table of its rocker, then where the rocker turns back, then one position by name.
 
+use kinegon::Solution;
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
-use kinegon::plan::{Asked, Quantity};
+use kinegon::quantity::{Asked, Quantity};
 use kinegon::scene::{Builder, LengthUnit, NewLink, TimeUnit, Turn};
-use kinegon::{mechanism, position};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Builder::new(LengthUnit::Mm, TimeUnit::S)
@@ -15,8 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .link("3", NewLink::points(["D", "C"]).length("CD", 110.0))
         .near("C", [155.0, 110.0])
         .build()?;
-    let mechanism = mechanism::mechanism(&scene)?;
-    let pose = position::pose(&mechanism, &scene.near)?;
+    let Solution { mechanism, pose, .. } = kinegon::solve(&scene)?;
 
     // The branch of this pose while the crank turns, followed once around.
     let mut path = Path::new(&mechanism, &pose, Drive::new(&mechanism, Some("1"))?)?;

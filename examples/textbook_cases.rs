@@ -3,17 +3,12 @@
 
 mod columns;
 
-use std::error::Error;
-use std::fmt::Write;
-
 use columns::{COLUMNS, wrap};
-use kinegon::format::{self, Solved};
-use kinegon::mechanism::mechanism;
-use kinegon::motion::{Order, motion};
-use kinegon::plan::{Quantity, construction, quantity};
-use kinegon::position::pose;
+use kinegon::quantity::Quantity;
 use kinegon::scene::Scene;
 use serde::Deserialize;
+use std::error::Error;
+use std::fmt::Write;
 
 /// A case with its printed answers.
 #[derive(Clone, Debug)]
@@ -142,18 +137,8 @@ pub fn cases() -> Result<Vec<Case>, Box<dyn Error>> {
 
 fn case((id, scene, expect): (&'static str, &str, &str)) -> Result<Case, Box<dyn Error>> {
     let Expectations { published, source } = serde_json::from_str(expect)?;
-    let scene = Scene::read(scene)?;
-    let mechanism = mechanism(&scene)?;
-    let pose = pose(&mechanism, &scene.near)?;
-    let motion = motion(&mechanism, &pose, Order::Acceleration)?;
-    let construction = construction(&mechanism, &pose, &motion);
-    let result = format::result(Solved {
-        units: scene.units,
-        mechanism: &mechanism,
-        pose: &pose,
-        motion: &motion,
-        construction: &construction,
-    });
+    let solution = kinegon::solve(&Scene::read(scene)?)?;
+    let (result, units) = (solution.result(), solution.scene.units);
     let number = |full: &str| -> Result<f64, Box<dyn Error>> {
         let (name, axis) = match full.rsplit_once('.') {
             Some((name, "x")) => (name, Some(0)),
@@ -167,7 +152,7 @@ fn case((id, scene, expect): (&'static str, &str, &str)) -> Result<Case, Box<dyn
                 return slider.ok_or_else(|| format!("{id}: no {full}").into());
             }
             Some(point) => result.points.get(point).and_then(|p| p.position),
-            None => match quantity(name, &mechanism, &pose, &motion, &construction, None) {
+            None => match solution.quantity(name) {
                 Ok(Quantity::Number(number)) => return Ok(number),
                 Ok(Quantity::Vector(vector)) => Some([vector.x, vector.y]),
                 // The point of a guide under a slider.
@@ -202,7 +187,7 @@ fn case((id, scene, expect): (&'static str, &str, &str)) -> Result<Case, Box<dyn
             Made::Opposite => (-value, format!("−{name}")),
         };
         let unit = match p.unit.as_str() {
-            "" => unit_of(&quantity, scene.units.length.as_str(), scene.units.time.as_str()),
+            "" => unit_of(&quantity, units.length.as_str(), units.time.as_str()),
             unit => unit.replace("^2", "²"),
         };
         Ok(Row { quantity, printed: p.printed, unit, computed, exact: p.exact, verdict: p.verdict, note: p.note })
@@ -287,7 +272,7 @@ pub fn markdown(cases: &[Case]) -> String {
         "# Textbook cases\n\n\
          Printed answers of textbooks, course sheets and reference data beside what Kinegon computes from the same lengths \
          (`tests/worked`).\n\
-         Computed numbers have 12 digits here; `tests/worked.rs` holds all of them to 1e-10 and the verdicts to their words.\n\n\
+         Computed numbers have 12 digits here; `tests/library/worked.rs` holds all of them to 1e-10 and the verdicts to their words.\n\n\
          This page is made by `cargo run --example textbook_cases -- --markdown > docs/textbook-cases.md`.\n",
     );
     for case in cases {

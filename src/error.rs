@@ -2,8 +2,8 @@ use crate::cycle::CycleError;
 use crate::drawing::CurvesError;
 use crate::mechanism::StructureError;
 use crate::motion::MotionError;
-use crate::plan::QuantityError;
 use crate::position::AssemblyError;
+use crate::quantity::QuantityError;
 use crate::scene::SceneError;
 
 /// Why a scene gives no result: the error of the stage that found it.

@@ -8,13 +8,13 @@
 //! let svg = solution.figure().svg();
 //!
 //! let omega = solution.quantity("omega(4)")?;
-//! # let kinegon::plan::Quantity::Number(omega) = omega else { panic!("a number") };
+//! # let kinegon::quantity::Quantity::Number(omega) = omega else { panic!("a number") };
 //! # assert!((omega - -0.474663754894).abs() < 1e-12);
 //! assert!(svg.starts_with("<svg"));
 //! # Ok::<(), kinegon::Error>(())
 //! ```
 //!
-//! A scene goes through one stage after another, each a folder: `scene`, `mechanism`, `position`, `motion`, `plan`. [`solve`] takes it through all of
+//! A scene goes through one stage after another, each a folder: `scene`, `mechanism`, `position`, `motion`, `construction`. [`solve`] takes it through all of
 //! them; a [`Solution`] is what figures, results, steps and checks are made from.
 //!
 //! Conventions: x right, y up, counter-clockwise positive; radians inside, degrees in scenes and results. Lengths and times
@@ -24,8 +24,8 @@ pub mod accuracy;
 pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
+pub mod construction;
 pub mod cycle;
-pub mod drafting;
 pub mod drawing;
 pub mod exercise;
 pub mod format;
@@ -33,14 +33,16 @@ pub mod geometry;
 pub mod kernel;
 pub mod mechanism;
 pub mod motion;
-pub mod plan;
 pub mod position;
+pub mod quantity;
 pub mod scene;
 pub mod words;
 
 mod cores;
 mod error;
+mod solve;
 
+pub use construction::Solution;
 pub use error::Error;
-pub use plan::{Solution, solve};
 pub use scene::Scene;
+pub use solve::solve;

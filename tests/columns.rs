@@ -1,11 +1,10 @@
 //! Tables by columns read back by the forms' own readers: every number to the bit, nulls where a position is singular.
-#![cfg(feature = "arrow")]
 
 use arrow_array::{Array, Float64Array, RecordBatch};
 use arrow_ipc::reader::FileReader;
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
 use kinegon::format::Columns;
-use kinegon::{mechanism, position, scene};
+use kinegon::{Scene, Solution, solve};
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 
 /// A parallelogram: at 0° and 180° its links lie in line and rates are not determined.
@@ -19,9 +18,8 @@ const PARALLELOGRAM: &str = r#"{ "kinegon": 1, "units": { "length": "mm", "time"
 
 /// The table of the parallelogram as (header, rows, batches of both forms).
 fn written() -> (Vec<String>, Vec<Option<f64>>, [Vec<RecordBatch>; 2]) {
-    let scene = scene::Scene::read(PARALLELOGRAM).expect("a scene");
-    let mechanism = mechanism::mechanism(&scene).expect("a mechanism");
-    let pose = position::pose(&mechanism, &scene.near).expect("a pose");
+    let scene = Scene::read(PARALLELOGRAM).expect("a scene");
+    let Solution { mechanism, pose, .. } = solve(&scene).expect("it can be solved");
     let drive = Drive::new(&mechanism, None).expect("a drive");
     let mut path = Path::new(&mechanism, &pose, drive).expect("a path");
     path.cover(Some(100.0), Some(260.0)).expect("a range");

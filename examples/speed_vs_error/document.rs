@@ -1,14 +1,11 @@
 //! The survey in words: a table for the terminal, a page, numbers as JSON.
-#![allow(dead_code)] // not every test uses all of it
 
-use std::fmt::Write;
-
+use super::families::Family;
+use super::hand;
+use super::methods::Method;
+use super::survey::{Survey, median};
 use serde_json::{Value, json};
-
-use crate::families::Family;
-use crate::hand;
-use crate::methods::Method;
-use crate::survey::{Survey, median};
+use std::fmt::Write;
 
 /// The family by whose parameter the page shows how a special point gets lost.
 const SHOWN: Family = Family::Parallel;
@@ -18,7 +15,7 @@ const INTRODUCTION: &str = "\
 # How accurate, how fast
 
 Velocities and accelerations of fourth-class groups with pins, positions given, by several methods, against a reference of 256 bits:
-the equations of all joints in `examples/speed_vs_error/truth.rs`, which `tests/accuracy.rs` holds to the 20 digits of `tests/reference`.
+the equations of all joints in `examples/speed_vs_error/truth.rs`, which `tests/library/accuracy.rs` holds to the 20 digits of `tests/reference`.
 Groups are random, or hard for one reason each: a family of groups with a parameter from 10⁻¹ to 10⁻¹⁵, and to zero where the group stays
 regular (`examples/speed_vs_error/families.rs`). Ten groups for each family and parameter, 150 random ones; the worst
 counts.

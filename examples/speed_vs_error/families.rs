@@ -2,10 +2,9 @@
 //!
 //! Each family has a parameter, from 1e-1 (mild) to 1e-15, of which zero is the end where the group is still regular. The
 //! joint at which something gets small stands at the origin, so that its coordinates hold small numbers too.
-#![allow(dead_code)] // not every test uses all of it
 
-use crate::groups::{Group, Pair, add, times};
-use crate::random::Random;
+use super::groups::{Group, Pair, add, times};
+use super::random::Random;
 
 /// What is hard about a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

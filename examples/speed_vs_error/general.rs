@@ -1,9 +1,8 @@
 //! The joint equations of all links in f64: twelve unknowns, solved by nalgebra.
 
+use super::joints::{Given, JointEquations};
+use super::measure::{Pins, Rates};
 use nalgebra::{SMatrix, SVector};
-
-use crate::joints::{Given, JointEquations};
-use crate::measure::{Pins, Rates};
 
 /// Unknowns of a fourth-class group.
 const SIZE: usize = 12;

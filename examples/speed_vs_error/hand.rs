@@ -1,9 +1,8 @@
 //! A drawing by hand: the paper's procedure with a pencil that misses every point a little.
-#![allow(dead_code)] // not every test uses all of it
 
-use crate::measure::{Pins, Rates};
-use crate::naive::{self, Pencil, Sheet};
-use crate::random::Random;
+use super::measure::{Pins, Rates};
+use super::naive::{self, Pencil, Sheet};
+use super::random::Random;
 
 /// Errors of the pencil in mm: of a fine draughtsman, of a careful student, of a quick one.
 pub const PENCILS: [f64; 3] = [0.1, 0.25, 0.5];

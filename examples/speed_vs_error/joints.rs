@@ -4,9 +4,8 @@
 //! three for each link, two equations for each joint and one for each slider's drive (Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*,
 //! 1989, chapter 3). Accelerations have the same matrix. Nothing here uses the library's loops.
 
-use std::ops::{Add, Mul, Neg, Sub};
-
 use kinegon::mechanism::{BodyId, JointKind, Mechanism, Role};
+use std::ops::{Add, Mul, Neg, Sub};
 
 /// What the equations calculate with: f64 or more digits.
 pub trait Real: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {

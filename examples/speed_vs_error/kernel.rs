@@ -1,8 +1,7 @@
 //! Kinegon's way through a fourth-class group with pins: its loop equations reduced to two, by `geometry::Reduced`, on any number.
 
+use super::measure::{Pins, Rates};
 use kinegon::geometry::{Number, Pair, Reduced};
-
-use crate::measure::{Pins, Rates};
 
 /// Velocities and accelerations. Differences of positions and of input motions are taken in f64, as they are given; all else in
 /// numbers of the kind that `number` makes.

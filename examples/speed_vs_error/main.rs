@@ -4,26 +4,28 @@
 mod document;
 mod families;
 mod general;
-#[path = "../../tests/groups/mod.rs"]
+#[allow(dead_code)] // tests use more of it
+#[path = "../../tests/support/groups.rs"]
 mod groups;
 mod hand;
 mod joints;
 mod kernel;
+#[allow(dead_code)] // tests use more of it
 mod measure;
 mod methods;
 mod naive;
 mod picture;
-#[path = "../../tests/random/mod.rs"]
+#[path = "../../tests/support/random.rs"]
 mod random;
 mod single;
 mod survey;
+#[allow(dead_code)] // tests use more of it
 mod truth;
 
+use kinegon::format;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
-
-use kinegon::format;
 use survey::{Survey, times};
 
 fn main() -> Result<(), Box<dyn Error>> {

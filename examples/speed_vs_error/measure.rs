@@ -1,13 +1,11 @@
 //! A fourth-class group with pins, its true motion, and how far a method's numbers are from it.
-#![allow(dead_code)] // not every test uses all of it
 
+use super::groups::Group;
+use super::truth::{Precise, Truth, error, error_of_pair, rounded, without_rounding};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, Order, motion};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
-
-use crate::groups::Group;
-use crate::truth::{Precise, Truth, error, error_of_pair, rounded, without_rounding};
 
 /// Half the distance from 1 to the next f64.
 pub const U: f64 = f64::EPSILON / 2.0;
@@ -116,7 +114,7 @@ impl Case {
         let body = |name: &str| mechanism.link(name).expect("a link of the group").0;
         let point = |name: &str| mechanism.point(name).expect("a joint of the group").0;
         let pins = Pins {
-            places: crate::groups::JOINTS.map(|joint| points[point(joint)]),
+            places: super::groups::JOINTS.map(|joint| points[point(joint)]),
             velocity: [0, 1].map(|base| group.bases[base].velocity),
             acceleration: [0, 1].map(|base| group.bases[base].acceleration),
             bodies: ["2", "3", "4", "5"].map(body),

@@ -1,15 +1,12 @@
 //! The methods that are compared: velocities and accelerations of a fourth-class group whose position is given.
-#![allow(dead_code)] // not every test uses all of it
 
+use super::general::{self, Solver};
+use super::groups::Group;
+use super::joints::{Given, JointEquations};
+use super::measure::{Case, Rates};
+use super::single::Single;
+use super::{kernel, naive};
 use kinegon::motion::{Order, motion};
-
-use crate::general::{self, Solver};
-use crate::groups::Group;
-use crate::joints::{Given, JointEquations};
-use crate::kernel;
-use crate::measure::{Case, Rates};
-use crate::naive;
-use crate::single::Single;
 
 /// A way to the numbers; by hand is none of them, see `hand`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,8 @@
 //! The source paper's procedure step by step (Quintero et al. 2011, Eqs. 1–30): special points as crossings, rays, measured
 //! segments, four linear equations. With a pencil that errs it is a drawing by hand.
 
+use super::measure::{Pins, Rates};
 use nalgebra::{Matrix4, Vector4};
-
-use crate::measure::{Pins, Rates};
 
 type Vector = [f64; 2];
 

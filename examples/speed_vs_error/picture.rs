@@ -1,12 +1,11 @@
 //! The survey as a picture: error against time, a mark for each method and family.
 
+use super::document::duration;
+use super::families::Family;
+use super::hand;
+use super::methods::Method;
+use super::survey::{Survey, median};
 use kinegon::drawing::{Drawing, Pen, PlacedText, Point, Rect, RichText, Shape};
-
-use crate::document::duration;
-use crate::families::Family;
-use crate::hand;
-use crate::methods::Method;
-use crate::survey::{Survey, median};
 
 /// Size of the sheet in mm: that of a slide, 16 to 9.
 const SHEET: [f64; 2] = [208.0, 117.0];

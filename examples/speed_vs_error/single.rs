@@ -1,8 +1,7 @@
 //! f32 as a number of Kinegon's kernel.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
-
 use kinegon::geometry::Number;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number of 24 bits.
 #[derive(Clone, Copy, Debug)]

@@ -1,14 +1,12 @@
 //! Every method on every family: errors, the same in every run, and times.
-#![allow(dead_code)] // not every test uses all of it
 
+use super::families::Family;
+use super::hand;
+use super::methods::{Method, Prepared};
+use super::random::Random;
+use super::truth::rounded;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-
-use crate::families::Family;
-use crate::hand;
-use crate::methods::{Method, Prepared};
-use crate::random::Random;
-use crate::truth::rounded;
 
 /// Groups for each family and parameter, and random groups.
 const GROUPS: [usize; 2] = [10, 150];

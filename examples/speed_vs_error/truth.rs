@@ -1,13 +1,10 @@
 //! The reference: the joint equations solved with 256 bits.
-#![allow(dead_code)] // not every test uses all of it
 
-use std::cmp::Ordering;
-
+use super::joints::{Given, JointEquations, Real, State, dot, minus};
 use dashu_float::round::mode::HalfEven;
 use dashu_float::{FBig, ops::Abs};
 use kinegon::mechanism::Mechanism;
-
-use crate::joints::{Given, JointEquations, Real, State, dot, minus};
+use std::cmp::Ordering;
 
 /// A number of 256 bits. Of these the joint equations of the hardest groups lose about 110.
 pub type Precise = FBig<HalfEven, 2>;

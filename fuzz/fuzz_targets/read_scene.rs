@@ -4,11 +4,14 @@
 
 #[path = "../mutations.rs"]
 mod mutations;
-#[path = "../../tests/random/mod.rs"]
+#[allow(dead_code)] // not every target uses all of it
+#[path = "../../tests/support/random.rs"]
 mod random;
-#[path = "../../tests/stages/mod.rs"]
+#[allow(dead_code)] // not every target uses all of it
+#[path = "../../tests/support/stages.rs"]
 mod stages;
-#[path = "../../tests/whole_way/mod.rs"]
+#[allow(dead_code)] // not every target uses all of it
+#[path = "../../tests/support/whole_way.rs"]
 mod whole_way;
 
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};

@@ -1,8 +1,8 @@
 use super::group::carry_group;
+use crate::construction::Special;
 use crate::geometry::{Point, UNIT_ROUNDOFF};
 use crate::mechanism::{BodyId, JointId, JointKind, Mechanism, SliderId};
 use crate::motion::{Motion, Order};
-use crate::plan::Special;
 use crate::position::Pose;
 
 /// Bounds of the errors of all rates, velocities and accelerations of a motion, in the scene's units.

@@ -1,6 +1,3 @@
-use crate::drafting::Tolerance;
-use crate::plan::{Scales, Solution};
-
 /// What a student's values are held against: the solved scene, and what may be expected of a hand.
 #[derive(Clone, Copy, Debug)]
 pub struct AnswerKey<'a> {
@@ -13,3 +10,5 @@ pub struct AnswerKey<'a> {
     /// How many mistakes at once are looked for.
     pub depth: usize,
 }
+use crate::construction::{Solution, Tolerance};
+use crate::quantity::Scales;

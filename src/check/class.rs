@@ -263,12 +263,22 @@ impl ClassSummary {
     /// What is told of the class, a line each.
     #[must_use]
     pub fn lines(&self, words: &Wording) -> Vec<String> {
-        let own = words.language.class;
-        let mut lines = vec![(own.counts)(self.files, self.passed, self.off, self.broken)];
-        let understood = self.files - self.broken;
-        let common = self.commonest.iter();
-        lines.extend(common.map(|c| (own.common)(c.count, understood, c.step, &c.done)));
-        lines
+        let language = words.language;
+        let [files, passed, off, broken] = [self.files, self.passed, self.off, self.broken].map(|n| n.to_string());
+        let counts = if self.files == 1 {
+            language.class_counts_one(&files, &passed, &off, &broken)
+        } else {
+            language.class_counts(&files, &passed, &off, &broken)
+        };
+        let understood = (self.files - self.broken).to_string();
+        let common = self.commonest.iter().map(|common| {
+            let count = common.count.to_string();
+            match common.step {
+                0 => language.class_common_whole(&count, &understood, &common.done),
+                step => language.class_common(&count, &understood, &step.to_string(), &common.done),
+            }
+        });
+        [counts].into_iter().chain(common).collect()
     }
 }
 

@@ -3,7 +3,7 @@
 use super::mistakes::Candidate;
 use super::model::{GROUPS, PLOTTED, TOGETHER};
 use super::score::Scorer;
-use crate::drafting::{Change, Values};
+use crate::construction::{Change, Values};
 
 /// How good a hand is, and how it computes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,10 +95,10 @@ impl Scorer<'_> {
         let mut column = vec![0.0; count];
         let deviation = 1.0 / 3.0_f64.sqrt();
         let mut plotted: Vec<Vec<f64>> = Vec::new();
-        for (act, which, limit, group) in model.errors(&self.tolerance) {
+        for (operation, which, limit, group) in model.errors(&self.tolerance) {
             for ((changes, data), base) in variants.iter().zip(&bases) {
                 let change = Change::Error(which, STEP * limit);
-                model.replay_after(&mut scratch, base, act, change, changes);
+                model.replay_after(&mut scratch, base, operation, change, changes);
                 self.read(model, &scratch, data, &mut column);
             }
             for ((own, exact), datum) in column.iter_mut().zip(&exact).zip(&self.data) {
@@ -129,7 +129,7 @@ impl Scorer<'_> {
             (number, if finest.is_finite() { finest } else { 0.0 }, None)
         });
         for (number, rounding, datum) in read.chain(sizes) {
-            let Some(act) = model.makers[number.0].filter(|_| model.used[number.0]) else {
+            let Some(operation) = model.makers[number.0].filter(|_| model.used[number.0]) else {
                 continue;
             };
             if let Some(datum) = datum {
@@ -138,7 +138,7 @@ impl Scorer<'_> {
             let size = rounding * deviation;
             for ((changes, data), base) in variants.iter().zip(&bases) {
                 let change = Change::Written(number, base.number(number) + size);
-                model.replay_after(&mut scratch, base, act, change, changes);
+                model.replay_after(&mut scratch, base, operation, change, changes);
                 self.read(model, &scratch, data, &mut column);
             }
             for (own, exact) in column.iter_mut().zip(&exact) {

@@ -1,5 +1,3 @@
-use crate::drafting::Sheet;
-
 /// A value as it enters the comparison.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Datum {
@@ -92,3 +90,4 @@ impl Datum {
         Without { cost: cost + UNEXPLAINED, widest: libm::exp(cost) }
     }
 }
+use crate::construction::Sheet;

@@ -109,8 +109,8 @@ impl Search<'_> {
         let own = |entry: usize| {
             let reading = model.readings[entry].ok();
             let maker = reading.and_then(|r| model.makers[r.number.0]);
-            let at_it = maker.is_some_and(|m| candidate.puts.iter().any(|(act, _)| *act == m));
-            at_it || candidate.stands.iter().any(|s| s.entry == entry)
+            let at_it = maker.is_some_and(|m| candidate.edits.iter().any(|(operation, _)| *operation == m));
+            at_it || candidate.reinterpreted.iter().any(|s| s.entry == entry)
         };
         let entries = self.scorer.data.iter().map(|d| d.entry);
         entries.filter(|&entry| own(entry)).collect()

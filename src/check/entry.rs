@@ -1,10 +1,9 @@
-use super::order::numbered_steps;
+use super::answer_key::AnswerKey;
 use super::precision::Precision;
 use super::sheet::{CheckError, Given, Measured, Positive};
 use super::unit;
-use super::answer_key::AnswerKey;
-use crate::drafting::Sheet;
-use crate::plan::{Asked, Kind, Quantity, QuantityError, What};
+use crate::construction::Sheet;
+use crate::quantity::{Asked, Quantity, QuantityError, What};
 use indexmap::IndexMap;
 
 /// A written value and what it stands for.
@@ -85,7 +84,7 @@ pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, C
 /// The names of all quantities of the steps, in order, with the numbers of their steps.
 fn order(key: &AnswerKey<'_>) -> IndexMap<String, usize> {
     let mut order = IndexMap::new();
-    for step in numbered_steps(&key.solution.construction) {
+    for step in key.solution.construction.numbered_steps() {
         for name in step.names() {
             order.entry(name).or_insert(step.number);
         }
@@ -138,17 +137,7 @@ impl Reader<'_> {
         };
         let (asked, expected, sheet, step) = self.quantity(name)?;
         let kind = asked.kind();
-        let has_length = matches!(
-            asked.what(),
-            What::Segment { .. }
-                | What::Length(..)
-                | What::Velocity(..)
-                | What::Acceleration(..)
-                | What::Part(..)
-                | What::Coriolis(..)
-                | What::SlidePosition(_)
-                | What::Coordinate(..)
-        ) && kind != Kind::Angle;
+        let has_length = asked.is_length_on_sheet();
         let on_paper =
             marked || (self.measured.in_mm && matches!(asked.what(), What::Segment { .. } | What::Length(..)));
         let scales = self.scales();
@@ -164,7 +153,11 @@ impl Reader<'_> {
             own.ok_or_else(|| {
                 CheckError::new(
                     format!("`{name}` is in millimetres of paper, but your scale {mu} is missing"),
-                    format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(self.key.solution.scene.units), sheet.name()),
+                    format!(
+                        "add {mu}: how many {} are 1 mm of your {}",
+                        kind.unit(self.key.solution.scene.units),
+                        sheet.name()
+                    ),
                 )
             })?
         } else {
@@ -182,21 +175,17 @@ impl Reader<'_> {
             Some(unit) => unit::factor(unit, kind, self.key.solution.scene.units)?,
             None => 1.0 * factor_without_unit,
         };
-        let turns = matches!(asked.what(), What::Omega(_) | What::Alpha(_) | What::Angle(_)) || kind == Kind::Angle;
+        let turns = asked.turns();
         let flips = turns && self.measured.positive == Some(Positive::Clockwise);
         let factor = if flips { -factor } else { factor };
         let signed = given.text.starts_with(['-', '+']);
-        let has_sense = matches!(
-            asked.what(),
-            What::Omega(_) | What::Alpha(_) | What::SlideVelocity(_) | What::SlideAcceleration(_)
-        );
         let precision = Precision::of(core::iter::once(given.text.as_str()));
         Ok(Entry {
             text: given.text.clone(),
             value: number * factor,
             rounding: precision.rounding(&given.text) * factor.abs(),
             precision,
-            is_magnitude: has_sense && !signed && !(turns && self.measured.positive.is_some()),
+            is_magnitude: asked.is_rate() && !signed && !(turns && self.measured.positive.is_some()),
             factor,
             factor_without_unit: if flips { -factor_without_unit } else { factor_without_unit },
             unit: given.unit.clone(),
@@ -253,7 +242,7 @@ impl Reader<'_> {
             Quantity::Number(x) => x,
             Quantity::Vector(v) => v.norm(),
         };
-        let sheet = sheet_of(&asked);
+        let sheet = asked.sheet();
         let step = self.order.get(asked.name()).copied();
         let step = step.unwrap_or_else(|| self.step_of(&asked, sheet));
         Ok((asked, expected, sheet, step))
@@ -277,29 +266,15 @@ impl Reader<'_> {
             _ => "vplan(",
         };
         let subject = asked.subject().split(['/', ',']).next().unwrap_or("");
-        let own = format!(",{})", crate::plan::image_name(subject));
+        let own = format!(",{})", crate::construction::image_name(subject));
         let mut steps = self.order.iter();
         let found = steps.find(|(name, _)| name.starts_with(head) && name.ends_with(&own));
-        let sheets = numbered_steps(&self.key.solution.construction);
-        let last = sheets.iter().filter(|s| s.sheet <= sheet).map(|s| s.number).max();
+        let steps = self.key.solution.construction.numbered_steps();
+        let last = steps.filter(|s| s.sheet() <= sheet).map(|s| s.number).max();
         match found {
             Some((_, &step)) if sheet != Sheet::Scheme => step,
             _ if sheet == Sheet::Scheme => 0,
             _ => last.unwrap_or(0),
         }
-    }
-}
-
-/// The sheet from which a quantity comes.
-pub(super) fn sheet_of(asked: &Asked) -> Sheet {
-    match asked.kind() {
-        Kind::Length | Kind::Position => Sheet::Scheme,
-        Kind::Velocity | Kind::AngularVelocity => Sheet::Velocity,
-        Kind::Acceleration | Kind::AngularAcceleration => Sheet::Acceleration,
-        Kind::Angle => match asked.what() {
-            What::Velocity(..) => Sheet::Velocity,
-            What::Acceleration(..) | What::Part(..) | What::Coriolis(..) => Sheet::Acceleration,
-            _ => Sheet::Scheme,
-        },
     }
 }

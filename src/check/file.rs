@@ -1,7 +1,7 @@
 //! The form of measured values as a JSON file.
 
 use super::sheet::{Given, Measured, PointsOf, Positive};
-use crate::plan::PlanKind;
+use crate::construction::PlanKind;
 use crate::scene::{FileKind, SceneError, read_as};
 use indexmap::IndexMap;
 use serde::de::{Error, MapAccess, Visitor};

@@ -151,13 +151,13 @@ impl Scorer<'_> {
         }
         let mut walk = Walk::new(self.data.len());
         for (index, datum) in self.data.iter().enumerate() {
-            let touches = |slip: &Candidate| matches!(slip.stands.as_slice(), [one] if one.entry == datum.entry);
+            let touches = |slip: &Candidate| matches!(slip.reinterpreted.as_slice(), [one] if one.entry == datum.entry);
             let own: Vec<usize> = (0..slips.len()).filter(|&s| touches(slips[s])).collect();
             for hand in hands.iter().filter(|_| !own.is_empty()) {
                 walk.begin(&covariances, hand);
                 let others = walk.run(self, &meant, &fit.predicted, Some(index));
                 for &slip in &own {
-                    let meant = slips[slip].stands[0].read(datum);
+                    let meant = slips[slip].reinterpreted[0].read(datum);
                     let mut cost = others;
                     walk.add(self, &mut cost, index, meant.as_ref(), &fit.predicted);
                     costs[slip] = costs[slip].min(cost.total());
@@ -166,14 +166,14 @@ impl Scorer<'_> {
         }
         // Two numbers in each other's place: where both could be, as far as a hand is off.
         for (slip, cost) in slips.iter().zip(&mut costs) {
-            if slip.stands.len() < 2 {
+            if slip.reinterpreted.len() < 2 {
                 continue;
             }
             let all: Vec<&Candidate> = set.iter().copied().chain([*slip]).collect();
             let meant = self.meant(&all);
             let mut both = meant.iter().zip(&fit.predicted).enumerate();
             let could_be = both.all(|(index, (datum, predicted))| {
-                let touched = slip.stands.iter().any(|s| s.entry == self.data[index].entry);
+                let touched = slip.reinterpreted.iter().any(|s| s.entry == self.data[index].entry);
                 let near = |d: &Datum| d.off(*predicted, 0.0).abs() <= 4.0 * self.quick[index].sqrt();
                 !touched || datum.as_ref().is_none_or(near)
             });

@@ -1,9 +1,9 @@
 //! A marking scheme: how many marks each quantity is worth, and what values earn.
 
+use super::answer_key::AnswerKey;
 use super::entry::entries;
 use super::sheet::{CheckError, Given, Measured};
 use super::template::form_names;
-use super::answer_key::AnswerKey;
 use super::verdict::{Checked, Verdict};
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
 use crate::words::Wording;
@@ -197,9 +197,12 @@ impl Awarded {
     #[must_use]
     pub fn line(&self, words: &Wording) -> String {
         let number = |marks: f64| words.number(Awarded::written(marks));
-        let follow = Some(self.follow_through).filter(|f| *f > 0.0);
-        let follow = follow.map_or_else(String::new, number);
-        (words.language.class.marks)(&number(self.earned), &number(self.of), &follow)
+        let [earned, of] = [self.earned, self.of].map(number);
+        if self.follow_through > 0.0 {
+            words.language.class_marks_following(&earned, &of, &number(self.follow_through))
+        } else {
+            words.language.class_marks(&earned, &of)
+        }
     }
 
     /// Marks as people write them: two decimals at most.

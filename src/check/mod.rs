@@ -3,7 +3,7 @@
 //! the construction is replayed with one mistake put in, then with more, and every replay is held against all values, right and wrong ones.
 //!
 //! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry` finds what each value stands
-//! for, `precision` how finely it is written, `points` what places on paper say, `order` the step to which it belongs; `verdict` judges each by itself. `model` predicts all values together with their common
+//! for, `precision` how finely it is written, `points` what places on paper say; `verdict` judges each by itself. `model` predicts all values together with their common
 //! errors, `score`, `datum`, `covariance` and `fit` say how well values fit a prediction, `mistakes/` is the catalogue, `together` what a drawing program is off, `search` looks for what explains
 //! the values, `diagnosis` what that comes to, `report` and `result` tell it, `redrawn/` draws it again as it was
 //! probably drawn; `student` draws with mistakes on purpose;
@@ -20,7 +20,6 @@ mod fit;
 mod marks;
 mod mistakes;
 mod model;
-mod order;
 mod points;
 mod precision;
 mod redrawn;
@@ -42,7 +41,6 @@ pub use diagnosis::{Diagnosis, Explanation, Finding};
 pub use entry::{Entry, entries};
 pub use marks::{Awarded, Marks, Scheme};
 pub use mistakes::{Candidate, Mistake};
-pub use order::{NumberedStep, numbered_steps};
 pub use precision::Precision;
 pub use redrawn::redrawn;
 pub use report::report;

@@ -3,16 +3,15 @@
 use super::entry::{Entry, Reader};
 use super::precision::Precision;
 use super::sheet::{CheckError, PointsOf};
-use crate::drafting::Sheet;
+use crate::construction::Plan;
 use crate::geometry::Vector;
-use crate::plan::Plan;
 use indexmap::IndexMap;
 
 impl Reader<'_> {
     /// Distances between the plan points whose places are given: of each from the pole, and those that the steps measure or lay off.
     pub fn add_points(&self, entries: &mut Vec<Entry>) -> Result<(), CheckError> {
         for points in &self.measured.points {
-            let sheet = Sheet::of(points.kind);
+            let sheet = points.kind.sheet();
             let what = points.kind.segment_name("", "");
             let at = |name: &str| format!("points: {name} of {}", what.split('(').next().unwrap_or(""));
             let Some(mu) = self.measured.mu[sheet as usize] else {

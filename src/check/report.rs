@@ -1,22 +1,21 @@
 //! The report as text, in the figure's language.
 
+use super::answer_key::AnswerKey;
 use super::diagnosis::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
-use super::answer_key::AnswerKey;
 use super::verdict::{Checked, Judged, Verdict};
-use crate::plan::{PlanKind, shown_text};
-use crate::words::{CheckWords, Wording};
-
-use super::order::numbered_steps;
+use crate::construction::Teller;
+use crate::construction::{PlanKind, shown_text};
+use crate::words::{Language, Medium, NumberStyle, Wording};
 
 /// What is said to the student: verdicts in the order of the construction, then what probably happened.
 #[must_use]
 pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String {
-    let page = Page::new(checked, key, words);
+    let page = Page::new(checked, key, words, Medium::Text);
     let mut lines = vec![page.counts()];
     let tolerance = &key.tolerance;
-    let [mm, degrees] = [tolerance.mm, tolerance.degrees].map(|x| words.number(x.to_string()));
-    lines.push((page.own.tolerance)(&mm, &degrees));
+    let [mm, degrees] = [tolerance.mm, tolerance.degrees].map(|x| words.write(x, NumberStyle::shortest()));
+    lines.push(page.own.check_tolerance(&mm, &degrees));
     lines.push(String::new());
     lines.extend(page.table());
     lines.push(String::new());
@@ -41,12 +40,13 @@ pub(super) struct Page<'a> {
     pub checked: &'a Checked,
     key: &'a AnswerKey<'a>,
     words: &'a Wording,
-    pub own: &'static CheckWords,
+    pub own: &'static Language,
+    medium: Medium,
 }
 
 impl<'a> Page<'a> {
-    pub(super) fn new(checked: &'a Checked, key: &'a AnswerKey<'a>, words: &'a Wording) -> Page<'a> {
-        Page { checked, key, words, own: words.language.check }
+    pub(super) fn new(checked: &'a Checked, key: &'a AnswerKey<'a>, words: &'a Wording, medium: Medium) -> Page<'a> {
+        Page { checked, key, words, own: words.language, medium }
     }
 }
 
@@ -55,13 +55,13 @@ impl Page<'_> {
     pub(super) fn counts(&self) -> String {
         let count = |verdict| {
             let values = self.checked.values.iter();
-            values.filter(|v| v.verdict == verdict).count()
+            values.filter(|v| v.verdict == verdict).count().to_string()
         };
-        (self.own.counts)(count(Verdict::Right), count(Verdict::WithinTolerance), count(Verdict::Off))
+        self.own.check_counts(&count(Verdict::Right), &count(Verdict::WithinTolerance), &count(Verdict::Off))
     }
 
     fn table(&self) -> Vec<String> {
-        let mut rows: Vec<[String; 8]> = vec![self.own.columns.map(str::to_owned)];
+        let mut rows: Vec<[String; 8]> = vec![self.own.check_columns().map(str::to_owned)];
         rows.extend(self.checked.values.iter().map(|value| self.row(value)));
         let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max();
         let widths: Vec<usize> = (0..8).map(|c| width(c).unwrap_or(0)).collect();
@@ -79,8 +79,8 @@ impl Page<'_> {
         lines.collect()
     }
 
-    fn number(&self, value: f64, digits: i32) -> String {
-        self.words.number(significant(value, digits))
+    fn number(&self, value: f64, digits: usize) -> String {
+        self.words.write(value, significant(digits).on(self.medium))
     }
 
     /// A value in the columns of the table.
@@ -89,21 +89,21 @@ impl Page<'_> {
         let unit = entry.asked.kind().unit(self.key.solution.scene.units);
         let expected = if entry.is_magnitude { entry.expected.abs() } else { entry.expected };
         let on_paper = entry.per_mm.map(|mu| {
-            let mm = self.words.number(format!("{:+.2}", value.difference / mu));
+            let mm = self.words.write(value.difference / mu, signed(2).on(self.medium));
             format!("{mm} mm")
         });
         let percent = (entry.expected != 0.0).then(|| {
             let percent = 100.0 * value.difference / entry.expected.abs();
             let digits = if percent.abs() < 10.0 { 2 } else { 0 };
-            let percent = self.words.number(format!("{percent:+.digits$}"));
+            let percent = self.words.write(percent, signed(digits).on(self.medium));
             format!("{percent} %")
         });
         let tolerance = value.tolerance.map(|t| format!("±{}", self.number(t, 2)));
         let verdict = match value.verdict {
-            Verdict::Right => self.own.right,
-            Verdict::WithinTolerance => self.own.within,
-            Verdict::Off => self.own.off,
-            Verdict::Unjudged => self.own.unjudged,
+            Verdict::Right => self.own.check_right(),
+            Verdict::WithinTolerance => self.own.check_within(),
+            Verdict::Off => self.own.check_off(),
+            Verdict::Unjudged => self.own.check_unjudged(),
         };
         [
             entry.asked.name().to_owned(),
@@ -121,11 +121,11 @@ impl Page<'_> {
     pub(super) fn heading(&self) -> &'static str {
         let diagnosis = &self.checked.diagnosis;
         match diagnosis.best.findings.len() {
-            0 if self.has_nothing_to_explain() => self.own.nothing,
-            0 if diagnosis.unexplained.is_empty() => self.own.probably,
-            0 => self.own.none,
-            1 => self.own.probably,
-            _ => self.own.no_single,
+            0 if self.has_nothing_to_explain() => self.own.check_nothing(),
+            0 if diagnosis.unexplained.is_empty() => self.own.check_probably(),
+            0 => self.own.check_none(),
+            1 => self.own.check_probably(),
+            _ => self.own.check_no_single(),
         }
     }
 
@@ -155,7 +155,7 @@ impl Page<'_> {
         lines.extend(self.mirrored());
         if !diagnosis.others.is_empty() {
             lines.push(String::new());
-            lines.push(self.own.others.to_owned());
+            lines.push(self.own.check_others().to_owned());
             for other in &diagnosis.others {
                 let best = &diagnosis.best.findings;
                 let new = other.findings.iter().filter(|f| {
@@ -170,7 +170,7 @@ impl Page<'_> {
                         format!("{}: {done}", self.step(f))
                     })
                     .collect();
-                let end = if other.is_alike { self.own.alike.to_owned() } else { self.sure(other) };
+                let end = if other.is_alike { self.own.check_alike().to_owned() } else { self.sure(other) };
                 lines.push(format!("  - {} ({end})", told.join("; ")));
             }
         }
@@ -182,28 +182,28 @@ impl Page<'_> {
         let language = self.words.language;
         self.checked.mirrored.iter().map(|kind| {
             let plan = match kind {
-                PlanKind::Velocity => language.velocity_plan,
-                PlanKind::Acceleration => language.acceleration_plan,
+                PlanKind::Velocity => language.velocity_plan(),
+                PlanKind::Acceleration => language.acceleration_plan(),
             };
-            (self.own.mirrored)(&plan.to_lowercase())
+            self.own.check_mirrored(&plan.to_lowercase())
         })
     }
 
     /// The values without an explanation, where there are such.
     pub(super) fn unexplained(&self) -> Option<String> {
         let values = &self.checked.diagnosis.unexplained;
-        (!values.is_empty()).then(|| (self.own.unexplained)(&self.names(values)))
+        (!values.is_empty()).then(|| self.own.check_unexplained(&self.names(values)))
     }
 
     pub(super) fn sure(&self, explanation: &Explanation) -> String {
         let percent = (100.0 * explanation.probability).clamp(1.0, 99.0);
-        (self.own.sure)(&format!("{percent:.0}"))
+        self.own.check_sure(&format!("{percent:.0}"))
     }
 
     fn step(&self, finding: &Finding) -> String {
         match finding.candidate.step {
-            0 => self.own.whole.to_owned(),
-            number => (self.own.step)(number),
+            0 => self.own.check_whole().to_owned(),
+            number => self.own.check_step(&number.to_string()),
         }
     }
 
@@ -211,18 +211,20 @@ impl Page<'_> {
     pub(super) fn told(&self, finding: &Finding) -> Told {
         let Finding { candidate, follows, .. } = finding;
         let [done, should] = sentences(candidate, self.words);
-        let steps = numbered_steps(&self.key.solution.construction);
-        let step = steps.iter().find(|s| s.number == candidate.step);
+        let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // All values are touched by it.
             _ if candidate.mistake == Mistake::Truncated => None,
-            [] => Some(self.own.follows_none.to_owned()),
-            some => Some((self.own.follows)(&self.names(some))),
+            [] => Some(self.own.check_follows_none().to_owned()),
+            some => Some(self.own.check_follows(&self.names(some))),
         };
         Told {
             done: format!("{}: {done}.", self.step(finding)),
-            caption: step.map(|s| shown_text(&s.step.caption, s.plan, self.words)),
-            should: format!("{}: {should}.", self.own.instead),
+            caption: step.map(|step| {
+                let caption = Teller::new(self.key.solution, self.words).caption(&step);
+                shown_text(&caption, step.plan, self.words)
+            }),
+            should: format!("{}: {should}.", self.own.check_instead()),
             follows,
         }
     }
@@ -235,26 +237,15 @@ impl Page<'_> {
 
 /// What was probably done in a mistake, and what it should be; numbers with the figure's decimal mark.
 pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
-    let blanks = candidate.blanks.iter().map(|blank| {
-        let is_number = blank.parse::<f64>().is_ok();
-        let blank = blank.clone();
-        if is_number { words.number(blank) } else { blank }
-    });
-    let blanks: Vec<String> = blanks.collect();
-    let own = candidate.mistake.words(words.language.check);
-    [(own.done)(&blanks), (own.should)(&blanks)]
+    words.mistake(candidate.mistake.words(), &candidate.blanks)
 }
 
-/// A number with so many significant digits, without trailing zeros behind the point.
-pub(crate) fn significant(x: f64, count: i32) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let exponent = libm::floor(libm::log10(x.abs())) as i32;
-    if !(-5..12).contains(&exponent) {
-        return format!("{x:.*e}", count as usize - 1);
-    }
-    let after = (count - 1 - exponent).max(0) as usize;
-    let written = format!("{x:.after$}");
-    if written.contains('.') { written.trim_end_matches('0').trim_end_matches('.').to_owned() } else { written }
+/// How values of a report are written.
+pub(crate) const fn significant(digits: usize) -> NumberStyle {
+    NumberStyle::significant(digits).trimmed().in_full(-5, 12)
+}
+
+/// How differences are written.
+const fn signed(decimals: usize) -> NumberStyle {
+    NumberStyle::decimals(decimals).with_plus()
 }

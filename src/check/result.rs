@@ -1,11 +1,11 @@
 //! The report as JSON.
 
+use super::answer_key::AnswerKey;
 use super::diagnosis::{Explanation, Finding};
 use super::marks::Awarded;
 use super::report::sentences;
-use super::answer_key::AnswerKey;
 use super::verdict::{Checked, Verdict};
-use crate::plan::PlanKind;
+use crate::construction::PlanKind;
 use crate::words::Wording;
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -11,8 +11,8 @@ use super::entry::Entry;
 use super::fit::Fit;
 use super::mistakes::Candidate;
 use super::model::{Changes, Model, TOGETHER};
-use crate::drafting::{Change, Disturbance, Sheet, Tolerance, Values};
-use crate::plan::Kind;
+use crate::construction::{Change, Disturbance, Sheet, Tolerance, Values};
+use crate::quantity::{Kind, Sense};
 
 /// Two explanations fit as well whose likelihoods differ by less than a factor of two.
 const SAME_FIT: f64 = 1.4;
@@ -56,8 +56,8 @@ impl<'a> Scorer<'a> {
                 entry: index,
                 value: entry.value,
                 rounding,
-                is_magnitude: entry.is_magnitude || reading.is_magnitude || reading.is_distance,
-                is_angle: reading.is_angle,
+                is_magnitude: entry.is_magnitude || reading.is_size(),
+                is_angle: reading.sense == Sense::Angle,
                 sheet: match kind {
                     Kind::Velocity => Some(Sheet::Velocity),
                     Kind::Acceleration => Some(Sheet::Acceleration),
@@ -93,26 +93,26 @@ impl<'a> Scorer<'a> {
     pub fn changes<'c>(&self, set: &[&'c Candidate], without: Option<usize>) -> Changes<'c> {
         let mut changes = Changes::new();
         for (index, candidate) in set.iter().enumerate() {
-            for (act, put) in &candidate.puts {
-                let change = put.change();
-                changes.push(Disturbance { act: *act, change });
+            for (operation, edit) in &candidate.edits {
+                let change = edit.change();
+                changes.push(Disturbance { operation: *operation, change });
             }
             if without == Some(index) {
                 continue;
             }
-            for &(act, number, value) in &candidate.goes_on {
+            for &(operation, number, value) in &candidate.goes_on {
                 let change = Change::Written(number, value);
-                changes.push(Disturbance { act, change });
+                changes.push(Disturbance { operation, change });
             }
         }
-        changes.sort_by_key(|c| c.act);
+        changes.sort_by_key(|c| c.operation);
         changes
     }
 
     /// Which candidate goes on with a written value of a datum.
     fn owner(&self, set: &[&Candidate], datum: usize) -> Option<usize> {
         let entry = self.data[datum].entry;
-        set.iter().position(|c| !c.goes_on.is_empty() && c.stands.iter().any(|s| s.entry == entry))
+        set.iter().position(|c| !c.goes_on.is_empty() && c.reinterpreted.iter().any(|s| s.entry == entry))
     }
 
     /// The replays that a set needs: the changes, and the data that are read there.
@@ -154,7 +154,7 @@ impl<'a> Scorer<'a> {
     /// The values as the candidates read them, with their roundings; none where a written value says nothing.
     pub fn meant(&self, set: &[&Candidate]) -> Vec<Option<Datum>> {
         let mut meant: Vec<Option<Datum>> = self.data.iter().copied().map(Some).collect();
-        for stand in set.iter().flat_map(|c| &c.stands) {
+        for stand in set.iter().flat_map(|c| &c.reinterpreted) {
             let found = self.data.iter().position(|d| d.entry == stand.entry);
             if let Some(datum) = found {
                 meant[datum] = stand.read(&self.data[datum]);

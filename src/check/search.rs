@@ -1,13 +1,13 @@
 //! Looks for the mistakes that explain all values, right and wrong ones: one mistake first, then more together.
 
+use super::answer_key::AnswerKey;
 use super::diagnosis::Diagnosis;
 use super::entry::Entry;
 use super::fit::{Fit, Hands};
 use super::mistakes::{Candidate, Mistake, Site};
 use super::model::Model;
 use super::score::Scorer;
-use super::answer_key::AnswerKey;
-use super::verdict::{Judged};
+use super::verdict::Judged;
 use crate::cores::{on_all_cores, on_each_core};
 use crate::position::poses;
 
@@ -143,7 +143,7 @@ impl<'a> Search<'a> {
         if is_by_hand(best) {
             return Vec::new();
         }
-        let is_slip = |c: &Candidate| c.puts.is_empty() && c.goes_on.is_empty() && c.mode == 0;
+        let is_slip = |c: &Candidate| c.edits.is_empty() && c.goes_on.is_empty() && c.mode == 0;
         let all = self.all.iter().copied();
         let all = all.filter(|&i| is_slip(&self.candidates[i]) && self.go_together(&best.set, i));
         let all: Vec<usize> = all.collect();
@@ -219,11 +219,11 @@ impl<'a> Search<'a> {
         let new = &self.candidates[other];
         set.iter().all(|&index| {
             let old = &self.candidates[index];
-            let acts = old.puts.iter().all(|(a, _)| new.puts.iter().all(|(b, _)| a != b));
-            let values = old.stands.iter().all(|a| new.stands.iter().all(|b| a.entry != b.entry));
+            let acts = old.edits.iter().all(|(a, _)| new.edits.iter().all(|(b, _)| a != b));
+            let values = old.reinterpreted.iter().all(|a| new.reinterpreted.iter().all(|b| a.entry != b.entry));
             let positions = old.mode == 0 && new.mode == 0
-                || (old.puts.is_empty() && old.goes_on.is_empty() && new.mode != old.mode && old.mode * new.mode == 0)
-                    && new.puts.is_empty()
+                || (old.edits.is_empty() && old.goes_on.is_empty() && new.mode != old.mode && old.mode * new.mode == 0)
+                    && new.edits.is_empty()
                     && new.goes_on.is_empty();
             acts && values && positions
         })

@@ -1,4 +1,4 @@
-use crate::plan::PlanKind;
+use crate::construction::PlanKind;
 use indexmap::IndexMap;
 
 /// The values that somebody has read from an own drawing, as they were written down.

@@ -1,13 +1,13 @@
 //! Drawings with mistakes put in on purpose: to try the check, and for exercises in finding mistakes.
 
+use super::answer_key::AnswerKey;
 use super::entry::entries;
 use super::mistakes::{Candidate, Mistake, Site};
 use super::model::Model;
-use super::order::numbered_steps;
 use super::sheet::{CheckError, Given, Measured};
-use super::answer_key::AnswerKey;
-use crate::drafting::{Change, Disturbance};
-use crate::plan::Kind;
+use super::template::form_names;
+use crate::construction::{Change, Disturbance};
+use crate::quantity::Kind;
 
 /// Somebody who draws a scene and fills in the whole form.
 pub struct Student<'a> {
@@ -24,14 +24,7 @@ impl<'a> Student<'a> {
     /// # Errors
     /// Where the figure lacks a sheet.
     pub fn new(key: &'a AnswerKey<'a>) -> Result<Student<'a>, CheckError> {
-        let scales = &key.scales;
-        let mu = [scales.length, scales.velocity, scales.acceleration];
-        let mut names: Vec<String> = Vec::new();
-        for name in numbered_steps(&key.solution.construction).iter().flat_map(|s| s.names()) {
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        }
+        let (mu, names) = (key.scales.all(), form_names(&key.solution.construction));
         // Written without digits, the form says what there is to read.
         let blank = |name: &String| Given { name: name.clone(), text: "0".to_owned(), unit: None, place: name.clone() };
         let form = Measured { mu, values: names.iter().map(blank).collect(), ..Measured::default() };
@@ -45,14 +38,10 @@ impl<'a> Student<'a> {
     /// All ways to make a mistake of drawing, measuring or computing. Slips of writing need something written first.
     #[must_use]
     pub fn ways(&self, mistake: Mistake) -> Vec<Candidate> {
-        let site = Site {
-            model: &self.models[0],
-            key: self.key,
-            entries: &self.entries,
-            other_modes: self.models.len() - 1,
-        };
+        let site =
+            Site { model: &self.models[0], key: self.key, entries: &self.entries, other_modes: self.models.len() - 1 };
         let mut all = site.of(mistake);
-        all.retain(|c| c.stands.is_empty() || mistake == Mistake::Truncated);
+        all.retain(|c| c.reinterpreted.is_empty() || mistake == Mistake::Truncated);
         all
     }
 
@@ -71,25 +60,25 @@ impl<'a> Student<'a> {
         let mode = mistakes.iter().map(|c| c.mode).max().unwrap_or(0);
         let model = &self.models[mode];
         let mut all: Vec<Disturbance<'_>> = Vec::new();
-        for (act, put) in mistakes.iter().flat_map(|c| &c.puts) {
-            let change = put.change();
-            all.push(Disturbance { act: *act, change });
+        for (operation, edit) in mistakes.iter().flat_map(|c| &c.edits) {
+            let change = edit.change();
+            all.push(Disturbance { operation: *operation, change });
         }
-        let limits = crate::drafting::Tolerance { mm: hand[0], degrees: hand[1] };
-        for (act, which, limit, _) in model.errors(&limits) {
+        let limits = crate::construction::Tolerance { mm: hand[0], degrees: hand[1] };
+        for (operation, which, limit, _) in model.errors(&limits) {
             let change = Change::Error(which, limit * noise());
-            all.push(Disturbance { act, change });
+            all.push(Disturbance { operation, change });
         }
         for &(entry, value) in goes_on {
             if let Ok(reading) = model.readings[entry]
-                && let Some(act) = model.makers[reading.number.0]
+                && let Some(operation) = model.makers[reading.number.0]
             {
                 let value = libm::copysign(value, model.exact.number(reading.number));
                 let change = Change::Written(reading.number, value);
-                all.push(Disturbance { act, change });
+                all.push(Disturbance { operation, change });
             }
         }
-        all.sort_by_key(|d| d.act);
+        all.sort_by_key(|d| d.operation);
         let read = model.read(&model.replay(&all));
         let cuts_off = mistakes.iter().any(|c| c.mistake == Mistake::Truncated);
         // Whoever mistakes a scale has turned millimetres into values.
@@ -97,7 +86,7 @@ impl<'a> Student<'a> {
         let values = self.entries.iter().zip(read).zip(&model.readings);
         let values = values.filter_map(|((entry, value), reading)| {
             let reading = reading.ok()?;
-            let senseless = reading.is_magnitude || reading.is_distance;
+            let senseless = reading.is_size();
             let value = if senseless { value.abs() } else { value };
             let (text, on_paper) = match (entry.per_mm, entry.asked.kind()) {
                 (Some(mu), _) if senseless && !in_units => (digits(value / mu, 1, cuts_off), true),

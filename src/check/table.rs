@@ -1,7 +1,7 @@
 //! The form of measured values as a table: `quantity,value,unit` a line, with commas or semicolons.
 
 use super::sheet::{CheckError, Given, Measured, PointsOf, Positive};
-use crate::plan::PlanKind;
+use crate::construction::PlanKind;
 use indexmap::IndexMap;
 
 impl Measured {

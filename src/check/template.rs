@@ -1,16 +1,15 @@
 //! An empty form with every quantity of the steps, in the order of the construction.
 
-use super::order::numbered_steps;
-use crate::plan::{Construction, Scales};
+use crate::construction::Construction;
+use crate::quantity::Scales;
 use indexmap::IndexMap;
 use serde::Serialize;
 
 /// The names of all quantities of the steps, once each: what a form asks for.
 #[must_use]
 pub fn form_names(construction: &Construction) -> Vec<String> {
-    let all = numbered_steps(construction);
     let mut names: Vec<String> = Vec::new();
-    for name in all.iter().flat_map(|step| step.names()) {
+    for name in construction.numbered_steps().flat_map(|step| step.names()) {
         if !names.contains(&name) {
             names.push(name);
         }

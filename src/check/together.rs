@@ -1,19 +1,20 @@
 //! Errors of joints that leave every link its shape, as a drawing program makes them.
 
 use super::model::Model;
-use crate::drafting::Deed;
-use crate::geometry::unit;
-use crate::mechanism::{GROUND, Mechanism};
+use crate::construction::{Does, Part};
+use crate::geometry::{Vector, unit};
+use crate::mechanism::{GROUND, Mechanism, PointId};
 use nalgebra::DMatrix;
 
 /// The ways in which joints may be off together: the null space of what keeps the links' shapes: distances between points of one link, places of the ground.
 pub(super) fn ways_together(model: &Model, mechanism: &Mechanism) -> Vec<Vec<f64>> {
-    let plots = model.drafting.acts.iter().filter_map(|act| match act.deed {
-        Deed::Plot { place, .. } => Some((act.makes.as_str(), model.exact.place(place))),
-        _ => None,
-    });
-    let plots: Vec<_> = plots.collect();
-    let point = |name: &str| mechanism.point(name);
+    let operations = model.construction.operations.iter();
+    let plots: Vec<(PointId, Vector)> = operations
+        .filter_map(|operation| match (operation.part, &operation.does) {
+            (Part::Joint(point), Does::Plot { place, .. }) => Some((point, model.exact.place(*place))),
+            _ => None,
+        })
+        .collect();
     let count = 2 * plots.len();
     // The sum of squares of what changes shapes: its kernel is what does not.
     let mut squares = DMatrix::<f64>::zeros(count, count);
@@ -24,20 +25,14 @@ pub(super) fn ways_together(model: &Model, mechanism: &Mechanism) -> Vec<Vec<f64
             }
         }
     };
-    for (i, (name, at)) in plots.iter().enumerate() {
-        let Some(own) = point(name) else {
-            continue;
-        };
-        if mechanism.body(GROUND).points.contains(&own) {
+    for (i, (own, at)) in plots.iter().enumerate() {
+        if mechanism.body(GROUND).points.contains(own) {
             hold(&[(2 * i, 1.0)]);
             hold(&[(2 * i + 1, 1.0)]);
         }
         for (j, (other, there)) in plots.iter().enumerate().take(i) {
-            let Some(other) = point(other) else {
-                continue;
-            };
             let mut bodies = mechanism.bodies.iter();
-            let is_rigid = bodies.any(|b| b.points.contains(&own) && b.points.contains(&other));
+            let is_rigid = bodies.any(|b| b.points.contains(own) && b.points.contains(other));
             if let Some(u) = unit(at - there).filter(|_| is_rigid) {
                 hold(&[(2 * i, u.x), (2 * i + 1, u.y), (2 * j, -u.x), (2 * j + 1, -u.y)]);
             }

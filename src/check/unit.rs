@@ -1,7 +1,7 @@
 //! Units as people write them beside values.
 
 use super::sheet::CheckError;
-use crate::plan::Kind;
+use crate::quantity::Kind;
 use crate::scene::{LengthUnit, TimeUnit, Units};
 
 /// By what a value in the unit `text` is multiplied to come out in the unit in which the scene has such quantities.

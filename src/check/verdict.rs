@@ -5,7 +5,7 @@ use super::model::Model;
 use super::points::is_mirrored;
 use super::search::diagnose;
 use super::sheet::{CheckError, Measured};
-use crate::plan::PlanKind;
+use crate::construction::PlanKind;
 
 /// How a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,11 +70,11 @@ pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckE
     let judged = judged.map(|((entry, band), reading)| {
         let mut difference =
             if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };
-        if entry.asked.kind() == crate::plan::Kind::Angle {
+        if entry.asked.kind() == crate::quantity::Kind::Angle {
             difference -= 360.0 * libm::round(difference / 360.0);
         }
         // Segments and lengths have no sense of their own, whatever sign is written.
-        if reading.is_ok_and(|r| r.is_magnitude || r.is_distance) {
+        if reading.is_ok_and(|r| r.is_size()) {
             difference = entry.value.abs() - entry.expected.abs();
         }
         let tolerance = band.map(|band| BANDS * band.band + entry.rounding);

@@ -5,10 +5,10 @@ use super::message::Failure;
 use super::pencil::Hand;
 use super::wording::Words;
 use super::work::{Mode, solve, warn_of};
-use crate::check::{self, CheckError, AnswerKey, Marks, Measured, Scheme};
+use crate::check::{self, AnswerKey, CheckError, Marks, Measured, Scheme};
+use crate::construction::Solution;
 use crate::format;
 use crate::motion::Order;
-use crate::plan::Solution;
 use crate::words::Wording;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -107,13 +107,19 @@ impl Check {
     }
 
     /// The forms of a folder.
-    fn class(&self, folder: &Path, solution: &Solution, key: &AnswerKey<'_>, scheme: Option<&Scheme>) -> Result<(), Failure> {
+    fn class(
+        &self,
+        folder: &Path,
+        solution: &Solution,
+        key: &AnswerKey<'_>,
+        scheme: Option<&Scheme>,
+    ) -> Result<(), Failure> {
         let output = self.output.as_deref().unwrap_or(Path::new("-"));
         for (what, input) in [("scene", Some(&self.scene)), ("marking scheme", self.marks.as_ref())] {
             input.map_or(Ok(()), |input| files::keep_input(what, input, output))?;
         }
         let form = Report::of(output, self.json)?;
-        warn_of(&solution);
+        warn_of(solution);
         let class = Class {
             folder,
             others: [Some(&self.scene), self.marks.as_deref()],

@@ -4,7 +4,7 @@ use super::check::read;
 use super::files;
 use super::message::{Failure, note};
 use super::pieces::{Out, Pieces};
-use crate::check::{self, ClassRow, ClassSummary, AnswerKey, Scheme};
+use crate::check::{self, AnswerKey, ClassRow, ClassSummary, Scheme};
 use crate::words::Wording;
 use std::ffi::OsStr;
 use std::fs;

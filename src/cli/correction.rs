@@ -1,9 +1,9 @@
 use super::figures::{Figures, Forms, stem};
 use super::message::{Failure, warn};
 use super::paper::{GivenScales, Paper};
-use crate::check::{self, Checked, AnswerKey, Measured};
+use crate::check::{self, AnswerKey, Checked, Measured};
+use crate::construction::Solution;
 use crate::drawing::overlay;
-use crate::plan::Solution;
 use clap::Args;
 use std::path::{Path, PathBuf};
 

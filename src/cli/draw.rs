@@ -4,12 +4,13 @@ use super::message::{Failure, warn};
 use super::paper::{GivenScales, Paper};
 use super::wording::Words;
 use super::work::{Mode, solve, warn_of};
+use crate::construction::Solution;
 use crate::cycle::{Drive, Film};
 use crate::drawing::{Drawing, frames};
 use crate::format::{Page, html};
 use crate::motion::Order;
-use crate::plan::Solution;
 use crate::scene::{Figure, Panel, Scene};
+use crate::words::{Medium, NumberStyle, Wording};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -102,7 +103,7 @@ impl Draw {
         let film = film.map_err(|error| Failure::Scene(source.clone(), Box::new(error.into())))?;
         let value = |value: &f64| {
             let drive = film.drive.as_ref();
-            drive.map_or_else(String::new, |drive| words.number(shown(drive, *value)))
+            drive.map_or_else(String::new, |drive| shown(drive, *value, &words))
         };
         let values: Vec<String> = film.values.iter().map(value).collect();
         let quantity = film.drive.as_ref().map(Drive::quantity);
@@ -148,12 +149,13 @@ impl Draw {
 }
 
 /// A drive's value on a page: tenths of a degree, four digits of a length.
-fn shown(drive: &Drive, value: f64) -> String {
+fn shown(drive: &Drive, value: f64, words: &Wording) -> String {
+    let decimals = |count: usize| words.write(value, NumberStyle::decimals(count).on(Medium::Figure));
     if drive.is_angle() {
-        return format!("{value:.1}°").replace('-', "−");
+        return format!("{}°", decimals(1));
     }
     let digits = 3.0 - libm::floor(libm::log10(value.abs().max(1e-3)));
-    format!("{value:.*}", digits.max(0.0) as usize).replace('-', "−")
+    decimals(digits.max(0.0) as usize)
 }
 
 /// Accelerations only for a figure that shows them.

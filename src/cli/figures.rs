@@ -104,8 +104,9 @@ impl Figures {
                     Form::Pdf => drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None))?,
                     Form::Tikz => drawing.tikz().into_bytes(),
                     #[cfg(feature = "png")]
-                    Form::Png => drawing.png(self.forms.dpi)
-                        .map_err(|error| Failure::Misuse(error.to_string(), None))?,
+                    Form::Png => {
+                        drawing.png(self.forms.dpi).map_err(|error| Failure::Misuse(error.to_string(), None))?
+                    }
                     Form::Html => page(index)?.into_bytes(),
                 };
                 written.push((path, bytes));

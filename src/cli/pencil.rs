@@ -1,5 +1,5 @@
-use crate::drafting::{self, Pencil, Tolerance};
-use crate::plan::{Asked, Solution};
+use crate::construction::{Solution, Tolerance};
+use crate::quantity::{self, Asked, Pencil};
 use clap::Args;
 
 /// How good a hand is.
@@ -37,6 +37,6 @@ impl Hand {
 
     /// The bands of what is asked for, drawn at the scales of the scene's figure.
     pub(super) fn pencil(&self, solution: &Solution, asked: Vec<Asked>) -> Pencil {
-        drafting::pencil(solution, &solution.scales(), self.tolerance(), asked)
+        quantity::pencil(solution, &solution.scales(), self.tolerance(), asked)
     }
 }

@@ -5,7 +5,7 @@ use super::pencil::Hand;
 use super::wording::Words;
 use super::work::{Mode, solve, warn_of};
 use crate::motion::Order;
-use crate::plan::{Asked, step_names};
+use crate::quantity::{Asked, step_names};
 use crate::scene::Figure;
 use clap::Args;
 use std::path::PathBuf;

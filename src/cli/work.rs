@@ -1,8 +1,8 @@
 use super::files::{self, Source};
 use super::message::{Failure, warn};
+use crate::construction::Solution;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::Order;
-use crate::plan::Solution;
 use crate::position::{AssemblyError, Pose, pose, poses};
 use crate::scene::{Figure, Near, Scene};
 use clap::Args;
@@ -73,5 +73,5 @@ fn numbered(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<Pose, cra
 
 /// Says on stderr what the reader should know of a result.
 pub(super) fn warn_of(solution: &Solution) {
-    solution.warnings().for_each(warn);
+    solution.warnings().for_each(|text| warn(&text));
 }

@@ -1,7 +1,8 @@
 use super::{Path, Position};
+use crate::construction::{Construction, construct};
 use crate::geometry::Row;
 use crate::motion::{Order, motion};
-use crate::plan::{Asked, Construction, Quantity, QuantityError, construction};
+use crate::quantity::{Asked, Quantity, QuantityError};
 
 /// What is asked for at every position of a sweep.
 #[derive(Clone, Debug)]
@@ -67,7 +68,7 @@ impl<'a> Columns<'a> {
     fn construct<R: Row>(&self, position: &Position<R>) -> Option<Construction> {
         let (mechanism, pose) = (self.path.mechanism, position.pose());
         let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
-        Some(construction(mechanism, &pose, &motion))
+        Some(construct(mechanism, &pose, &motion))
     }
 
     /// Whether every plan point that is asked for is there, at the first of some values of the drive that has plans.

@@ -5,7 +5,7 @@ use super::reading::Reading;
 use super::samples::{pieces, samples};
 use super::{CycleError, Event, Happening, Path};
 use crate::mechanism::BodyId;
-use crate::plan::{Asked, Kind, QuantityError};
+use crate::quantity::{Asked, Kind, QuantityError};
 
 /// Parts of every segment of the path at which it is looked at too: no feature of the motion is smaller.
 const PARTS_OF_SEGMENT: usize = 2;

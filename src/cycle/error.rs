@@ -1,5 +1,3 @@
-use crate::plan::QuantityError;
-
 /// Why there is no path from a pose.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CycleError {
@@ -67,3 +65,4 @@ pub enum CycleError {
     #[error(transparent)]
     Quantity(#[from] QuantityError),
 }
+use crate::quantity::QuantityError;

@@ -1,5 +1,5 @@
 use super::{CycleError, Drive, Path};
-use crate::plan::Solution;
+use crate::construction::Solution;
 
 /// How far from each end of a drive's range the film keeps, in parts of the range: at a limit position rates are infinite.
 const OFF_THE_END: f64 = 0.004;
@@ -30,13 +30,7 @@ impl Film {
     /// There is no drive of that name, or the branch cannot be followed.
     pub fn new(own: &Solution, drive: Option<&str>, count: usize) -> Result<Self, CycleError> {
         let (mechanism, pose) = (&own.mechanism, &own.pose);
-        let still = Self {
-            drive: None,
-            values: vec![0.0],
-            positions: vec![own.clone()],
-            own: 0,
-            is_round: false,
-        };
+        let still = Self { drive: None, values: vec![0.0], positions: vec![own.clone()], own: 0, is_round: false };
         let drive = match Drive::new(mechanism, drive) {
             Ok(drive) => drive,
             Err(CycleError::Drawn | CycleError::NoDrive) => return Ok(still),

@@ -3,7 +3,7 @@ use super::extreme::peak;
 use super::reading::{End, Reading};
 use super::samples::Sample;
 use crate::kernel::InputKind;
-use crate::plan::{Asked, Kind};
+use crate::quantity::{Asked, Kind};
 
 /// Equal parts of the range at which a curve is looked at first.
 pub(super) const PARTS: usize = 128;

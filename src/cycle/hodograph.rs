@@ -1,7 +1,7 @@
 use super::reading::Reading;
 use super::{Curve, Curves, CycleError, Event, Path};
 use crate::geometry::Vector;
-use crate::plan::Asked;
+use crate::quantity::Asked;
 
 /// Angles of the drive at which tips are marked, in degrees.
 const MARKS: f64 = 30.0;

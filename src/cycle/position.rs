@@ -1,8 +1,8 @@
 use crate::geometry::{Point, Row, Vector, quarter_turn};
 use crate::kernel::{Block, Kernel, vector};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, Role, SliderId};
-use crate::plan::State;
 use crate::position::Pose;
+use crate::quantity::State;
 
 /// One position of a block, read as quantities are.
 #[derive(Clone, Copy, Debug)]

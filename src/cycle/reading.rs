@@ -1,6 +1,6 @@
 use super::columns::{Column, Columns};
 use super::{Path, Walker};
-use crate::plan::{Asked, Kind, Quantity};
+use crate::quantity::{Asked, Kind, Quantity};
 
 /// How near a change position, in parts of a turn, rates are not read but taken from beside it: second rates lose three digits for
 /// each that the distance loses.

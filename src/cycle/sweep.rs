@@ -2,7 +2,7 @@ use super::columns::{Column, Columns};
 use super::{Drive, Path, Position, Steps};
 use crate::geometry::{MANY, Row};
 use crate::mechanism::{GROUND, Mechanism, PointId, SliderId};
-use crate::plan::{Quantity, QuantityError};
+use crate::quantity::{Quantity, QuantityError};
 use std::collections::BTreeSet;
 use std::ops::Range;
 

@@ -4,7 +4,7 @@ use super::plan_panel;
 use super::scheme::Scheme;
 use super::text::RichText;
 use super::worksheet::{Row, Worksheet, table};
-use crate::plan::{Asked, Spot, What};
+use crate::quantity::{Asked, Spot, What};
 
 /// Widths of the boxes for millimetres and values.
 const BOXES: [f64; 2] = [15.0, 21.0];
@@ -14,7 +14,7 @@ impl Worksheet {
     pub(super) fn blank(scheme: &Scheme<'_>, asked: &[Asked]) -> Self {
         let language = scheme.words.language;
         let rows: Vec<Row> = asked.iter().map(|asked| blank_row(scheme, asked)).collect();
-        let mut table = table(language.exercise.quantity, language.value, rows.len());
+        let mut table = table(language.exercise_quantity(), language.value(), rows.len());
         let none = RichText::plain("");
         for row in &rows {
             table.widen([&row.name, &none, &row.symbol(), &none, &row.unit]);

@@ -11,7 +11,7 @@ use super::sheet::{Drawing, Pen};
 use super::table::Table;
 use super::text::RichText;
 use super::view::Extent;
-use crate::plan::Solution;
+use crate::construction::Solution;
 use crate::scene::Panel as PanelName;
 use kurbo::Rect;
 

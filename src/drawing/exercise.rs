@@ -6,7 +6,8 @@ use super::lines::Lines;
 use super::scheme::Scheme;
 use super::sheet::Drawing;
 use super::worksheet::Worksheet;
-use crate::plan::{Asked, Solution};
+use crate::construction::Solution;
+use crate::quantity::Asked;
 use crate::scene::Panel as PanelName;
 
 /// The sheet of an exercise: the scheme without special points, but with room for them; below it `sentences`, in markup; beside it a table with

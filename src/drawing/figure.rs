@@ -11,12 +11,12 @@ use super::panel::{Frame, Layer, Layers, Panel, numbered_name};
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::{Drawing, Pen};
-use super::stages::numbered;
 use super::view::{Extent, View, fitting_scale};
 use super::words::StepWords;
 use super::worksheet::Worksheet;
+use crate::construction::{Solution, shown_text};
 use crate::mechanism::Class;
-use crate::plan::{Kind, Scales, Solution, shown_text};
+use crate::quantity::{Kind, Scales};
 use crate::scene::Panel as PanelName;
 use crate::words::{Language, Wording};
 
@@ -83,8 +83,7 @@ fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Optio
     };
     let words = Wording::default();
     let panel = name(words.language, panel).to_lowercase();
-    let fitting = legend::short(&words, fitting_scale(extent, placed.area));
-    let given = legend::short(&words, placed.mu);
+    let [fitting, given] = [fitting_scale(extent, placed.area), placed.mu].map(|mu| words.write(mu, legend::SCALE));
     Some(format!(
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
     ))
@@ -130,14 +129,14 @@ fn finished<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)]) -> Comp
 fn stepwise<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], worksheet: bool) -> Composition<'a> {
     let panels = panels(scheme, extents, |panel| vec![hints(scheme, panel), content(scheme, panel)]);
     let table = worksheet.then(|| Worksheet::new(scheme, &panels));
-    let after = numbered(scheme.construction).count() as u16 + 1;
+    let after = scheme.construction.numbered_steps().count() as u16 + 1;
     let agreement = Lines { step: Some(after), ..agreement(scheme) };
     composition(scheme, panels, table, vec![Box::new(StepWords(scheme)), Box::new(agreement)])
 }
 
 /// How the construction and the loop equations agree.
 fn agreement(scheme: &Scheme<'_>) -> Lines {
-    let sentence = legend::agreement(scheme.words.language, scheme.construction);
+    let sentence = legend::agreement(&scheme.words, scheme.construction);
     Lines::of([&sentence], scheme.figure.page.size_mm())
 }
 
@@ -151,13 +150,13 @@ pub(super) fn composition<'a>(
     let (scene, words) = (scheme.scene, scheme.words);
     let table = table.map(|table| Box::new(table) as Box<dyn Item>);
     let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units });
-    let steps = numbered(scheme.construction);
+    let (teller, steps) = (scheme.teller(), scheme.construction.numbered_steps());
     Composition {
         scene,
         words,
-        title: scene.title.as_deref().unwrap_or(words.language.title).to_owned(),
+        title: scene.title.as_deref().unwrap_or(words.language.title()).to_owned(),
         description: description(scheme, &panels),
-        steps: steps.map(|(_, plan, step)| shown_text(&step.caption, plan, &words)).collect(),
+        steps: steps.map(|step| shown_text(&teller.caption(&step), step.plan, &words)).collect(),
         panels,
         items: table.into_iter().chain([legend]).chain(below).collect(),
     }
@@ -220,11 +219,11 @@ fn kind(panel: PanelName) -> Kind {
     }
 }
 
-fn name(language: &Language, panel: PanelName) -> &'static str {
+fn name(language: &Language, panel: PanelName) -> &str {
     match panel {
-        PanelName::Scheme => language.scheme,
-        PanelName::Velocity => language.velocity_plan,
-        PanelName::Acceleration => language.acceleration_plan,
+        PanelName::Scheme => language.scheme(),
+        PanelName::Velocity => language.velocity_plan(),
+        PanelName::Acceleration => language.acceleration_plan(),
     }
 }
 
@@ -232,17 +231,17 @@ fn name(language: &Language, panel: PanelName) -> &'static str {
 fn description(scheme: &Scheme<'_>, panels: &[Panel<'_>]) -> String {
     let language = scheme.words.language;
     let described = |panel: &Panel<'_>| match panel.needs.kind {
-        Kind::Velocity => language.described_velocity_plan,
-        Kind::Acceleration => language.described_acceleration_plan,
-        _ => language.described_scheme,
+        Kind::Velocity => language.described_velocity_plan(),
+        Kind::Acceleration => language.described_acceleration_plan(),
+        _ => language.described_scheme(),
     };
     let panels: Vec<&str> = panels.iter().map(described).collect();
     let groups = scheme.mechanism.groups.iter().map(|group| {
         let class = match group.class {
-            Class::Higher => language.higher,
+            Class::Higher => language.higher(),
             other => other.numeral(),
         };
-        (language.described_group)(class, &group.link_names(scheme.mechanism))
+        language.described_group(class, &group.link_names(scheme.mechanism))
     });
-    (language.description)(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "))
+    language.description(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "))
 }

@@ -4,7 +4,7 @@ use super::canvas::{CAPTION, Canvas};
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::text::{PlacedText, RichText};
-use crate::words::Wording;
+use crate::words::{NumberStyle, Wording};
 use kurbo::{Point, Rect, Vec2};
 use std::f64::consts::PI;
 
@@ -91,7 +91,7 @@ impl Inset {
         let way = (self.centre - self.crowd).normalize();
         let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
         canvas.draw(Pen::Frame, line);
-        let text = RichText::plain(&format!("{} : 1", words.number(self.factor.to_string())));
+        let text = RichText::plain(&format!("{} : 1", words.write(self.factor, NumberStyle::shortest())));
         let size = CAPTION;
         let below = Vec2::new(-0.5 * text.width(size), self.radius - 1.4);
         let text = PlacedText::new(text, size, self.centre + below);

@@ -1,5 +1,5 @@
 use super::view::{Extent, fitting_scale, next_scale};
-use crate::plan::Kind;
+use crate::quantity::Kind;
 use kurbo::Rect;
 
 /// Blank paper around everything, in mm.

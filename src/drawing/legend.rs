@@ -5,15 +5,20 @@ use super::lines::{EDGE, PAD};
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Pen};
 use super::text::{PlacedText, RichText};
-use crate::plan::{Construction, Kind};
+use crate::construction::Construction;
+use crate::quantity::Kind;
 use crate::scene::Units;
-use crate::words::{Language, Wording};
+use crate::words::{Medium, NumberStyle, Wording};
 use kurbo::Point;
 
 /// Height of a row of scales.
 const ROW: f64 = 7.2;
 /// Length of the bar beside a scale.
 const BAR: f64 = 10.0;
+/// How scales are written.
+pub(super) const SCALE: NumberStyle = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
+/// How it is written how far two routes differ.
+const BOUND: NumberStyle = NumberStyle::bound().on(Medium::Figure);
 
 /// Room for the scales of some panels in so many columns, in mm.
 pub(super) fn height(panels: usize, columns: usize) -> f64 {
@@ -41,8 +46,8 @@ impl Entry {
     pub(super) fn new(kind: Kind, mu: f64, words: &Wording, units: Units) -> Self {
         let unit = kind.unit(units);
         let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
-        let value = short(words, mu);
-        let bar = short(words, BAR * mu);
+        let value = words.write(mu, SCALE);
+        let bar = words.write(BAR * mu, SCALE);
         Self {
             symbol: RichText::math(symbol(kind)),
             value: RichText::plain(&format!("= {value} {per_mm}")),
@@ -110,40 +115,20 @@ impl Item for Legend {
 }
 
 /// How the construction and the loop equations agree, in words.
-pub(super) fn agreement(language: &Language, construction: &Construction) -> String {
+pub(super) fn agreement(words: &Wording, construction: &Construction) -> String {
+    let language = words.language;
     let known = construction.agreement.iter().flatten();
     let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
     match worst {
         Some(worst) if construction.agreement.iter().all(Option::is_some) => {
-            (language.agreement)(&power(worst.difference), &power(worst.allowed))
+            let [difference, allowed] = [worst.difference, worst.allowed].map(|x| words.write(x, BOUND));
+            language.agreement(&difference, &allowed)
         }
         _ => {
             let mut special = construction.special.iter().flatten();
             let far = special.any(|s| s.place.finite().is_none());
-            let why = if far { language.one_route_far } else { language.one_route };
+            let why = if far { language.one_route_far() } else { language.one_route() };
             why.to_owned()
         }
     }
-}
-
-/// A small number as a digit and a power of ten, rounded up.
-fn power(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let mut exponent = libm::floor(libm::log10(x)) as i32;
-    let mut digit = (x / libm::pow(10.0, f64::from(exponent))).ceil();
-    if digit >= 10.0 {
-        (digit, exponent) = (1.0, exponent + 1);
-    }
-    format!("{digit}·10^{{{}}}", exponent.to_string().replace('-', "−"))
-}
-
-/// A scale value without superfluous digits.
-pub(super) fn short(words: &Wording, x: f64) -> String {
-    if x != 0.0 && !(1e-4..1e6).contains(&x.abs()) {
-        return words.number(format!("{x:e}"));
-    }
-    let text = format!("{x:.6}");
-    words.number(text.trim_end_matches('0').trim_end_matches('.').to_owned())
 }

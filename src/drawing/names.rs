@@ -1,5 +1,5 @@
+use crate::construction::{Construction, Special, display, image_name, point_on};
 use crate::mechanism::Mechanism;
-use crate::plan::{Construction, Special, display, image_name, point_on};
 use indexmap::IndexMap;
 
 /// How names are shown: as [`display`] writes them, but a special point's with commas where its links have longer names than a

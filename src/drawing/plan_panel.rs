@@ -4,11 +4,11 @@ use super::inset::Inset;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
-use super::stages::numbered;
 use super::view::{Extent, View, on_sheet, towards};
+use crate::construction::{Action, ArrowKind, Plan, PlanKind, PointRole, Relation, coincident_name, image_name};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
-use crate::plan::{Action, Kind, Part, Plan, PlanKind, PointRole, Relation, coincident_name, image_name};
+use crate::quantity::Kind;
 use crate::scene::Figure;
 use kurbo::{Point, Vec2};
 
@@ -116,12 +116,12 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
         if hidden(&laid.to) || again {
             continue;
         }
-        let pen = match laid.part {
-            Part::Whole => whole,
-            Part::Normal => Pen::Normal,
-            Part::Relative => Pen::Image,
-            Part::Sliding => Pen::Vector,
-            Part::Coriolis => Pen::Coriolis,
+        let pen = match laid.kind() {
+            ArrowKind::Whole => whole,
+            ArrowKind::Normal => Pen::Normal,
+            ArrowKind::Relative => Pen::Image,
+            ArrowKind::Sliding => Pen::Vector,
+            ArrowKind::Coriolis => Pen::Coriolis,
         };
         let name = format!("{}-{}", laid.from, laid.to);
         canvas.since(stages.vector(&laid.from, &laid.to));
@@ -140,9 +140,10 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
 /// the direction, with a mark of the right angle.
 pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, plan: &Plan) {
     let at = |name: &str| plan.points.get(name).map(|p| view.at(p.vector.into()));
-    let steps = numbered(scheme.construction);
-    for (number, _, step) in steps.filter(|(_, of, _)| of.is_some_and(|of| of.kind == plan.kind)) {
-        match &step.action {
+    let steps = scheme.construction.numbered_steps();
+    for step in steps.filter(|step| step.plan.is_some_and(|of| of.kind == plan.kind)) {
+        let number = step.number as u16;
+        match &step.step.action {
             Action::Measure { from, to, .. } => {
                 if let (Some(from), Some(to)) = (at(from), at(to)) {
                     canvas.hint(number, from, to);

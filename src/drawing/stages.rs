@@ -1,4 +1,4 @@
-use crate::plan::{Action, Construction, Plan, PlanKind, Step};
+use crate::construction::{Action, Construction, Plan, PlanKind};
 use indexmap::IndexMap;
 
 /// With which step of the construction each thing comes. Steps count from 1, through the scheme, the velocity plan and the
@@ -101,12 +101,4 @@ impl PlanStages {
         let ends = [through.to_owned(), to.to_owned()];
         self.rays.get(&ends).copied().unwrap_or(self.last)
     }
-}
-
-/// All steps in order, numbered from 1, each with its plan.
-pub(super) fn numbered(construction: &Construction) -> impl Iterator<Item = (u16, Option<&Plan>, &Step)> {
-    let scheme = construction.scheme.iter().map(|step| (None, step));
-    let plans = construction.plans().flat_map(|plan| plan.steps.iter().map(move |step| (Some(plan), step)));
-    let steps = (1..).zip(scheme.chain(plans));
-    steps.map(|(number, (plan, step))| (number, plan, step))
 }

@@ -3,20 +3,28 @@
 use super::canvas::CAPTION;
 use super::item::Item;
 use super::layout::Layout;
-use super::legend::short;
+use super::legend::SCALE;
 use super::lines::PAD;
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
-use super::stages::numbered;
 use super::text::{PlacedText, RichText};
+use crate::construction::{
+    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Plan, PlanKind, Relation, rate_symbol,
+};
 use crate::geometry::{Vector, degrees_of};
-use crate::plan::{Action, Equation, Kind, Known, NamedPart, Plan, PlanKind, Relation, Step, rate_symbol};
+use crate::quantity::Kind;
+use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect};
 
 /// Room that the words need below the scales, in mm.
 const HEIGHT: f64 = 30.0;
+
+/// How values are written.
+pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7).on(Medium::Figure);
+/// How lengths on paper and angles are written.
+pub(super) const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).on(Medium::Figure);
 
 /// Size of the words.
 const SIZE: f64 = 1.05 * CAPTION;
@@ -46,12 +54,11 @@ impl Item for StepWords<'_> {
         let area = layout.below();
         drawing.draw(Pen::Frame, Shape::Line(area.origin(), Point::new(area.x1, area.y0)));
         let area = Rect { x0: area.x0 + PAD, x1: area.x1 - PAD, ..area };
-        let steps: Vec<_> = numbered(scheme.construction).collect();
-        let count = steps.len();
-        for (number, plan, step) in steps {
-            let mut writer = Writer { drawing, layout, scheme, area, number };
-            writer.caption(step, plan, count);
-            writer.details(step, plan);
+        let count = scheme.construction.numbered_steps().count();
+        for step in scheme.construction.numbered_steps() {
+            let mut writer = Writer { drawing, layout, scheme, area, number: step.number as u16 };
+            writer.caption(&step, count);
+            writer.details(&step);
         }
     }
 }
@@ -112,35 +119,39 @@ impl Writer<'_> {
     }
 
     /// Which step it is, and what to do.
-    fn caption(&mut self, step: &Step, plan: Option<&Plan>, count: usize) {
+    fn caption(&mut self, step: &NumberedStep<'_>, count: usize) {
         let number = RichText::plain(&format!("{} / {count}", self.number));
         let from = Point::new(self.area.x0, self.area.y0 + FIRST);
         let after = from.x + number.width(SIZE) + 4.0;
         let placed = PlacedText::new(number, SIZE, from);
         self.put(Pen::Heading, Shape::Text(placed));
-        let pieces = self.pieces(&step.caption, plan, Piece::Words);
+        let caption = self.scheme.teller().caption(step);
+        let pieces = self.pieces(&caption, step.plan, Piece::Words);
         let room = self.area.x1 - after;
         self.line(&pieces, SIZE, Point::new(after, from.y), room);
     }
 
     /// Equation and values of a step.
-    fn details(&mut self, step: &Step, plan: Option<&Plan>) {
+    fn details(&mut self, step: &NumberedStep<'_>) {
+        let plan = step.plan;
         let from = Point::new(self.area.x0, self.area.y0 + SECOND);
         let kind = plan.map(|p| p.kind);
         let segment = |from: &str, to: &str| plan.and_then(|p| p.segment(from, to));
-        let end = match &step.action {
+        let formula = self.scheme.teller().formula(step);
+        let action = &step.step.action;
+        let end = match action {
             Action::Solve { equations, unknowns } => return self.solved(equations, unknowns, plan),
             Action::Ray(ray) => {
                 let sign = match ray.relation {
                     Relation::Perpendicular => "⊥",
                     Relation::Parallel => "∥",
                 };
-                let along = format!("{sign} {}", ray.line);
-                self.equation(&step.equation, plan, Some(&along), from)
+                let along = format!("{sign} {}", self.scheme.teller().line_of(ray));
+                self.equation(&formula, plan, Some(&along), from)
             }
-            _ => self.equation(&step.equation, plan, None, from),
+            _ => self.equation(&formula, plan, None, from),
         };
-        let value = match &step.action {
+        let value = match action {
             Action::Measure { value, .. } => Some(self.size(*value, kind)),
             Action::MeasureLength { value, .. } => Some(self.size(*value, None)),
             Action::LayOff(arrow) => segment(&arrow.from, &arrow.to).map(|v| self.vector(v, kind)),
@@ -150,7 +161,7 @@ impl Writer<'_> {
             _ => None,
         };
         let Some(value) = value else { return };
-        let (from, to) = match &step.action {
+        let (from, to) = match action {
             Action::LayOff(arrow) => (arrow.from.as_str(), arrow.to.as_str()),
             Action::Cross { point, .. } => (kind.map_or("", PlanKind::pole), point.as_str()),
             _ => ("", ""),
@@ -173,14 +184,16 @@ impl Writer<'_> {
     }
 
     /// The equations that are solved, two in a line, and what comes out.
-    fn solved(&mut self, equations: &[String], unknowns: &[(String, f64)], plan: Option<&Plan>) {
+    fn solved(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
         let half = 0.5 * self.area.width();
         let lines = equations.len().div_ceil(2) as f64;
         let step = (LAST - SECOND + 1.6) / lines.max(1.0);
         for (index, equation) in equations.iter().enumerate() {
             let (row, column) = ((index / 2) as f64, (index % 2) as f64);
             let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 1.6 + step.min(6.0) * row);
-            let pieces = self.pieces(equation, plan, Piece::Math);
+            let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
+            let equation = self.scheme.teller().equation(kind, equation);
+            let pieces = self.pieces(&equation, plan, Piece::Math);
             self.line(&pieces, EQUATION, from, half - 4.0);
         }
         let mut pieces = Vec::new();
@@ -208,7 +221,7 @@ impl Writer<'_> {
 
     /// Writes an equation, with lines under what is known: two under whole vectors, one under directions; below them what they are
     /// called, and `along` what the direction is. Where it ends.
-    fn equation(&mut self, equation: &Equation, plan: Option<&Plan>, along: Option<&str>, from: Point) -> f64 {
+    fn equation(&mut self, equation: &Formula, plan: Option<&Plan>, along: Option<&str>, from: Point) -> f64 {
         let language = self.scheme.words.language;
         let mut x = from.x;
         for term in &equation.terms {
@@ -224,10 +237,10 @@ impl Writer<'_> {
             }
             let text = RichText::math(&term.markup);
             let mut name = match term.part {
-                Some(NamedPart::Normal) => language.normal,
-                Some(NamedPart::Tangential) => language.tangential,
-                Some(NamedPart::Sliding) => language.sliding,
-                Some(NamedPart::Coriolis) => language.coriolis,
+                Some(NamedPart::Normal) => language.normal(),
+                Some(NamedPart::Tangential) => language.tangential(),
+                Some(NamedPart::Sliding) => language.sliding(),
+                Some(NamedPart::Coriolis) => language.coriolis(),
                 None => "",
             }
             .to_owned();
@@ -268,8 +281,8 @@ impl Writer<'_> {
         let unit = kind.unit(self.scheme.scene.units);
         let words = &self.scheme.words;
         let on_paper = self.layout.mu(kind).map(|mu| {
-            let mm = words.number(format!("{:.2}", value / mu));
-            format!(" ({mm} mm × {})", short(words, mu))
+            let mm = words.write(value / mu, HUNDREDTHS);
+            format!(" ({mm} mm × {})", words.write(mu, SCALE))
         });
         let value = self.significant(value);
         format!("{value} {unit}{}", on_paper.unwrap_or_default())
@@ -282,26 +295,10 @@ impl Writer<'_> {
             return size;
         }
         let words = &self.scheme.words;
-        let degrees = words.number(format!("{:.2}", degrees_of(vector)));
-        (words.language.with_direction)(&size, &degrees.replace('-', "−"))
+        words.language.with_direction(&size, &words.write(degrees_of(vector), HUNDREDTHS))
     }
 
     fn significant(&self, value: f64) -> String {
-        self.scheme.words.number(significant(value))
+        self.scheme.words.write(value, VALUE)
     }
-}
-
-/// A number with five significant digits and a proper minus.
-pub(super) fn significant(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let exponent = libm::floor(libm::log10(x.abs())) as i32;
-    let text = if (-4..7).contains(&exponent) {
-        format!("{x:.*}", (4 - exponent).max(0) as usize)
-    } else {
-        let mantissa = x / libm::pow(10.0, f64::from(exponent));
-        format!("{mantissa:.4}·10^{{{exponent}}}")
-    };
-    text.replace('-', "−")
 }

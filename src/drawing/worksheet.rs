@@ -10,11 +10,11 @@ use super::plan_panel::{self, is_hidden};
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
-use super::stages::numbered;
 use super::table::{Cells, Table};
 use super::text::{PlacedText, RichText};
-use super::words::significant;
-use crate::plan::{Action, Kind, Plan};
+use super::words::{HUNDREDTHS, VALUE};
+use crate::construction::{Action, Plan};
+use crate::quantity::Kind;
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 
@@ -55,7 +55,7 @@ impl Worksheet {
         let (words, page) = (scheme.words, scheme.figure.page.size_mm());
         let needs = |row: &Row| panels.iter().map(|panel| panel.needs).find(|needs| Some(needs.kind) == row.scale);
         let rows: Vec<Row> = rows(scheme).filter(|row| needs(row).is_some()).collect();
-        let mut table = table(words.language.segment, words.language.value, rows.len());
+        let mut table = table(words.language.segment(), words.language.value(), rows.len());
         for row in &rows {
             // No panel is larger than the page, so its scale is at least this one.
             let least = needs(row).map_or(0.0, |needs| {
@@ -95,7 +95,7 @@ impl Item for Worksheet {
         });
         let cells: Vec<Cells<CELLS>> = cells.collect();
         let foot = self.table.draw(drawing, area, &cells);
-        ruler(drawing, foot + Vec2::new(2.0, -RULER_ROOM[1]), self.words.language.ruler);
+        ruler(drawing, foot + Vec2::new(2.0, -RULER_ROOM[1]), self.words.language.ruler());
     }
 }
 
@@ -122,7 +122,7 @@ impl Row {
 /// A value in millimetres of paper at a scale.
 fn millimetres(words: &Wording, value: f64, mu: f64) -> RichText {
     let mm = if mu > 0.0 { value / mu } else { 0.0 };
-    RichText::plain(&words.number(format!("{mm:.2}")))
+    RichText::plain(&words.write(mm, HUNDREDTHS))
 }
 
 /// What is measured, and visible, in the order of the construction.
@@ -142,7 +142,7 @@ fn rows<'a>(scheme: &'a Scheme<'_>) -> impl Iterator<Item = Row> + 'a {
         }
         let kind = plan_panel::kind(plan.map(|plan| plan.kind));
         let name = |name: &str| scheme.shown(name, plan);
-        let written = scheme.words.number(significant(value));
+        let written = scheme.words.write(value, VALUE);
         Some(Row {
             step,
             value,
@@ -152,8 +152,8 @@ fn rows<'a>(scheme: &'a Scheme<'_>) -> impl Iterator<Item = Row> + 'a {
             unit: RichText::plain(&kind.unit(scheme.scene.units)),
         })
     };
-    let steps = numbered(scheme.construction);
-    steps.filter_map(move |(number, plan, step)| row((number, plan, &step.action)))
+    let steps = scheme.construction.numbered_steps();
+    steps.filter_map(move |step| row((step.number as u16, step.plan, &step.step.action)))
 }
 
 /// A ruler with a stroke for each millimetre, below the words.

@@ -2,8 +2,9 @@
 
 use super::judge::{Exercise, Refusal, key_page};
 use super::vary::{OnGuide, length_step, varied};
+use crate::construction::Construction;
 use crate::geometry::Random;
-use crate::plan::{Construction, Quantity};
+use crate::quantity::Quantity;
 use crate::scene::{Figure, Page, PageSize, Panel, SceneError};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,8 +1,8 @@
 //! What a student is told besides the scheme: the numbers of the scene in sentences.
 
-use crate::plan::{Kind, Scales};
-use crate::scene::{At, Form, On, Scene, Shape};
-use crate::words::Wording;
+use crate::quantity::{Kind, Scales};
+use crate::scene::{At, DecimalMark, Form, On, Scene, Shape};
+use crate::words::{Medium, NumberStyle, Wording};
 use serde_json::Value;
 
 /// All that is given, and at which scales the plans are to be drawn; in markup. Vectors are told as the scene's `text` has them, by components
@@ -13,14 +13,13 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
     let mut all = teller.lengths();
     all.extend(teller.drives());
     all.extend(teller.motions(&file));
-    let own = words.language.exercise;
     let plans = [("μ_v", scales.velocity, Kind::Velocity), ("μ_a", scales.acceleration, Kind::Acceleration)];
     let plans = plans.into_iter().filter_map(|(symbol, mu, kind)| {
         let unit = kind.unit(scene.units);
         Some(format!("{symbol} = {} ({unit})/mm", teller.number(mu?)))
     });
     let plans: Vec<String> = plans.collect();
-    vec![(own.given)(&listed(&all)), (own.draw)(&listed(&plans))]
+    vec![words.language.exercise_given(&listed(&all)), words.language.exercise_draw(&listed(&plans))]
 }
 
 /// A list that breaks between its items only.
@@ -36,7 +35,7 @@ struct Teller<'a> {
 
 impl Teller<'_> {
     fn number(&self, x: f64) -> String {
-        self.words.number(x.to_string()).replace('-', "−")
+        self.words.write(x, NumberStyle::shortest().on(Medium::Figure))
     }
 
     fn unit(&self, kind: Kind) -> String {
@@ -55,7 +54,7 @@ impl Teller<'_> {
 
     fn pair(&self, [x, y]: [f64; 2]) -> String {
         // Decimal commas must not run into the one between.
-        let mark = if self.words.number("0.5".into()).contains(',') { ";" } else { "," };
+        let mark = if self.words.decimal == DecimalMark::Comma { ";" } else { "," };
         format!("({}{mark} {})", self.number(x), self.number(y))
     }
 
@@ -144,8 +143,7 @@ impl Teller<'_> {
                 (_, [0.0, 0.0]) => format!("{symbol} = 0"),
                 ([Some(size), Some(angle)], _) => {
                     let size = format!("{} {}", self.number(size), self.unit(kind));
-                    let sentence = self.words.language.with_direction;
-                    format!("{symbol} = {}", sentence(&size, &self.number(angle)))
+                    format!("{symbol} = {}", self.words.language.with_direction(&size, &self.number(angle)))
                 }
                 _ => format!("{symbol} = {} {}", self.pair(vector), self.unit(kind)),
             }

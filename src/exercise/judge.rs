@@ -1,13 +1,13 @@
 //! Which variants are exercises: those that a careful hand draws well.
 
 use super::given::sentences;
-use crate::check::{BANDS, form_names, numbered_steps};
-use crate::drafting::{Pencil, Tolerance, pencil};
+use crate::check::{BANDS, form_names};
+use crate::construction::{Action, Construction, Solution, Tolerance};
 use crate::drawing::{Drawing, exercise_scale, exercise_sheet, shows_special_points};
 use crate::mechanism::mechanism;
 use crate::motion::Order;
-use crate::plan::{Action, Asked, Construction, PlanKind, Quantity, Scales, Solution, What};
 use crate::position::pose;
+use crate::quantity::{Asked, Pencil, Quantity, Scales, What, pencil};
 use crate::scene::{Figure, Page, PageSize, Scene};
 
 /// Condition numbers of groups are at most this: near singular positions every length counts many times.
@@ -80,8 +80,7 @@ impl Exercise {
         scene.figure = asked.unwrap_or(&scene.figure).clone();
         let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
         let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
-        let mut solution =
-            Solution::new(scene, mechanism, pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
+        let mut solution = Solution::new(scene, mechanism, pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
         let conditions = solution.motion.groups.iter().map(|group| group.condition);
         if conditions.fold(1.0, f64::max) > CONDITION {
             return Err(Refusal::Singular);
@@ -169,7 +168,7 @@ fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
             return Err(Refusal::Routes);
         }
     }
-    let sines = numbered_steps(construction).into_iter().filter_map(|s| match &s.step.action {
+    let sines = construction.numbered_steps().filter_map(|s| match &s.step.action {
         Action::Cross { sine, .. } | Action::SpecialPoint { sine, .. } => Some(sine.abs()),
         _ => None,
     });
@@ -181,24 +180,15 @@ fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
 
 /// Whether everything that is measured is long enough on paper, or nothing.
 fn is_long_enough(construction: &Construction, scales: &Scales) -> Result<(), Refusal> {
-    for step in numbered_steps(construction) {
+    for step in construction.numbered_steps() {
         let value = match (&step.step.action, step.plan) {
             (Action::Measure { value, .. } | Action::MeasureLength { value, .. }, _) => value.abs(),
             (Action::Cross { point, .. }, Some(plan)) => plan.points[point].vector.norm(),
             _ => continue,
         };
-        let (mu, largest) = match step.plan {
-            None => (scales.length, value),
-            Some(plan) => {
-                let sizes = plan.points.values().map(|p| p.vector.norm());
-                let mu = match plan.kind {
-                    PlanKind::Velocity => scales.velocity,
-                    PlanKind::Acceleration => scales.acceleration,
-                };
-                (mu, sizes.fold(0.0, f64::max))
-            }
-        };
-        let mm = value / mu.ok_or(Refusal::Sheet)?;
+        let sizes = step.plan.into_iter().flat_map(|plan| plan.points.values()).map(|point| point.vector.norm());
+        let largest = sizes.reduce(f64::max).unwrap_or(value);
+        let mm = value / scales.of(step.sheet()).ok_or(Refusal::Sheet)?;
         if mm < SHORTEST && value > NOTHING * largest {
             return Err(Refusal::Short);
         }

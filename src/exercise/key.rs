@@ -2,10 +2,11 @@
 
 use super::given::listed;
 use super::judge::Exercise;
-use crate::check::{BANDS, numbered_steps, significant, template_csv, template_json};
+use crate::check::{BANDS, significant, template_csv, template_json};
 use crate::drawing::{Drawing, key_sheet};
-use crate::plan::What;
+use crate::quantity::What;
 use crate::scene::schema_of;
+use crate::words::Medium;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -53,8 +54,8 @@ impl Exercise {
     /// All values of the form, with what a careful hand may be off by.
     #[must_use]
     pub fn key(&self) -> KeyResult {
-        let steps = numbered_steps(&self.solution.construction);
-        let names: Vec<(usize, Vec<String>)> = steps.iter().map(|s| (s.number, s.names())).collect();
+        let steps = self.solution.construction.numbered_steps();
+        let names: Vec<(usize, Vec<String>)> = steps.map(|s| (s.number, s.names())).collect();
         let step = |name: &str| {
             let mut found = names.iter().filter(|(_, own)| own.iter().any(|n| n == name));
             found.next().map_or(0, |(number, _)| *number)
@@ -84,7 +85,7 @@ impl Exercise {
         let rates = self.values().into_iter();
         let rates = rates.filter(|(a, _)| !matches!(a.what(), What::Segment { .. } | What::Length(..)));
         let rates = rates.map(|(asked, value)| {
-            let number = |x: f64, digits: i32| words.number(significant(x, digits)).replace('-', "−");
+            let number = |x: f64, digits: usize| words.write(x, significant(digits).on(Medium::Figure));
             let symbol = asked.symbol(&self.solution.mechanism, words.notation, &str::to_owned);
             let band = self.pencil.band(asked.name());
             let allowed = band.map_or_else(String::new, |band| format!(" ± {}", number(BANDS * band.band, 2)));
@@ -92,7 +93,7 @@ impl Exercise {
             format!("{symbol} = {}{allowed} {unit}", number(value, 4))
         });
         let rates: Vec<String> = rates.collect();
-        let sentence = (words.language.exercise.rates)(&listed(&rates));
+        let sentence = words.language.exercise_rates(&listed(&rates));
         key_sheet(&self.solution, &[sentence])
     }
 

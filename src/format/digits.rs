@@ -1,9 +1,11 @@
 use crate::accuracy::{Bounds, bounds};
+use crate::construction::{Solution, coincident_name};
 use crate::geometry::{Point, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::Motion;
-use crate::plan::{Kind, Solution, coincident_name};
-use crate::scene::Units;
+use crate::quantity::Kind;
+use crate::scene::{DecimalMark, Units};
+use crate::words::NumberStyle;
 
 impl Solution {
     /// Every ω, α, velocity and acceleration with only those digits that are certain, as a table: name, value, unit, bound of the error.
@@ -77,7 +79,7 @@ impl Table<'_> {
             return;
         }
         let (value, bound) = match certain(value, bound) {
-            Certain::Digits(value) => (value, format!("± {}", upwards(bound))),
+            Certain::Digits(value) => (value, format!("± {}", written(bound, NumberStyle::bound()))),
             Certain::None(within) => ("0".to_owned(), format!("± {within}, no digit is certain")),
         };
         let line = [name, value, kind.unit(self.units), bound];
@@ -133,13 +135,13 @@ enum Certain {
 fn certain(value: f64, bound: f64) -> Certain {
     // Given values, and those that have no error: the shortest text that reads back to the number.
     if bound == 0.0 {
-        return Certain::Digits(plain(value));
+        return Certain::Digits(written(value, NumberStyle::shortest().in_full(-5, 9)));
     }
     let last = place_above(2.0 * bound);
     // The place of the first digit.
     let first = exponent(&format!("{:e}", value.abs()));
     if value == 0.0 || first < last {
-        return Certain::None(upwards(value.abs() + bound));
+        return Certain::None(written(value.abs() + bound, NumberStyle::bound()));
     }
     // More than 17 digits say nothing more of an f64.
     let digits = (first - last).min(16);
@@ -150,33 +152,9 @@ fn certain(value: f64, bound: f64) -> Certain {
     }
 }
 
-/// The shortest text that reads back to a number, without an exponent where it is not long.
-fn plain(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if (1e-5..1e9).contains(&size) {
-        format!("{value}")
-    } else {
-        format!("{value:e}")
-    }
-}
-
-/// A positive number rounded up to one digit, as in `3e-17`; 0 stays.
-fn upwards(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let text = format!("{x:.0e}");
-    if text.parse().is_ok_and(|rounded: f64| x <= rounded) {
-        return text;
-    }
-    // Rounded down: one unit more; 9 was rounded down to itself.
-    let power = exponent(&text);
-    match text.as_bytes()[0] {
-        b'9' => format!("1e{}", power + 1),
-        digit => format!("{}e{power}", char::from(digit + 1)),
-    }
+/// A number of a result: these always have points.
+fn written(x: f64, style: NumberStyle) -> String {
+    style.write(x, DecimalMark::Point)
 }
 
 /// The exponent of a number written with one.
@@ -220,7 +198,5 @@ mod tests {
             let none = Certain::None(within.to_owned());
             assert_eq!(certain(value, bound), none, "{value} {bound}");
         }
-        assert_eq!(upwards(3.0000001e-17), "4e-17");
-        assert_eq!(upwards(9.5e-17), "1e-16");
     }
 }

@@ -41,26 +41,26 @@ pub fn html(page: &Page<'_>) -> String {
     let finished = first.after_step(first.steps.len() + 1);
     let sheet: String = layers(&finished, Text::Letters).into_iter().map(|layer| layer.svg).collect();
     let title = if first.title.is_empty() { "Kinegon" } else { &first.title };
-    let words = &page.language.page;
+    let words = page.language;
     let said = [
-        ("figure", words.figure),
-        ("panels", words.panels),
-        ("steps", words.steps),
-        ("first", words.first),
-        ("back", words.back),
-        ("forward", words.forward),
-        ("finished", words.finished),
-        ("motion", words.motion),
-        ("play", words.play),
-        ("own", words.own),
-        ("speed", words.speed),
-        ("look", words.look),
-        ("dark", words.dark),
-        ("print", words.print),
-        ("to_scale", words.to_scale),
-        ("no_script", words.no_script),
-        ("too_old", words.too_old),
-        ("language", page.language.code),
+        ("figure", words.page_figure()),
+        ("panels", words.page_panels()),
+        ("steps", words.page_steps()),
+        ("first", words.page_first()),
+        ("back", words.page_back()),
+        ("forward", words.page_forward()),
+        ("finished", words.page_finished()),
+        ("motion", words.page_motion()),
+        ("play", words.page_play()),
+        ("own", words.page_own()),
+        ("speed", words.page_speed()),
+        ("look", words.page_look()),
+        ("dark", words.page_dark()),
+        ("print", words.page_print()),
+        ("to_scale", words.page_to_scale()),
+        ("no_script", words.page_no_script()),
+        ("too_old", words.page_too_old()),
+        ("language", words.code),
     ];
     let contents = [
         ("title", escape(&clean(title))),
@@ -90,7 +90,7 @@ pub fn html(page: &Page<'_>) -> String {
 /// What the page's script reads.
 fn film(page: &Page<'_>, first: &Drawing) -> Value {
     let last = first.steps.len() as u16 + 1;
-    let said = &page.language.page;
+    let said = page.language;
     let mut lines: IndexSet<String> = IndexSet::new();
     // Layers by their place in the pile; what is below comes first.
     let mut pile: IndexMap<(bool, u16, bool), Vec<Vec<usize>>> = IndexMap::new();
@@ -125,7 +125,7 @@ fn film(page: &Page<'_>, first: &Drawing) -> Value {
     let words = Rect::new(0.0, below, first.width, first.height);
     json!({
         "title": first.title,
-        "said": { "all": said.all, "count": said.count, "play": said.play, "pause": said.pause },
+        "said": { "all": said.page_all(), "count": said.page_count(), "play": said.page_play(), "pause": said.page_pause() },
         "width": first.width,
         "height": first.height,
         "panels": panels.collect::<Vec<_>>(),

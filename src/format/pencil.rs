@@ -1,4 +1,4 @@
-use crate::drafting::{Band, Pencil, Unread};
+use crate::quantity::{Band, Pencil, Unread};
 use crate::scene::Units;
 use indexmap::IndexMap;
 use schemars::JsonSchema;

@@ -1,9 +1,9 @@
 use super::digits::holder;
 use super::pencil::PencilResult;
+use crate::construction::{Solution, coincident_name};
 use crate::geometry::{Place, Vector, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
 use crate::motion::Order;
-use crate::plan::{Solution, coincident_name};
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -183,7 +183,11 @@ impl Solution {
                 links: group.bodies.iter().map(name).collect(),
                 class: group.class.numeral(),
                 joints: group.pattern(mechanism),
-                special_points: construction.special[index].iter().filter(|s| s.is_assur).map(|s| s.name.clone()).collect(),
+                special_points: construction.special[index]
+                    .iter()
+                    .filter(|s| s.is_assur)
+                    .map(|s| s.name.clone())
+                    .collect(),
                 condition: motion.groups[index].condition,
                 disagreement: agreement.map(|a| a.difference),
                 disagreement_allowed: agreement.map(|a| a.allowed),
@@ -200,7 +204,7 @@ impl Solution {
             groups: groups.collect(),
             quantities: IndexMap::new(),
             pencil: None,
-            warnings: self.warnings().map(str::to_owned).collect(),
+            warnings: self.warnings().collect(),
         }
     }
 }

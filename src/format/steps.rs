@@ -1,9 +1,16 @@
-use crate::drafting::{Pencil, Sheet, Tolerance, Unread};
+use crate::construction::{
+    Action, NumberedStep, Plan, PlanKind, Sheet, Solution, Teller, Tolerance, plain_text, shown_text,
+};
 use crate::geometry::{Vector, degrees_of};
-use crate::plan::{Action, Plan, PlanKind, Solution, Step, plain_text, shown_text};
+use crate::quantity::{Pencil, Unread};
 use crate::scene::Units;
-use crate::words::Wording;
+use crate::words::{NumberStyle, Wording};
 use std::fmt::Write;
+
+/// How lengths on paper and angles are written.
+const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2);
+/// How it is written how far two routes differ.
+const ONE_DIGIT: NumberStyle = NumberStyle::significant(1).in_full(0, 0);
 
 impl Solution {
     /// The construction as numbered text, each step with its values, its lengths in millimetres of paper and the bands of hand drawings.
@@ -12,28 +19,30 @@ impl Solution {
         let Solution { scene, construction, .. } = self;
         let words = self.wording();
         let language = words.language;
-        let mut page = Page { text: String::new(), number: 0, units: scene.units, words, pencil };
+        let teller = Teller::new(self, &words);
+        let mut page = Page { text: String::new(), units: scene.units, words: &words, teller, pencil };
         if let Some(title) = &scene.title {
             page.line(title);
         }
         page.scales_line();
         page.pencil_lines();
-        page.heading(language.on_the_mechanism);
-        for step in &construction.scheme {
-            page.step(step, None);
+        page.heading(language.on_the_mechanism());
+        let mut steps = construction.numbered_steps().peekable();
+        while let Some(step) = steps.next_if(|step| step.plan.is_none()) {
+            page.step(&step);
         }
         for plan in construction.plans() {
             page.heading(match plan.kind {
-                PlanKind::Velocity => language.velocity_plan,
-                PlanKind::Acceleration => language.acceleration_plan,
+                PlanKind::Velocity => language.velocity_plan(),
+                PlanKind::Acceleration => language.acceleration_plan(),
             });
-            for step in &plan.steps {
-                page.step(step, Some(plan));
+            while let Some(step) = steps.next_if(|step| step.sheet() == plan.kind.sheet()) {
+                page.step(&step);
             }
         }
         for agreement in construction.agreement.iter().flatten() {
-            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| format!("{x:.0e}"));
-            page.heading(&(language.routes_differ)(&difference, &allowed));
+            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            page.heading(&language.routes_differ(&difference, &allowed));
         }
         page.text
     }
@@ -41,9 +50,9 @@ impl Solution {
 
 struct Page<'a> {
     text: String,
-    number: usize,
     units: Units,
-    words: Wording,
+    words: &'a Wording,
+    teller: Teller<'a>,
     pencil: &'a Pencil,
 }
 
@@ -57,10 +66,6 @@ impl Page<'_> {
     fn heading(&mut self, line: &str) {
         self.text.push('\n');
         self.line(line);
-    }
-
-    fn number(&self, written: String) -> String {
-        self.words.number(written)
     }
 
     fn unit(&self, kind: Option<PlanKind>) -> String {
@@ -83,20 +88,20 @@ impl Page<'_> {
     fn scales_line(&mut self) {
         let kinds = [None, Some(PlanKind::Velocity), Some(PlanKind::Acceleration)];
         let entries = kinds.into_iter().zip(["μ_l", "μ_v", "μ_a"]).filter_map(|(kind, name)| {
-            let mu = self.number(self.mu(kind)?.to_string());
-            Some((self.words.language.scale_per_mm)(name, &mu, &self.unit(kind)))
+            let mu = self.words.write(self.mu(kind)?, NumberStyle::shortest());
+            Some(self.words.language.scale_per_mm(name, &mu, &self.unit(kind)))
         });
         let entries: Vec<String> = entries.collect();
-        let line = (self.words.language.scales)(&entries.join(", "));
+        let line = self.words.language.scales(&entries.join(", "));
         self.line(&line);
     }
 
     /// What the bands mean, and why some values have none.
     fn pencil_lines(&mut self) {
         let Tolerance { mm, degrees } = self.pencil.tolerance;
-        let [mm, degrees] = [mm, degrees].map(|x| self.number(x.to_string()));
+        let [mm, degrees] = [mm, degrees].map(|x| self.words.write(x, NumberStyle::shortest()));
         let language = self.words.language;
-        self.line(&(language.bands)(&mm, &degrees));
+        self.line(&language.bands(&mm, &degrees));
         let mut reasons: Vec<&Unread> = Vec::new();
         for (_, band) in &self.pencil.quantities {
             if let Err(why @ (Unread::NoConstruction | Unread::NoSheet(_))) = band
@@ -107,15 +112,15 @@ impl Page<'_> {
         }
         for why in reasons {
             let sheet = match why {
-                Unread::NoSheet(Sheet::Scheme) => language.scheme,
-                Unread::NoSheet(Sheet::Velocity) => language.velocity_plan,
-                Unread::NoSheet(Sheet::Acceleration) => language.acceleration_plan,
+                Unread::NoSheet(Sheet::Scheme) => language.scheme(),
+                Unread::NoSheet(Sheet::Velocity) => language.velocity_plan(),
+                Unread::NoSheet(Sheet::Acceleration) => language.acceleration_plan(),
                 _ => {
-                    self.line(language.no_band_no_construction);
+                    self.line(language.no_band_no_construction());
                     continue;
                 }
             };
-            self.line(&(language.no_band_no_sheet)(&sheet.to_lowercase()));
+            self.line(&language.no_band_no_sheet(&sheet.to_lowercase()));
         }
     }
 
@@ -125,11 +130,15 @@ impl Page<'_> {
             return String::new();
         };
         let on_paper = mu.map(|mu| {
-            let mm = self.number(format!("{:.2}", band.band / mu));
+            let mm = self.words.write(band.band / mu, HUNDREDTHS);
             format!(" ({mm} mm)")
         });
-        let rough = if band.is_rough { self.words.language.only_roughly } else { "" };
-        format!("; ± {} {unit}{}{rough}", self.number(significant(band.band, 2)), on_paper.unwrap_or_default())
+        let rough = if band.is_rough { self.words.language.only_roughly() } else { "" };
+        format!(
+            "; ± {} {unit}{}{rough}",
+            self.words.write(band.band, NumberStyle::significant(2)),
+            on_paper.unwrap_or_default()
+        )
     }
 
     /// The band of a plan's segment.
@@ -141,56 +150,57 @@ impl Page<'_> {
     /// A value with its unit and its length on paper.
     fn measure(&self, value: f64, kind: Option<PlanKind>) -> String {
         let on_paper = self.mu(kind).map(|mu| {
-            let mm = self.number(format!("{:.2}", value / mu));
-            format!(" ({})", (self.words.language.on_paper)(&mm))
+            let mm = self.words.write(value / mu, HUNDREDTHS);
+            format!(" ({})", self.words.language.on_paper(&mm))
         });
         format!("{} {}{}", self.digits(value), self.unit(kind), on_paper.unwrap_or_default())
     }
 
-    fn step(&mut self, step: &Step, plan: Option<&Plan>) {
-        self.number += 1;
-        let _ = writeln!(self.text, "{:3}. {}", self.number, self.text(&step.caption, plan));
-        for detail in self.details(step, plan) {
+    fn step(&mut self, step: &NumberedStep<'_>) {
+        let caption = self.text(&self.teller.caption(step), step.plan);
+        let _ = writeln!(self.text, "{:3}. {caption}", step.number);
+        for detail in self.details(step) {
             let _ = writeln!(self.text, "     {detail}");
         }
     }
 
     /// A caption or an equation as plain text.
     fn text(&self, markup: &str, plan: Option<&Plan>) -> String {
-        shown_text(markup, plan, &self.words)
+        shown_text(markup, plan, self.words)
     }
 
     /// A number with seven significant digits.
     fn digits(&self, value: f64) -> String {
-        self.number(significant(value, 7))
+        self.words.write(value, NumberStyle::significant(7))
     }
 
     fn degrees(&self, degrees: f64) -> String {
-        self.number(format!("{degrees:.2}"))
+        self.words.write(degrees, HUNDREDTHS)
     }
 
     /// The acute angle of a crossing with this sine.
     fn crossing(&self, sine: f64) -> String {
         let angle = libm::asin(sine.abs().min(1.0)).to_degrees();
-        (self.words.language.angle_of_crossing)(&self.degrees(angle))
+        self.words.language.angle_of_crossing(&self.degrees(angle))
     }
 
     /// A vector's size with its length on paper, and its direction.
     fn vector(&self, vector: Vector, kind: Option<PlanKind>) -> String {
         let size = self.measure(vector.norm(), kind);
-        (self.words.language.with_direction)(&size, &self.degrees(degrees_of(vector)))
+        self.words.language.with_direction(&size, &self.degrees(degrees_of(vector)))
     }
 
     /// Equation and values of a step, a line each.
-    fn details(&self, step: &Step, plan: Option<&Plan>) -> Vec<String> {
+    fn details(&self, step: &NumberedStep<'_>) -> Vec<String> {
+        let plan = step.plan;
         let kind = plan.map(|p| p.kind);
-        let equation = self.text(&step.equation.markup(), plan);
+        let equation = self.text(&self.teller.formula(step).markup(), plan);
         let shown = |name: &str| match plan {
             Some(plan) => plain_text(&plan.shown(name, name.to_owned(), self.words.notation)),
             None => name.to_owned(),
         };
-        match &step.action {
-            Action::Pole { .. } | Action::Note => Vec::new(),
+        match &step.step.action {
+            Action::Pole { .. } | Action::NoConstruction { .. } => Vec::new(),
             Action::SpecialPoint { sine, .. } => {
                 vec![self.crossing(*sine)]
             }
@@ -217,7 +227,7 @@ impl Page<'_> {
                 lines
             }
             Action::Ray(ray) => {
-                let direction = (self.words.language.direction)(&self.degrees(degrees_of(ray.direction)));
+                let direction = self.words.language.direction(&self.degrees(degrees_of(ray.direction)));
                 if equation.is_empty() { vec![direction] } else { vec![format!("{equation}; {direction}")] }
             }
             Action::Cross { point, sine, .. } => {
@@ -239,7 +249,9 @@ impl Page<'_> {
                 vec![format!("{} {} = {}{band}", shown(from), shown(to), self.measure(*value, kind))]
             }
             Action::Solve { equations, unknowns } => {
-                let mut lines: Vec<String> = equations.iter().map(|e| self.text(e, plan)).collect();
+                let of = kind.unwrap_or(PlanKind::Velocity);
+                let equations = equations.iter().map(|e| self.text(&self.teller.equation(of, e), plan));
+                let mut lines: Vec<String> = equations.collect();
                 let time = self.units.time.as_str();
                 lines.extend(unknowns.iter().map(|(name, value)| {
                     let unit = match name.split('(').next() {
@@ -255,14 +267,4 @@ impl Page<'_> {
             }
         }
     }
-}
-
-/// A number with so many significant digits.
-fn significant(x: f64, count: i32) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let exponent = libm::floor(libm::log10(x.abs())) as i32;
-    let after = (count - 1 - exponent).max(0) as usize;
-    if (-4..9).contains(&exponent) { format!("{x:.after$}") } else { format!("{x:.*e}", count as usize - 1) }
 }

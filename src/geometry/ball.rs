@@ -1,5 +1,5 @@
-use super::{Pair, Point, Vector};
-use std::ops::{Add, Mul, Neg, Sub};
+use super::{Number, Pair, Point, Vector};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Bound of the relative error of a sum or product of two balls' middles: 16 u², at least twice what is proven.
 const ROUNDING: f64 = f64::EPSILON * f64::EPSILON * 4.0;
@@ -36,10 +36,10 @@ impl Ball {
         Ball { high: 2.0 * self.high, low: 2.0 * self.low, radius: 2.0 * self.radius }
     }
 
-    /// The same, uncertain by so much more.
+    /// Adds `error` to the radius.
     #[inline]
     #[must_use]
-    pub fn doubted(self, error: f64) -> Ball {
+    pub fn widened(self, error: f64) -> Ball {
         Ball { radius: self.radius + error.abs(), ..self }
     }
 
@@ -100,6 +100,53 @@ impl Mul for Ball {
         let (high, low) = ordered_sum(product, rest + crossed);
         let carried = self.high.abs() * other.radius + self.radius * other.high.abs();
         Ball { high, low, radius: carried + self.radius * other.radius + ROUNDING * high.abs() }
+    }
+}
+
+impl Div for Ball {
+    type Output = Ball;
+
+    /// The quotient in two pieces; what they leave of the dividend bounds its error. Infinitely uncertain where the divisor may be zero.
+    #[inline]
+    fn div(self, other: Ball) -> Ball {
+        let first = self.high / other.high;
+        let left = self - other * Ball::from(first);
+        let second = left.high / other.high;
+        let rest = left - other * Ball::from(second);
+        let (high, low) = two_sum(first, second);
+        let least = (other.high.abs() - other.error()).max(0.0);
+        Ball { high, low, radius: (rest.high.abs() + rest.error()) / least }
+    }
+}
+
+impl Number for Ball {
+    fn same(self, number: f64) -> Ball {
+        number.into()
+    }
+
+    fn plus_product(self, a: Ball, b: Ball) -> Ball {
+        self + a * b
+    }
+
+    fn minus_product(self, a: Ball, b: Ball) -> Ball {
+        self - a * b
+    }
+
+    /// The root in two pieces; what its square leaves bounds its error: |√x − s| ≤ |x − s²| / s.
+    fn sqrt(self) -> Ball {
+        let first = self.high.sqrt();
+        if first == 0.0 {
+            return Ball { radius: self.error().sqrt(), ..Ball::default() };
+        }
+        let left = self - Ball::from(first) * Ball::from(first);
+        let (high, low) = two_sum(first, left.high / (2.0 * first));
+        let root = Ball { high, low, radius: 0.0 };
+        let rest = self - root * root;
+        Ball { radius: (rest.high.abs() + rest.error()) / first, ..root }
+    }
+
+    fn larger(self, other: Ball) -> Ball {
+        if self.high > other.high { self } else { other }
     }
 }
 
@@ -205,6 +252,8 @@ mod tests {
                 ("difference", a - b, &x - &y),
                 ("product", a * b, &x * &y),
                 ("double", a.twice(), &x + &x),
+                ("quotient", a / b, &x / &y),
+                ("root", (a * a).sqrt(), if x < precise(0.0) { -&x } else { x.clone() }),
             ] {
                 prop_assert!(holds(result, &number), "{name}: {a:?}, {b:?} give {result:?}");
             }

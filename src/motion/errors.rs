@@ -28,5 +28,5 @@ pub(super) fn guide(pose: &Pose, slider: SliderId, sign: f64) -> Pair<Ball> {
     let u = pose.guide(slider) * sign;
     let error = guide_error(u);
     let Pair { x, y } = Pair::<Ball>::from(u);
-    Pair { x: x.doubted(u.x * error), y: y.doubted(u.y * error) }
+    Pair { x: x.widened(u.x * error), y: y.widened(u.y * error) }
 }

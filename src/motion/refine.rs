@@ -67,7 +67,7 @@ impl<'a> Solver<'a> {
         self.doubt_coefficients(&mut uncertain, correction);
         let errors = self.system.error_bound(correction, &right, &uncertain);
         for (x, error) in solution.iter_mut().zip(errors) {
-            *x = x.doubted(error);
+            *x = x.widened(error);
         }
     }
 

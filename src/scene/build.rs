@@ -1,16 +1,25 @@
-//! A scene put together in Rust: what a file would say, key by key, and nothing else.
+//! A scene put together in Rust: the types of the scene file, filled in key by key.
 
 use super::build_parts::{Guide, NewLink};
 use super::error::SceneError;
-use super::figure::{DecimalMark, Figure, LanguageName, NotationName, Page, StyleName};
-use super::units::{LengthUnit, TimeUnit};
-use super::write::{Object, Written, texts};
-use super::{PointMotion, Scene};
+use super::figure::Figure;
+use super::file::SceneFile;
+use super::kind::FileKind;
+use super::link::LinkFile;
+use super::motion::PointMotion;
+use super::place::Source;
+use super::points::Ground;
+use super::read::Scene;
+use super::slider::SliderFile;
+use super::units::{LengthUnit, TimeUnit, Units};
+use super::value::{Entries, NearValue, Vector};
+use super::wrong::Wrong;
+use super::{text, write};
 
 /// Puts a scene together in Rust.
 ///
-/// Each method adds what the key of the same name says in a scene file, and [`Builder::build`] reads the file's text: so a
-/// scene built in code and one read from a file are the same, with the same checks and messages.
+/// Each method fills in what the key of the same name says in a scene file, and [`Builder::build`] checks it as that of a
+/// file: so a scene built in code and one read from a file are the same, with the same checks and messages.
 ///
 /// ```
 /// use kinegon::scene::{Builder, Guide, LengthUnit, NewLink, TimeUnit, Turn};
@@ -44,102 +53,93 @@ use super::{PointMotion, Scene};
 /// # Ok::<(), kinegon::scene::SceneError>(())
 /// ```
 #[derive(Debug, Clone)]
+#[must_use]
 pub struct Builder {
-    units: (LengthUnit, TimeUnit),
-    title: Option<String>,
-    ground: Object,
-    points: Object,
-    known: Object,
-    links: Object,
-    sliders: Vec<Written>,
-    near: Object,
-    figure: Option<Figure>,
-    want: Option<Written>,
+    file: SceneFile,
+    /// A key that was set twice.
+    wrong: Option<Wrong>,
 }
 
 impl Builder {
     /// An empty scene in these units.
-    #[must_use]
     pub fn new(length: LengthUnit, time: TimeUnit) -> Builder {
-        Builder {
-            units: (length, time),
+        let file = SceneFile {
+            kinegon: 1,
             title: None,
-            ground: Object::default(),
-            points: Object::default(),
-            known: Object::default(),
-            links: Object::default(),
-            sliders: Vec::new(),
-            near: Object::default(),
+            units: Units { length, time },
+            ground: None,
+            points: None,
+            known: None,
+            links: Entries::default(),
+            sliders: None,
+            near: None,
             figure: None,
             want: None,
-        }
+        };
+        Builder { file, wrong: None }
     }
 
     /// Gives the scene a title.
-    #[must_use]
     pub fn title(mut self, title: &str) -> Builder {
-        self.title = Some(title.to_owned());
+        self.file.title = Some(title.to_owned());
         self
     }
 
     /// Adds a point of the frame.
-    #[must_use]
     pub fn ground(mut self, point: &str, place: [f64; 2]) -> Builder {
-        self.ground.add(point, place);
+        if let Ground::Places(places) = self.file.ground.get_or_insert(Ground::Places(Entries::default())) {
+            places.add(point, Vector(place));
+        }
         self
     }
 
     /// Adds the coordinates of a moving point. The scene is then a drawn configuration: every point has coordinates, and
     /// there are no lengths, shapes, angles or approximate places.
-    #[must_use]
     pub fn point(mut self, point: &str, place: [f64; 2]) -> Builder {
-        self.points.add(point, place);
+        self.file.points.get_or_insert_default().add(point, Vector(place));
         self
     }
 
     /// Gives the motion of a point, in a drawn configuration; [`polar`](super::polar) takes size and angle.
-    #[must_use]
     pub fn known(mut self, point: &str, motion: PointMotion) -> Builder {
-        let mut object = Object::of("velocity", motion.velocity);
-        object.add("acceleration", motion.acceleration);
-        self.known.add(point, object);
+        self.file.known.get_or_insert_default().add(point, motion);
         self
     }
 
     /// Adds a link.
-    #[must_use]
     pub fn link(mut self, name: &str, link: NewLink) -> Builder {
-        self.links.add(name, link.written());
+        self.file.links.add(name, LinkFile(link.0.file));
+        self.wrong = self.wrong.or(link.0.wrong.map(|wrong| wrong.inside(&["links", name])));
         self
     }
 
     /// Lets a link, by its point `at`, slide on a guide.
-    #[must_use]
-    pub fn slider(mut self, link: &str, at: &str, guide: Guide) -> Builder {
-        let mut slider = Object::of("link", link);
-        slider.add("at", at);
-        self.sliders.push(slider.and(guide.written()).into());
-        self
+    pub fn slider(self, link: &str, at: &str, guide: Guide) -> Builder {
+        self.sliding(guide, |slider| SliderFile { link: Some(link.to_owned()), at: Some(at.to_owned()), ..slider })
     }
 
     /// Lets a pin, a point of another link, ride in a slot without a block.
-    #[must_use]
-    pub fn pin(mut self, pin: &str, slot: Guide) -> Builder {
-        self.sliders.push(Object::of("pin", pin).and(slot.written()).into());
+    pub fn pin(self, pin: &str, slot: Guide) -> Builder {
+        self.sliding(slot, |slider| SliderFile { pin: Some(pin.to_owned()), ..slider })
+    }
+
+    fn sliding(mut self, guide: Guide, who: impl Fn(SliderFile) -> SliderFile) -> Builder {
+        let sliders = self.file.sliders.get_or_insert_default();
+        let index = sliders.len().to_string();
+        sliders.push(who(guide.0.file));
+        self.wrong = self.wrong.or(guide.0.wrong.map(|wrong| wrong.inside(&["sliders", &index])));
         self
     }
 
     /// Says roughly where a point is, to choose the assembly mode.
-    #[must_use]
     pub fn near(mut self, point: &str, place: [f64; 2]) -> Builder {
-        self.near.add(point, place);
+        self.file.near.get_or_insert_default().add(point, NearValue::Vector(place));
         self
     }
 
     /// Says roughly how a link lies, in degrees from +x to its axis, to choose the assembly mode.
-    #[must_use]
     pub fn near_angle(mut self, link: &str, degrees: f64) -> Builder {
-        self.near.add(&format!("angle({link})"), degrees);
+        self.file.near.get_or_insert_default().add(&format!("angle({link})"), NearValue::Degrees(degrees));
         self
     }
 
@@ -151,16 +151,14 @@ impl Builder {
     /// let panels = vec![Panel::Scheme, Panel::Velocity];
     /// let builder = builder.figure(Figure { panels, mu_v: Some(10.0), ..Figure::default() });
     /// ```
-    #[must_use]
     pub fn figure(mut self, figure: Figure) -> Builder {
-        self.figure = Some(figure);
+        self.file.figure = Some(figure);
         self
     }
 
     /// Names the quantities that are asked for, as `"omega(2)"`. Without it everything is computed.
-    #[must_use]
     pub fn want<'a>(mut self, names: impl IntoIterator<Item = &'a str>) -> Builder {
-        self.want = Some(texts(names));
+        self.file.want = Some(names.into_iter().map(str::to_owned).collect());
         self
     }
 
@@ -169,71 +167,19 @@ impl Builder {
     /// # Errors
     /// The first thing that is wrong, as [`Scene::read`] says it; its place is in [`Builder::text`].
     pub fn build(&self) -> Result<Scene, SceneError> {
-        Scene::read(&self.text())
+        let text = self.text();
+        // What Rust can say and a text cannot: a name twice, numbers that are none or too large.
+        let said = text::parse(Source(&text), &FileKind::SCENE).map(|_| ());
+        let wrong = said.err().or_else(|| self.wrong.clone());
+        match wrong {
+            Some(wrong) => Err(Source(&text).error(wrong)),
+            None => Scene::checked(self.file.clone(), &text),
+        }
     }
 
     /// The text of the scene's file, to be saved.
     #[must_use]
     pub fn text(&self) -> String {
-        let mut units = Object::of("length", self.units.0.as_str());
-        units.add("time", self.units.1.as_str());
-        let mut scene = Object::of("kinegon", 1.0);
-        scene.add_some("title", self.title.as_deref());
-        scene.add("units", units);
-        scene.add_entries("ground", &self.ground);
-        scene.add_entries("points", &self.points);
-        scene.add_entries("known", &self.known);
-        scene.add("links", self.links.clone());
-        if !self.sliders.is_empty() {
-            scene.add("sliders", Written::List(self.sliders.clone()));
-        }
-        scene.add_entries("near", &self.near);
-        scene.add_some("figure", self.figure.as_ref().map(written_figure));
-        scene.add_some("want", self.want.clone());
-        scene.text()
+        write::text(&self.file)
     }
-}
-
-/// The figure's keys that say anything but the standard.
-fn written_figure(figure: &Figure) -> Object {
-    let Figure {
-        panels,
-        mu_l,
-        mu_v,
-        mu_a,
-        page,
-        worksheet,
-        style,
-        notation,
-        language,
-        decimal,
-        labels,
-        special_points,
-        construction,
-        step,
-    } = figure;
-    let mut object = Object::of("panels", texts(panels.iter().map(|panel| panel.as_str())));
-    object.add_some("mu_l", *mu_l);
-    object.add_some("mu_v", *mu_v);
-    object.add_some("mu_a", *mu_a);
-    object.add_some("page", (*page != Page::default()).then(|| page.name()));
-    object.add_some("worksheet", worksheet.then_some(true));
-    let other = |is_standard: bool, name: &'static str| (!is_standard).then_some(name);
-    for (key, name) in [
-        ("style", other(*style == StyleName::default(), style.as_str())),
-        ("notation", other(*notation == NotationName::default(), notation.as_str())),
-        ("language", other(*language == LanguageName::default(), language.as_str())),
-        ("decimal", other(*decimal == DecimalMark::default(), decimal.as_str())),
-    ] {
-        object.add_some(key, name);
-    }
-    let mut shown = Object::default();
-    for (name, label) in labels {
-        shown.add(name, label.as_str());
-    }
-    object.add_entries("labels", &shown);
-    object.add_some("special_points", (!special_points).then_some(false));
-    object.add_some("construction", (!construction).then_some(false));
-    object.add_some("step", step.map(|step| step as f64));
-    object
 }

@@ -1,49 +1,78 @@
 //! What a scene asks of its figure.
 
-use super::text::LARGEST;
-use super::words::number;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer, de::Error};
 
-/// What the figure shows, and how large.
-#[derive(Debug, Clone, PartialEq)]
+use super::choice::choice;
+use super::schema::without_defaults;
+use super::text::LARGEST;
+use super::typed::HINT;
+use super::words::{number, shortened, suggestion};
+use super::write::{write_forms, write_keys};
+use super::wrong::Wrong;
+
+/// What the figure shows, and how large. A panel has a `mu`, its scale: units per millimetre of paper, or `None` for the
+/// next one at which it fits.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields, expecting = r#"a figure as { "panels": ["scheme", "velocity"] }"#)]
+#[schemars(rename = "figure", description = "What the figure shows, and how large.", transform = without_defaults)]
 pub struct Figure {
-    /// The panels, in order; at least one, none twice.
+    /// The panels, in order; left out: all three.
+    #[schemars(length(min = 1), extend("uniqueItems" = true))]
     pub panels: Vec<Panel>,
-    /// Scale of the scheme, in units of length per millimetre of paper, positive; `None`: whichever fits.
+    /// Scale of the scheme: units of length per millimetre of paper.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub mu_l: Option<f64>,
-    /// Scale of the velocity plan, in units of velocity per millimetre of paper, positive; `None`: whichever fits.
+    /// Scale of the velocity plan: units of velocity per millimetre of paper.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub mu_v: Option<f64>,
-    /// Scale of the acceleration plan, in units of acceleration per millimetre of paper, positive; `None`: whichever fits.
+    /// Scale of the acceleration plan: units of acceleration per millimetre of paper.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub mu_a: Option<f64>,
-    /// The sheet.
+    /// The sheet: "a4", "a3" or "letter", with "-portrait" where it does not lie; left out: "a4".
+    #[schemars(with = "Option<String>", extend("enum" = Page::NAMES))]
     pub page: Page,
-    /// Whether it is a work sheet: with a table of all measured lengths and a ruler that shows whether it was printed at 100 %.
+    /// Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false.
     pub worksheet: bool,
-    /// How lines and letters look.
+    /// How lines and letters look; left out: "paper".
+    #[schemars(with = "Option<StyleName>")]
     pub style: StyleName,
-    /// How poles, images and parts of accelerations are written.
+    /// How poles, images and parts of accelerations are written; left out: "paper". Names of quantities stay the same.
+    #[schemars(with = "Option<NotationName>")]
     pub notation: NotationName,
-    /// The language of headings and captions.
+    /// Language of headings and captions; left out: "en".
+    #[schemars(with = "Option<LanguageName>")]
     pub language: LanguageName,
-    /// What stands before the decimals of numbers.
+    /// What stands before the decimals of numbers on figures and in the text of steps; left out: "point".
+    #[schemars(with = "Option<DecimalMark>")]
     pub decimal: DecimalMark,
-    /// Text to show for a joint, a link or a plan point, in place of the standard one, by its name.
+    /// Text to show in place of a name: { "B'": "B₁" }.
     pub labels: IndexMap<String, String>,
-    /// Whether special points are shown.
+    /// Whether special points are shown; left out: true.
     pub special_points: bool,
-    /// Whether construction lines are shown.
+    /// Whether construction lines are shown; left out: true.
     pub construction: bool,
-    /// The step of the construction up to which the figure is drawn, from 1; `None`: finished.
+    /// The step of the construction up to which the figure is drawn, from 1; left out: finished.
+    #[serde(deserialize_with = "step")]
+    #[schemars(with = "Option<u16>", range(min = 1))]
     pub step: Option<usize>,
+}
+
+write_keys!(Figure {
+    panels, mu_l, mu_v, mu_a, page, worksheet, style, notation, language, decimal, labels, special_points, construction, step
+} unless Figure::default());
+
+/// Steps are read as `u16`: none is larger, and a message can say so.
+fn step<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<usize>, D::Error> {
+    Option::<u16>::deserialize(deserializer).map(|step| step.map(usize::from))
 }
 
 impl Default for Figure {
     /// All three panels with everything on them, on A4 landscape, at scales that fit.
     fn default() -> Self {
         Figure {
-            panels: vec![Panel::Scheme, Panel::Velocity, Panel::Acceleration],
+            panels: Panel::ALL.to_vec(),
             mu_l: None,
             mu_v: None,
             mu_a: None,
@@ -85,147 +114,107 @@ impl Figure {
         }
         Err(format!("{}; a scale, in units per millimetre of paper, is positive", number(scale)))
     }
-}
 
-/// A part of the figure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Panel {
-    /// The mechanism itself.
-    Scheme,
-    /// The velocity plan.
-    Velocity,
-    /// The acceleration plan.
-    Acceleration,
-}
-
-impl Panel {
-    /// The panel as a scene file writes it: `"scheme"`.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Panel::Scheme => "scheme",
-            Panel::Velocity => "velocity",
-            Panel::Acceleration => "acceleration",
+    /// Errors at scales, panels and steps that cannot be drawn.
+    pub(super) fn check(&self) -> Result<(), Wrong> {
+        for (key, scale) in [("mu_l", self.mu_l), ("mu_v", self.mu_v), ("mu_a", self.mu_a)] {
+            if let Some(Err(why)) = scale.map(Figure::checked_scale) {
+                let hint = "leave it out for the next scale that fits";
+                return Err(Wrong::value(&[key], format!("`{key}` is {why}")).hint(hint));
+            }
+        }
+        if self.panels.is_empty() {
+            let hint = r#"name some of "scheme", "velocity", "acceleration", or leave `panels` out"#;
+            return Err(Wrong::value(&["panels"], "a figure without panels shows nothing").hint(hint));
+        }
+        let twice = |&index: &usize| self.panels[..index].contains(&self.panels[index]);
+        if let Some(index) = (1..self.panels.len()).find(twice) {
+            return Err(Wrong::value(&["panels", &index.to_string()], "this panel stands twice"));
+        }
+        match self.step {
+            Some(0) => {
+                let hint = "`kinegon steps` lists them; leave `step` out for the finished figure";
+                Err(Wrong::value(&["step"], "steps of the construction are numbered from 1").hint(hint))
+            }
+            // No file gets here: its types say the same.
+            Some(step) if step > u16::MAX.into() => {
+                let message = format!("expected a whole number from 1 to 65535, found the number {step}");
+                Err(Wrong::value(&["step"], message))
+            }
+            _ => Ok(()),
         }
     }
 }
 
-/// A drawing style that comes with the program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(rename = "styleName")]
-pub enum StyleName {
-    /// Black lines with a few dark accents on white.
-    #[default]
-    Paper,
-    /// Black and grey: kinds of lines are told apart by widths, dashes and heads, in every photocopy.
-    Print,
-    /// A colour for each link, the same in the scheme and in the plans; told apart with any colour vision.
-    Lecture,
-    /// White and pastel lines on a dark ground.
-    Board,
-}
-
-impl StyleName {
-    /// All of them.
-    pub const ALL: [StyleName; 4] = [StyleName::Paper, StyleName::Print, StyleName::Lecture, StyleName::Board];
-
-    /// The style as a scene file writes it: `"paper"`.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            StyleName::Paper => "paper",
-            StyleName::Print => "print",
-            StyleName::Lecture => "lecture",
-            StyleName::Board => "board",
-        }
+choice! {
+    /// A part of the figure.
+    Panel {
+        /// The mechanism itself.
+        Scheme = "scheme",
+        /// The velocity plan.
+        Velocity = "velocity",
+        /// The acceleration plan.
+        Acceleration = "acceleration",
     }
 }
 
-/// Whose way of writing poles, images and parts of accelerations. Names of quantities stay the same.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(rename = "notation")]
-pub enum NotationName {
-    /// The source paper's: poles p and π, images b, parts n, t, c.
-    #[default]
-    Paper,
-    /// Poles o and o′, images b and, in the acceleration plan, b′, parts n, t, c.
-    English,
-    /// Poles p and π, images b, parts n, τ, k.
-    Russian,
-    /// Poles P_v and P_a, images b, parts n, t, c.
-    German,
-}
-
-impl NotationName {
-    /// All of them.
-    pub const ALL: [NotationName; 4] =
-        [NotationName::Paper, NotationName::English, NotationName::Russian, NotationName::German];
-
-    /// The notation as a scene file writes it: `"paper"`.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            NotationName::Paper => "paper",
-            NotationName::English => "english",
-            NotationName::Russian => "russian",
-            NotationName::German => "german",
-        }
+choice! {
+    /// A drawing style that comes with the program.
+    #[derive(Default)]
+    #[schemars(rename = "styleName")]
+    StyleName {
+        /// Black lines with a few dark accents on white.
+        #[default]
+        Paper = "paper",
+        /// Black and grey: kinds of lines are told apart by widths, dashes and heads, in every photocopy.
+        Print = "print",
+        /// A colour for each link, the same in the scheme and in the plans; told apart with any colour vision.
+        Lecture = "lecture",
+        /// White and pastel lines on a dark ground.
+        Board = "board",
     }
 }
 
-/// A language of headings and captions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[schemars(rename = "language")]
-pub enum LanguageName {
-    /// English.
-    #[default]
-    #[serde(rename = "en")]
-    English,
-    /// Spanish.
-    #[serde(rename = "es")]
-    Spanish,
-}
-
-impl LanguageName {
-    /// All of them.
-    pub const ALL: [LanguageName; 2] = [LanguageName::English, LanguageName::Spanish];
-
-    /// The language as a scene file writes it: `"en"`.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            LanguageName::English => "en",
-            LanguageName::Spanish => "es",
-        }
+choice! {
+    /// Whose way of writing poles, images and parts of accelerations. Names of quantities stay the same.
+    #[derive(Default)]
+    #[schemars(rename = "notation")]
+    NotationName {
+        /// The source paper's: poles p and π, images b, parts n, t, c.
+        #[default]
+        Paper = "paper",
+        /// Poles o and o′, images b and, in the acceleration plan, b′, parts n, t, c.
+        English = "english",
+        /// Poles p and π, images b, parts n, τ, k.
+        Russian = "russian",
+        /// Poles P_v and P_a, images b, parts n, t, c.
+        German = "german",
     }
 }
 
-/// What stands before the decimals of numbers on figures and in the text of steps; results always have points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(rename = "decimal")]
-pub enum DecimalMark {
-    /// 2.5
-    #[default]
-    Point,
-    /// 2,5
-    Comma,
+choice! {
+    /// A language of headings and captions.
+    #[derive(Default)]
+    #[schemars(rename = "language")]
+    LanguageName {
+        /// English.
+        #[default]
+        English = "en",
+        /// Spanish.
+        Spanish = "es",
+    }
 }
 
-impl DecimalMark {
-    /// All of them.
-    pub const ALL: [DecimalMark; 2] = [DecimalMark::Point, DecimalMark::Comma];
-
-    /// The mark as a scene file names it: `"point"`.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            DecimalMark::Point => "point",
-            DecimalMark::Comma => "comma",
-        }
+choice! {
+    /// What stands before the decimals of numbers on figures and in the text of steps; results always have points.
+    #[derive(Default)]
+    #[schemars(rename = "decimal")]
+    DecimalMark {
+        /// 2.5
+        #[default]
+        Point = "point",
+        /// 2,5
+        Comma = "comma",
     }
 }
 
@@ -238,29 +227,15 @@ pub struct Page {
     pub landscape: bool,
 }
 
-/// A standard size of paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PageSize {
-    /// 210 mm × 297 mm
-    A4,
-    /// 297 mm × 420 mm
-    A3,
-    /// 8.5 in × 11 in
-    Letter,
-}
-
-impl PageSize {
-    /// All of them.
-    pub const ALL: [PageSize; 3] = [PageSize::A4, PageSize::A3, PageSize::Letter];
-
-    /// The size as a scene file writes it: `"a4"`.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            PageSize::A4 => "a4",
-            PageSize::A3 => "a3",
-            PageSize::Letter => "letter",
-        }
+choice! {
+    /// A standard size of paper.
+    PageSize {
+        /// 210 mm × 297 mm
+        A4 = "a4",
+        /// 297 mm × 420 mm
+        A3 = "a3",
+        /// 8.5 in × 11 in
+        Letter = "letter",
     }
 }
 
@@ -293,17 +268,15 @@ impl Page {
             Some((size, "portrait")) => (size, false),
             Some(_) => return None,
         };
-        let mut sizes = PageSize::ALL.into_iter();
-        let size = sizes.find(|known| known.as_str() == size)?;
+        let size = PageSize::ALL.into_iter().find(|known| known.as_str() == size)?;
         Some(Page { size, landscape })
     }
 
     /// The page as a scene file writes it: `"a4"`, `"a4-portrait"`.
     #[must_use]
     pub fn name(self) -> &'static str {
-        let names = Page::NAMES.into_iter();
-        let mut names = names.filter(|name| Page::from_name(name) == Some(self));
-        names.next().expect("every page has a name")
+        let names = |name: &&str| Page::from_name(name) == Some(self);
+        Page::NAMES.into_iter().find(names).expect("every page has a name")
     }
 
     /// Width and height, in millimetres.
@@ -314,5 +287,17 @@ impl Page {
             PageSize::Letter => [215.9, 279.4],
         };
         if self.landscape { [long, short] } else { [short, long] }
+    }
+}
+
+write_forms! { Page { page => page.name() } }
+
+impl<'de> Deserialize<'de> for Page {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Page, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        Page::from_name(&name).ok_or_else(|| {
+            let hint = suggestion(&name, Page::NAMES, "write one of").unwrap_or_default();
+            D::Error::custom(format!("there is no page \"{}\"{HINT}{hint}", shortened(&name)))
+        })
     }
 }

@@ -1,6 +1,56 @@
-//! Links of a scene: points, shape, drive, given motion.
+//! Links: what the file says of one, and what it means: its points, what fixes them, its drive or motion.
 
 use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::drive::{Drive, LinkDrive, LinkDriveFile, SliderDrive, first_given};
+use super::form::{DRAWN, Form};
+use super::motion::LinkMotion;
+use super::name::{check_list, check_name};
+use super::shape::{Shape, lengths, local};
+use super::units::TimeUnit;
+use super::value::{Entries, NamesOr, ShapePoint, several_forms};
+use super::write::{write_forms, write_keys};
+use super::wrong::Wrong;
+
+/// A rigid link. Its axis runs from its first to its second point.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "a link")]
+#[schemars(rename = "linkFields")]
+pub(super) struct LinkFields {
+    /// Names of its points.
+    pub points: Option<Vec<String>>,
+    /// Distances between its points, as { "AB": 100 } or { "A-B": 100 }: one for two points, three for three.
+    pub lengths: Option<Entries<f64>>,
+    /// Coordinates of its points in its own frame, whose x axis is the link's axis.
+    pub shape: Option<Entries<ShapePoint>>,
+    /// The drive that turns the link about its ground pivot.
+    pub drive: Option<LinkDriveFile>,
+    /// Angle of the link's axis from +x in degrees, in place of that of a drive: one link may give it where one drive does not.
+    pub angle: Option<f64>,
+    /// Known motion of the link, in a drawn configuration.
+    pub motion: Option<LinkMotion>,
+}
+
+write_keys!(LinkFields { points, shape, lengths, drive, angle, motion });
+
+/// A link as the file has it: a bare list of points, or its fields.
+#[derive(Debug, Clone)]
+pub(super) struct LinkFile(pub LinkFields);
+
+write_forms! { LinkFile { LinkFile(fields) => fields } }
+
+several_forms!(LinkFile, "link", NamesOr {
+    expecting: r#"a link as { "points": ["A", "B"], … }, or a list of its points ["A", "B"]"#,
+    names: |points| LinkFile(LinkFields { points: Some(points), ..LinkFields::default() }),
+    other: LinkFile,
+}, generator => {
+    "anyOf": [
+        generator.subschema_for::<LinkFields>(),
+        { "type": "array", "items": { "type": "string" }, "description": "The link's points" },
+    ]
+});
 
 /// A rigid link.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,73 +69,101 @@ pub struct Link {
     pub motion: Option<LinkMotion>,
 }
 
-/// What fixes the points of a link to each other.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Shape {
-    /// Nothing is needed: no point, one point, or a drawn configuration.
-    Bare,
-    /// Distances: one for two points, three for three points. They can be joined: the triangle closes or is straight.
-    Lengths(Vec<Length>),
-    /// Coordinates in the link's own frame, whose x axis is the link's axis; one entry for each point.
-    Local(IndexMap<String, [f64; 2]>),
-}
+/// Drives that push a sliding link, by the name of the link.
+pub(super) type Pushes = IndexMap<String, SliderDrive>;
 
-/// The distance between two points of a link.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Length {
-    /// Name of the first point.
-    pub from: String,
-    /// Name of the second point.
-    pub to: String,
-    /// The distance, positive, in units of length.
-    pub value: f64,
-    /// The key as written in the file: `AB` or `A-B`.
-    pub key: String,
-}
-
-/// A drive that turns a link.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drive {
-    /// Angle of the link's axis from +x, in degrees; always `None` in the drawn form.
-    pub angle_deg: Option<f64>,
-    /// Angular velocity, in radians per unit of time, counter-clockwise positive.
-    pub omega: f64,
-    /// Angular acceleration, in radians per unit of time squared; zero unless given.
-    pub alpha: f64,
-}
-
-/// The given motion of a link, in the fixed frame.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LinkMotion {
-    /// The point of the body that has the velocity and the acceleration below.
-    pub at: At,
-    /// Velocity there, in length per time.
-    pub velocity: [f64; 2],
-    /// Acceleration there, in length per time squared; zero unless given.
-    pub acceleration: [f64; 2],
-    /// Angular velocity, in radians per unit of time; zero unless given.
-    pub omega: f64,
-    /// Angular acceleration, in radians per unit of time squared; zero unless given.
-    pub alpha: f64,
-}
-
-/// A place: that of a named point, or coordinates.
-#[derive(Debug, Clone, PartialEq)]
-pub enum At {
-    /// Where this point is.
-    Point(String),
-    /// Coordinates, in the fixed frame unless the field that holds it says otherwise.
-    Place([f64; 2]),
-}
-
-impl From<&str> for At {
-    fn from(point: &str) -> Self {
-        At::Point(point.to_owned())
+/// The links, and the drives written in links that push sliders.
+pub(super) fn links(
+    form: Form,
+    time: TimeUnit,
+    file: Entries<LinkFile>,
+) -> Result<(IndexMap<String, Link>, Pushes), Wrong> {
+    if file.0.is_empty() {
+        return Err(Wrong::value(&["links"], "a mechanism has at least one link"));
     }
+    let mut links = IndexMap::with_capacity(file.0.len());
+    let mut pushes = Pushes::new();
+    for (name, LinkFile(fields)) in file.0 {
+        let read = check_name("a link", &name).and_then(|()| link(form, time, &name, fields));
+        let (link, push) = read.map_err(|wrong| wrong.inside(&["links", &name]))?;
+        if let Some(push) = push {
+            pushes.insert(name.clone(), push);
+        }
+        links.insert(name, link);
+    }
+    Ok((links, pushes))
 }
 
-impl From<[f64; 2]> for At {
-    fn from(place: [f64; 2]) -> Self {
-        At::Place(place)
+/// A link, and the drive in it that pushes its slider.
+fn link(form: Form, time: TimeUnit, name: &str, fields: LinkFields) -> Result<(Link, Option<SliderDrive>), Wrong> {
+    check_form(form, name, &fields)?;
+    let points = points(name, &fields)?;
+    let shape = match (fields.shape, fields.lengths) {
+        (Some(_), Some(_)) => {
+            let message = format!("link {name} has both `lengths` and `shape`");
+            return Err(Wrong::key(&["lengths"], message).hint("keep one of them"));
+        }
+        (Some(shape), None) => local(name, &points, shape)?,
+        (None, given) if form == Form::Lengths => lengths(name, &points, given.unwrap_or_default())?,
+        (None, _) => Shape::Bare,
+    };
+    if fields.drive.is_some() && fields.motion.is_some() {
+        let message = format!("link {name} has both a drive and a known motion");
+        return Err(Wrong::key(&["drive"], message).hint("keep one of them"));
     }
+    let read = fields.drive.map(|drive| drive.read(time, name)).transpose();
+    let (mut drive, push) = match read.map_err(|wrong| wrong.inside(&["drive"]))? {
+        Some(LinkDrive::Turns(drive)) => (Some(drive), None),
+        Some(LinkDrive::Pushes(push)) => (None, Some(push)),
+        None => (None, None),
+    };
+    let mut angle_deg = fields.angle;
+    if let Some(drive) = &mut drive {
+        if angle_deg.is_some() && drive.angle_deg.is_some() {
+            let message = format!("link {name} has an angle and its drive has one too");
+            return Err(Wrong::value(&["angle"], message).hint("keep one of them"));
+        }
+        drive.angle_deg = drive.angle_deg.or(angle_deg.take());
+    }
+    Ok((Link { points, shape, drive, angle_deg, motion: fields.motion }, push))
+}
+
+/// Errors at the keys that belong to the other form.
+fn check_form(form: Form, name: &str, fields: &LinkFields) -> Result<(), Wrong> {
+    if form == Form::Lengths {
+        if fields.motion.is_some() {
+            let message = format!("link {name}: a known `motion` belongs to a drawn configuration");
+            let hint = r#"give the coordinates of every point in "points": { … }, or drive the link"#;
+            return Err(Wrong::key(&["motion"], message).hint(hint));
+        }
+        return Ok(());
+    }
+    let given =
+        [("lengths", fields.lengths.is_some()), ("shape", fields.shape.is_some()), ("angle", fields.angle.is_some())];
+    if let Some(key) = first_given(&given) {
+        let message = format!("link {name} has `{key}`, but this scene is a drawn configuration");
+        let hint = format!("remove `{key}`: {DRAWN}; or remove `points` and give `ground` its coordinates");
+        return Err(Wrong::key(&[key], message).hint(hint));
+    }
+    let check = |drive: &LinkDriveFile| drive.check_form(form, name);
+    fields.drive.as_ref().map_or(Ok(()), check).map_err(|wrong| wrong.inside(&["drive"]))
+}
+
+/// The names of a link's points: those of `points`, or else of `shape`.
+fn points(name: &str, fields: &LinkFields) -> Result<Vec<String>, Wrong> {
+    let shape = fields.shape.as_ref().map(|shape| shape.0.iter().map(|(point, _)| point));
+    for point in shape.clone().into_iter().flatten() {
+        check_name("a point", point).map_err(|wrong| wrong.inside(&["shape", point]))?;
+    }
+    let Some(points) = &fields.points else {
+        return match (shape, &fields.motion) {
+            (Some(shape), _) => Ok(shape.cloned().collect()),
+            (None, Some(_)) => Ok(Vec::new()),
+            (None, None) => {
+                Err(Wrong::value(&[], format!("link {name} has no `points`")).hint(r#"add "points": ["A", "B"]"#))
+            }
+        };
+    };
+    check_list(points, &format!(" in link {name}")).map_err(|wrong| wrong.inside(&["points"]))?;
+    Ok(points.clone())
 }

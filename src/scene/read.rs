@@ -1,41 +1,108 @@
-//! The whole way: text, JSON, file, scene.
+//! A scene, and the whole way to it: text, file, checks.
 
-use serde::de::DeserializeOwned;
-use serde_json::Value as Json;
-use serde_path_to_error::Segment;
+use indexmap::IndexMap;
 
-use super::check_figure::figure;
-use super::check_links::{check_motions, links};
-use super::check_points::{check_given_once, check_points, ground, known, near};
-use super::check_sliders::sliders;
 use super::error::SceneError;
+use super::figure::Figure;
 use super::file::SceneFile;
+use super::form::Form;
 use super::kind::FileKind;
+use super::known::{check_given_once, check_motions, known};
+use super::link::{Link, links};
+use super::motion::PointMotion;
 use super::names::Names;
-use super::place::{Source, Spot};
+use super::place::Source;
+use super::points::{Near, check_points, ground, near};
+use super::schema::schema_of;
+use super::slider::{Slider, sliders};
+use super::typed::read_as;
 use super::units::Units;
-use super::words::{describe, plain, shortened};
-use super::{Form, Scene, text};
+use super::wrong::Wrong;
 
-/// The scene that the text describes.
-pub(super) fn read(text: &str) -> Result<Scene, SceneError> {
-    let source = Source(text);
-    let file: SceneFile = read_as(text, &FileKind::SCENE)?;
+/// A mechanism as its scene file describes it: checked, complete, in the file's order and units, angles in degrees.
+///
+/// Every coordinate is in the fixed frame (x right, y up) and in `units.length`, unless its field says otherwise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The title, if the scene has one.
+    pub title: Option<String>,
+    /// The units of every length and time of the scene.
+    pub units: Units,
+    /// Whether the scene gives lengths or a drawn configuration.
+    pub form: Form,
+    /// Names of the frame's points, in file order.
+    pub ground: Vec<String>,
+    /// Given positions: of the ground points (lengths form), of every point (drawn form).
+    pub coordinates: IndexMap<String, [f64; 2]>,
+    /// Points whose motion is given (drawn form only).
+    pub known: IndexMap<String, PointMotion>,
+    /// The links by name. Without the frame.
+    pub links: IndexMap<String, Link>,
+    /// The sliders and pins in slots.
+    pub sliders: Vec<Slider>,
+    /// Approximate positions that choose the assembly mode (lengths form only).
+    pub near: Near,
+    /// What the figure shows, and how large.
+    pub figure: Figure,
+    /// Names of the quantities asked for; `None` asks for all. The names themselves are not checked here.
+    pub want: Option<Vec<String>>,
+    /// The scene's text, to find the places of later findings.
+    text: String,
+}
 
+impl Scene {
+    /// The scene that `text` describes, or the first thing that is wrong with it.
+    ///
+    /// ```
+    /// use kinegon::scene::Scene;
+    /// let scene = Scene::read(r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" },
+    ///     "ground": { "A": [0, 0] },
+    ///     "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 100 }, "drive": { "angle": 70, "omega": -1 } } } }"#)?;
+    /// assert_eq!(scene.links["1"].points, ["A", "B"]);
+    ///
+    /// let error = Scene::read(r#"{ "kinegon": 1, "unit": {} }"#).unwrap_err();
+    /// assert_eq!(error.to_string(), "1:17: unit: unknown key `unit`; hint: did you mean `units`?");
+    /// # Ok::<(), kinegon::scene::SceneError>(())
+    /// ```
+    pub fn read(text: &str) -> Result<Scene, SceneError> {
+        Scene::checked(read_as(text, &FileKind::SCENE)?, text)
+    }
+
+    /// The scene that the file describes, whose places are in `text`.
+    pub(super) fn checked(file: SceneFile, text: &str) -> Result<Scene, SceneError> {
+        check(file, text).map_err(|wrong| Source(text).error(wrong))
+    }
+
+    /// An error at a JSON path of this scene, for findings of later stages; an index of a list is written in digits.
+    ///
+    /// Where the scene has nothing at the path, the place is that of the nearest part around it.
+    pub fn error_at(&self, path: &[&str], message: impl Into<String>, hint: Option<String>) -> SceneError {
+        Source(&self.text).error(Wrong::value(path, message).maybe_hint(hint))
+    }
+
+    /// The JSON Schema (draft 2020-12) of the scene file, with descriptions, for editors.
+    pub fn schema() -> serde_json::Value {
+        schema_of::<SceneFile>("Kinegon scene, version 1")
+    }
+}
+
+/// Each part of the file, checked, in the order in which mistakes are told.
+fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
     let form = if file.points.is_some() { Form::Drawn } else { Form::Lengths };
-    let (links, pushes) = links(source, form, file.units.time, file.links)?;
-    let (ground, coordinates) = ground(source, form, file.ground, file.points)?;
-    let names = Names::new(source, &ground, &links);
-    check_points(source, form, &names, &ground, &links, &coordinates)?;
-    let sliders = sliders(source, form, &names, &coordinates, file.sliders, pushes)?;
-    let known = known(source, form, &names, file.known)?;
-    check_given_once(source, &names, &known, &sliders)?;
-    let near = near(source, form, &names, file.near)?;
-    check_motions(&names, &links)?;
-    let figure = figure(source, file.figure)?;
+    let (links, pushes) = links(form, file.units.time, file.links)?;
+    let (ground, coordinates) = ground(form, file.ground, file.points)?;
+    let names = Names::new(&ground, &links);
+    check_points(form, &names, &coordinates)?;
+    let sliders = sliders(form, &names, &coordinates, file.sliders.unwrap_or_default(), pushes)?;
+    let known = known(form, &names, file.known)?;
+    check_given_once(&names, &known, &sliders)?;
+    let near = near(form, &names, file.near)?;
+    check_motions(&names)?;
+    let figure = file.figure.unwrap_or_default();
+    figure.check().map_err(|wrong| wrong.inside(&["figure"]))?;
     Ok(Scene {
         title: file.title,
-        units: Units { length: file.units.length, time: file.units.time },
+        units: file.units,
         form,
         ground,
         coordinates,
@@ -46,84 +113,5 @@ pub(super) fn read(text: &str) -> Result<Scene, SceneError> {
         figure,
         want: file.want,
         text: text.to_owned(),
-    })
-}
-
-/// The file of that kind that the text holds, as its types, or the first thing that is wrong with it.
-pub(crate) fn read_as<T: DeserializeOwned>(text: &str, kind: &FileKind) -> Result<T, SceneError> {
-    let source = Source(text);
-    let json = text::parse(source, kind)?;
-    check_version(source, &json, kind)?;
-    typed(source, &json)
-}
-
-/// The version comes first: a file of another version may have other keys.
-fn check_version(source: Source<'_>, json: &Json, kind: &FileKind) -> Result<(), SceneError> {
-    let FileKind { what, key, version } = *kind;
-    let Some(object) = json.as_object() else {
-        let start = kind.start();
-        let message = format!("expected a {what} as {start}, found {}", describe(json));
-        return Err(source.error(&[], message));
-    };
-    match object.get(key) {
-        None => {
-            // An unknown key that is nearly this one is the better message.
-            let near = object.keys().find(|other| super::words::nearest(other, [key]).is_some());
-            let hint = match near {
-                Some(other) => format!("did you mean `{key}` by `{}`?", shortened(other)),
-                None => format!(r#"add "{key}": {version}, the version of the {what} format"#),
-            };
-            let message = format!("`{key}` is missing, so this may be something other than a {what}");
-            Err(source.error(&[], message).hint(hint))
-        }
-        Some(Json::Number(said)) if said.as_f64() == Some(version as f64) => Ok(()),
-        Some(Json::Number(said)) => {
-            let message = format!("this program reads version {version}, the {what} says {said}");
-            Err(source.error(&[key], message))
-        }
-        Some(other) => {
-            let message =
-                format!("expected the number {version}, the version of the format, found {}", describe(other));
-            Err(source.error(&[key], message).hint(format!(r#"write "{key}": {version}"#)))
-        }
-    }
-}
-
-/// The JSON as the types of the file.
-fn typed<T: DeserializeOwned>(source: Source<'_>, json: &Json) -> Result<T, SceneError> {
-    let mut track = serde_path_to_error::Track::new();
-    let result = T::deserialize(serde_path_to_error::Deserializer::new(json, &mut track));
-    result.map_err(|error| {
-        let parts = track.path().iter().filter_map(part).collect::<Vec<_>>();
-        let mut path: Vec<&str> = parts.iter().map(String::as_str).collect();
-        let plain = plain(&error.to_string(), &path, at(json, &path));
-        let spot = match &plain.key {
-            Some(key) => {
-                if path.last() != Some(&key.as_str()) {
-                    path.push(key);
-                }
-                Spot::Key
-            }
-            None => Spot::Value,
-        };
-        source.error_with(&path, spot, plain.message.clone(), plain.hint.clone())
-    })
-}
-
-/// A step of a path, in the form of this stage.
-fn part(segment: &Segment) -> Option<String> {
-    match segment {
-        Segment::Seq { index } => Some(index.to_string()),
-        Segment::Map { key } => Some(key.clone()),
-        Segment::Enum { .. } | Segment::Unknown => None,
-    }
-}
-
-/// The value at a path.
-fn at<'a>(json: &'a Json, path: &[&str]) -> Option<&'a Json> {
-    path.iter().try_fold(json, |value, part| match value {
-        Json::Object(object) => object.get(*part),
-        Json::Array(array) => array.get(part.parse::<usize>().ok()?),
-        _ => None,
     })
 }

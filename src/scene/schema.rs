@@ -51,3 +51,11 @@ fn allow_note(schema: &mut Schema) {
         properties.insert("note".into(), json!({ "description": "For people; ignored" }));
     }
 }
+
+/// Takes out what a key that may be left out then is, which its description says.
+pub(super) fn without_defaults(schema: &mut Schema) {
+    let properties = schema.get_mut("properties").and_then(Json::as_object_mut);
+    for property in properties.into_iter().flat_map(|properties| properties.values_mut()) {
+        property.as_object_mut().map(|property| property.shift_remove("default"));
+    }
+}

@@ -1,6 +1,47 @@
-//! Sliders of a scene: links on straight guides, pins in slots.
+//! Sliders: links on straight guides, pins in slots. What the file says of one, what it means, and what must be true of it.
 
-use super::link::At;
+use std::collections::HashSet;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::drive::SliderDrive;
+use super::form::{DRAWN, Form};
+use super::link::{Link, Pushes};
+use super::name::{no_point, pair};
+use super::names::Names;
+use super::points::Coordinates;
+use super::shape::Shape;
+use super::value::{At, Direction};
+use super::write::write_keys;
+use super::wrong::Wrong;
+
+/// A link, by its point `at`, slides on a guide of `on`; or a pin rides in a slot of `on`.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = r#"a slider as { "link": "3", "at": "D", "on": "2", "along": "BE" }"#)]
+#[schemars(rename = "slider")]
+pub(super) struct SliderFile {
+    /// The sliding link.
+    pub link: Option<String>,
+    /// The point of the sliding link that is on the guide.
+    pub at: Option<String>,
+    /// A pin of another link that rides in the slot, in place of link and at.
+    pub pin: Option<String>,
+    /// What carries the guide: a link, or "ground".
+    pub on: String,
+    /// A place on the guide: a point of `on`, or [x, y] on the ground or in the shape of `on`.
+    /// Left out: the first point of `along`, else of `on`.
+    pub through: Option<At>,
+    /// The direction of the guide; left out: 0.
+    /// Degrees count from +x on the ground, from the axis of `on` otherwise.
+    pub along: Option<Direction>,
+    /// Degrees from the guide to the slider's axis; left out: 0.
+    pub turned: Option<f64>,
+    /// The drive that pushes the slider.
+    pub drive: Option<SliderDrive>,
+}
+
+write_keys!(SliderFile { link, at, pin, on, through, along, turned, drive });
 
 /// A link, or a lone pin, that slides along a straight guide of another link or of the frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +62,8 @@ pub struct Slider {
     pub along: Along,
     /// Angle from the guide to the slider's axis, in degrees; zero unless given, always zero in the drawn form.
     pub turned_deg: f64,
-    /// The drive that pushes the slider, if any. One that the file gives in the sliding link stands here too.
+    /// The drive that pushes the slider, if any; it has no `position` in the drawn form.
+    /// One that the file gives in the sliding link stands here too.
     pub drive: Option<SliderDrive>,
 }
 
@@ -45,13 +87,210 @@ pub enum Along {
     Direction([f64; 2]),
 }
 
-/// A drive that pushes a slider along its guide.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SliderDrive {
-    /// Distance along the guide from `through`, in units of length; always `None` in the drawn form.
-    pub position: Option<f64>,
-    /// Speed along the guide, in length per time.
-    pub speed: f64,
-    /// Acceleration along the guide, in length per time squared; zero unless given.
-    pub acceleration: f64,
+/// The sliders; `pushes` are the drives that stand in sliding links, which are moved to their sliders.
+pub(super) fn sliders(
+    form: Form,
+    names: &Names<'_>,
+    coordinates: &Coordinates,
+    file: Vec<SliderFile>,
+    mut pushes: Pushes,
+) -> Result<Vec<Slider>, Wrong> {
+    let mut sliders: Vec<Slider> = Vec::with_capacity(file.len());
+    let mut pushed: HashSet<String> = HashSet::new();
+    for (index, given) in file.into_iter().enumerate() {
+        let inside = |wrong: Wrong| wrong.inside(&["sliders", &index.to_string()]);
+        let mut slider = slider(form, names, coordinates, given).map_err(inside)?;
+        if let Some((link, push)) = slider.link.as_ref().and_then(|link| pushes.swap_remove_entry(link)) {
+            if slider.drive.is_some() {
+                let message = format!("link {link} has a drive, and so has its slider");
+                return Err(inside(Wrong::key(&["drive"], message).hint("keep one of them")));
+            }
+            slider.drive = Some(push);
+            pushed.insert(link);
+        } else if let Some(link) = slider.link.as_ref().filter(|link| pushed.contains(*link)) {
+            let message = format!("link {link} has two sliders, and its drive does not say which one it pushes");
+            let hint = "move the drive into one of the entries of `sliders`";
+            return Err(Wrong::key(&["links", link, "drive"], message).hint(hint));
+        }
+        sliders.push(slider);
+    }
+    if let Some(link) = pushes.keys().next() {
+        let message = format!("link {link} is pushed by its drive, but it has no slider");
+        let hint = "add an entry to `sliders` with this `link`, or turn the link with `omega`";
+        return Err(Wrong::key(&["links", link, "drive"], message).hint(hint));
+    }
+    let carriers: HashSet<&On> = sliders.iter().map(|slider| &slider.on).collect();
+    for (name, link) in names.links {
+        let idle = link.points.is_empty() && link.motion.is_none();
+        if idle && !carriers.contains(&On::Link(name.clone())) {
+            let message = format!("link {name} has no points, and nothing slides on it");
+            return Err(Wrong::value(&["links", name], message).hint("remove it, or name its points"));
+        }
+    }
+    Ok(sliders)
+}
+
+fn slider(form: Form, names: &Names<'_>, coordinates: &Coordinates, given: SliderFile) -> Result<Slider, Wrong> {
+    let on = match given.on.as_str() {
+        "ground" => On::Ground,
+        name => {
+            names.link(&["on"], name)?;
+            On::Link(given.on)
+        }
+    };
+    let carrier = Carrier { form, names, on: &on };
+    check_who(&carrier, given.link.as_deref(), given.at.as_deref(), given.pin.as_deref())?;
+    let through = given.through.map(|through| carrier.through(through)).transpose()?;
+    let along = carrier.along(coordinates, given.along)?;
+    let placed = through.is_some() || matches!(along, Along::Points(..)) || !carrier.points().is_empty();
+    if form == Form::Lengths && !placed {
+        let message = format!("nothing says where the guide is: {} has no points", carrier.name());
+        let hint = match on {
+            On::Ground => r#"add "through": [x, y], a place on the guide"#.into(),
+            On::Link(link) => format!("name a point of link {link} that is on the guide"),
+        };
+        return Err(Wrong::value(&[], message).hint(hint));
+    }
+    if form == Form::Drawn && given.turned.is_some() {
+        let message = "`turned` has no place in a drawn configuration";
+        return Err(Wrong::key(&["turned"], message).hint(format!("remove it: {DRAWN}")));
+    }
+    if form == Form::Drawn && given.drive.is_some_and(|drive| drive.position.is_some()) {
+        let message = "this drive has `position`, but this scene is a drawn configuration";
+        return Err(Wrong::key(&["drive", "position"], message).hint(format!("remove `position`: {DRAWN}")));
+    }
+    let SliderFile { link, at, pin, turned, drive, .. } = given;
+    Ok(Slider { link, at, pin, on, through, along, turned_deg: turned.unwrap_or(0.0), drive })
+}
+
+/// Errors at a link, point or pin that cannot slide on the carrier.
+fn check_who(carrier: &Carrier<'_>, link: Option<&str>, at: Option<&str>, pin: Option<&str>) -> Result<(), Wrong> {
+    match (link, at, pin) {
+        (Some(link), Some(at), None) => {
+            carrier.names.link(&["link"], link)?;
+            if matches!(carrier.on, On::Link(on) if on == link) {
+                return Err(Wrong::value(&["on"], format!("link {link} cannot slide on itself")));
+            }
+            carrier.names.point_of_link(&["at"], link, at)?;
+            carrier.check_free("at", at)
+        }
+        (None, None, Some(pin)) => {
+            carrier.names.point(&["pin"], pin)?;
+            carrier.check_free("pin", pin)
+        }
+        (None, None, None) => {
+            let hint = r#"give "link" and "at", the link and its point on the guide; or "pin""#;
+            Err(Wrong::value(&[], "this slider does not say what slides").hint(hint))
+        }
+        (_, _, Some(_)) => {
+            let message = "`pin` stands in place of `link` and `at`, not beside them";
+            Err(Wrong::key(&["pin"], message).hint("keep `link` and `at` for a block, `pin` for a bare pin"))
+        }
+        (Some(link), None, None) => {
+            let hint = format!(r#"add "at", the point of link {link} that is on the guide"#);
+            Err(Wrong::value(&[], "`at` is missing").hint(hint))
+        }
+        (None, Some(at), None) => {
+            let hint = format!(r#"add "link", the sliding link; or write "pin": "{at}" for a pin in a slot"#);
+            Err(Wrong::value(&[], "`link` is missing").hint(hint))
+        }
+    }
+}
+
+/// What carries a guide, among the names of the scene.
+struct Carrier<'a> {
+    form: Form,
+    names: &'a Names<'a>,
+    on: &'a On,
+}
+
+impl Carrier<'_> {
+    /// "link 2" or "the ground".
+    fn name(&self) -> String {
+        match self.on {
+            On::Ground => "the ground".into(),
+            On::Link(link) => format!("link {link}"),
+        }
+    }
+
+    /// The link, unless it is the ground.
+    fn link(&self) -> Option<&Link> {
+        match self.on {
+            On::Ground => None,
+            On::Link(link) => self.names.links.get(link),
+        }
+    }
+
+    fn points(&self) -> &[String] {
+        self.link().map_or(self.names.ground, |link| &link.points)
+    }
+
+    fn has(&self, point: &str) -> bool {
+        match self.on {
+            On::Ground => self.names.on_ground(point),
+            On::Link(link) => self.names.on_link(link, point),
+        }
+    }
+
+    /// An error if the sliding point is fixed to what it should slide on.
+    fn check_free(&self, key: &str, point: &str) -> Result<(), Wrong> {
+        if self.has(point) {
+            let message = format!("point {point} is a point of {}, so it cannot slide on it", self.name());
+            return Err(Wrong::value(&[key], message).hint("use another name for the point that slides"));
+        }
+        Ok(())
+    }
+
+    fn through(&self, given: At) -> Result<At, Wrong> {
+        match (&given, self.link()) {
+            (At::Point(point), _) if !self.has(point) => {
+                Err(Wrong::value(&["through"], no_point(&self.name(), point, self.points())))
+            }
+            (At::Place(_), Some(link)) if !matches!(link.shape, Shape::Local(_)) => {
+                let name = self.name();
+                let message = format!("coordinates need a frame, and {name} has no `shape`");
+                let or = match self.form {
+                    Form::Lengths => "give the link a `shape`",
+                    Form::Drawn => "leave `through` out: the guide passes through the slider's point",
+                };
+                Err(Wrong::value(&["through"], message).hint(format!("name a point of {name}, or {or}")))
+            }
+            _ => Ok(given),
+        }
+    }
+
+    fn along(&self, coordinates: &Coordinates, given: Option<Direction>) -> Result<Along, Wrong> {
+        // Without the key the place is that of the slider as a whole.
+        let path: &[&str] = if given.is_some() { &["along"] } else { &[] };
+        match given.unwrap_or(Direction::Degrees(0.0)) {
+            Direction::Points(key) => self.along_points(coordinates, &key),
+            Direction::Vector([0.0, 0.0]) => {
+                Err(Wrong::value(path, "a direction of size zero points nowhere").hint("give [dx, dy] or degrees"))
+            }
+            Direction::Vector(direction) => Ok(Along::Direction(direction)),
+            Direction::Degrees(_)
+                if self.form == Form::Drawn && self.link().is_some_and(|link| link.points.is_empty()) =>
+            {
+                let message = format!("{} has no points and so no axis to count degrees from", self.name());
+                Err(Wrong::value(path, message).hint(r#"give the direction as drawn: "along": [dx, dy]"#))
+            }
+            Direction::Degrees(degrees) => Ok(Along::Degrees(degrees)),
+        }
+    }
+
+    fn along_points(&self, coordinates: &Coordinates, key: &str) -> Result<Along, Wrong> {
+        let points = pair("along", key, &self.name(), self.points(), |point| self.has(point));
+        let (from, to) = points.map_err(|Wrong { message, hint, .. }| {
+            let number = key.trim().parse::<f64>().is_ok();
+            let degrees = number.then(|| format!("write {} without quotes for degrees", key.trim()));
+            Wrong::value(&["along"], message).maybe_hint(degrees.or(hint))
+        })?;
+        match (coordinates.get(&from), coordinates.get(&to)) {
+            (Some(a), Some(b)) if a == b => {
+                let message = format!("{from} and {to} are in one place, so they give no direction");
+                Err(Wrong::value(&["along"], message))
+            }
+            _ => Ok(Along::Points(from, to)),
+        }
+    }
 }

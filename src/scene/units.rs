@@ -3,60 +3,44 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// The units of a scene. Nothing is converted between them; they are printed beside the numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+use super::choice::choice;
+use super::write::write_keys;
+
+/// Units of every length and time of the scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = r#"units as { "length": "mm", "time": "s" }"#)]
+#[schemars(rename = "units")]
 pub struct Units {
-    /// Unit of every length.
+    /// Unit of length.
     pub length: LengthUnit,
-    /// Unit of every time.
+    /// Unit of time.
     pub time: TimeUnit,
 }
 
-/// A unit of length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum LengthUnit {
-    /// metre
-    M,
-    /// millimetre
-    Mm,
-    /// centimetre
-    Cm,
-    /// inch
-    In,
-    /// foot
-    Ft,
-}
+write_keys!(Units { length, time });
 
-/// A unit of time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum TimeUnit {
-    /// second
-    S,
-    /// minute
-    Min,
-}
-
-impl LengthUnit {
-    /// The unit's symbol, as in the scene file: `"mm"`.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            LengthUnit::M => "m",
-            LengthUnit::Mm => "mm",
-            LengthUnit::Cm => "cm",
-            LengthUnit::In => "in",
-            LengthUnit::Ft => "ft",
-        }
+choice! {
+    /// A unit of length.
+    LengthUnit {
+        /// metre
+        M = "m",
+        /// millimetre
+        Mm = "mm",
+        /// centimetre
+        Cm = "cm",
+        /// inch
+        In = "in",
+        /// foot
+        Ft = "ft",
     }
 }
 
-impl TimeUnit {
-    /// The unit's symbol, as in the scene file: `"s"`.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            TimeUnit::S => "s",
-            TimeUnit::Min => "min",
-        }
+choice! {
+    /// A unit of time.
+    TimeUnit {
+        /// second
+        S = "s",
+        /// minute
+        Min = "min",
     }
 }

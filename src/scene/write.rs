@@ -1,134 +1,146 @@
-//! The text of a scene file, laid out as a person would write it: a link, a slider, a known motion a line.
+//! The text of a file that is put together in Rust, laid out as a person would write it: a link, a slider, a known motion a line.
 //!
-//! Nothing is checked here: a key given twice or a number that is none stands in the text, where the reader finds it.
+//! Nothing is checked here: a name given twice or a number that is none stands in the text, where the reader finds it.
+
+use indexmap::IndexMap;
 
 use super::words::number;
 
-/// A value of the file.
-#[derive(Debug, Clone)]
+/// What stands in a file, or nothing where its key is left out.
+#[derive(Debug, PartialEq)]
 pub(super) enum Written {
-    Number(f64),
-    Truth(bool),
-    Text(String),
+    Nothing,
+    /// A word in quotes, a number.
+    Bare(String),
     List(Vec<Written>),
-    Object(Object),
+    Object(Vec<(String, Written)>),
 }
 
-/// Keys and values in the order in which they were given.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Object(Vec<(String, Written)>);
-
-impl Object {
-    /// One key and its value.
-    pub fn of(key: &str, value: impl Into<Written>) -> Object {
-        Object(vec![(key.to_owned(), value.into())])
-    }
-
-    /// Adds a key and its value.
-    pub fn add(&mut self, key: &str, value: impl Into<Written>) {
-        self.0.push((key.to_owned(), value.into()));
-    }
-
-    /// Adds a key and its value, if there is one.
-    pub fn add_some(&mut self, key: &str, value: Option<impl Into<Written>>) {
-        if let Some(value) = value {
-            self.add(key, value);
-        }
-    }
-
-    /// Adds a key and these entries under it, if there are any.
-    pub fn add_entries(&mut self, key: &str, entries: &Object) {
-        if !entries.0.is_empty() {
-            self.add(key, entries.clone());
-        }
-    }
-
-    /// These entries, and then those.
-    pub fn and(mut self, more: Object) -> Object {
-        self.0.extend(more.0);
-        self
-    }
-
-    /// The file's text with this at its top.
-    pub fn text(&self) -> String {
-        written(&Written::Object(self.clone()), 0) + "\n"
-    }
+/// What can stand in a file.
+pub(super) trait Write {
+    fn written(&self) -> Written;
 }
 
-impl From<f64> for Written {
-    fn from(value: f64) -> Self {
-        Written::Number(value)
-    }
-}
-
-impl From<bool> for Written {
-    fn from(value: bool) -> Self {
-        Written::Truth(value)
-    }
-}
-
-impl From<&str> for Written {
-    fn from(value: &str) -> Self {
-        Written::Text(value.to_owned())
-    }
-}
-
-impl From<[f64; 2]> for Written {
-    fn from(value: [f64; 2]) -> Self {
-        Written::List(value.map(Written::Number).to_vec())
-    }
-}
-
-impl From<Object> for Written {
-    fn from(value: Object) -> Self {
-        Written::Object(value)
-    }
-}
-
-/// A list of texts.
-pub(super) fn texts<'a>(texts: impl IntoIterator<Item = &'a str>) -> Written {
-    Written::List(texts.into_iter().map(Written::from).collect())
+/// The text of a file.
+pub(super) fn text(file: &impl Write) -> String {
+    laid_out(&file.written(), 0) + "\n"
 }
 
 /// The text of a value that stands `depth` levels below the top.
-fn written(value: &Written, depth: usize) -> String {
-    match value {
-        Written::Number(value) => number(*value),
-        Written::Truth(value) => value.to_string(),
-        Written::Text(value) => quoted(value),
+fn laid_out(value: &Written, depth: usize) -> String {
+    let is_object = |value: &Written| matches!(value, Written::Object(_));
+    // A line each for the parts at the top, and for the objects below it.
+    let (open, close, parts, in_lines): (_, _, Vec<String>, _) = match value {
+        Written::Nothing => return String::new(),
+        Written::Bare(text) => return text.clone(),
         Written::List(values) => {
-            let parts = values.iter().map(|value| written(value, depth + 1));
-            match depth == 1 && values.iter().any(is_object) {
-                true => in_lines(["[", "]"], parts, depth),
-                false => format!("[{}]", joined(parts, ", ")),
-            }
+            let parts = values.iter().map(|value| laid_out(value, depth + 1));
+            ("[", "]", parts.collect(), depth == 1 && values.iter().any(is_object))
         }
-        Written::Object(Object(entries)) => {
-            let parts = entries.iter().map(|(key, value)| format!("{}: {}", quoted(key), written(value, depth + 1)));
+        Written::Object(entries) => {
+            let said = entries.iter().filter(|(_, value)| *value != Written::Nothing);
+            let parts = said.map(|(key, value)| format!("{}: {}", quoted(key), laid_out(value, depth + 1)));
             let long = depth == 1 && entries.iter().any(|(_, value)| is_object(value));
-            match depth == 0 || long {
-                true => in_lines(["{", "}"], parts, depth),
-                false => format!("{{ {} }}", joined(parts, ", ")),
-            }
+            ("{", "}", parts.collect(), depth == 0 || long)
         }
-    }
-}
-
-fn is_object(value: &Written) -> bool {
-    matches!(value, Written::Object(_))
-}
-
-/// The parts with a line each.
-fn in_lines([open, close]: [&str; 2], parts: impl Iterator<Item = String>, depth: usize) -> String {
+    };
     let line = format!("\n{}", "  ".repeat(depth));
-    format!("{open}{line}  {}{line}{close}", joined(parts, &format!(",{line}  ")))
-}
-
-fn joined(parts: impl Iterator<Item = String>, between: &str) -> String {
-    parts.collect::<Vec<_>>().join(between)
+    match (in_lines, open) {
+        (true, _) => format!("{open}{line}  {}{line}{close}", parts.join(&format!(",{line}  "))),
+        (false, "[") => format!("[{}]", parts.join(", ")),
+        (false, _) => format!("{{ {} }}", parts.join(", ")),
+    }
 }
 
 /// The text in double quotes, with the escapes of JSON.
 fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
+}
+
+/// How parts are written: these keys in this order, after the first without those that are as in `unless`.
+/// A key of a part that is not named here does not compile.
+macro_rules! write_keys {
+    ($part:ident { $($key:ident),* } $(unless $standard:expr)?) => {
+        impl super::write::Write for $part {
+            fn written(&self) -> super::write::Written {
+                let entries = |part: &$part| {
+                    let $part { $($key),* } = part;
+                    vec![$((stringify!($key).to_owned(), super::write::Write::written($key))),*]
+                };
+                super::write::Written::Object(entries(self))$(.without(&entries(&$standard)))?
+            }
+        }
+    };
+}
+
+/// How values of several forms are written: as what is in them.
+macro_rules! write_forms {
+    ($($type:ty { $($form:pat => $value:expr),* $(,)? })*) => { $(
+        impl super::write::Write for $type {
+            fn written(&self) -> super::write::Written {
+                match self { $($form => super::write::Write::written($value)),* }
+            }
+        }
+    )* };
+}
+pub(super) use {write_forms, write_keys};
+
+impl Written {
+    /// An object without the entries after its first that the standard has, too.
+    pub fn without(self, standard: &[(String, Written)]) -> Written {
+        let Written::Object(mut entries) = self else { return self };
+        let rest = entries.split_off(1).into_iter().filter(|entry| !standard.contains(entry));
+        entries.extend(rest);
+        Written::Object(entries)
+    }
+}
+
+impl Write for str {
+    fn written(&self) -> Written {
+        Written::Bare(quoted(self))
+    }
+}
+
+impl Write for bool {
+    fn written(&self) -> Written {
+        Written::Bare(self.to_string())
+    }
+}
+
+impl Write for f64 {
+    fn written(&self) -> Written {
+        // A negative zero needs decimals: whole numbers have none.
+        let negative_zero = *self == 0.0 && self.is_sign_negative();
+        Written::Bare(if negative_zero { "-0.0".into() } else { number(*self) })
+    }
+}
+
+write_forms! {
+    String { text => text.as_str() }
+    u64 { number => &(*number as f64) }
+    usize { number => &(*number as f64) }
+}
+
+impl<T: Write> Write for Option<T> {
+    fn written(&self) -> Written {
+        self.as_ref().map_or(Written::Nothing, T::written)
+    }
+}
+
+impl<T: Write> Write for Vec<T> {
+    fn written(&self) -> Written {
+        Written::List(self.iter().map(T::written).collect())
+    }
+}
+
+impl<T: Write, const N: usize> Write for [T; N] {
+    fn written(&self) -> Written {
+        Written::List(self.iter().map(T::written).collect())
+    }
+}
+
+impl<T: Write> Write for IndexMap<String, T> {
+    fn written(&self) -> Written {
+        Written::Object(self.iter().map(|(name, value)| (name.clone(), value.written())).collect())
+    }
 }

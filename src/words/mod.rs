@@ -1,25 +1,24 @@
 //! In: what a scene's figure says of language, notation and decimal mark. Out: a [`Wording`]: every sentence, heading and symbol that figures
 //! and the text of the construction show. Names of quantities, keys of files and messages of errors never change and are not here.
 //!
-//! Sentences are functions with their blanks as parameters, in one table a language: each stands whole in its file, the compiler sees that
-//! none is missing and that every blank is filled, and nothing is looked up or parsed at run time. (Fluent and rust-i18n find sentences by
-//! name at run time; with a few dozen sentences and no plural forms that buys nothing.)
+//! Each language is a text file of sentences with named blanks, `english.txt` and so on. `sentences.rs` and `mistakes.rs` declare every sentence
+//! once, and give it a method: so the compiler sees that every blank is filled, and a test that every language says everything. A file is
+//! read once; after that a sentence is found by its place. (Fluent and rust-i18n find sentences by name at run time, and bring plural forms
+//! that two or three sentences would use.)
 
-mod check;
-mod class;
-mod english;
-mod exercise;
-mod language;
+mod catalogue;
+mod languages;
+mod mistakes;
 mod notation;
-mod spanish;
+mod number;
+mod sentences;
 
-pub use check::{CheckWords, MistakeWords};
-pub use class::ClassWords;
-pub use exercise::ExerciseWords;
-pub use language::{Language, NormalParts, PageWords};
+pub use catalogue::Language;
+pub use mistakes::MistakeWords;
 pub use notation::{Notation, with_prime};
+pub use number::{Medium, NumberStyle, power_of_ten};
 
-use crate::scene::{DecimalMark, Figure, LanguageName, NotationName};
+use crate::scene::{DecimalMark, Figure, NotationName};
 
 /// How things are said and written on figures and in the steps.
 #[derive(Clone, Copy, Debug)]
@@ -44,10 +43,7 @@ impl Wording {
     #[must_use]
     pub fn of(figure: &Figure) -> Wording {
         Wording {
-            language: match figure.language {
-                LanguageName::English => &english::ENGLISH,
-                LanguageName::Spanish => &spanish::SPANISH,
-            },
+            language: Language::of(figure.language),
             notation: match figure.notation {
                 NotationName::Paper => &notation::PAPER,
                 NotationName::English => &notation::ENGLISH,
@@ -56,6 +52,12 @@ impl Wording {
             },
             decimal: figure.decimal,
         }
+    }
+
+    /// A number, with the decimal mark.
+    #[must_use]
+    pub fn write(&self, x: f64, style: NumberStyle) -> String {
+        style.write(x, self.decimal)
     }
 
     /// A number that was written with a point, with its decimal mark.

@@ -1,39 +1,39 @@
 //! Mistakes of writing down: they touch the written value, and what follows where the person goes on with it.
 
-use super::{Candidate, Mistake, Site, Stand};
+use super::{Candidate, Mistake, Reinterpretation, Site};
 use crate::check::entry::Entry;
 
 /// Entries that stand for something else, gone on with as they were written where `goes_on` and somebody could.
-fn misread(site: &Site<'_>, mistake: Mistake, stands: Vec<Stand>, blanks: Vec<String>) -> Vec<Candidate> {
-    let Some(first) = stands.first().map(|s| s.entry) else {
+fn misread(site: &Site<'_>, mistake: Mistake, meant: Vec<Reinterpretation>, blanks: Vec<String>) -> Vec<Candidate> {
+    let Some(first) = meant.first().map(|s| s.entry) else {
         return Vec::new();
     };
     let mut goes_on = Vec::new();
-    for stand in &stands {
-        let entry = &site.entries[stand.entry];
-        let Ok(reading) = site.model.readings[stand.entry] else {
+    for one in &meant {
+        let entry = &site.entries[one.entry];
+        let Ok(reading) = site.model.readings[one.entry] else {
             continue;
         };
         let number = reading.number;
-        if let Some(act) = site.model.makers[number.0].filter(|_| site.model.used[number.0]) {
+        if let Some(operation) = site.model.makers[number.0].filter(|_| site.model.used[number.0]) {
             let exact = site.model.exact.number(number);
-            let senseless = reading.is_magnitude || reading.is_distance || entry.is_magnitude;
+            let senseless = reading.is_size() || entry.is_magnitude;
             let value = if senseless { libm::copysign(entry.value, exact) } else { entry.value };
-            goes_on.push((act, number, value));
+            goes_on.push((operation, number, value));
         }
     }
     let only_written = Candidate {
         mistake,
         step: site.entries[first].step,
         blanks,
-        puts: Vec::new(),
-        stands,
+        edits: Vec::new(),
+        reinterpreted: meant,
         goes_on: Vec::new(),
         mode: 0,
     };
     let mut found = Vec::new();
     // What is gone on with is one number, whatever names the form has for it.
-    if !goes_on.is_empty() && is_first_name(site, &only_written.stands) {
+    if !goes_on.is_empty() && is_first_name(site, &only_written.reinterpreted) {
         found.push(Candidate { goes_on, ..only_written.clone() });
     }
     found.push(only_written);
@@ -41,14 +41,14 @@ fn misread(site: &Site<'_>, mistake: Mistake, stands: Vec<Stand>, blanks: Vec<St
 }
 
 /// Whether no earlier entry reads the number of the first of these.
-fn is_first_name(site: &Site<'_>, stands: &[Stand]) -> bool {
+fn is_first_name(site: &Site<'_>, meant: &[Reinterpretation]) -> bool {
     let reads = |entry: usize| site.model.readings[entry].ok().map(|r| r.number);
-    let own = stands.first().map(|s| s.entry).unwrap_or(0);
+    let own = meant.first().map(|s| s.entry).unwrap_or(0);
     (0..own).all(|earlier| reads(earlier) != reads(own))
 }
 
-fn stand(entry: usize, value: f64, rounding: f64) -> Stand {
-    Stand { entry, value: Some(value), rounding }
+fn meant_as(entry: usize, value: f64, rounding: f64) -> Reinterpretation {
+    Reinterpretation { entry, value: Some(value), rounding }
 }
 
 fn named(entry: &Entry) -> String {
@@ -62,7 +62,7 @@ pub(super) fn decimal(site: &Site<'_>) -> Vec<Candidate> {
             let factor = libm::exp10(f64::from(power));
             let text = shifted(&entry.text, power);
             let rounding = entry.precision.rounding(&text) * entry.factor.abs();
-            let meant = stand(index, entry.value * factor, rounding);
+            let meant = meant_as(index, entry.value * factor, rounding);
             let blanks = vec![named(entry), entry.text.clone(), text];
             found.extend(misread(site, Mistake::DecimalSlipped, vec![meant], blanks));
         }
@@ -91,7 +91,7 @@ pub(super) fn transposed(site: &Site<'_>) -> Vec<Candidate> {
             let Ok(number) = meant.parse::<f64>() else {
                 continue;
             };
-            let meant_value = stand(index, number * entry.factor, entry.rounding);
+            let meant_value = meant_as(index, number * entry.factor, entry.rounding);
             let blanks = vec![named(entry), entry.text.clone(), meant];
             found.extend(misread(site, Mistake::DigitsTransposed, vec![meant_value], blanks));
         }
@@ -125,8 +125,8 @@ pub(super) fn swapped(site: &Site<'_>) -> Vec<Candidate> {
             if !same || (a.value - b.value).abs() <= a.rounding + b.rounding {
                 continue;
             }
-            let stands = vec![stand(i, b.value, b.rounding), stand(j, a.value, a.rounding)];
-            found.extend(misread(site, Mistake::Swapped, stands, vec![named(a), named(b)]));
+            let meant = vec![meant_as(i, b.value, b.rounding), meant_as(j, a.value, a.rounding)];
+            found.extend(misread(site, Mistake::Swapped, meant, vec![named(a), named(b)]));
         }
     }
     found
@@ -134,22 +134,22 @@ pub(super) fn swapped(site: &Site<'_>) -> Vec<Candidate> {
 
 /// Every value cut off: each stands for one that is half a unit of the last digit larger.
 pub(super) fn truncated(site: &Site<'_>) -> Vec<Candidate> {
-    let stands: Vec<Stand> = written(site)
+    let meant: Vec<Reinterpretation> = written(site)
         .map(|(index, entry)| {
             let half = libm::copysign(entry.rounding, entry.value);
-            stand(index, entry.value + half, entry.rounding)
+            meant_as(index, entry.value + half, entry.rounding)
         })
         .collect();
     // One or two values say nothing of a habit.
-    if stands.len() < 3 {
+    if meant.len() < 3 {
         return Vec::new();
     }
     vec![Candidate {
         mistake: Mistake::Truncated,
         step: 0,
         blanks: Vec::new(),
-        puts: Vec::new(),
-        stands,
+        edits: Vec::new(),
+        reinterpreted: meant,
         goes_on: Vec::new(),
         mode: 0,
     }]
@@ -202,7 +202,7 @@ fn in_unit(
         return Vec::new();
     }
     let entry = &site.entries[index];
-    let meant = stand(index, entry.value * factor, entry.rounding * factor.abs());
+    let meant = meant_as(index, entry.value * factor, entry.rounding * factor.abs());
     let blanks = vec![named(entry), entry.text.clone(), written.to_owned(), right.to_owned()];
     misread(site, mistake, vec![meant], blanks)
 }
@@ -211,8 +211,8 @@ fn in_unit(
 pub(super) fn unknown(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, entry) in written(site) {
-        let stands = vec![Stand { entry: index, value: None, rounding: entry.rounding }];
-        let all = misread(site, Mistake::Unknown, stands, vec![named(entry)]);
+        let meant = vec![Reinterpretation { entry: index, value: None, rounding: entry.rounding }];
+        let all = misread(site, Mistake::Unknown, meant, vec![named(entry)]);
         found.extend(all.into_iter().filter(|c| !c.goes_on.is_empty()));
     }
     found

@@ -1,4 +1,4 @@
-//! The catalogue of classical mistakes. Each entry is a line of data and one small function that puts the mistake into the construction
+//! The catalogue of classical mistakes. Each entry is a line of data and one small function that edits the mistake into the construction
 //! at every place where it could be made; the replay lets it propagate.
 
 mod copying;
@@ -7,12 +7,12 @@ mod rates;
 mod rays;
 mod vectors;
 
+use super::answer_key::AnswerKey;
 use super::datum::Datum;
 use super::entry::Entry;
-use super::model::{Model, Put};
-use super::answer_key::AnswerKey;
-use crate::drafting::{Act, Deed, NumberId, Product};
-use crate::words::{CheckWords, MistakeWords};
+use super::model::{Edit, Model};
+use crate::construction::{Does, NumberId, NumberKind, Operation, PlaceId, Product};
+use crate::words::MistakeWords;
 
 /// A mistake of the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -88,11 +88,11 @@ pub struct Candidate {
     pub step: usize,
     /// What the sentences about it name, in their order.
     pub blanks: Vec<String>,
-    /// What is done otherwise, by act.
-    pub(super) puts: Vec<(usize, Put)>,
-    /// What written values stand for.
-    pub(super) stands: Vec<Stand>,
-    /// Numbers with which the person goes on as they were written: act, number, value.
+    /// What is done otherwise, by operation.
+    pub(super) edits: Vec<(usize, Edit)>,
+    /// What written values are read as.
+    pub(super) reinterpreted: Vec<Reinterpretation>,
+    /// Numbers with which the person goes on as they were written: operation, number, value.
     pub(super) goes_on: Vec<(usize, NumberId, f64)>,
     /// Which construction is replayed: 0 for the right position, then those of other assembly modes.
     pub(super) mode: usize,
@@ -107,7 +107,7 @@ impl Candidate {
 
 /// What a written value stands for in a mistake.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stand {
+pub(super) struct Reinterpretation {
     pub entry: usize,
     /// The value meant; none where the written one says nothing.
     pub value: Option<f64>,
@@ -115,7 +115,7 @@ pub(super) struct Stand {
     pub rounding: f64,
 }
 
-impl Stand {
+impl Reinterpretation {
     /// The value as it is meant; none where the written one says nothing.
     pub fn read(&self, written: &Datum) -> Option<Datum> {
         self.value.map(|value| Datum { value, rounding: self.rounding.max(f64::MIN_POSITIVE), ..*written })
@@ -132,12 +132,12 @@ pub(super) struct Listed {
     /// Puts it into the construction wherever it fits.
     find: fn(&Site<'_>) -> Vec<Candidate>,
     /// Its sentences.
-    pub words: fn(&CheckWords) -> &MistakeWords,
+    pub words: MistakeWords,
 }
 
 macro_rules! listed {
     ($($mistake:ident $id:literal $percent:literal $find:path => $words:ident,)*) => {
-        [$(Listed { mistake: Mistake::$mistake, id: $id, percent: $percent, find: $find, words: |w| &w.$words }),*]
+        [$(Listed { mistake: Mistake::$mistake, id: $id, percent: $percent, find: $find, words: MistakeWords::$words }),*]
     };
 }
 
@@ -192,10 +192,10 @@ impl Mistake {
         &CATALOGUE[self as usize]
     }
 
-    /// Its sentences in a language.
+    /// Its sentences.
     #[must_use]
-    pub fn words(self, words: &CheckWords) -> &MistakeWords {
-        (self.listed().words)(words)
+    pub fn words(self) -> MistakeWords {
+        self.listed().words
     }
 }
 
@@ -219,44 +219,46 @@ impl Site<'_> {
         (mistake.listed().find)(self)
     }
 
-    fn acts(&self) -> impl Iterator<Item = (usize, &Act)> {
-        self.model.drafting.acts.iter().enumerate()
+    fn operations(&self) -> impl Iterator<Item = (usize, &Operation)> {
+        self.model.construction.operations.iter().enumerate()
     }
 
-    fn candidate(&self, mistake: Mistake, act: usize, put: Put, blanks: &[&str]) -> Candidate {
+    fn operation(&self, index: usize) -> &Operation {
+        &self.model.construction.operations[index]
+    }
+
+    fn candidate(&self, mistake: Mistake, operation: usize, edit: Edit, blanks: &[&str]) -> Candidate {
         Candidate {
             mistake,
-            step: self.model.steps[act],
+            step: self.model.steps[operation],
             blanks: blanks.iter().map(|b| (*b).to_owned()).collect(),
-            puts: vec![(act, put)],
-            stands: Vec::new(),
+            edits: vec![(operation, edit)],
+            reinterpreted: Vec::new(),
             goes_on: Vec::new(),
             mode: 0,
         }
-    }
-
-    /// The act with another deed.
-    fn instead(&self, act: usize, deed: Deed) -> Put {
-        let Act { sheet, makes, .. } = &self.model.drafting.acts[act];
-        Put::Act(Act { sheet: *sheet, makes: makes.clone(), deed })
     }
 
     fn number_name(&self, number: NumberId) -> &str {
         &self.model.number_names[number.0]
     }
 
-    fn place_name(&self, place: crate::drafting::PlaceId) -> &str {
+    fn number_kind(&self, number: NumberId) -> &NumberKind {
+        &self.model.construction.numbers[number.0]
+    }
+
+    fn place_name(&self, place: PlaceId) -> &str {
         self.model.place_name(place)
     }
 
-    /// The sums from which vectors' sizes are computed: the act, the sum, the names of the vector's ends.
-    fn sums(&self) -> Vec<(usize, &[Product], [&str; 2])> {
-        let laid = self.acts().filter_map(|(_, act)| match &act.deed {
-            Deed::LayOff { place, from, size, .. } => {
+    /// The sums from which vectors' sizes are computed: the operation, its number, the sum, the names of the vector's ends.
+    fn sums(&self) -> Vec<(usize, NumberId, &[Product], [&str; 2])> {
+        let laid = self.operations().filter_map(|(_, operation)| match &operation.does {
+            Does::LayOff { place, from, size, .. } => {
                 let maker = self.model.makers[size.0]?;
-                match &self.model.drafting.acts[maker].deed {
-                    Deed::Compute { sum, .. } => {
-                        Some((maker, sum.as_slice(), [self.place_name(*from), self.place_name(*place)]))
+                match &self.operation(maker).does {
+                    Does::Compute { number, sum } => {
+                        Some((maker, *number, sum.as_slice(), [self.place_name(*from), self.place_name(*place)]))
                     }
                     _ => None,
                 }

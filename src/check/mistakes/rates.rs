@@ -1,57 +1,54 @@
 //! Mistakes of rates and scales.
 
-use super::{Candidate, Mistake, Site, Stand};
-use crate::check::model::{Put, numbers_made};
-use crate::drafting::{Deed, NumberId, Sheet};
-use crate::plan::Kind;
+use super::{Candidate, Mistake, Reinterpretation, Site};
+use crate::check::model::Edit;
+use crate::construction::{Does, NumberId, NumberKind, Rate, Sheet};
+use crate::quantity::{Kind, What};
 
-/// Rates that are solved for or given, with the act that gives them.
-fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, &'a str)> {
-    site.acts().flat_map(move |(index, act)| {
-        let numbers = match act.deed {
-            Deed::Solve { .. } | Deed::Take { .. } => numbers_made(&act.deed),
-            _ => smallvec::SmallVec::new(),
-        };
-        let named = numbers.into_iter().map(move |n| (index, n, site.number_name(n)));
-        named.filter(|(_, _, name)| ["omega(", "alpha(", "v_r(", "a_r("].iter().any(|head| name.starts_with(head)))
+/// Rates that are solved for or given, with the operation that gives them.
+fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)> {
+    site.operations().flat_map(move |(index, operation)| {
+        let rates = operation.does.numbers().iter().map(move |&number| (number, site.number_kind(number)));
+        rates.filter_map(move |(number, kind)| match kind {
+            NumberKind::Rate(rate) => Some((index, number, *rate)),
+            _ => None,
+        })
     })
 }
 
 pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
-    let found = rates(site).map(|(act, number, name)| {
-        let put = Put::Times(number, -1.0);
-        site.candidate(Mistake::WrongSense, act, put, &[name])
-    });
-    found.collect()
+    let candidate = |(operation, number, _)| {
+        let edit = Edit::Times(number, -1.0);
+        site.candidate(Mistake::WrongSense, operation, edit, &[site.number_name(number)])
+    };
+    rates(site).map(candidate).collect()
 }
 
-/// A rate that comes out by a factor wrong, gone on with or only written so.
-fn by_factor(site: &Site<'_>, mistake: Mistake, heads: &[&str], factor: f64) -> Vec<Candidate> {
+/// A rate of rotation that comes out by a factor wrong, gone on with or only written so: angular velocities, or angular accelerations, too.
+fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -> Vec<Candidate> {
     let mut found = Vec::new();
-    for (act, number, name) in rates(site) {
-        if !heads.iter().any(|head| name.starts_with(head)) {
-            continue;
-        }
-        for factor in [factor, 1.0 / factor] {
-            let put = Put::Times(number, factor);
-            found.push(site.candidate(mistake, act, put, &[name]));
+    for (operation, number, rate) in rates(site) {
+        if matches!(rate, Rate::Omega(_)) || also_alpha && matches!(rate, Rate::Alpha(_)) {
+            for factor in [factor, 1.0 / factor] {
+                let edit = Edit::Times(number, factor);
+                found.push(site.candidate(mistake, operation, edit, &[site.number_name(number)]));
+            }
         }
     }
     for (index, entry) in site.entries.iter().enumerate() {
-        if !heads.iter().any(|head| entry.asked.name().starts_with(head)) {
+        let what = entry.asked.what();
+        if !(matches!(what, What::Omega(_)) || also_alpha && matches!(what, What::Alpha(_))) {
             continue;
         }
         for factor in [factor, 1.0 / factor] {
+            let meant =
+                Reinterpretation { entry: index, value: Some(entry.value * factor), rounding: entry.rounding * factor };
             found.push(Candidate {
                 mistake,
                 step: entry.step,
                 blanks: vec![entry.asked.name().to_owned()],
-                puts: Vec::new(),
-                stands: vec![Stand {
-                    entry: index,
-                    value: Some(entry.value * factor),
-                    rounding: entry.rounding * factor,
-                }],
+                edits: Vec::new(),
+                reinterpreted: vec![meant],
                 goes_on: Vec::new(),
                 mode: 0,
             });
@@ -61,13 +58,11 @@ fn by_factor(site: &Site<'_>, mistake: Mistake, heads: &[&str], factor: f64) -> 
 }
 
 pub(super) fn revolutions(site: &Site<'_>) -> Vec<Candidate> {
-    let factor = 30.0 / core::f64::consts::PI;
-    by_factor(site, Mistake::RevolutionsForRadians, &["omega("], factor)
+    by_factor(site, Mistake::RevolutionsForRadians, false, 30.0 / core::f64::consts::PI)
 }
 
 pub(super) fn degrees(site: &Site<'_>) -> Vec<Candidate> {
-    let factor = 180.0 / core::f64::consts::PI;
-    by_factor(site, Mistake::DegreesForRadians, &["omega(", "alpha("], factor)
+    by_factor(site, Mistake::DegreesForRadians, true, 180.0 / core::f64::consts::PI)
 }
 
 /// Segments turned into values by the scale of another sheet: one of them, or all of a sheet.
@@ -78,10 +73,10 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
     for sheet in Sheet::ALL {
         let (own, right) = scales[sheet as usize];
         let measured: Vec<(usize, NumberId, &str)> = site
-            .acts()
-            .filter(|(_, act)| act.sheet == sheet)
-            .filter_map(|(index, act)| match act.deed {
-                Deed::Measure { number, .. } => Some((index, number, act.makes.as_str())),
+            .operations()
+            .filter(|(_, operation)| operation.sheet == sheet)
+            .filter_map(|(index, operation)| match operation.does {
+                Does::Measure { number, .. } => Some((index, number, site.number_name(number))),
                 _ => None,
             })
             .collect();
@@ -96,38 +91,42 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
                 continue;
             }
             let mut all = None;
-            for &(act, number, segment) in measured.iter().filter(|m| !is_angle(m.2)) {
-                let put = Put::Times(number, ratio);
+            for &(operation, number, segment) in measured.iter().filter(|m| !is_angle(m.2)) {
+                let edit = Edit::Times(number, ratio);
                 let blanks = [segment, name, own];
-                let mut one = site.candidate(Mistake::WrongScale, act, put.clone(), &blanks);
+                let mut one = site.candidate(Mistake::WrongScale, operation, edit, &blanks);
                 // Millimetres stand as they were measured; the scale tells in what follows from them.
                 let written = entry_of(segment).filter(|&e| site.entries[e].on_paper);
                 if let Some(index) = written {
                     let entry = &site.entries[index];
-                    one.puts.clear();
-                    one.stands.push(Stand { entry: index, value: Some(entry.value), rounding: entry.rounding });
+                    one.edits.clear();
+                    one.reinterpreted.push(Reinterpretation {
+                        entry: index,
+                        value: Some(entry.value),
+                        rounding: entry.rounding,
+                    });
                     let exact = site.model.exact.number(number);
                     let value = libm::copysign(entry.value, exact) * ratio;
                     if site.model.used[number.0] {
-                        one.goes_on.push((act, number, value));
+                        one.goes_on.push((operation, number, value));
                     }
                 }
                 let together = all.get_or_insert_with(|| {
                     let mut first = one.clone();
-                    first.puts.clear();
-                    first.stands.clear();
+                    first.edits.clear();
+                    first.reinterpreted.clear();
                     first.goes_on.clear();
                     first.blanks[0] = String::new();
                     first
                 });
-                together.puts.extend(one.puts.iter().cloned());
-                together.stands.extend(one.stands.iter().copied());
+                together.edits.extend(one.edits.iter().cloned());
+                together.reinterpreted.extend(one.reinterpreted.iter().copied());
                 together.goes_on.extend(one.goes_on.iter().copied());
-                if !(one.puts.is_empty() && one.goes_on.is_empty()) {
+                if !(one.edits.is_empty() && one.goes_on.is_empty()) {
                     found.push(one);
                 }
             }
-            found.extend(all.filter(|all| all.puts.len() + all.goes_on.len() > 1));
+            found.extend(all.filter(|all| all.edits.len() + all.goes_on.len() > 1));
         }
     }
     found

@@ -1,64 +1,55 @@
 //! Mistakes of lines: rays, cut lines, special points, the whole position.
 
 use super::{Candidate, Mistake, Site};
-use crate::check::model::line_made;
-use crate::drafting::{Act, Deed, LineId, Sheet};
+use crate::check::model::Edit;
+use crate::construction::{Action, Does, LineId, Operation, Part, Sheet};
 
-/// The points that a ray goes through and leads to, from what its act makes.
-fn ends(makes: &str) -> Option<(&str, &str)> {
-    makes.strip_prefix("ray from ")?.split_once(" to ")
+/// The plan points that a ray goes through and leads to; none of what is no ray.
+fn ends<'s>(site: &'s Site<'_>, operation: &Operation) -> Option<[&'s str; 2]> {
+    let step = site.key.solution.construction.step(operation.step?)?;
+    match &step.action {
+        Action::Ray(ray) if operation.part == Part::Ray => Some([&ray.through, &ray.to]),
+        _ => None,
+    }
+}
+
+/// The line turned by 90°.
+fn turn(site: &Site<'_>, mistake: Mistake, index: usize, blanks: [&str; 2]) -> Option<Candidate> {
+    let Does::Draw { line, through, along } = site.operation(index).does else {
+        return None;
+    };
+    let edit = Edit::Instead(Does::Draw { line, through, along: along.turned(1) });
+    Some(site.candidate(mistake, index, edit, &blanks))
 }
 
 pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
-    turned_lines(site, Mistake::TurnedRay, |act, _| {
-        let (from, to) = ends(&act.makes)?;
-        Some([from.to_owned(), to.to_owned()])
-    })
+    let rays = site.operations().filter_map(|(index, operation)| Some((index, ends(site, operation)?)));
+    rays.filter_map(|(index, ends)| turn(site, Mistake::TurnedRay, index, ends)).collect()
 }
 
 pub(super) fn turned_cut_line(site: &Site<'_>) -> Vec<Candidate> {
-    turned_lines(site, Mistake::TurnedCutLine, |act, through| {
-        let special = act.makes.strip_prefix("cut line of ")?;
-        Some([through.to_owned(), special.to_owned()])
-    })
-}
-
-/// Lines drawn turned by 90°; `blanks` tells which are meant and what is said of them, from the act and the place that the line goes through.
-fn turned_lines(
-    site: &Site<'_>,
-    mistake: Mistake,
-    blanks: impl Fn(&Act, &str) -> Option<[String; 2]>,
-) -> Vec<Candidate> {
-    let lines = site.acts().filter_map(|(index, act)| {
-        let Deed::Draw { line, through, reference, quarter_turns } = act.deed else {
-            return None;
-        };
-        let blanks = blanks(act, site.place_name(through))?;
-        let deed = Deed::Draw { line, through, reference, quarter_turns: quarter_turns + 1 };
-        let put = site.instead(index, deed);
-        let blanks = blanks.each_ref().map(String::as_str);
-        Some(site.candidate(mistake, index, put, &blanks))
+    let lines = site.operations().filter_map(|(index, operation)| match (operation.part, &operation.does) {
+        (Part::CutLine(special), Does::Draw { through, .. }) => {
+            let special = &site.model.construction.special(special).name;
+            turn(site, Mistake::TurnedCutLine, index, [site.place_name(*through), special])
+        }
+        _ => None,
     });
     lines.collect()
 }
 
 pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
-    for (index, act) in site.acts() {
-        let Deed::Draw { line, through, reference, quarter_turns } = act.deed else {
+    for (index, operation) in site.operations() {
+        let (Does::Draw { line, through, along }, Some([from, to])) = (&operation.does, ends(site, operation)) else {
             continue;
         };
-        let Some((from, to)) = ends(&act.makes) else {
-            continue;
-        };
-        for wrong in site.model.places_before(act.sheet, index) {
-            if wrong == through {
-                continue;
+        for wrong in site.model.places_before(operation.sheet, index) {
+            if wrong != *through {
+                let edit = Edit::Instead(Does::Draw { line: *line, through: wrong, along: *along });
+                let blanks = [to, site.place_name(wrong), from];
+                found.push(site.candidate(Mistake::RayFromWrongPoint, index, edit, &blanks));
             }
-            let deed = Deed::Draw { line, through: wrong, reference, quarter_turns };
-            let put = site.instead(index, deed);
-            let blanks = [to, site.place_name(wrong), from];
-            found.push(site.candidate(Mistake::RayFromWrongPoint, index, put, &blanks));
         }
     }
     found
@@ -66,28 +57,20 @@ pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
 
 pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
-    for (index, act) in site.acts() {
-        let Deed::Cross { place, lines } = act.deed else {
+    for (index, operation) in site.operations() {
+        let (Part::SpecialPoint(special), &Does::Cross { place, lines }) = (operation.part, &operation.does) else {
             continue;
         };
-        if act.sheet != Sheet::Scheme {
-            continue;
-        }
-        let before = site.acts().take(index);
-        let drawn = before.filter(|(_, a)| a.sheet == Sheet::Scheme);
-        let drawn: Vec<LineId> = drawn.filter_map(|(_, a)| line_made(&a.deed)).collect();
+        let name = &site.model.construction.special(special).name;
+        let before = site.operations().take(index).filter(|(_, other)| other.sheet == Sheet::Scheme);
+        let drawn: Vec<LineId> = before.filter_map(|(_, other)| other.does.line()).collect();
         for side in 0..2 {
-            for &wrong in &drawn {
-                if lines.contains(&wrong) {
-                    continue;
-                }
+            for &wrong in drawn.iter().filter(|line| !lines.contains(line)) {
                 let mut taken = lines;
                 taken[side] = wrong;
-                let deed = Deed::Cross { place, lines: taken };
-                let put = site.instead(index, deed);
+                let edit = Edit::Instead(Does::Cross { place, lines: taken });
                 let [wrong, right] = [wrong, lines[side]].map(|line| line_name(site, line));
-                let blanks = [act.makes.as_str(), &wrong, &right];
-                found.push(site.candidate(Mistake::WrongLines, index, put, &blanks));
+                found.push(site.candidate(Mistake::WrongLines, index, edit, &[name, &wrong, &right]));
             }
         }
     }
@@ -96,14 +79,14 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
 
 /// A line of the scheme by two of its points, or by what it is.
 fn line_name(site: &Site<'_>, line: LineId) -> String {
-    let mut acts = site.acts();
-    let found = acts.find(|(_, act)| line_made(&act.deed) == Some(line));
-    match found.map(|(_, act)| (&act.deed, &act.makes)) {
-        Some((Deed::Join { from, towards, .. }, _)) => {
+    let drawn = site.operations().find(|(_, operation)| operation.does.line() == Some(line));
+    match drawn.map(|(_, operation)| (operation.part, &operation.does)) {
+        Some((_, Does::Join { from, towards, .. })) => {
             format!("{}{}", site.place_name(*from), site.place_name(*towards))
         }
-        Some((_, makes)) => makes.clone(),
-        None => String::new(),
+        Some((Part::CutLine(special), _)) => format!("cut line of {}", site.model.construction.special(special).name),
+        Some((Part::Guide(slider), _)) => format!("guide of {}", site.key.solution.mechanism.slider_name(slider)),
+        _ => String::new(),
     }
 }
 
@@ -114,8 +97,8 @@ pub(super) fn other_mode(site: &Site<'_>) -> Vec<Candidate> {
         mistake: Mistake::OtherMode,
         step: 0,
         blanks: Vec::new(),
-        puts: Vec::new(),
-        stands: Vec::new(),
+        edits: Vec::new(),
+        reinterpreted: Vec::new(),
         goes_on: Vec::new(),
         mode,
     });

@@ -2,18 +2,17 @@
 
 mod sheets;
 
+use super::answer_key::AnswerKey;
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
-use super::order::numbered_steps;
 use super::report::{Page, sentences};
 use super::sheet::{CheckError, Measured};
-use super::answer_key::AnswerKey;
 use super::verdict::{Checked, Verdict};
-use crate::drafting::Sheet;
+use crate::construction::{Action, Sheet};
 use crate::drawing::{Overlay, OwnValue, WrongStep};
-use crate::plan::Action;
+use crate::quantity::{Asked, What};
 use crate::scene::Panel;
-use crate::words::{CheckWords, Wording};
+use crate::words::{Language, Medium, NumberStyle, Wording};
 use sheets::Sheets;
 
 /// Points that are turned by more than this to lie over the right ones are said to be, in degrees.
@@ -52,21 +51,21 @@ pub fn redrawn(
 
     let mut sheets = Sheets::new(key, &right, own, &found, words);
     let turns = sheets.lay_points(measured);
-    sheets.draw_acts();
+    sheets.draw_operations();
     if mode > 0 {
         sheets.draw_links();
     }
-    let own_words = words.language.check;
+    let language = words.language;
     for &index in &checked.diagnosis.unexplained {
         sheets.draw_value(index, &checked.values[index]);
     }
     let unknown = found.iter().filter(|c| c.mistake == Mistake::Unknown);
-    for stand in unknown.flat_map(|c| &c.stands) {
+    for stand in unknown.flat_map(|c| &c.reinterpreted) {
         sheets.draw_value(stand.entry, &checked.values[stand.entry]);
     }
     let (points, lines) = sheets.finish();
 
-    let page = Page::new(checked, key, words);
+    let page = Page::new(checked, key, words, Medium::Figure);
     let sure = (!findings.is_empty()).then(|| page.sure(&checked.diagnosis.best));
     let sure = sure.map_or_else(String::new, |sure| format!(" ({sure})"));
     let mut said = vec![format!("{}. {}{sure}", page.counts(), page.heading())];
@@ -75,7 +74,7 @@ pub fn redrawn(
         let follows = match finding.follows.len() {
             0 => None,
             few if few <= NAMED => told.follows,
-            many => Some((own_words.follows_marked)(many, &format!("({number})"))),
+            many => Some(language.check_follows_marked(&many.to_string(), &format!("({number})"))),
         };
         // Beside a figure there is no room to say twice what a slipped number should be.
         let [done, should] = sentences(&finding.candidate, words);
@@ -88,15 +87,15 @@ pub fn redrawn(
     said.extend(page.mirrored());
     for (sheet, degrees) in turns {
         if degrees.abs() > TURNED {
-            let degrees = words.number(format!("{degrees:.0}").replace('-', "−"));
+            let degrees = words.write(degrees, NumberStyle::decimals(0).on(Medium::Figure));
             let plan = match sheet {
-                Sheet::Acceleration => words.language.acceleration_plan,
-                _ => words.language.velocity_plan,
+                Sheet::Acceleration => language.acceleration_plan(),
+                _ => language.velocity_plan(),
             };
-            said.push((own_words.turned)(&plan.to_lowercase(), &degrees));
+            said.push(language.check_turned(&plan.to_lowercase(), &degrees));
         }
     }
-    let cells = |row: [String; 8]| COLUMNS.map(|column| row[column].replace('-', "−"));
+    let cells = |row: [String; 8]| COLUMNS.map(|column| row[column].clone());
     let values = checked.values.iter().enumerate();
     let values = values.map(|(index, value)| OwnValue {
         cells: {
@@ -113,31 +112,32 @@ pub fn redrawn(
         name: measured.name.clone(),
         points,
         lines,
-        steps: wrong_steps(key, &found, own_words),
+        steps: wrong_steps(key, &found, language),
         words: said.collect(),
-        head: cells(own_words.columns.map(str::to_owned)),
+        head: cells(language.check_columns().map(str::to_owned)),
         values: values.collect(),
     })
 }
 
 /// The steps at which something went wrong, each once.
-fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], words: &CheckWords) -> Vec<WrongStep> {
-    let all = numbered_steps(&key.solution.construction);
+fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -> Vec<WrongStep> {
     let mut wrong: Vec<WrongStep> = Vec::new();
     for candidate in found {
-        let own = all.iter().find(|s| s.number == candidate.step);
+        let own = key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let Some(own) = own.filter(|own| wrong.iter().all(|w| w.step != own.number)) else {
             continue;
         };
         // Of the rates that a step solves for only that of one link is wrong; its sense is shown on the scheme.
         let solves = matches!(own.step.action, Action::Solve { .. });
-        let rate = candidate.blanks.first().map_or("", String::as_str);
-        let link = ["omega(", "alpha("].iter().find_map(|h| rate.strip_prefix(h));
-        let link = link.map_or("", |link| link.trim_end_matches(')'));
+        let rate = candidate.blanks.first().and_then(|name| Asked::new(name, &key.solution.mechanism).ok());
+        let link = match rate.as_ref().map(Asked::what) {
+            Some(What::Omega(link) | What::Alpha(link)) => key.solution.mechanism.body(*link).name.as_str(),
+            _ => "",
+        };
         wrong.push(WrongStep {
             step: own.number,
-            panel: if solves { Panel::Scheme } else { panel(own.sheet) },
-            label: (words.step)(own.number),
+            panel: if solves { Panel::Scheme } else { panel(own.sheet()) },
+            label: language.check_step(&own.number.to_string()),
             link: solves.then(|| link.to_owned()),
         });
     }

@@ -1,17 +1,17 @@
 //! The student's sheets: where each place is, and which lines lead there.
 
+use super::super::answer_key::AnswerKey;
 use super::super::mistakes::Candidate;
-use super::super::model::{Changes, Model, Put};
+use super::super::model::{Changes, Edit, Model};
 use super::super::report::significant;
 use super::super::sheet::Measured;
-use super::super::answer_key::AnswerKey;
-use super::super::verdict::{Judged};
+use super::super::verdict::Judged;
 use super::panel;
-use crate::drafting::{Act, Change, Deed, Disturbance, How, LineId, PlaceId, Sheet, Values};
+use crate::construction::{Change, Disturbance, Does, How, LineId, PlaceId, Sheet, Values};
 use crate::drawing::{OwnKind, OwnLine, OwnPoint};
 use crate::geometry::{Point, Vector, cross, degrees_of, turn_of_degrees, unit};
-use crate::plan::Kind;
-use crate::words::Wording;
+use crate::quantity::Kind;
+use crate::words::{Medium, Wording};
 use indexmap::IndexMap;
 
 /// So far apart on paper, in mm, a place is seen to be another one.
@@ -27,8 +27,8 @@ pub(super) struct Sheets<'a> {
     right: &'a Model,
     own: &'a Model,
     values: Values,
-    /// What was done instead of an act.
-    instead: Vec<(usize, &'a Act)>,
+    /// What was done instead of an operation.
+    instead: Vec<(usize, &'a Does)>,
     /// Points of plans that are given, by their names.
     given: IndexMap<(Sheet, String), Vector>,
     words: &'a Wording,
@@ -47,19 +47,19 @@ impl<'a> Sheets<'a> {
         let mut changes = Changes::new();
         let mut instead = Vec::new();
         for candidate in found {
-            for (act, put) in &candidate.puts {
-                let change = put.change();
-                changes.push(Disturbance { act: *act, change });
-                if let Put::Act(deed) = put {
-                    instead.push((*act, deed));
+            for (operation, edit) in &candidate.edits {
+                let change = edit.change();
+                changes.push(Disturbance { operation: *operation, change });
+                if let Edit::Instead(does) = edit {
+                    instead.push((*operation, does));
                 }
             }
-            for &(act, number, value) in &candidate.goes_on {
+            for &(operation, number, value) in &candidate.goes_on {
                 let change = Change::Written(number, value);
-                changes.push(Disturbance { act, change });
+                changes.push(Disturbance { operation, change });
             }
         }
-        changes.sort_by_key(|c| c.act);
+        changes.sort_by_key(|c| c.operation);
         Self {
             values: own.replay(&changes),
             key,
@@ -88,14 +88,14 @@ impl<'a> Sheets<'a> {
     pub(super) fn lay_points(&mut self, measured: &Measured) -> Vec<(Sheet, f64)> {
         let mut turns = Vec::new();
         for points in &measured.points {
-            let sheet = Sheet::of(points.kind);
+            let sheet = points.kind.sheet();
             let (Some(pole), Some(mu)) = (points.pole(), measured.mu[sheet as usize]) else {
                 continue;
             };
             let origin = Vector::from(points.places[pole]);
             let own = |place: &[f64; 2]| (Vector::from(*place) - origin) * mu;
             let pairs = points.places.iter().filter_map(|(name, place)| {
-                let id = self.own.drafting.place(sheet, name)?;
+                let id = self.own.construction.place(sheet, name)?;
                 Some((own(place), self.values.place(id)))
             });
             let pairs: Vec<(Vector, Vector)> = pairs.collect();
@@ -112,15 +112,15 @@ impl<'a> Sheets<'a> {
     }
 
     /// Draws the points that are not where they should be, with the lines that lead there, and lengths that were measured otherwise.
-    pub(super) fn draw_acts(&mut self) {
-        for index in 0..self.own.drafting.acts.len() {
-            let sheet = self.own.drafting.acts[index].sheet;
-            let is_changed = self.instead.iter().any(|(act, _)| *act == index);
-            match *self.deed(index) {
-                Deed::Plot { place, .. } if self.is_elsewhere(sheet, place) => {
+    pub(super) fn draw_operations(&mut self) {
+        for index in 0..self.own.construction.operations.len() {
+            let sheet = self.own.construction.operations[index].sheet;
+            let is_changed = self.instead.iter().any(|(operation, _)| *operation == index);
+            match *self.done(index) {
+                Does::Plot { place, .. } if self.is_elsewhere(sheet, place) => {
                     self.mark(sheet, place);
                 }
-                Deed::LayOff { place, from, .. } => {
+                Does::LayOff { place, from, .. } => {
                     let end = self.leads_to(place);
                     if self.is_elsewhere(sheet, end) {
                         self.mark(sheet, place);
@@ -128,10 +128,10 @@ impl<'a> Sheets<'a> {
                         self.line(sheet, end, ends, OwnKind::Vector, None);
                     }
                 }
-                Deed::Cross { place, ref lines } if self.is_elsewhere(sheet, place) => {
+                Does::Cross { place, ref lines } if self.is_elsewhere(sheet, place) => {
                     self.crossing(sheet, place, lines);
                 }
-                Deed::Measure { number, from, to, how } if is_changed => {
+                Does::Measure { number, from, to, how } if is_changed => {
                     let value = self.values.number(number);
                     self.measured(sheet, [from, to], how, value);
                 }
@@ -145,7 +145,7 @@ impl<'a> Sheets<'a> {
         let mechanism = &self.key.solution.mechanism;
         for (_, body) in mechanism.links() {
             let names = body.points.iter().map(|&p| mechanism.point_name(p));
-            let places = names.filter_map(|n| self.own.drafting.place(Sheet::Scheme, n));
+            let places = names.filter_map(|n| self.own.construction.place(Sheet::Scheme, n));
             let places: Vec<PlaceId> = places.collect();
             let next = places.iter().cycle().skip(1);
             let count = if places.len() > 2 { places.len() } else { 1 };
@@ -163,12 +163,12 @@ impl<'a> Sheets<'a> {
         let Ok(reading) = self.own.readings[index] else {
             return;
         };
-        let mut acts = self.own.drafting.acts.iter();
-        let drawn = acts.find_map(|act| match act.deed {
-            Deed::Measure { number, from, to, how: How::Size | How::Along(_) } if number == reading.number => {
-                Some((act.sheet, from, to))
+        let mut operations = self.own.construction.operations.iter();
+        let drawn = operations.find_map(|operation| match operation.does {
+            Does::Measure { number, from, to, how: How::Size | How::Along(_) } if number == reading.number => {
+                Some((operation.sheet, from, to))
             }
-            Deed::LayOff { place, from, size, .. } if size == reading.number => Some((act.sheet, from, place)),
+            Does::LayOff { place, from, size, .. } if size == reading.number => Some((operation.sheet, from, place)),
             _ => None,
         });
         let Some((sheet, from, to)) = drawn else {
@@ -236,27 +236,27 @@ impl<'a> Sheets<'a> {
 
     /// Places that a line was drawn through.
     fn starts(&self, line: LineId) -> Vec<PlaceId> {
-        let acts = (0..self.own.drafting.acts.len()).map(|index| self.deed(index));
-        let mut starts = acts.filter_map(|deed| match deed {
-            Deed::Draw { line: own, through, .. } if *own == line => Some(vec![*through]),
-            Deed::Join { line: own, from, towards } if *own == line => Some(vec![*from, *towards]),
+        let operations = (0..self.own.construction.operations.len()).map(|index| self.done(index));
+        let mut starts = operations.filter_map(|deed| match deed {
+            Does::Draw { line: own, through, .. } if *own == line => Some(vec![*through]),
+            Does::Join { line: own, from, towards } if *own == line => Some(vec![*from, *towards]),
             _ => None,
         });
         starts.next().unwrap_or_default()
     }
 
-    /// What was done at an act.
-    fn deed(&self, index: usize) -> &'a Deed {
+    /// What was done at an operation.
+    fn done(&self, index: usize) -> &'a Does {
         let mut instead = self.instead.iter();
-        let changed = instead.find(|(act, _)| *act == index);
-        &changed.map_or(&self.own.drafting.acts[index], |(_, act)| act).deed
+        let changed = instead.find(|(operation, _)| *operation == index);
+        changed.map_or(&self.own.construction.operations[index].does, |(_, does)| does)
     }
 
     /// The pole of a plan; the scheme has none.
     fn pole(&self, sheet: Sheet) -> Option<PlaceId> {
-        let mut acts = self.own.drafting.acts.iter().filter(|a| a.sheet == sheet);
-        acts.find_map(|act| match act.deed {
-            Deed::Pole { place, .. } if sheet != Sheet::Scheme => Some(place),
+        let mut operations = self.own.construction.operations.iter().filter(|a| a.sheet == sheet);
+        operations.find_map(|operation| match operation.does {
+            Does::Pole { place, .. } if sheet != Sheet::Scheme => Some(place),
             _ => None,
         })
     }
@@ -268,24 +268,20 @@ impl<'a> Sheets<'a> {
     /// A size on a sheet with its unit.
     fn with_unit(&self, sheet: Sheet, value: f64) -> String {
         let kind = [Kind::Length, Kind::Velocity, Kind::Acceleration][sheet as usize];
-        let value = self.words.number(significant(value.abs(), 4));
+        let value = self.words.write(value.abs(), significant(4).on(Medium::Figure));
         format!("{value} {}", kind.unit(self.key.solution.scene.units))
     }
 
     /// The names of a place.
     fn names(&self, sheet: Sheet, place: PlaceId) -> impl Iterator<Item = &'a str> {
-        let named = self.own.drafting.named_places();
+        let named = self.own.construction.named_places();
         named.filter_map(move |(of, name, id)| (of == sheet && id == place).then_some(name))
     }
 
     /// The name by which the figure knows a place: the first that its plan has.
     fn name(&self, sheet: Sheet, place: PlaceId) -> Option<&'a str> {
         let construction = &self.key.solution.construction;
-        let plan = match sheet {
-            Sheet::Scheme => None,
-            Sheet::Velocity => Some(&construction.velocity),
-            Sheet::Acceleration => construction.acceleration.as_ref(),
-        };
+        let plan = construction.plan_on(sheet);
         let is_shown = |name: &&str| match plan {
             Some(plan) => plan.points.contains_key(*name),
             None => !name.is_empty(),
@@ -302,7 +298,7 @@ impl<'a> Sheets<'a> {
 
     /// Where the right drawing has a point.
     fn right_place(&self, sheet: Sheet, name: &str) -> Option<Vector> {
-        let id = self.right.drafting.place(sheet, name)?;
+        let id = self.right.construction.place(sheet, name)?;
         Some(self.right.exact.place(id))
     }
 
@@ -319,9 +315,9 @@ impl<'a> Sheets<'a> {
 
     /// The point to which a vector leads, over further vectors where its own end has no name.
     fn leads_to(&self, place: PlaceId) -> PlaceId {
-        let sheets = self.own.drafting.acts.iter();
-        let mut next = sheets.filter_map(|act| match act.deed {
-            Deed::LayOff { place: end, from, .. } if from == place => Some(end),
+        let sheets = self.own.construction.operations.iter();
+        let mut next = sheets.filter_map(|operation| match operation.does {
+            Does::LayOff { place: end, from, .. } if from == place => Some(end),
             _ => None,
         });
         match self.own.place_names[place.0] {
@@ -365,7 +361,7 @@ impl<'a> Sheets<'a> {
     /// A place of a sheet in the panel's coordinates.
     fn on_figure(&self, sheet: Sheet, at: Vector) -> Point {
         match sheet {
-            Sheet::Scheme => self.own.drafting.origin + at,
+            Sheet::Scheme => self.own.construction.origin + at,
             _ => Point::from(at),
         }
     }

@@ -1,5 +1,5 @@
 use crate::drawing::view::next_of;
-use crate::words::Wording;
+use crate::words::{Medium, NumberStyle, Wording};
 
 /// Steps of angles, in degrees, that are round.
 const DEGREES: [f64; 17] =
@@ -60,39 +60,19 @@ impl Axis {
     /// A round value as it is written beside the axis.
     pub fn tick(&self, value: f64) -> String {
         let shown = value / libm::exp10(f64::from(self.power));
-        let written = minus(format!("{:.*}", self.decimals, shown + 0.0));
-        self.words.number(written)
+        self.words.write(shown + 0.0, NumberStyle::decimals(self.decimals).on(Medium::Figure))
     }
 
     /// A value beside its curve, in the axis's unit, with four digits.
     pub fn value(&self, value: f64) -> String {
         let shown = value / libm::exp10(f64::from(self.power));
-        self.words.number(digits(shown, 4))
+        self.words.write(shown, significant(4))
     }
 }
 
-/// A number with that many digits, without zeros that say nothing.
-pub(super) fn digits(x: f64, count: i32) -> String {
-    if x == 0.0 || !x.is_finite() {
-        return "0".to_owned();
-    }
-    let decade = |x: f64| libm::floor(libm::log10(x.abs())) as i32;
-    if !(-4..9).contains(&decade(x)) {
-        let text = format!("{x:.*e}", (count - 1) as usize);
-        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-        return minus(format!("{}·10^{{{power}}}", trimmed(digits)));
-    }
-    let decimals = usize::try_from(count - 1 - decade(x)).unwrap_or(0);
-    minus(trimmed(&format!("{x:.decimals$}")).to_owned())
-}
-
-fn trimmed(number: &str) -> &str {
-    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
-}
-
-/// A number with the sign that is as wide as a plus.
-fn minus(number: String) -> String {
-    number.replace('-', "−")
+/// So many digits, without zeros that say nothing.
+pub(super) const fn significant(digits: usize) -> NumberStyle {
+    NumberStyle::significant(digits).trimmed().on(Medium::Figure)
 }
 
 #[cfg(test)]
@@ -112,14 +92,5 @@ mod tests {
         assert_eq!(ticks([3.0, 9.5], 40.0, true), ["4", "6", "8"]);
         assert_eq!(ticks([0.0, 4e6], 45.0, false), ["0", "1", "2", "3", "4"]);
         assert_eq!(ticks([-2e-5, 2e-5], 45.0, false), ["−20", "−10", "0", "10", "20"]);
-    }
-
-    #[test]
-    fn numbers_have_no_idle_digits() {
-        assert_eq!(digits(-1.25, 4), "−1.25");
-        assert_eq!(digits(1234.56, 4), "1235");
-        assert_eq!(digits(0.000123456, 4), "0.0001235");
-        assert_eq!(digits(1.5e-7, 4), "1.5·10^{−7}");
-        assert_eq!(digits(200.0, 4), "200");
     }
 }

@@ -14,8 +14,8 @@ use crate::drawing::style::Style;
 use crate::drawing::text::RichText;
 use crate::drawing::view::{Extent, View, fitting_scale};
 use crate::geometry;
-use crate::plan::Kind;
-use crate::scene::Scene;
+use crate::quantity::Kind;
+use crate::scene::{DecimalMark, Scene};
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 
@@ -65,7 +65,7 @@ pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesErro
     for (index, (frame, one)) in frames(&sheet, whole, &all.hodographs).into_iter().zip(&all.hodographs).enumerate() {
         let panel = Panel { sheet: &sheet, index, frame, one };
         panel.draw(&mut drawing);
-        said.push((sheet.words.language.hodograph)(one.asked.name()));
+        said.push(sheet.words.language.hodograph(one.asked.name()));
     }
     drawing.description = format!("{}.", said.join("; "));
     Ok(drawing)
@@ -203,9 +203,8 @@ impl Panel<'_> {
 
     fn heading(&self, symbol: &str) -> Line {
         let letter = char::from(b'a' + self.index as u8);
-        let words = (self.sheet.words.language.hodograph)("");
-        let words = RichText::plain(&format!("({letter}) {}", words.trim_end()));
-        Line::new(vec![words, RichText::math(symbol)])
+        let sentence = self.sheet.words.language.hodograph(words::SYMBOL);
+        Line::around(&format!("({letter}) {sentence}"), RichText::math(symbol))
     }
 
     #[allow(clippy::too_many_arguments)] // the parts of a label
@@ -237,7 +236,7 @@ impl Panel<'_> {
             if !crate::drawing::clip::holds(canvas.bounds(), center) {
                 continue;
             }
-            let name = super::digits(values[0], 6);
+            let name = super::significant(6).write(values[0], DecimalMark::Point);
             let dot = Shape::Circle { center, radius: DOT };
             let mark = canvas.draw_named(&format!("tip-{name}"), Pen::Curve, dot);
             mark.number = Some(self.index);
@@ -275,7 +274,7 @@ impl Panel<'_> {
             let across = Vec2::new(-way.y, way.x).normalize() * STROKE;
             canvas.draw(Pen::Zero, Shape::Line(end - across, end + across));
             let unit = if self.sheet.curves.path.drive.is_angle() { "°" } else { "" };
-            let word = self.sheet.words.language.limit;
+            let word = self.sheet.words.language.limit();
             let words = format!("{word} {}{unit}", self.sheet.number(event.at, 5));
             let name = format!("limit-{}", if near(event.at, low) { "low" } else { "high" });
             self.label(canvas, &name, RichText::plain(&words), end, STROKE, None, 2);

@@ -17,10 +17,10 @@ use super::sheet::{Drawing, Pen};
 use super::style::Style;
 use super::text::{Anchor, PlacedText, RichText};
 use crate::cycle::{Curves, Happening};
-use crate::plan::Kind;
+use crate::quantity::Kind;
 use crate::scene::Scene;
 use crate::words::Wording;
-use axis::{Axis, digits};
+use axis::{Axis, significant};
 pub use hodograph::hodographs;
 use kurbo::{Point, Rect, Vec2};
 use panel::Panel;
@@ -173,12 +173,12 @@ impl Sheet<'_> {
     /// The text that a name is shown by.
     fn shown(&self, name: &str) -> String {
         let renamed = self.scene.figure.labels.get(name);
-        renamed.map_or_else(|| crate::plan::display(name), Clone::clone)
+        renamed.map_or_else(|| crate::construction::display(name), Clone::clone)
     }
 
     /// A number with that many digits.
-    fn number(&self, value: f64, count: i32) -> String {
-        self.words.number(digits(value, count))
+    fn number(&self, value: f64, count: usize) -> String {
+        self.words.write(value, significant(count))
     }
 
     /// The axis of the drive's values.
@@ -216,9 +216,9 @@ impl Sheet<'_> {
         let language = self.words.language;
         let request = |(pen, value): (Pen, f64)| {
             let word = match pen {
-                Pen::Limit => language.limit,
-                Pen::Change => language.change,
-                _ => language.scene,
+                Pen::Limit => language.limit(),
+                Pen::Change => language.change(),
+                _ => language.scene(),
             };
             let value_shown = self.number(value, 5);
             LabelRequest {
@@ -265,10 +265,10 @@ impl Sheet<'_> {
         };
         let curves = &self.curves.curves;
         if curves.iter().any(|c| !c.dead.is_empty()) {
-            explain(Pen::Joint, panel::DEAD, self.words.language.dead_position);
+            explain(Pen::Joint, panel::DEAD, self.words.language.dead_position());
         }
         if curves.iter().any(|c| !c.extremes.is_empty()) {
-            explain(Pen::Pole, panel::DOT, self.words.language.extremes);
+            explain(Pen::Pole, panel::DOT, self.words.language.extremes());
         }
         // In the middle, or as far to the left as the marks' words ask.
         let line = words::drive(self);
@@ -280,7 +280,7 @@ impl Sheet<'_> {
 
     /// What the figure is called, and how the drives run.
     fn title(&self, drawing: &mut Drawing, across: [f64; 2]) {
-        let title = self.scene.title.as_deref().unwrap_or(self.words.language.curves);
+        let title = self.scene.title.as_deref().unwrap_or(self.words.language.curves());
         drawing.title = title.to_owned();
         drawing.language = self.words.language.code;
         let y = MARGIN + 5.6;

@@ -9,7 +9,8 @@ use crate::drawing::labels::LabelRequest;
 use crate::drawing::shape::{Shape, corners};
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{PlacedText, RichText};
-use crate::plan::Kind;
+use crate::quantity::Kind;
+use crate::words::power_of_ten;
 use kurbo::{Point, Rect, Vec2};
 
 /// Radius of the dot at a greatest or least value.
@@ -111,10 +112,10 @@ impl Panel {
         let unit = self.kind.unit(sheet.scene.units);
         let unit = match self.axis.power {
             0 => unit,
-            power => format!("10^{{{}}} {unit}", power.to_string().replace('-', "−")),
+            power => format!("{} {unit}", power_of_ten(power)),
         };
         let language = sheet.words.language;
-        let shows = (language.in_unit)(words::kind(language, self.kind), &unit);
+        let shows = language.in_unit(words::kind(language, self.kind), &unit);
         let heading = format!("({}) {shows}", self.letter);
         let baseline = Point::new(frame.x0, self.rows[0] + 5.2);
         let heading = PlacedText::new(RichText::plain(&heading), 1.05 * CAPTION, baseline);

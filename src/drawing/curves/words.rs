@@ -4,9 +4,12 @@ use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{PlacedText, RichText};
 use crate::mechanism::{Role, SliderId};
-use crate::plan::Kind;
+use crate::quantity::Kind;
 use crate::words::Language;
 use kurbo::{Point, Rect};
+
+/// Holds a symbol's place in a sentence.
+pub(super) const SYMBOL: &str = "\u{fffc}";
 
 /// A line of text in which symbols are slanted and words are upright.
 pub(super) struct Line(Vec<RichText>);
@@ -15,8 +18,11 @@ impl Line {
     /// White between its parts, in em.
     const SPACE: f64 = 0.28;
 
-    pub(super) fn new(parts: Vec<RichText>) -> Line {
-        Line(parts)
+    /// A sentence that has [`SYMBOL`] where its symbol stands.
+    pub(super) fn around(sentence: &str, symbol: RichText) -> Line {
+        let (before, behind) = sentence.split_once(SYMBOL).unwrap_or((sentence, ""));
+        let words = |text: &str| (!text.trim().is_empty()).then(|| RichText::plain(text.trim()));
+        Line(words(before).into_iter().chain([symbol]).chain(words(behind)).collect())
     }
 
     pub(super) fn width(&self, size: f64) -> f64 {
@@ -52,15 +58,15 @@ impl Line {
 }
 
 /// What a panel shows.
-pub(super) fn kind(language: &Language, kind: Kind) -> &'static str {
+pub(super) fn kind(language: &Language, kind: Kind) -> &str {
     match kind {
-        Kind::Angle => language.angle,
-        Kind::AngularVelocity => language.angular_velocity,
-        Kind::AngularAcceleration => language.angular_acceleration,
-        Kind::Position => language.position,
-        Kind::Length => language.length,
-        Kind::Velocity => language.velocity,
-        Kind::Acceleration => language.acceleration,
+        Kind::Angle => language.angle(),
+        Kind::AngularVelocity => language.angular_velocity(),
+        Kind::AngularAcceleration => language.angular_acceleration(),
+        Kind::Position => language.position(),
+        Kind::Length => language.length(),
+        Kind::Velocity => language.velocity(),
+        Kind::Acceleration => language.acceleration(),
     }
 }
 
@@ -69,14 +75,11 @@ pub(super) fn drive(sheet: &Sheet) -> Line {
     let (drive, language) = (&sheet.curves.path.drive, sheet.words.language);
     let link = sheet.shown(&drive.name);
     let length = sheet.scene.units.length.as_str();
-    let plain = RichText::plain;
-    Line(if drive.is_angle() {
-        let symbol = RichText::math(&format!("φ_{{{link}}}"));
-        let [before, behind] = language.drive_angle;
-        vec![plain(before), symbol, plain(behind)]
+    if drive.is_angle() {
+        Line::around(&language.drive_angle(SYMBOL), RichText::math(&format!("φ_{{{link}}}")))
     } else {
-        vec![plain(&(language.drive_position)(&link, length))]
-    })
+        Line(vec![RichText::plain(&language.drive_position(&link, length))])
+    }
 }
 
 /// How the drives run.
@@ -118,7 +121,7 @@ pub(super) fn description(sheet: &Sheet, panels: &[Panel]) -> String {
     let drive = &curves.path.drive;
     let amount = |value: f64| sheet.words.number(drive.amount(value));
     let [from, to] = curves.range.map(amount);
-    let mut text = (language.over)(&drive.quantity(), &from, &to);
+    let mut text = language.over(&drive.quantity(), &from, &to);
     for panel in panels {
         let unit = panel.kind.unit(units);
         let value = |value: f64| format!("{} {unit}", sheet.number(value, 6));
@@ -126,19 +129,19 @@ pub(super) fn description(sheet: &Sheet, panels: &[Panel]) -> String {
             let names: Vec<&str> = curve.asked.iter().map(|a| a.name()).collect();
             let names = names.join(" = ");
             if let Some(constant) = curve.constant {
-                let sentence = (language.is_constant)(&names, &value(constant));
+                let sentence = language.is_constant(&names, &value(constant));
                 text.push_str(&format!(" {sentence};"));
                 continue;
             }
-            let extreme = |greatest: bool, sentence: fn(&str, &str) -> String, none: &str| {
+            let extreme = |greatest: bool, sentence: fn(&Language, &str, &str) -> String, none: &str| {
                 let mut extremes = curve.extremes.iter();
                 match extremes.find(|e| e.greatest == greatest) {
-                    Some(e) => sentence(&value(e.value), &amount((e.at * 1e4).round() / 1e4)),
+                    Some(e) => sentence(language, &value(e.value), &amount((e.at * 1e4).round() / 1e4)),
                     None => none.to_owned(),
                 }
             };
-            let least = extreme(false, language.least, language.no_least);
-            let greatest = extreme(true, language.greatest, language.no_greatest);
+            let least = extreme(false, Language::least, language.no_least());
+            let greatest = extreme(true, Language::greatest, language.no_greatest());
             text.push_str(&format!(" {names}, {least}, {greatest};"));
         }
     }

@@ -11,6 +11,7 @@ use crate::drawing::sheet::{Emphasis, Mark, Pen};
 use crate::drawing::text::RichText;
 use crate::drawing::view::{View, towards};
 use crate::scene::Panel as PanelName;
+use crate::words::NumberStyle;
 use kurbo::{Point, Vec2};
 
 /// Points closer than this on paper, in mm, share a name.
@@ -162,8 +163,8 @@ impl<'a> OwnLayer<'a> {
             canvas.draw_named(&name, Pen::StudentPoint, shape);
         }
         let words = self.scheme.words;
-        let mm = words.number(format!("{:.0}", (target - edge).hypot()));
-        let words = (words.language.check.beyond)(label, &mm);
+        let mm = words.write((target - edge).hypot(), NumberStyle::decimals(0));
+        let words = words.language.check_beyond(label, &mm);
         let wanted = canvas.label(&name, &words, tail, 1.0, None, 3);
         wanted.request.text = RichText::plain(&words);
         wanted.pen = Pen::StudentPoint;

@@ -82,7 +82,9 @@ impl Notes<'_> {
     fn draw_key(&self, drawing: &mut Drawing, area: Rect) {
         let mut at = lines::baseline(area, 0);
         for (line, sample) in (1..).zip(self.key()) {
-            let end = key(drawing, at, sample, self.words.language.check.key[sample]);
+            let language = self.words.language;
+            let words = [language.check_key_right(), language.check_key_own(), language.check_key_wrong()][sample];
+            let end = key(drawing, at, sample, words);
             at = match self.is_column() {
                 true => lines::baseline(area, line),
                 false => Point::new(end + KEY[1], at.y),

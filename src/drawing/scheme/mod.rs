@@ -10,11 +10,11 @@ mod special;
 
 use super::canvas::Canvas;
 use super::names::Names;
-use super::stages::{Stages, numbered};
+use super::stages::Stages;
 use super::view::{Extent, View};
-use crate::geometry::{self, quarter_turn};
+use crate::construction::{Action, Construction, NumberedStep, Plan, Ray, Solution, Teller};
+use crate::geometry;
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
-use crate::plan::{Action, Construction, CutLine, Plan, Ray, Solution, image_name};
 use crate::position::Pose;
 use crate::scene::{Figure, Panel as PanelName, Scene};
 use crate::words::Wording;
@@ -25,6 +25,7 @@ const JOINT: f64 = 1.15;
 
 /// What the scheme shows.
 pub(super) struct Scheme<'a> {
+    pub solution: &'a Solution,
     pub scene: &'a Scene,
     pub figure: &'a Figure,
     pub mechanism: &'a Mechanism,
@@ -42,6 +43,7 @@ impl<'a> Scheme<'a> {
     pub(super) fn new(solution: &'a Solution) -> Self {
         let Solution { scene, mechanism, pose, construction, .. } = solution;
         Self {
+            solution,
             scene,
             figure: &scene.figure,
             mechanism,
@@ -52,6 +54,11 @@ impl<'a> Scheme<'a> {
             insets: true,
             words: solution.wording(),
         }
+    }
+
+    /// Tells steps in the figure's words.
+    pub(super) fn teller(&self) -> Teller<'_> {
+        Teller::new(self.solution, &self.words)
     }
 
     /// What must find room: all points, and the special points that are not too far away.
@@ -107,7 +114,8 @@ impl<'a> Scheme<'a> {
 
     /// What each step is about: the length that it measures, the line that gives its ray the direction.
     pub(super) fn hints(&self, canvas: &mut Canvas<'_>, view: &View) {
-        for (number, _, step) in numbered(self.construction) {
+        for NumberedStep { number, step, .. } in self.construction.numbered_steps() {
+            let number = number as u16;
             let ends = match &step.action {
                 Action::MeasureLength { from, to, .. } => {
                     let joint = self.mechanism.point(from).map(|p| self.pose.point(p));
@@ -128,11 +136,8 @@ impl<'a> Scheme<'a> {
 
     /// The stretch of the cut line to which a ray is square, from its joint to the special point.
     fn line_of(&self, ray: &Ray) -> Option<(geometry::Point, geometry::Point)> {
-        let mut special = self.construction.special.iter().flatten();
-        let special = special.find(|s| image_name(&s.name) == ray.to)?;
-        let along = |cut: &&CutLine| cut.line.direction().map(quarter_turn) == Some(ray.direction);
-        let cut = special.cuts.iter().find(along)?;
-        Some((self.pose.point(cut.start()?), special.place.finite()?))
+        let special = self.construction.special(ray.special);
+        Some((self.pose.point(special.cuts[ray.side].start()?), special.place.finite()?))
     }
 
     /// The markup by which a point is shown, on the mechanism or within a plan: as the scene renames it, else in the figure's notation.

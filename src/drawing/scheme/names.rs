@@ -7,8 +7,8 @@ use super::super::view::{Extent, View, on_sheet, towards};
 use super::links::LinkShape;
 use super::sliders::BLOCK;
 use super::{JOINT, Scheme};
+use crate::construction::display;
 use crate::mechanism::{BodyId, GROUND, JointKind, PointId, Role, Slider, SliderId};
-use crate::plan::display;
 use kurbo::{Point, Vec2};
 
 impl Scheme<'_> {

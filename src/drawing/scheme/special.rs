@@ -6,12 +6,16 @@ use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet, towards};
 use super::{JOINT, Scheme};
+use crate::construction::{Course, Special};
 use crate::geometry::{Place, span};
-use crate::plan::{LegKind, Special};
+use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
 /// A special point that would make the scheme more than this many times larger is not drawn at its place.
 const REACH: f64 = 2.5;
+
+/// How the distances of others are written.
+const DISTANCE: NumberStyle = NumberStyle::significant(4).in_full(-3, 6).on(Medium::Figure);
 
 impl Scheme<'_> {
     pub(in crate::drawing) fn special(&self) -> impl Iterator<Item = &Special> {
@@ -51,9 +55,7 @@ impl Scheme<'_> {
             if let Some((a, b)) = clipped_segment(bounds, from, end) {
                 canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b));
             }
-            if let LegKind::PinThenSlider { inner: slider, .. } | LegKind::SliderThenPin { outer: slider, .. } =
-                cut.kind
-            {
+            if let Course::Normal(slider, _) = cut.course {
                 let along = on_sheet(self.pose.guide(slider));
                 self.right_angle(canvas, from, along, way);
             }
@@ -101,26 +103,13 @@ impl Scheme<'_> {
             Place::At(place) => {
                 let distance = (place - self.pose.point(start)).norm();
                 let name = self.mechanism.point_name(start);
-                let distance = self.words.number(significant(distance));
-                (self.words.language.far_away)(&label, &distance, name)
+                let distance = self.words.write(distance, DISTANCE);
+                self.words.language.far_away(&label, &distance, name)
             }
-            Place::AtInfinity(_) => (self.words.language.at_infinity)(&label),
+            Place::AtInfinity(_) => self.words.language.at_infinity(&label),
         };
         let name = format!("point-{}", special.name);
         canvas.draw_named(&name, Pen::Special, Shape::Arrow { from: tail, to: edge });
         canvas.words(&special.name, &distance, tail);
     }
-}
-
-/// A number with four significant digits, for captions.
-fn significant(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let exponent = libm::floor(libm::log10(x.abs())) as i32;
-    if !(-3..6).contains(&exponent) {
-        let mantissa = x / libm::pow(10.0, f64::from(exponent));
-        return format!("{mantissa:.3}·10^{{{exponent}}}");
-    }
-    format!("{x:.*}", (3 - exponent).max(0) as usize)
 }

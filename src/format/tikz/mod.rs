@@ -33,8 +33,10 @@ impl Drawing {
             write_style(&mut file, &name, &look, used);
         }
         let [width, height] = [self.width, self.height].map(number);
-        let _ =
-            write!(file, "\\begin{{tikzpicture}}[x=1mm,y=-1mm]\n\\useasboundingbox (0,0) rectangle ({width},{height});\n");
+        let _ = write!(
+            file,
+            "\\begin{{tikzpicture}}[x=1mm,y=-1mm]\n\\useasboundingbox (0,0) rectangle ({width},{height});\n"
+        );
         if background != Colour::new(0xffffff) {
             let _ = writeln!(file, "\\fill[kinegon-background] (0,0) rectangle ({width},{height});");
         }

@@ -1,0 +1,238 @@
+use super::agreement::Agreement;
+use super::cut::{Special, SpecialId};
+use super::operation::{End, NumberId, NumberKind, Operation, PlaceId, Sheet, StepId};
+use super::run::{Disturbance, SheetScales, Values};
+use super::step::{Action, Plan, PlanKind, Step};
+use super::writer::Writer;
+use crate::geometry::Point;
+use crate::mechanism::Mechanism;
+use crate::motion::{Motion, Order};
+use crate::position::Pose;
+use indexmap::IndexMap;
+
+/// Everything that is drawn on the board for a mechanism: special points, then the plans, step by step, and the operations of a hand that make them.
+#[derive(Clone, Debug)]
+pub struct Construction {
+    /// By group: its special points.
+    pub special: Vec<Vec<Special>>,
+    /// By group: how the construction's rates compare with the loop equations'; none where a special point lies at infinity.
+    pub agreement: Vec<Option<Agreement>>,
+    /// Steps on the mechanism itself.
+    pub scheme: Vec<Step>,
+    /// The velocity plan.
+    pub velocity: Plan,
+    /// The acceleration plan, if accelerations were asked for.
+    pub acceleration: Option<Plan>,
+    /// What is done with ruler, pencil and calculator, in an order in which it can be done.
+    pub operations: Vec<Operation>,
+    /// From where places of the scheme count, the mechanism's first point: far from it digits would be lost.
+    pub origin: Point,
+    /// By number: what it is.
+    pub numbers: Vec<NumberKind>,
+    /// How many places, lines and numbers the operations make.
+    pub(super) counts: [usize; 3],
+    /// Points of the sheets by name: joints and special points of the scheme, points of the plans.
+    pub(super) places: IndexMap<(Sheet, String), PlaceId>,
+    /// By body: its ω and α; of a given rate that is zero nothing.
+    pub(crate) spins: Vec<Option<[Option<NumberId>; 2]>>,
+    /// By slider, likewise: velocity and acceleration along the guide.
+    pub(crate) slides: Vec<Option<[Option<NumberId>; 2]>>,
+}
+
+/// The construction of both plans from one pole each, for every group of `mechanism`.
+///
+/// Joints are plotted at their places. Lengths between two points of one link are taken from the scene, other lengths are measured, as
+/// are all in a drawn configuration. A guide that runs through two points of its link is drawn through them, any other in its
+/// direction. Of groups without a construction, and of what hangs on them, nothing is known by hand: there the vectors come from the motion.
+#[must_use]
+pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Construction {
+    written(mechanism, pose, motion).construction
+}
+
+/// The same, with what may still be added to it.
+pub(crate) fn written<'a>(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Writer<'a> {
+    let mut writer = Writer::new(mechanism, pose, motion);
+    for group in &mechanism.groups {
+        writer.group(group);
+    }
+    writer
+}
+
+impl Construction {
+    pub(super) fn empty(mechanism: &Mechanism, order: Order, origin: Point) -> Self {
+        let plan = |kind| Plan { kind, points: IndexMap::new(), steps: Vec::new() };
+        Self {
+            special: Vec::new(),
+            agreement: Vec::new(),
+            scheme: Vec::new(),
+            velocity: plan(PlanKind::Velocity),
+            acceleration: (order == Order::Acceleration).then(|| plan(PlanKind::Acceleration)),
+            operations: Vec::new(),
+            origin,
+            numbers: Vec::new(),
+            counts: [0; 3],
+            places: IndexMap::new(),
+            spins: vec![None; mechanism.bodies.len()],
+            slides: vec![None; mechanism.sliders.len()],
+        }
+    }
+
+    /// A special point.
+    #[must_use]
+    pub fn special(&self, id: SpecialId) -> &Special {
+        self.special.iter().flatten().nth(id.0).expect("a step names a special point that there is")
+    }
+
+    /// A special point by name.
+    #[must_use]
+    pub fn special_point(&self, name: &str) -> Option<&Special> {
+        self.special.iter().flatten().find(|s| s.name == name)
+    }
+
+    /// The plans that there are.
+    pub fn plans(&self) -> impl Iterator<Item = &Plan> {
+        std::iter::once(&self.velocity).chain(&self.acceleration)
+    }
+
+    /// The plan on a sheet; none of the scheme.
+    #[must_use]
+    pub fn plan_on(&self, sheet: Sheet) -> Option<&Plan> {
+        self.plans().find(|plan| plan.kind.sheet() == sheet)
+    }
+
+    /// Why groups have no construction: for each the names of its special points at infinity, none where there are no two rays.
+    pub fn without(&self) -> impl Iterator<Item = &[String]> {
+        self.velocity.steps.iter().filter_map(|step| match &step.action {
+            Action::NoConstruction { far } => Some(far.as_slice()),
+            _ => None,
+        })
+    }
+
+    /// How many places, lines and numbers the operations make.
+    #[must_use]
+    pub fn counts(&self) -> [usize; 3] {
+        self.counts
+    }
+
+    /// A point of a sheet by its name, as in `S3` of the scheme or `n_b3` of the acceleration plan.
+    #[must_use]
+    pub fn place(&self, sheet: Sheet, name: &str) -> Option<PlaceId> {
+        self.places.get(&(sheet, name.to_owned())).copied()
+    }
+
+    /// The named points of the sheets, in the order in which they got their names; a place may have several names.
+    pub fn named_places(&self) -> impl Iterator<Item = (Sheet, &str, PlaceId)> {
+        self.places.iter().map(|((sheet, name), &place)| (*sheet, name.as_str(), place))
+    }
+
+    /// What a number is called: the quantity that it is, as in `L(B,S3)`, `vplan(b,s3)`, `omega(2)`; the size of a vector has no name.
+    #[must_use]
+    pub fn number_name(&self, mechanism: &Mechanism, number: NumberId) -> String {
+        match &self.numbers[number.0] {
+            NumberKind::Length(ends) => {
+                let [a, b] = ends.map(|end| self.end_name(mechanism, end));
+                format!("L({a},{b})")
+            }
+            NumberKind::Segment(sheet, [from, to]) => {
+                self.plan_on(*sheet).map_or_else(String::new, |plan| plan.kind.segment_name(from, to))
+            }
+            NumberKind::Rate(rate) => rate.name(mechanism),
+            NumberKind::Reading(name) => name.clone(),
+            NumberKind::Size => String::new(),
+        }
+    }
+
+    /// The name of an end of a length.
+    #[must_use]
+    pub fn end_name<'n>(&'n self, mechanism: &'n Mechanism, end: End) -> &'n str {
+        match end {
+            End::Joint(point) => mechanism.point_name(point),
+            End::Special(id) => &self.special(id).name,
+        }
+    }
+
+    /// All steps, numbered from 1 through the scheme, the velocity plan and the acceleration plan.
+    pub fn numbered_steps(&self) -> impl Iterator<Item = NumberedStep<'_>> {
+        let scheme = self.scheme.iter().map(|step| (None, step));
+        let plans = self.plans().flat_map(|plan| plan.steps.iter().map(move |step| (Some(plan), step)));
+        (1..).zip(scheme.chain(plans)).map(|(number, (plan, step))| NumberedStep { number, plan, step })
+    }
+
+    /// The number of a step.
+    #[must_use]
+    pub fn step_number(&self, StepId { sheet, index }: StepId) -> usize {
+        let before = match sheet {
+            Sheet::Scheme => 0,
+            Sheet::Velocity => self.scheme.len(),
+            Sheet::Acceleration => self.scheme.len() + self.velocity.steps.len(),
+        };
+        before + index + 1
+    }
+
+    /// A step by its place among those of its sheet.
+    #[must_use]
+    pub fn step(&self, StepId { sheet, index }: StepId) -> Option<&Step> {
+        match sheet {
+            Sheet::Scheme => self.scheme.get(index),
+            _ => self.plan_on(sheet)?.steps.get(index),
+        }
+    }
+
+    /// Which step gives each quantity, by the quantity's name; the first where several do.
+    #[must_use]
+    pub fn steps_of_quantities(&self) -> IndexMap<String, StepId> {
+        let mut steps = IndexMap::new();
+        for step in self.numbered_steps() {
+            let sheet = step.sheet();
+            let index = step.number - self.step_number(StepId { sheet, index: 0 });
+            for name in step.names() {
+                steps.entry(name).or_insert(StepId { sheet, index });
+            }
+        }
+        steps
+    }
+
+    /// Carries out all operations with `disturbances` in their order; without any the values are those of the plans.
+    #[must_use]
+    pub fn run(&self, scales: SheetScales, disturbances: &[Disturbance<'_>]) -> Values {
+        let mut values = Values::default();
+        values.resize(self.counts);
+        values.carry_out(&self.operations, 0, scales, disturbances);
+        values
+    }
+}
+
+/// A step of the construction with its number.
+#[derive(Clone, Copy, Debug)]
+pub struct NumberedStep<'a> {
+    /// Counted from 1 through all sheets.
+    pub number: usize,
+    /// The plan to which it belongs; none for the scheme.
+    pub plan: Option<&'a Plan>,
+    /// What is done.
+    pub step: &'a Step,
+}
+
+impl NumberedStep<'_> {
+    /// Where it is drawn.
+    #[must_use]
+    pub fn sheet(&self) -> Sheet {
+        self.plan.map_or(Sheet::Scheme, |plan| plan.kind.sheet())
+    }
+
+    /// The quantities that the step gives, by name.
+    #[must_use]
+    pub fn names(&self) -> Vec<String> {
+        let segment = |from: &str, to: &str| self.plan.map(|p| p.kind.segment_name(from, to)).into_iter().collect();
+        match &self.step.action {
+            Action::MeasureLength { from, to, .. } => vec![format!("L({from},{to})")],
+            Action::LayOff(arrow) => segment(&arrow.from, &arrow.to),
+            Action::Cross { point, .. } => segment(self.plan.map_or("", |p| p.kind.pole()), point),
+            Action::Measure { from, to, .. } => segment(from, to),
+            Action::Solve { unknowns, .. } => unknowns.iter().map(|u| u.0.clone()).collect(),
+            Action::Pole { .. } | Action::SpecialPoint { .. } | Action::Ray(_) | Action::NoConstruction { .. } => {
+                Vec::new()
+            }
+        }
+    }
+}

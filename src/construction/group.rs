@@ -1,0 +1,451 @@
+//! A group's construction: special points, rays, crossings, what is measured, and the motions of its points.
+
+use super::body::Anchor;
+use super::cut::{Course, CutLine, Special, SpecialId, special_points};
+use super::leg::Drawn;
+use super::name::{coincident_name, image_name, point_on};
+use super::operation::{Does, How, LineId, NumberId, NumberKind, Part, PlaceId, Rate, Sheet};
+use super::step::{Action, Arrow, LegEquation, PointRole, Ray, Relation, VectorOf};
+use super::writer::Writer;
+use crate::geometry::{Vector, quarter_turn, span};
+use crate::mechanism::{BodyId, Carried, GROUND, Group, JointKind, LoopEquations, PointId, Role, SliderId, Spin};
+
+/// The ray of a leg.
+struct DrawnRay {
+    /// Where it begins: the plan point's name, and its place.
+    from: (String, PlaceId),
+    line: LineId,
+}
+
+impl Writer<'_> {
+    /// The construction of the next group: where two rays cross for each of its points, to the rates; else what the motion says.
+    pub(super) fn group(&mut self, group: &Group) {
+        let first = self.construction.special.iter().map(Vec::len).sum();
+        let special = special_points(self.mechanism, self.pose, group);
+        let equations = LoopEquations::new(self.mechanism, group);
+        for &link in &group.bodies {
+            if let Spin::Known(body) = equations.spin_of(link) {
+                self.construction.spins[link.0] = self.construction.spins[body.0];
+            }
+        }
+        let crosses = |s: &Special| s.place.finite().is_some() && s.cuts.iter().all(|c| c.line.direction().is_some());
+        let has_rays = !special.is_empty() && 2 * special.len() == equations.unknowns && special.iter().all(crosses);
+        let ids = (first..).map(SpecialId);
+        let drawn: Vec<Option<Drawn<'_>>> =
+            special.iter().zip(ids).map(|(special, id)| self.special_point(special, id, has_rays)).collect();
+        let mut starts: Vec<(BodyId, PointId)> = Vec::new();
+        for cut in special.iter().flat_map(|s| &s.cuts) {
+            let start = cut.start().map(|point| (cut.leg.base, point));
+            if let Some((base, point)) = start.filter(|start| !starts.contains(start)) {
+                starts.push((base, point));
+                self.plans().iter().for_each(|&sheet| self.known_vector(sheet, base, point));
+            }
+        }
+        let drawn: Option<Vec<Drawn<'_>>> = drawn.into_iter().collect();
+        let constructed = drawn.filter(|_| has_rays).and_then(|drawn| self.rates(group, &equations, &drawn));
+        if constructed.is_none() {
+            self.without_rays(group, &equations, &special);
+        }
+        let points = group.bodies.iter().flat_map(|&link| &self.mechanism.body(link).points);
+        let size = span(points.map(|&p| self.pose.point(p)));
+        let agreement = constructed.map(|()| self.agreement(group, &equations, size));
+        self.construction.agreement.push(agreement);
+        self.construction.special.push(special);
+        self.step = None;
+    }
+
+    /// Both plans up to the rates; `None` where the equations have no solution.
+    fn rates(&mut self, group: &Group, equations: &LoopEquations, drawn: &[Drawn<'_>]) -> Option<()> {
+        for &sheet in self.plans() {
+            self.rays(sheet, group, equations, drawn)?;
+            if sheet == Sheet::Velocity {
+                self.hang(group);
+            }
+            self.images(sheet, group);
+        }
+        self.images_told(group);
+        Some(())
+    }
+
+    /// Says that there is no construction, and takes the rates from the motion.
+    fn without_rays(&mut self, group: &Group, equations: &LoopEquations, special: &[Special]) {
+        let far = special.iter().filter(|s| s.place.finite().is_none()).map(|s| s.name.clone());
+        let far: Vec<String> = far.collect();
+        for &sheet in self.plans() {
+            self.begin(sheet, Action::NoConstruction { far: far.clone() });
+        }
+        self.step = None;
+        self.take_found_rates(group, equations);
+        self.hang(group);
+        for &sheet in self.plans() {
+            self.images(sheet, group);
+        }
+        self.images_told(group);
+    }
+
+    /// The cut lines and where they cross; for a dyad's joint nothing is crossed. `None` for a special point at infinity.
+    fn special_point<'s>(&mut self, special: &'s Special, id: SpecialId, has_rays: bool) -> Option<Drawn<'s>> {
+        self.step = None;
+        if special.is_assur {
+            let sine = special.crossing.sine();
+            self.begin(Sheet::Scheme, Action::SpecialPoint { point: special.name.clone(), special: id, sine });
+        }
+        let leg = |writer: &mut Self, cut: &CutLine| writer.leg(cut, special.target);
+        let mut legs = [leg(self, &special.cuts[0])?, leg(self, &special.cuts[1])?];
+        let place = match special.target {
+            Some(target) => self.plot(target),
+            None => {
+                special.place.finite()?;
+                let [first, second] = &mut legs;
+                let lines = [self.cut_line(first, &special.cuts[0], id)?, self.cut_line(second, &special.cuts[1], id)?];
+                self.by_hand = has_rays;
+                let place = self.cross(Sheet::Scheme, Part::SpecialPoint(id), lines);
+                self.by_hand = true;
+                self.name_place(Sheet::Scheme, &special.name, place?);
+                place?
+            }
+        };
+        let mut drawn = Drawn { special, id, legs, place, reaches: [None; 2] };
+        for side in 0..2 {
+            drawn.reaches[side] = self.measured_reach(&drawn, side);
+        }
+        Some(drawn)
+    }
+
+    /// The length from a leg's joint to the point looked for; to a special point it is measured in a step of its own.
+    fn measured_reach(&mut self, drawn: &Drawn<'_>, side: usize) -> Option<NumberId> {
+        let special = drawn.special;
+        let from = special.cuts[side].measured_from()?;
+        if let Some(place) = special.place.finite().filter(|_| special.is_assur) {
+            let value = (place - self.pose.point(from)).norm();
+            let (from, to) = (self.mechanism.point_name(from).to_owned(), special.name.clone());
+            self.begin(Sheet::Scheme, Action::MeasureLength { from, to, value });
+        }
+        self.reach(drawn, side)
+    }
+
+    /// The name in the plans of the point from which a leg starts: `b`, or `c_iB` for the known body's point under C.
+    fn start_name(&self, base: BodyId, point: PointId) -> String {
+        image_name(&point_on(self.mechanism, base, point))
+    }
+
+    /// Lays off the known vector of a point from which rays start.
+    fn known_vector(&mut self, sheet: Sheet, base: BodyId, point: PointId) {
+        let name = self.start_name(base, point);
+        match self.mechanism.body(base).role {
+            Role::Pushed { from, .. } if from != GROUND && self.mechanism.is_known(base) => {
+                self.pushed_vector(sheet, base, point, &name);
+            }
+            // At rest: its image is the pole, under a name of its own where it lies beneath a slider.
+            Role::Ground => {
+                let pole = self.motion(sheet, base, point);
+                self.show(sheet, &name, pole, PointRole::Pole);
+            }
+            _ => {
+                let from = self.plan(sheet).kind.pole().to_owned();
+                let of = VectorOf::Point(base, point);
+                self.begin(sheet, Action::LayOff(Arrow { from, to: name.clone(), of }));
+                let place = self.motion(sheet, base, point);
+                // Where rays start it is known, whatever it was before.
+                self.show(sheet, &name, place, PointRole::Known);
+                if let Some(shown) = self.plan(sheet).points.get_mut(&name) {
+                    shown.role = PointRole::Known;
+                }
+            }
+        }
+        self.step = None;
+    }
+
+    /// Lays off the vector of a body that drives push from one of known motion: that one's own point first, then what the driven
+    /// sliders add.
+    fn pushed_vector(&mut self, sheet: Sheet, base: BodyId, point: PointId, name: &str) {
+        let root = self.mechanism.root(base);
+        self.known_vector(sheet, root, point);
+        let start = (self.start_name(root, point), self.motion(sheet, root, point));
+        let way = self.mechanism.way(root, base);
+        let (_, place) = self.driven_slides(sheet, start, &way, PointRole::Known, Some(name));
+        self.show(sheet, name, place, PointRole::Known);
+        self.note_motion(sheet, base, point, place);
+    }
+
+    /// Rays, crossings and measured segments of a plan, and the rates that follow; `None` where rays cross nowhere or the equations have no solution.
+    fn rays(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, drawn: &[Drawn<'_>]) -> Option<()> {
+        let (mut rows, mut written) = (Vec::new(), Vec::new());
+        for point in drawn {
+            let image = image_name(&point.special.name);
+            let rays = [self.ray(sheet, point, 0)?, self.ray(sheet, point, 1)?];
+            let from = rays.each_ref().map(|ray| ray.from.0.clone());
+            let sine = point.special.crossing.sine();
+            self.begin(sheet, Action::Cross { point: image.clone(), from, sine });
+            let lines = rays.each_ref().map(|ray| ray.line);
+            let Some(crossing) = self.cross(sheet, Part::Image, lines) else {
+                self.plan(sheet).steps.pop();
+                return None;
+            };
+            let role = if point.special.is_assur { PointRole::Special } else { PointRole::Image };
+            self.show(sheet, &image, crossing, role);
+            for (side, DrawnRay { from: (from, start), line }) in rays.into_iter().enumerate() {
+                let kind = NumberKind::Segment(sheet, [from.clone(), image.clone()]);
+                self.begin(sheet, Action::Measure { from: from.clone(), to: image.clone(), value: 0.0 });
+                let segment = self.measure(sheet, kind, [start, crossing], How::Along(line));
+                let length = self.exact.exact_number(segment).high;
+                self.set_measured(sheet, length.abs());
+                rows.push(self.equation(sheet, equations, point, side, segment)?);
+                written.push(LegEquation { special: point.id, side, from, segment: length });
+            }
+            self.note_holders(sheet, point, crossing);
+        }
+        let rates = self.unknown_rates(sheet, group, equations);
+        self.begin(sheet, Action::Solve { equations: written, unknowns: Vec::new() });
+        let Some(numbers) = self.solve(sheet, &rates, rows) else {
+            self.plan(sheet).steps.pop();
+            return None;
+        };
+        self.keep_rates(sheet, group, equations, &numbers);
+        self.step = None;
+        Some(())
+    }
+
+    /// A dyad's joint belongs to both of its links; a point under a slider to one.
+    fn note_holders(&mut self, sheet: Sheet, point: &Drawn<'_>, place: PlaceId) {
+        let Some(target) = point.special.target else { return };
+        self.note_motion(sheet, point.special.link, target, place);
+        for Carried { carrier, inner } in point.special.cuts.iter().filter_map(|cut| cut.leg.carried) {
+            if !self.mechanism.is_prismatic(inner) {
+                self.note_motion(sheet, self.mechanism.side(inner, carrier), target, place);
+            }
+        }
+    }
+
+    /// The rate that each unknown of a group stands for.
+    fn unknown_rates(&self, sheet: Sheet, group: &Group, equations: &LoopEquations) -> Vec<Rate> {
+        let is_second = sheet == Sheet::Acceleration;
+        let mut rates = vec![Rate::Omega(GROUND); equations.unknowns];
+        for &link in &group.bodies {
+            if let Some(unknown) = equations.spin_unknown(link) {
+                rates[unknown] = if is_second { Rate::Alpha(link) } else { Rate::Omega(link) };
+            }
+        }
+        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
+            if let Some(unknown) = equations.slide_unknown(slider) {
+                let rate = if is_second { Rate::SlideAcceleration } else { Rate::SlideVelocity };
+                rates[unknown] = rate(slider);
+            }
+        }
+        rates
+    }
+
+    /// Notes whose the solved rates are, and tells them in the step that solves.
+    fn keep_rates(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, numbers: &[NumberId]) {
+        let mechanism = self.mechanism;
+        let order = sheet.order();
+        let mut told = Vec::new();
+        for &link in &group.bodies {
+            if let Some(unknown) = equations.spin_unknown(link) {
+                self.construction.spins[link.0].get_or_insert_default()[order] = Some(numbers[unknown]);
+                let (name, body) = (&mechanism.body(link).name, self.motion.body(link));
+                told.push(match order {
+                    0 => (format!("omega({name})"), body.omega),
+                    _ => (format!("alpha({name})"), body.alpha),
+                });
+            }
+        }
+        for slider in (0..mechanism.sliders.len()).map(SliderId) {
+            if let Some(unknown) = equations.slide_unknown(slider) {
+                self.construction.slides[slider.0].get_or_insert_default()[order] = Some(numbers[unknown]);
+                let (name, slide) = (mechanism.slider_name(slider), self.motion.slide(slider));
+                told.push(match order {
+                    0 => (format!("v_r({name})"), slide.velocity),
+                    _ => (format!("a_r({name})"), slide.acceleration),
+                });
+            }
+        }
+        if let Some(Action::Solve { unknowns, .. }) = self.plan(sheet).steps.last_mut().map(|step| &mut step.action) {
+            *unknowns = told;
+        }
+    }
+
+    /// The rates of a group without a construction, as the motion has them: beyond what a hand finds.
+    fn take_found_rates(&mut self, group: &Group, equations: &LoopEquations) {
+        for &link in &group.bodies {
+            if equations.spin_unknown(link).is_none() {
+                continue;
+            }
+            let (body, errors) = (*self.motion.body(link), *self.motion.error(link));
+            let omega = self.take_found(Sheet::Velocity, Rate::Omega(link), body.omega, errors.omega);
+            let alpha = self.take_found(Sheet::Acceleration, Rate::Alpha(link), body.alpha, errors.alpha);
+            self.construction.spins[link.0] = Some([Some(omega), Some(alpha)]);
+        }
+        for id in (0..self.mechanism.sliders.len()).map(SliderId) {
+            if equations.slide_unknown(id).is_none() {
+                continue;
+            }
+            let slide = *self.motion.slide(id);
+            let velocity =
+                self.take_found(Sheet::Velocity, Rate::SlideVelocity(id), slide.velocity, slide.velocity_error);
+            let rate = Rate::SlideAcceleration(id);
+            let acceleration = self.take_found(Sheet::Acceleration, rate, slide.acceleration, slide.acceleration_error);
+            self.construction.slides[id.0] = Some([Some(velocity), Some(acceleration)]);
+        }
+    }
+
+    /// The ray of a leg, with the vectors that lead to where it begins.
+    fn ray(&mut self, sheet: Sheet, point: &Drawn<'_>, side: usize) -> Option<DrawnRay> {
+        let (cut, leg) = (&point.special.cuts[side], &point.legs[side]);
+        let base = cut.leg.base;
+        let start = cut.start()?;
+        let start = (self.start_name(base, start), self.motion(sheet, base, start));
+        let mut from = self.driven_slides(sheet, start, &cut.slides, PointRole::Slid, None);
+        if sheet == Sheet::Acceleration {
+            let [first, second] = point.special.normal_names(self.mechanism);
+            let normal = if side == 0 { first } else { second };
+            let of = VectorOf::Normal(point.id, side);
+            self.begin(sheet, Action::LayOff(Arrow { from: from.0, to: normal.clone(), of }));
+            let place = self.normal(point, side, from.1)?;
+            self.show(sheet, &normal, place, PointRole::Normal);
+            from = (normal, place);
+        }
+        let relation = match cut.course {
+            Course::Through(..) => Relation::Perpendicular,
+            Course::Normal(..) | Course::AtInfinity => Relation::Parallel,
+        };
+        self.begin(
+            sheet,
+            Action::Ray(Ray {
+                through: from.0.clone(),
+                to: image_name(&point.special.name),
+                direction: quarter_turn(cut.line.direction().unwrap_or_else(Vector::x)),
+                relation,
+                special: point.id,
+                side,
+            }),
+        );
+        // A ray that another special point has needed already.
+        let drawn = self.construction.operations.iter().find_map(|operation| match operation.does {
+            Does::Draw { line, through, along } if (through, along) == (from.1, leg.ray) => Some(line),
+            _ => None,
+        });
+        let line = drawn.unwrap_or_else(|| self.draw(sheet, Part::Ray, from.1, leg.ray));
+        Some(DrawnRay { from, line })
+    }
+
+    /// Notes on what each link hangs, now that the rates are there.
+    fn hang(&mut self, group: &Group) {
+        let mechanism = self.mechanism;
+        let legs = || group.special.iter().flat_map(|s| s.legs.map(|leg| (s, leg)));
+        for (special, leg) in legs() {
+            let link = leg.carried.map_or_else(|| mechanism.lead(special.link), |carried| carried.carrier);
+            let outer = mechanism.side(leg.outer, link);
+            self.anchors[outer.0].get_or_insert(Anchor { joint: leg.outer, from: leg.base });
+        }
+        for (special, leg) in legs() {
+            if let Some(Carried { carrier, inner }) = leg.carried {
+                let holder = mechanism.side(inner, mechanism.lead(special.link));
+                let from = mechanism.side(inner, carrier);
+                self.anchors[holder.0].get_or_insert(Anchor { joint: inner, from });
+            }
+        }
+    }
+
+    /// Tells in the velocity plan how the images of a group's inner joints come from those of its outer ones.
+    ///
+    /// With the rates known every point of a carrying link follows from its outer joint; at a prismatic joint
+    /// the point of the guide's body under the slider comes first, then the sliding velocity.
+    fn images_told(&mut self, group: &Group) {
+        let mut carried: Vec<(crate::mechanism::Leg, Carried)> = Vec::new();
+        for leg in group.special.iter().flat_map(|s| s.legs) {
+            if let Some(second) = leg.carried.filter(|_| !carried.iter().any(|(known, _)| *known == leg)) {
+                carried.push((leg, second));
+            }
+        }
+        // Pins first, so that a slider's point has its image before the point under it is joined to it.
+        carried.sort_by_key(|(_, second)| self.mechanism.is_prismatic(second.inner));
+        for (leg, second) in &carried {
+            self.image_of_leg(leg, second);
+        }
+        self.step = None;
+    }
+
+    fn image_of_leg(&mut self, leg: &crate::mechanism::Leg, second: &Carried) {
+        let (mechanism, sheet) = (self.mechanism, Sheet::Velocity);
+        let outer = mechanism.joint_point(leg.outer);
+        // The links of a compound one that hold the outer and the inner joint.
+        let [near, far] = [leg.outer, second.inner].map(|joint| mechanism.side(joint, second.carrier));
+        let mut from = image_name(mechanism.point_name(outer));
+        if let JointKind::Prismatic(slider) = mechanism.joint(leg.outer).kind {
+            let [under, own] = self.slide_told(slider);
+            from = if mechanism.slide_sign(slider, second.carrier) > 0.0 { under } else { own };
+        }
+        let way = leg.carrier_slides(mechanism);
+        if !way.is_empty() {
+            let start = (from, self.motion(sheet, near, outer));
+            let (name, place) = self.driven_slides(sheet, start, &way, PointRole::Slid, None);
+            self.note_motion(sheet, far, outer, place);
+            from = name;
+        }
+        let inner = mechanism.joint_point(second.inner);
+        let name = mechanism.point_name(inner);
+        let (own, slider) = match mechanism.joint(second.inner).kind {
+            JointKind::Revolute(_) => (name.to_owned(), None),
+            JointKind::Prismatic(id) if mechanism.slider(id).on == far => {
+                (coincident_name(name, &mechanism.body(far).name), Some(id))
+            }
+            JointKind::Prismatic(id) => (name.to_owned(), Some(id)),
+        };
+        let to = image_name(&own);
+        // A dyad's joint has its image already, where the rays cross.
+        if !self.plan(sheet).points.contains_key(&to) {
+            let of = VectorOf::Relative { link: far, from: mechanism.point_name(outer).to_owned(), to: own };
+            self.begin(sheet, Action::LayOff(Arrow { from, to: to.clone(), of }));
+            let place = self.motion(sheet, far, inner);
+            self.show(sheet, &to, place, PointRole::Image);
+            self.claim(place);
+        }
+        if let Some(slider) = slider {
+            self.slide_told(slider);
+        }
+    }
+
+    /// The sliding velocity at a slider, from the image of the guide's point to that of the slider's; both names.
+    fn slide_told(&mut self, id: SliderId) -> [String; 2] {
+        let (mechanism, sheet) = (self.mechanism, Sheet::Velocity);
+        let slider = mechanism.slider(id);
+        let at = mechanism.point_name(slider.at);
+        let under = coincident_name(at, &mechanism.body(slider.on).name);
+        let names = [image_name(&under), image_name(at)];
+        let of = VectorOf::Sliding(id, under);
+        self.begin(sheet, Action::LayOff(Arrow { from: names[0].clone(), to: names[1].clone(), of }));
+        let own = self.motion(sheet, slider.link, slider.at);
+        let under = self.motion(sheet, slider.on, slider.at);
+        self.show(sheet, &names[0], under, PointRole::Image);
+        self.show(sheet, &names[1], own, PointRole::Image);
+        self.claim(own);
+        names
+    }
+
+    /// The images of the group's joints, pins first: each over the link that carries it.
+    fn images(&mut self, sheet: Sheet, group: &Group) {
+        let mechanism = self.mechanism;
+        for (special, leg) in group.special.iter().flat_map(|s| s.legs.map(|leg| (s, leg))) {
+            let Some(Carried { carrier, inner }) = leg.carried else { continue };
+            if let JointKind::Revolute(point) = mechanism.joint(inner).kind {
+                let place = self.motion(sheet, mechanism.side(inner, carrier), point);
+                self.name_place(sheet, &image_name(mechanism.point_name(point)), place);
+                let other = mechanism.side(inner, mechanism.lead(special.link));
+                if self.moved_point(sheet, other, point).is_none() {
+                    self.note_motion(sheet, other, point, place);
+                }
+            }
+        }
+        for joint in mechanism.joints_of(group) {
+            let JointKind::Prismatic(slider) = mechanism.joint(joint).kind else { continue };
+            let ends = mechanism.slider(slider);
+            let at = mechanism.point_name(ends.at);
+            let under = coincident_name(at, &mechanism.body(ends.on).name);
+            for (body, name) in [(ends.link, at), (ends.on, under.as_str())] {
+                let place = self.motion(sheet, body, ends.at);
+                self.name_place(sheet, &image_name(name), place);
+            }
+        }
+    }
+}

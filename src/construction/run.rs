@@ -1,0 +1,317 @@
+//! Carries operations out: with the numbers of a person, or with bounds of their rounding errors.
+
+use super::operation::{
+    Along, Does, Equation, ErrorUnit, How, LineId, NumberId, Operation, PlaceId, Product, Reference,
+};
+use crate::geometry::{Ball, Number, Pair, Vector, degrees_of, turn_of_degrees};
+use smallvec::SmallVec;
+
+/// The scales of the sheets, in units of the scene per millimetre of paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SheetScales {
+    /// Of the scheme, the velocity plan and the acceleration plan. One for a sheet that there is not: no error there means anything.
+    pub per_mm: [f64; 3],
+}
+
+/// How far an honest hand may be off: limits within which every error is equally likely.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Millimetres of paper: of a point set, along x and along y, and of a length laid off or measured.
+    pub mm: f64,
+    /// Degrees: of a direction drawn or read.
+    pub degrees: f64,
+}
+
+impl Default for Tolerance {
+    /// 0.3 mm and 0.3°: a sharp pencil, a ruler with millimetres, two set squares.
+    fn default() -> Self {
+        Tolerance { mm: 0.3, degrees: 0.3 }
+    }
+}
+
+/// Something that goes otherwise than it should at an operation.
+#[derive(Clone, Debug)]
+pub struct Disturbance<'a> {
+    /// The index of the operation.
+    pub operation: usize,
+    /// What goes otherwise.
+    pub change: Change<'a>,
+}
+
+/// What goes otherwise at an operation.
+#[derive(Clone, Debug)]
+pub enum Change<'a> {
+    /// An error of the hand: which of the operation's [`errors`](Does::errors), and its size in millimetres of paper or degrees.
+    Error(usize, f64),
+    /// A mistake: this is done instead. It must make what the operation makes and read nothing that is made later.
+    Instead(&'a Does),
+    /// A number that the operation makes comes out so many times as large.
+    Times(NumberId, f64),
+    /// The person goes on with this value for a number that the operation makes.
+    Written(NumberId, f64),
+}
+
+/// With which numbers a construction is carried out.
+pub trait Drawable: Number + Default + From<f64> {
+    /// The number, rounded to f64.
+    fn rounded(self) -> f64;
+}
+
+impl Drawable for f64 {
+    fn rounded(self) -> f64 {
+        self
+    }
+}
+
+impl Drawable for Ball {
+    fn rounded(self) -> f64 {
+        self.high
+    }
+}
+
+/// Everything that stands on the sheets and beside them: places and lines in units of their sheet, numbers in the scene's units; angles in degrees, rates in
+/// rad.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Values<S = f64> {
+    places: Vec<Pair<S>>,
+    /// A place of each line and its direction, of length 1.
+    lines: Vec<(Pair<S>, Pair<S>)>,
+    numbers: Vec<S>,
+}
+
+impl Values {
+    /// A place, in units of its sheet.
+    #[must_use]
+    pub fn place(&self, id: PlaceId) -> Vector {
+        let Pair { x, y } = self.places[id.0];
+        Vector::new(x, y)
+    }
+
+    /// A line, in units of its sheet: a place of it and its direction, of length 1.
+    #[must_use]
+    pub fn line(&self, id: LineId) -> (Vector, Vector) {
+        let (place, along) = self.lines[id.0];
+        (Vector::new(place.x, place.y), Vector::new(along.x, along.y))
+    }
+
+    /// A number, in the scene's units; angles in degrees, rates in rad.
+    #[must_use]
+    pub fn number(&self, id: NumberId) -> f64 {
+        self.numbers[id.0]
+    }
+
+    /// Carries out the operations from that of index `first` on, on values that hold what those before it make; with `disturbances` in the order of the
+    /// operations.
+    ///
+    /// What cannot be done, as to cross parallel lines, gives numbers that are not finite, and so do the operations that build on it.
+    pub fn carry_out(
+        &mut self,
+        operations: &[Operation],
+        first: usize,
+        scales: SheetScales,
+        disturbances: &[Disturbance<'_>],
+    ) {
+        let mut waiting = disturbances.iter().peekable();
+        for (index, operation) in operations.iter().enumerate().skip(first) {
+            let (mut does, mut errors) = (&operation.does, [0.0; 2]);
+            let mut afterwards: SmallVec<[&Change<'_>; 2]> = SmallVec::new();
+            while let Some(next) = waiting.next_if(|d| d.operation == index) {
+                match &next.change {
+                    Change::Error(which, size) => errors[*which] += size,
+                    Change::Instead(other) => does = other,
+                    number => afterwards.push(number),
+                }
+            }
+            self.run(does, errors, scales.per_mm[operation.sheet as usize]);
+            for change in afterwards {
+                match change {
+                    Change::Times(number, factor) => self.numbers[number.0] *= factor,
+                    Change::Written(number, value) => self.numbers[number.0] = *value,
+                    Change::Error(..) | Change::Instead(_) => {}
+                }
+            }
+        }
+    }
+}
+
+impl Values<Ball> {
+    /// A place with the bounds of its coordinates' errors.
+    pub(super) fn exact_place(&self, id: PlaceId) -> Pair<Ball> {
+        self.places[id.0]
+    }
+
+    /// A number with the bound of its error.
+    pub(super) fn exact_number(&self, id: NumberId) -> Ball {
+        self.numbers[id.0]
+    }
+
+    /// Says where a place is with more digits than its operation has.
+    pub(super) fn set_place(&mut self, id: PlaceId, at: Pair<Ball>) {
+        self.places[id.0] = at;
+    }
+
+    /// Says in which direction a line runs with more digits than its operation has.
+    pub(super) fn set_direction(&mut self, id: LineId, along: Pair<Ball>) {
+        self.lines[id.0].1 = along;
+    }
+
+    /// Says what a number is with more digits than its operation has.
+    pub(super) fn set_number(&mut self, id: NumberId, number: Ball) {
+        self.numbers[id.0] = number;
+    }
+}
+
+impl<S: Drawable> Values<S> {
+    /// Makes room for so many places, lines and numbers.
+    pub(super) fn resize(&mut self, [places, lines, numbers]: [usize; 3]) {
+        self.places.resize(places, Pair::default());
+        self.lines.resize(lines, (Pair::default(), Pair::default()));
+        self.numbers.resize(numbers, S::default());
+    }
+
+    /// Carries out one operation, with errors in millimetres or degrees on a sheet of that scale.
+    pub(super) fn run(&mut self, does: &Does, errors: [f64; 2], per_mm: f64) {
+        let pair = |v: Vector| Pair { x: S::from(v.x), y: S::from(v.y) };
+        let off = Vector::from(errors) * per_mm;
+        match does {
+            Does::Pole { place, at } => self.places[place.0] = pair(*at),
+            Does::Plot { place, at } => self.places[place.0] = pair(at + off),
+            Does::Join { line, from, towards } => {
+                let (from, towards) = (self.places[from.0], self.places[towards.0]);
+                self.lines[line.0] = (from, unit(towards - from));
+            }
+            Does::Draw { line, through, along } => {
+                self.lines[line.0] = (self.places[through.0], self.direction(along, errors[0]));
+            }
+            Does::Cross { place, lines } => {
+                let [(p, d), (q, e)] = lines.map(|LineId(line)| self.lines[line]);
+                // p + t d on the other line: t = ((q − p) × e) / (d × e).
+                let t = (q - p).cross(e) / d.cross(e);
+                self.places[place.0] = displaced(p + d * t, off);
+            }
+            Does::LayOff { place, from, size, along } => {
+                let direction = self.direction(along, errors[0]);
+                let size = moved(self.numbers[size.0], errors[1] * per_mm);
+                self.places[place.0] = self.places[from.0] + direction * size;
+            }
+            Does::Measure { number, from, to, how } => {
+                self.numbers[number.0] = self.measured(*from, *to, *how, errors[0], per_mm);
+            }
+            Does::Take { number, value } => self.numbers[number.0] = S::from(*value),
+            Does::Compute { number, sum } => self.numbers[number.0] = self.sum(sum),
+            Does::Solve { unknowns, equations } => {
+                let rates = self.solved(equations);
+                for (index, number) in unknowns.iter().enumerate() {
+                    self.numbers[number.0] = rates.get(index).copied().unwrap_or(S::from(f64::NAN));
+                }
+            }
+        }
+    }
+
+    fn measured(&self, PlaceId(from): PlaceId, PlaceId(to): PlaceId, how: How, error: f64, per_mm: f64) -> S {
+        let vector = self.places[to] - self.places[from];
+        let length = |exact: S| moved(exact, error * per_mm);
+        match how {
+            How::Size => length(vector.dot(vector).sqrt()),
+            How::Along(LineId(line)) => length(vector.dot(self.lines[line].1)),
+            How::X => length(vector.x),
+            How::Y => length(vector.y),
+            How::Direction => S::from(degrees_of(Vector::new(vector.x.rounded(), vector.y.rounded())) + error),
+        }
+    }
+
+    fn direction(&self, along: &Along, degrees: f64) -> Pair<S> {
+        let mut direction = match along.reference {
+            Reference::Line(LineId(line)) => self.lines[line].1,
+            Reference::Given(direction) => Pair { x: S::from(direction.x), y: S::from(direction.y) },
+        };
+        for _ in 0..along.quarter_turns {
+            direction = direction.quarter_turn();
+        }
+        if degrees == 0.0 {
+            return direction;
+        }
+        let turn = turn_of_degrees(degrees);
+        Pair { x: S::from(turn.re), y: S::from(turn.im) }.turn(direction)
+    }
+
+    fn product(&self, product: &Product) -> S {
+        product.of.iter().fold(S::from(product.factor), |all, &NumberId(number)| all * self.numbers[number])
+    }
+
+    fn sum(&self, sum: &[Product]) -> S {
+        sum.iter().fold(S::default(), |all, product| all + self.product(product))
+    }
+
+    /// The solution of equations, by Gauss's elimination with the largest element left for pivot; not a number where there is none.
+    ///
+    /// Written out here, so that not even the elimination is shared with the loop equations.
+    fn solved(&self, equations: &[Equation]) -> SmallVec<[S; 4]> {
+        let count = equations.len();
+        // By row: the coefficients of the unknowns, and the right side.
+        let mut rows: SmallVec<[[S; 5]; 4]> = equations.iter().map(|equation| self.row(equation)).collect();
+        let mut columns: SmallVec<[usize; 4]> = (0..count).collect();
+        for step in 0..count {
+            let all = (step..count).flat_map(|row| (step..count).map(move |column| (row, column)));
+            let size = |&(row, column): &(usize, usize)| rows[row][columns[column]].rounded().abs();
+            let (row, column) = all.max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or((step, step));
+            rows.swap(step, row);
+            columns.swap(step, column);
+            let pivot = rows[step];
+            for row in &mut rows[step + 1..] {
+                let part = row[columns[step]] / pivot[columns[step]];
+                for &column in columns[step + 1..].iter().chain(&[RIGHT]) {
+                    row[column] = row[column].minus_product(part, pivot[column]);
+                }
+            }
+        }
+        let mut solution: SmallVec<[S; 4]> = SmallVec::from_elem(S::default(), count);
+        for step in (0..count).rev() {
+            let later = columns[step + 1..].iter();
+            let rest = later.fold(rows[step][RIGHT], |rest, &c| rest.minus_product(rows[step][c], solution[c]));
+            solution[columns[step]] = rest / rows[step][columns[step]];
+        }
+        solution
+    }
+
+    fn row(&self, equation: &Equation) -> [S; 5] {
+        let mut row = [S::default(); 5];
+        for (unknown, coefficient) in &equation.left {
+            row[*unknown] = row[*unknown] + self.product(coefficient);
+        }
+        row[RIGHT] = self.sum(&equation.right);
+        row
+    }
+}
+
+/// Where the right side stands behind the coefficients of at most four unknowns.
+const RIGHT: usize = 4;
+
+/// An exact amount added, unless there is none: then nothing is rounded.
+fn moved<S: Drawable>(number: S, by: f64) -> S {
+    if by == 0.0 { number } else { number + S::from(by) }
+}
+
+fn displaced<S: Drawable>(place: Pair<S>, by: Vector) -> Pair<S> {
+    Pair { x: moved(place.x, by.x), y: moved(place.y, by.y) }
+}
+
+/// The vector of length 1 in the same direction; not a number for one of no length.
+fn unit<S: Drawable>(v: Pair<S>) -> Pair<S> {
+    // Scaled first, so that squares stay within the range of f64.
+    let largest = S::from(v.x.rounded().abs().max(v.y.rounded().abs()));
+    let scaled = Pair { x: v.x / largest, y: v.y / largest };
+    let size = scaled.dot(scaled).sqrt();
+    Pair { x: scaled.x / size, y: scaled.y / size }
+}
+
+impl ErrorUnit {
+    /// Its limit where hands are as good as `tolerance` says.
+    #[must_use]
+    pub fn limit(self, tolerance: &Tolerance) -> f64 {
+        match self {
+            ErrorUnit::Length => tolerance.mm,
+            ErrorUnit::Direction => tolerance.degrees,
+        }
+    }
+}

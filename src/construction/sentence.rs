@@ -1,0 +1,450 @@
+//! What is said of steps: captions and equations. Names of points stand between backticks; `_{…}` is low, `^{…}` high.
+
+use super::construct::{Construction, NumberedStep};
+use super::cut::{Course, CutLine, Special, Term};
+use super::formula::{Formula, Known, NamedPart};
+use super::name::{image_name, point_on};
+use super::solution::Solution;
+use super::step::{Action, Added, Arrow, LegEquation, Plan, PlanKind, Ray, Relation, VectorOf};
+use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
+use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role};
+use crate::position::Pose;
+use crate::words::{Language, NumberStyle, Wording};
+
+/// A name within a caption.
+fn written(name: &str) -> String {
+    format!("`{name}`")
+}
+
+/// A caption or an equation as plain text: names as they are, subscripts after `_`.
+#[must_use]
+pub fn plain_text(markup: &str) -> String {
+    let mut text = String::with_capacity(markup.len());
+    push_plain(&mut text, markup);
+    text
+}
+
+/// A caption or an equation as plain text, names of plan points as the notation has them.
+#[must_use]
+pub fn shown_text(markup: &str, plan: Option<&Plan>, words: &Wording) -> String {
+    let mut text = String::with_capacity(markup.len());
+    for (index, piece) in markup.split('`').enumerate() {
+        match (index % 2, plan) {
+            (1, Some(plan)) => {
+                let shown = plan.shown(piece, piece.to_owned(), words.notation);
+                push_plain(&mut text, &shown);
+            }
+            _ => push_plain(&mut text, piece),
+        }
+    }
+    text
+}
+
+/// Adds markup without its marks.
+fn push_plain(text: &mut String, markup: &str) {
+    let mut letters = markup.chars().peekable();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '{' | '}' | '`' => {}
+            '^' if letters.next_if_eq(&'2').is_some() => text.push('²'),
+            other => text.push(other),
+        }
+    }
+}
+
+/// A subscript made of several names, as in `S3B`.
+fn low(names: &[&str]) -> String {
+    format!("_{{{}}}", names.concat())
+}
+
+/// The symbol of a rate by its quantity name, in markup: `ω_{2}` for `omega(2)`.
+#[must_use]
+pub fn rate_symbol(name: &str) -> String {
+    let turning = [("omega(", "ω"), ("alpha(", "α")];
+    let found = turning.into_iter().find_map(|(head, letter)| {
+        let link = name.strip_prefix(head)?.strip_suffix(')')?;
+        Some(format!("{letter}_{{{link}}}"))
+    });
+    found.unwrap_or_else(|| name.to_owned())
+}
+
+/// Why there is no construction; `far` are the names of special points at infinity.
+#[must_use]
+pub fn no_construction(words: &Wording, far: &[String]) -> String {
+    let language = words.language;
+    if far.is_empty() {
+        return language.no_construction().to_owned();
+    }
+    let far: Vec<String> = far.iter().map(|name| written(name)).collect();
+    language.no_construction_far(&far.join(language.and()))
+}
+
+/// Tells steps in a language and a notation.
+#[derive(Clone, Copy, Debug)]
+pub struct Teller<'a> {
+    mechanism: &'a Mechanism,
+    pose: &'a Pose,
+    construction: &'a Construction,
+    words: &'a Wording,
+}
+
+impl<'a> Teller<'a> {
+    /// One that tells the steps of a solved scene.
+    #[must_use]
+    pub fn new(solution: &'a Solution, words: &'a Wording) -> Self {
+        let Solution { mechanism, pose, construction, .. } = solution;
+        Self { mechanism, pose, construction, words }
+    }
+
+    /// What to do, in one line of words; names of points between backticks, the rest in markup.
+    #[must_use]
+    pub fn caption(&self, NumberedStep { plan, step, .. }: &NumberedStep<'_>) -> String {
+        let language = self.words.language;
+        match &step.action {
+            Action::Pole { images } => self.pole(plan.map_or(PlanKind::Velocity, |plan| plan.kind), images),
+            Action::SpecialPoint { special, .. } => self.special_point(self.construction.special(*special)),
+            Action::MeasureLength { from, to, .. } => language.measure_length(&written(from), &written(to)),
+            Action::LayOff(arrow) => self.lay_off(plan.map_or(PlanKind::Velocity, |plan| plan.kind), arrow).1,
+            Action::Ray(ray) => {
+                let sentence = match ray.relation {
+                    Relation::Perpendicular => Language::ray_normal,
+                    Relation::Parallel => Language::ray_parallel,
+                };
+                sentence(language, &written(&ray.through), &self.line_of(ray), &written(&ray.to))
+            }
+            Action::Cross { point, .. } => language.cross(&written(point)),
+            Action::Measure { from, to, .. } => language.measure_segment(&written(from), &written(to)),
+            Action::Solve { unknowns, .. } => {
+                let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
+                language.solve(&names.join(", "))
+            }
+            Action::NoConstruction { far } => no_construction(self.words, far),
+        }
+    }
+
+    /// The equation that belongs to a step, as `v_{S3} = v_B + v_{S3B}`; empty where there is none.
+    #[must_use]
+    pub fn formula(&self, NumberedStep { plan, step, .. }: &NumberedStep<'_>) -> Formula {
+        let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
+        match &step.action {
+            Action::MeasureLength { from, to, .. } => format!("L{}", low(&[from, to])).into(),
+            Action::LayOff(arrow) => self.lay_off(kind, arrow).0,
+            Action::Ray(ray) => self.behind_ray(kind, ray),
+            Action::Measure { from, to, .. } => measured(kind, from, to).into(),
+            Action::Pole { .. }
+            | Action::SpecialPoint { .. }
+            | Action::Cross { .. }
+            | Action::Solve { .. }
+            | Action::NoConstruction { .. } => Formula::default(),
+        }
+    }
+
+    /// The line of the mechanism that gives a ray its direction, by name.
+    #[must_use]
+    pub fn line_of(&self, ray: &Ray) -> String {
+        let special = self.construction.special(ray.special);
+        let cut = &special.cuts[ray.side];
+        match cut.course {
+            Course::Normal(slider, _) => self.words.language.guide_of(&self.mechanism.slider_name(slider)),
+            Course::Through(..) | Course::AtInfinity => cut.name(self.words, self.mechanism, &special.name),
+        }
+    }
+
+    fn pole(&self, kind: PlanKind, images: &[String]) -> String {
+        let (pole, scale) = (kind.pole_in(self.words.notation), kind.scale_name());
+        if images.is_empty() {
+            return self.words.language.choose_pole(pole, scale);
+        }
+        let images: Vec<String> = images.iter().map(|i| written(i)).collect();
+        self.words.language.choose_pole_with(pole, scale, &images.join(", "))
+    }
+
+    fn special_point(&self, special: &Special) -> String {
+        let (name, language) = (written(&special.name), self.words.language);
+        let link = &self.mechanism.body(special.link).name;
+        let cut = |side: usize| special.cuts[side].name(self.words, self.mechanism, &special.name);
+        match special.place {
+            Place::At(_) => language.special_point(&name, link, &cut(0), &cut(1)),
+            Place::AtInfinity(direction) => {
+                let direction = self.words.write(degrees_of(direction), NumberStyle::decimals(2));
+                language.special_point_at_infinity(&name, link, &direction, &cut(0), &cut(1))
+            }
+        }
+    }
+
+    /// Equation and caption of a vector that is laid off.
+    fn lay_off(&self, kind: PlanKind, Arrow { from, to, of }: &Arrow) -> (Formula, String) {
+        match of {
+            VectorOf::Point(body, point) => self.known(*body, *point, kind),
+            VectorOf::Normal(special, side) => self.normal(self.construction.special(*special), *side, from, to),
+            VectorOf::Relative { link, from, to } => {
+                let link = &self.mechanism.body(*link).name;
+                let formula = format!("v{0} = ω_{link} L{0}", low(&[to, from])).into();
+                let language = self.words.language;
+                let line = format!("{from}{to}");
+                (formula, language.lay_off_relative(link, &written(to), &written(from), &line))
+            }
+            VectorOf::Sliding(slider, under) => {
+                let name = self.mechanism.slider_name(*slider);
+                let at = self.mechanism.point_name(self.mechanism.slider(*slider).at);
+                let (language, notation) = (self.words.language, self.words.notation);
+                let caption = language.lay_off_sliding_velocity(&name, &written(under), &written(at));
+                (format!("v_{}({name})", notation.relative).into(), caption)
+            }
+            VectorOf::Driven(slide, added) => self.driven(slide, *added, [from, to]),
+        }
+    }
+
+    /// Equation and caption of a known vector: that of body `base` at a point.
+    fn known(&self, base: BodyId, point: PointId, kind: PlanKind) -> (Formula, String) {
+        let (mechanism, language, notation) = (self.mechanism, self.words.language, self.words.notation);
+        let body = mechanism.body(base);
+        let under = mechanism.point_name(point);
+        let name = &point_on(mechanism, base, point);
+        let letter = match kind {
+            PlanKind::Velocity => "v",
+            PlanKind::Acceleration => "a",
+        };
+        match &body.role {
+            Role::Driver { pivot, alpha, .. } => {
+                let (k, link) = (mechanism.point_name(*pivot), &body.name);
+                let (arm, line) = (format!("L{}", low(&[k, name])), format!("{k}{name}"));
+                let (own, both) = (low(&[name]), low(&[name, k]));
+                let (n, t) = (notation.normal, notation.tangential);
+                match kind {
+                    PlanKind::Velocity => (
+                        format!("v{own} = ω_{link} {arm}").into(),
+                        language.lay_off_velocity(name, &line, link),
+                    ),
+                    PlanKind::Acceleration if *alpha == 0.0 => (
+                        format!("a{own} = a^{n}{both} = ω_{link}^2 {arm}").into(),
+                        language.lay_off_normal_acceleration(name, k, link),
+                    ),
+                    PlanKind::Acceleration => (
+                        format!(
+                            "a{own} = a^{n}{both} + a^{t}{both}, a^{n}{both} = ω_{link}^2 {arm}, a^{t}{both} = α_{link} {arm}"
+                        )
+                        .into(),
+                        language.lay_off_whole_acceleration(name, k, &line),
+                    ),
+                }
+            }
+            Role::Carrier { .. } => {
+                let vector = format!("{letter}_{name}");
+                let caption = language.lay_off_given(&vector);
+                (self.given(vector), caption)
+            }
+            _ => (
+                format!("{letter}{}", low(&[under, &body.name])).into(),
+                language.lay_off_point_under(&body.name, &written(under)),
+            ),
+        }
+    }
+
+    /// A vector that the scene gives.
+    fn given(&self, vector: String) -> Formula {
+        let mut formula = Formula::default();
+        formula.vector(vector, Known::Entirely, None);
+        formula.words(self.words.language.given());
+        formula
+    }
+
+    /// The equation behind a ray: the motion of the point looked for from that of the leg's start.
+    fn behind_ray(&self, kind: PlanKind, ray: &Ray) -> Formula {
+        let special = self.construction.special(ray.special);
+        let cut = &special.cuts[ray.side];
+        let start = cut.start().map(|point| point_on(self.mechanism, cut.leg.base, point)).unwrap_or_default();
+        match kind {
+            PlanKind::Velocity => self.relative_velocity(&cut.slides, &special.name, &start),
+            PlanKind::Acceleration => self.relative_acceleration(cut, &special.name, &start),
+        }
+    }
+
+    /// The equation behind a velocity ray; driven sliders on the way add their sliding velocities.
+    fn relative_velocity(&self, slides: &[DrivenSlide], special: &str, start: &str) -> Formula {
+        let mut formula = Formula::default();
+        formula.vector(format!("v{}", low(&[special])), Known::Nothing, None);
+        formula.sign(" = ");
+        formula.vector(format!("v{}", low(&[start])), Known::Entirely, None);
+        for slide in slides {
+            let name = self.mechanism.slider_name(slide.slider);
+            formula.sign(&format!(" {} ", plus_or_minus(slide)));
+            let sliding = Some(NamedPart::Sliding);
+            let added = format!("v_{}({name})", self.words.notation.relative);
+            formula.vector(added, Known::Entirely, sliding);
+        }
+        formula.sign(" + ");
+        let relative = format!("v{}", low(&[special, start]));
+        formula.vector(relative, Known::Direction, None);
+        formula
+    }
+
+    /// The equation behind an acceleration ray; driven sliders on the way add their sliding and Coriolis accelerations.
+    fn relative_acceleration(&self, cut: &CutLine, special: &str, start: &str) -> Formula {
+        let has_normal = cut.terms.iter().any(|term| matches!(term, Term::Turn { .. }));
+        let has_coriolis = cut.terms.iter().any(|term| matches!(term, Term::Slide { .. }));
+        let notation = self.words.notation;
+        let mut formula = Formula::default();
+        formula.vector(format!("a{}", low(&[special])), Known::Nothing, None);
+        formula.sign(" = ");
+        formula.vector(format!("a{}", low(&[start])), Known::Entirely, None);
+        for slide in &cut.slides {
+            let name = self.mechanism.slider_name(slide.slider);
+            for (letter, part) in [(notation.relative, NamedPart::Sliding), (notation.coriolis, NamedPart::Coriolis)] {
+                formula.sign(&format!(" {} ", plus_or_minus(slide)));
+                let added = format!("a_{letter}({name})");
+                formula.vector(added, Known::Entirely, Some(part));
+            }
+        }
+        let both = low(&[special, start]);
+        let (known, direction) = (Known::Entirely, Known::Direction);
+        for (letter, known, part) in [
+            (notation.normal, known, NamedPart::Normal),
+            (notation.coriolis, known, NamedPart::Coriolis),
+            (notation.tangential, direction, NamedPart::Tangential),
+        ] {
+            let has = match part {
+                NamedPart::Normal => has_normal,
+                NamedPart::Coriolis => has_coriolis,
+                _ => true,
+            };
+            if !has {
+                continue;
+            }
+            formula.sign(" + ");
+            formula.vector(format!("a^{letter}{both}"), known, Some(part));
+        }
+        formula
+    }
+
+    /// Equation and caption of a normal part.
+    fn normal(&self, point: &Special, side: usize, from: &str, to: &str) -> (Formula, String) {
+        let (mechanism, words, s) = (self.mechanism, self.words, &point.name);
+        let cut = &point.cuts[side];
+        let body = |b: BodyId| mechanism.body(b).name.as_str();
+        let (mut normals, mut coriolis) = (Vec::new(), None);
+        for term in &cut.terms {
+            match *term {
+                // A length that is nothing has no place in an equation.
+                Term::Turn { link, from, to } if self.arm(point, from, to) != Vector::zeros() || to.is_some() => {
+                    let to = to.map_or(s.as_str(), |to| mechanism.point_name(to));
+                    normals.push(format!("ω_{}^2 L{}", body(link), low(&[to, mechanism.point_name(from)])));
+                }
+                Term::Turn { .. } => {}
+                Term::Slide { slider, from } => {
+                    let (omega, name) = (body(from), mechanism.slider_name(slider));
+                    coriolis = Some(format!("2 ω_{omega} v_{}({name})", words.notation.relative));
+                }
+            }
+        }
+        let sentence = match (normals.len(), coriolis.is_some()) {
+            (2, _) => Language::lay_off_normal_parts,
+            (1, true) => Language::lay_off_normal_and_coriolis,
+            (_, true) => Language::lay_off_coriolis_part,
+            (_, false) => Language::lay_off_normal_part,
+        };
+        let language = words.language;
+        let start = cut.start().map_or("", |start| mechanism.point_name(start));
+        let mut formula = Formula::default();
+        formula.vector(format!("a^{}{}", words.notation.normal, low(&[s, start])), Known::Entirely, None);
+        let mut between = language.made_from();
+        for part in normals {
+            formula.words(between);
+            formula.sign(&part);
+            between = language.and();
+        }
+        if let Some(part) = coriolis {
+            formula.words(&format!("{between}{}", language.coriolis_word()));
+            formula.sign(&part);
+        }
+        let line = cut.name(words, mechanism, s);
+        (formula, sentence(language, &line, &written(from), &written(to)))
+    }
+
+    /// The arm of a term, to the point looked for where it does not end at another joint.
+    fn arm(&self, point: &Special, from: PointId, to: Option<PointId>) -> Vector {
+        let own = || point.crossing.vector_from(self.pose.point(from)).unwrap_or_else(Vector::zeros);
+        to.map_or_else(own, |to| self.pose.arm(from, to))
+    }
+
+    /// The equation of a leg: its rates, counter-clockwise positive, times lengths make up the measured segment.
+    ///
+    /// Every term has the sign that it takes along the segment from its start to the special point's image.
+    #[must_use]
+    pub fn equation(&self, kind: PlanKind, LegEquation { special, side, from, segment }: &LegEquation) -> String {
+        let (rate, slide) = match kind {
+            PlanKind::Velocity => ("ω", "v"),
+            PlanKind::Acceleration => ("α", "a"),
+        };
+        let mechanism = self.mechanism;
+        let point = self.construction.special(*special);
+        let cut = &point.cuts[*side];
+        let direction = cut.line.direction().unwrap_or_else(Vector::zeros);
+        let mut left = String::new();
+        for term in &cut.terms {
+            let (along, written) = match *term {
+                Term::Turn { link, from, to } => {
+                    let end = to.map_or(point.name.as_str(), |to| mechanism.point_name(to));
+                    let length = low(&[end, mechanism.point_name(from)]);
+                    let along = self.arm(point, from, to).dot(&direction);
+                    (along, format!("{rate}_{{{}}} L{length}", mechanism.body(link).name))
+                }
+                Term::Slide { slider, from } => {
+                    let guide = self.pose.guide(slider) * mechanism.slide_sign(slider, from);
+                    let name = mechanism.slider_name(slider);
+                    let along = guide.dot(&quarter_turn(direction));
+                    (along, format!("{slide}_{}({name})", self.words.notation.relative))
+                }
+            };
+            // A length that is nothing has no place in an equation.
+            if along == 0.0 {
+                continue;
+            }
+            let minus = (along < 0.0) != (*segment < 0.0);
+            left.push_str(match (left.is_empty(), minus) {
+                (true, false) => "",
+                (true, true) => "−",
+                (false, false) => " + ",
+                (false, true) => " − ",
+            });
+            left.push_str(&written);
+        }
+        format!("{left} = {}", measured(kind, from, &image_name(&point.name)))
+    }
+
+    /// Equation and caption of what a driven slider adds between two plan points.
+    fn driven(&self, slide: &DrivenSlide, added: Added, [from, to]: [&str; 2]) -> (Formula, String) {
+        let mechanism = self.mechanism;
+        let name = mechanism.slider_name(slide.slider);
+        let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
+        // The way may lead from the sliding link to the guide.
+        let backwards = slide.sign < 0.0;
+        let minus = if backwards { "−" } else { "" };
+        let (language, notation) = (self.words.language, self.words.notation);
+        let (r, c) = (notation.relative, notation.coriolis);
+        let equation = match added {
+            Added::SlidingVelocity => format!("{minus}v_{r}({name})"),
+            Added::SlidingAcceleration => format!("{minus}a_{r}({name})"),
+            Added::Coriolis => format!("{minus}a_{c}({name}) = {minus}2 ω_{on} v_{r}({name})"),
+        };
+        let sentence = match (added, backwards) {
+            (Added::SlidingVelocity, false) => Language::lay_off_sliding_velocity,
+            (Added::SlidingVelocity, true) => Language::lay_off_sliding_velocity_reversed,
+            (Added::SlidingAcceleration, false) => Language::lay_off_sliding_acceleration,
+            (Added::SlidingAcceleration, true) => Language::lay_off_sliding_acceleration_reversed,
+            (Added::Coriolis, false) => Language::lay_off_coriolis,
+            (Added::Coriolis, true) => Language::lay_off_coriolis_reversed,
+        };
+        let caption = sentence(language, &name, &written(from), &written(to));
+        (equation.into(), caption)
+    }
+}
+
+fn plus_or_minus(slide: &DrivenSlide) -> char {
+    if slide.sign < 0.0 { '−' } else { '+' }
+}
+
+/// A segment as it is written in an equation.
+fn measured(kind: PlanKind, from: &str, to: &str) -> String {
+    format!("{} ({} {})", kind.scale_name(), written(from), written(to))
+}

@@ -1,0 +1,56 @@
+use super::construct::{Construction, construct};
+use super::sentence::{no_construction, plain_text};
+use crate::mechanism::Mechanism;
+use crate::motion::{Motion, MotionError, Order, motion};
+use crate::position::Pose;
+use crate::scene::Scene;
+use crate::words::Wording;
+
+/// A solved scene: the mechanism in one position with its motion and its plans. Figures, results, steps and checks start from here.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// What was asked for.
+    pub scene: Scene,
+    /// Its bodies, joints and groups.
+    pub mechanism: Mechanism,
+    /// Where everything is.
+    pub pose: Pose,
+    /// How everything moves.
+    pub motion: Motion,
+    /// The plans of that motion.
+    pub construction: Construction,
+}
+
+impl Solution {
+    /// Motion and plans of a mechanism in a position that has been found.
+    ///
+    /// # Errors
+    /// [`MotionError`] in a singular position.
+    pub fn new(scene: Scene, mechanism: Mechanism, pose: Pose, order: Order) -> Result<Self, MotionError> {
+        let motion = motion(&mechanism, &pose, order)?;
+        let construction = construct(&mechanism, &pose, &motion);
+        Ok(Self { scene, mechanism, pose, motion, construction })
+    }
+
+    /// The same mechanism in another position.
+    ///
+    /// # Errors
+    /// [`MotionError`] in a singular position.
+    pub fn moved(&self, pose: Pose) -> Result<Self, MotionError> {
+        Self::new(self.scene.clone(), self.mechanism.clone(), pose, self.motion.order)
+    }
+
+    /// Language and notation of the figure.
+    #[must_use]
+    pub fn wording(&self) -> Wording {
+        Wording::of(&self.scene.figure)
+    }
+
+    /// What the reader should know of these numbers, in the order in which they were found.
+    pub fn warnings(&self) -> impl Iterator<Item = String> {
+        let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings];
+        // Warnings are messages, which are in English whatever the figure says.
+        let without = self.construction.without().map(|far| plain_text(&no_construction(&Wording::default(), far)));
+        found.into_iter().flatten().cloned().chain(without)
+    }
+}

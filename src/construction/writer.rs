@@ -1,0 +1,391 @@
+//! Puts operations down one after the other, carries each out at once, and knows what is there already.
+
+use super::body::Anchor;
+use super::construct::Construction;
+use super::name::image_name;
+use super::operation::{
+    Along, Does, End, How, LineId, NumberId, NumberKind, Operation, Part, PlaceId, Product, Rate, Sheet, StepId,
+};
+use super::run::Values;
+use super::step::{Action, Plan, PlanPoint, PointRole, Step};
+use crate::geometry::{Ball, Number, Pair, UNIT_ROUNDOFF, Vector, cross, span};
+use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
+use crate::motion::{Motion, Order};
+use crate::position::Pose;
+
+/// Roundings that a guide's unit direction carries from the scene's own direction.
+const GUIDE_ROUNDINGS: f64 = 4.0;
+
+/// A construction while it is written.
+pub(crate) struct Writer<'a> {
+    pub mechanism: &'a Mechanism,
+    pub pose: &'a Pose,
+    pub motion: &'a Motion,
+    /// What has been written.
+    pub construction: Construction,
+    /// What the operations give, with bounds of the rounding errors.
+    pub(super) exact: Values<Ball>,
+    /// Where the motions of bodies' points stand in the plans.
+    pub(super) moved: Vec<(Sheet, BodyId, PointId, PlaceId)>,
+    /// By body: how it hangs on one whose motion is there.
+    pub(super) anchors: Vec<Option<Anchor>>,
+    /// Nearer to a line or a place than this counts as being there.
+    pub near: f64,
+    /// The step to which operations belong.
+    pub step: Option<StepId>,
+    /// Whether a hand could do what is written now, as far as that depends on nothing else.
+    pub(super) by_hand: bool,
+    guides: Vec<Option<LineId>>,
+    joins: Vec<(PlaceId, PlaceId, LineId)>,
+    lengths: Vec<([PointId; 2], NumberId)>,
+    /// What builds on something that cannot be done by hand: by place, by line, by number.
+    beyond: [Vec<bool>; 3],
+}
+
+impl<'a> Writer<'a> {
+    /// A writer that has put down the poles of the plans and the rates that the scene gives.
+    pub(super) fn new(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Self {
+        let origin = pose.points.first().copied().unwrap_or_default();
+        let mut writer = Writer {
+            mechanism,
+            pose,
+            motion,
+            construction: Construction::empty(mechanism, motion.order, origin),
+            exact: Values::default(),
+            moved: Vec::new(),
+            anchors: vec![None; mechanism.bodies.len()],
+            near: 64.0 * UNIT_ROUNDOFF * span(pose.points.iter().copied()),
+            step: None,
+            by_hand: true,
+            guides: vec![None; mechanism.sliders.len()],
+            joins: Vec::new(),
+            lengths: Vec::new(),
+            beyond: Default::default(),
+        };
+        for &sheet in writer.plans() {
+            writer.begin_plan(sheet);
+        }
+        writer.take_known_rates();
+        writer
+    }
+
+    /// The pole of a plan, with the images of the points at rest.
+    fn begin_plan(&mut self, sheet: Sheet) {
+        let grounded = &self.mechanism.body(GROUND).points;
+        let images: Vec<String> = grounded.iter().map(|&p| image_name(self.mechanism.point_name(p))).collect();
+        let pole = self.plan(sheet).kind.pole();
+        let place = self.pole(sheet, pole, Vector::zeros());
+        self.show(sheet, pole, place, PointRole::Pole);
+        for image in &images {
+            self.show(sheet, image, place, PointRole::Pole);
+        }
+        self.begin(sheet, Action::Pole { images });
+        self.step = None;
+    }
+
+    /// The sheets of the plans that are drawn.
+    pub(super) fn plans(&self) -> &'static [Sheet] {
+        match self.motion.order {
+            Order::Velocity => &[Sheet::Velocity],
+            Order::Acceleration => &[Sheet::Velocity, Sheet::Acceleration],
+        }
+    }
+
+    /// The plan of a sheet; there is none of the scheme.
+    pub(super) fn plan(&mut self, sheet: Sheet) -> &mut Plan {
+        match (sheet, &mut self.construction.acceleration) {
+            (Sheet::Acceleration, Some(plan)) => plan,
+            _ => &mut self.construction.velocity,
+        }
+    }
+
+    /// Begins a step, to which the operations that follow belong.
+    pub(super) fn begin(&mut self, sheet: Sheet, action: Action) {
+        let steps = match sheet {
+            Sheet::Scheme => &mut self.construction.scheme,
+            _ => &mut self.plan(sheet).steps,
+        };
+        let index = steps.len();
+        steps.push(Step { action });
+        self.step = Some(StepId { sheet, index });
+    }
+
+    /// Gives the operation that has made a place to the step that was begun last, if it belongs to none.
+    pub(super) fn claim(&mut self, place: PlaceId) {
+        let step = self.step;
+        let made = self.construction.operations.iter_mut().find(|operation| operation.does.place() == Some(place));
+        if let Some(operation) = made.filter(|operation| operation.step.is_none()) {
+            operation.step = step;
+        }
+    }
+
+    /// Gives the measuring step that was begun last its value.
+    pub(super) fn set_measured(&mut self, sheet: Sheet, measured: f64) {
+        if let Some(Action::Measure { value, .. }) = self.plan(sheet).steps.last_mut().map(|step| &mut step.action) {
+            *value = measured;
+        }
+    }
+
+    /// Notes where the motion of a body's point stands in a plan.
+    pub(super) fn note_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
+        self.moved.push((sheet, body, point, place));
+    }
+
+    /// Adds a point to the points of a plan, unless there is one of that name.
+    pub(super) fn show(&mut self, sheet: Sheet, name: &str, place: PlaceId, role: PointRole) {
+        self.name_place(sheet, name, place);
+        let point = PlanPoint { vector: self.exact.exact_place(place).rounded(), role };
+        self.plan(sheet).points.entry(name.to_owned()).or_insert(point);
+    }
+
+    /// Puts an operation down and carries it out.
+    fn push(&mut self, sheet: Sheet, part: Part, does: Does) {
+        let (places, lines) = does.places_and_lines_read();
+        let mut by_hand = self.by_hand;
+        by_hand &= !places.iter().any(|p| self.beyond[0][p.0]) && !lines.iter().any(|l| self.beyond[1][l.0]);
+        does.each_number_read(|n| by_hand &= !self.beyond[2][n.0]);
+        let counts = self.construction.counts;
+        for (beyond, count) in self.beyond.iter_mut().zip(counts) {
+            beyond.resize(count, false);
+        }
+        let beyond = !by_hand;
+        if let Some(place) = does.place() {
+            self.beyond[0][place.0] = beyond;
+        }
+        if let Some(line) = does.line() {
+            self.beyond[1][line.0] = beyond;
+        }
+        for number in does.numbers() {
+            self.beyond[2][number.0] = beyond;
+        }
+        self.exact.resize(counts);
+        self.exact.run(&does, [0.0; 2], 1.0);
+        // What is given, and sums and lines between points, can be there long before the step that needs them.
+        let is_own = matches!(
+            does,
+            Does::Draw { .. } | Does::Cross { .. } | Does::LayOff { .. } | Does::Measure { .. } | Does::Solve { .. }
+        );
+        let step = self.step.filter(|step| is_own && step.sheet == sheet);
+        self.construction.operations.push(Operation { sheet, step, part, does, by_hand });
+    }
+
+    /// Whether a number needs more than ruler and pencil.
+    pub(crate) fn is_beyond(&self, number: NumberId) -> bool {
+        self.beyond[2][number.0]
+    }
+
+    /// Whether a place needs more than ruler and pencil.
+    pub(crate) fn is_place_beyond(&self, place: PlaceId) -> bool {
+        self.beyond[0][place.0]
+    }
+
+    fn new_place(&mut self) -> PlaceId {
+        self.construction.counts[0] += 1;
+        PlaceId(self.construction.counts[0] - 1)
+    }
+
+    fn new_line(&mut self) -> LineId {
+        self.construction.counts[1] += 1;
+        LineId(self.construction.counts[1] - 1)
+    }
+
+    fn new_number(&mut self, kind: NumberKind) -> NumberId {
+        self.construction.counts[2] += 1;
+        self.construction.numbers.push(kind);
+        NumberId(self.construction.counts[2] - 1)
+    }
+
+    /// A place may have several names; the first place of a name stays.
+    pub(super) fn name_place(&mut self, sheet: Sheet, name: &str, place: PlaceId) {
+        self.construction.places.entry((sheet, name.to_owned())).or_insert(place);
+    }
+
+    pub(crate) fn pole(&mut self, sheet: Sheet, name: &str, at: Vector) -> PlaceId {
+        let place = self.new_place();
+        self.push(sheet, Part::Pole, Does::Pole { place, at });
+        self.name_place(sheet, name, place);
+        place
+    }
+
+    /// The pole of a plan.
+    pub(crate) fn pole_of(&self, sheet: Sheet) -> Option<PlaceId> {
+        self.construction.operations.iter().find_map(|operation| match operation.does {
+            Does::Pole { place, .. } if operation.sheet == sheet => Some(place),
+            _ => None,
+        })
+    }
+
+    /// A joint on the scheme.
+    pub(crate) fn plot(&mut self, point: PointId) -> PlaceId {
+        let name = self.mechanism.point_name(point);
+        if let Some(place) = self.construction.place(Sheet::Scheme, name) {
+            return place;
+        }
+        let place = self.new_place();
+        let at = self.pose.point(point) - self.construction.origin;
+        // A hand can always plot a joint.
+        let by_hand = core::mem::replace(&mut self.by_hand, true);
+        self.push(Sheet::Scheme, Part::Joint(point), Does::Plot { place, at });
+        self.by_hand = by_hand;
+        self.exact.set_place(place, Pair::between(self.construction.origin, self.pose.point(point)));
+        self.name_place(Sheet::Scheme, name, place);
+        place
+    }
+
+    /// The line through two joints, from the first towards the second.
+    pub(crate) fn join(&mut self, from: PointId, towards: PointId) -> LineId {
+        let (from, towards) = (self.plot(from), self.plot(towards));
+        self.join_places(from, towards, Part::Line)
+    }
+
+    /// The line through two places.
+    pub(crate) fn join_places(&mut self, from: PlaceId, towards: PlaceId, part: Part) -> LineId {
+        if let Some((.., line)) = self.joins.iter().find(|j| (j.0, j.1) == (from, towards)) {
+            return *line;
+        }
+        let line = self.new_line();
+        self.joins.push((from, towards, line));
+        self.push(Sheet::Scheme, part, Does::Join { line, from, towards });
+        line
+    }
+
+    pub(super) fn draw(&mut self, sheet: Sheet, part: Part, through: PlaceId, along: Along) -> LineId {
+        let line = self.new_line();
+        self.push(sheet, part, Does::Draw { line, through, along });
+        line
+    }
+
+    /// Where two lines cross; `None` where that is nowhere.
+    pub(super) fn cross(&mut self, sheet: Sheet, part: Part, lines: [LineId; 2]) -> Option<PlaceId> {
+        let place = self.new_place();
+        self.push(sheet, part, Does::Cross { place, lines });
+        let at = self.exact.exact_place(place);
+        (is_known(at.x) && is_known(at.y)).then_some(place)
+    }
+
+    pub(crate) fn measure(&mut self, sheet: Sheet, kind: NumberKind, [from, to]: [PlaceId; 2], how: How) -> NumberId {
+        let number = self.new_number(kind);
+        self.push(sheet, Part::Number, Does::Measure { number, from, to, how });
+        number
+    }
+
+    /// A number of the scene; none for zero.
+    pub(super) fn take(&mut self, sheet: Sheet, kind: NumberKind, value: f64) -> Option<NumberId> {
+        if value == 0.0 {
+            return None;
+        }
+        let number = self.new_number(kind);
+        self.push(sheet, Part::Number, Does::Take { number, value });
+        Some(number)
+    }
+
+    pub(crate) fn compute(&mut self, sheet: Sheet, kind: NumberKind, sum: Vec<Product>) -> NumberId {
+        let number = self.new_number(kind);
+        self.push(sheet, Part::Number, Does::Compute { number, sum });
+        number
+    }
+
+    /// A rate as the motion has it, with the bound of its error.
+    pub(super) fn take_found(&mut self, sheet: Sheet, rate: Rate, value: f64, error: f64) -> NumberId {
+        let number = self.new_number(NumberKind::Rate(rate));
+        let by_hand = core::mem::replace(&mut self.by_hand, false);
+        self.push(sheet, Part::Number, Does::Take { number, value });
+        self.by_hand = by_hand;
+        self.exact.set_number(number, Ball::from(value).widened(error));
+        number
+    }
+
+    /// Solves equations for rates; `None` where there is no solution.
+    pub(super) fn solve(
+        &mut self,
+        sheet: Sheet,
+        rates: &[Rate],
+        equations: Vec<super::operation::Equation>,
+    ) -> Option<Vec<NumberId>> {
+        let unknowns: Vec<NumberId> = rates.iter().map(|&rate| self.new_number(NumberKind::Rate(rate))).collect();
+        self.push(sheet, Part::Rates, Does::Solve { unknowns: unknowns.clone(), equations });
+        unknowns.iter().all(|&number| is_known(self.exact.exact_number(number))).then_some(unknowns)
+    }
+
+    /// The end of a vector whose size is a sum of products, laid off from a place; that place itself where nothing is summed.
+    pub(crate) fn lay_off(&mut self, sheet: Sheet, from: PlaceId, sum: Vec<Product>, along: Along) -> PlaceId {
+        if sum.is_empty() {
+            return from;
+        }
+        let size = self.compute(sheet, NumberKind::Size, sum);
+        let place = self.new_place();
+        self.push(sheet, Part::Vector, Does::LayOff { place, from, size, along });
+        place
+    }
+
+    /// The distance of two joints: taken from the scene where it is one of a link, else measured.
+    pub(super) fn length(&mut self, a: PointId, b: PointId) -> NumberId {
+        if let Some((_, number)) = self.lengths.iter().find(|(ends, _)| [[a, b], [b, a]].contains(ends)) {
+            return *number;
+        }
+        let given = self.mechanism.bodies.iter().any(|body| body.local_of(a).and(body.local_of(b)).is_some());
+        let kind = NumberKind::Length([End::Joint(a), End::Joint(b)]);
+        let number = if given {
+            let value = self.pose.arm(a, b).norm();
+            let number = self.new_number(kind);
+            self.push(Sheet::Scheme, Part::Number, Does::Take { number, value });
+            let arm = Pair::between(self.pose.point(a), self.pose.point(b));
+            self.exact.set_number(number, arm.dot(arm).sqrt());
+            number
+        } else {
+            let line = self.join(a, b);
+            let ends = [self.plot(a), self.plot(b)];
+            self.measure(Sheet::Scheme, kind, ends, How::Along(line))
+        };
+        self.lengths.push(([a, b], number));
+        number
+    }
+
+    /// A slider's guide on the scheme.
+    pub(crate) fn guide(&mut self, id: SliderId) -> LineId {
+        if let Some(line) = self.guides[id.0] {
+            return line;
+        }
+        let direction = self.pose.guide(id);
+        let line = match self.points_of_guide(id) {
+            Some(ends) => {
+                let [from, towards] = ends.map(|point| self.plot(point));
+                self.join_places(from, towards, Part::Guide(id))
+            }
+            None => {
+                let at = self.plot(self.mechanism.slider(id).at);
+                self.draw(Sheet::Scheme, Part::Guide(id), at, Along::given(direction))
+            }
+        };
+        // The scene says the direction; rounded joints on the guide would turn it by a last digit.
+        let error = GUIDE_ROUNDINGS * UNIT_ROUNDOFF + 0.5 * (direction.norm_squared() - 1.0).abs();
+        let Pair { x, y } = Pair::<Ball>::from(direction);
+        self.exact.set_direction(line, Pair { x: x.widened(error), y: y.widened(error) });
+        self.guides[id.0] = Some(line);
+        line
+    }
+
+    /// The two points of the guide's body farthest from each other between which it runs, in its direction.
+    fn points_of_guide(&self, id: SliderId) -> Option<[PointId; 2]> {
+        let slider = self.mechanism.slider(id);
+        let (u, at) = (self.pose.guide(id), self.pose.point(slider.at));
+        let along = |p: PointId| (self.pose.point(p) - at).dot(&u);
+        let candidates = match slider.guide {
+            Guide::DrawnBetween(p, q) => vec![p, q],
+            Guide::Drawn(_) => Vec::new(),
+            Guide::Local { .. } => {
+                let on_it = |p: &PointId| cross(self.pose.point(*p) - at, u).abs() <= self.near;
+                self.mechanism.body(slider.on).points.iter().copied().filter(on_it).collect()
+            }
+        };
+        let by_place = |a: &&PointId, b: &&PointId| along(**a).total_cmp(&along(**b));
+        let first = *candidates.iter().min_by(by_place)?;
+        let last = *candidates.iter().max_by(by_place)?;
+        (along(last) - along(first) > self.near).then_some([first, last])
+    }
+}
+
+/// Whether anything is known of a number.
+fn is_known(number: Ball) -> bool {
+    number.high.is_finite() && number.error().is_finite()
+}

@@ -1,0 +1,74 @@
+//! Lists of quantities that a solved scene has.
+
+use super::name::is_acceleration;
+use crate::construction::{Action, Construction, Solution, coincident_name};
+use crate::mechanism::{Role, SliderId};
+use crate::motion::Order;
+
+/// Names of what results and steps give and a hand drawing may have read from it: measured lengths and segments, rates, vectors by size
+/// and angle, angles of links, positions of sliders.
+#[must_use]
+pub fn readable_names(solution: &Solution) -> Vec<String> {
+    let Solution { mechanism, motion, construction, .. } = solution;
+    let mut names = measured_names(construction);
+    for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Stub) {
+        // A link with one point has no line of its own.
+        let heads = ["angle", "omega", "alpha"].into_iter();
+        let heads = heads.skip(usize::from(body.points.len() < 2));
+        names.extend(heads.map(|head| format!("{head}({})", body.name)));
+    }
+    for slider in (0..mechanism.sliders.len()).map(SliderId) {
+        let slider = mechanism.slider_name(slider);
+        names.extend(["position", "v_r", "a_r"].map(|head| format!("{head}({slider})")));
+        names.push(format!("a_c({slider}).size"));
+    }
+    let sliders = mechanism.sliders.iter();
+    let under = sliders.map(|s| coincident_name(mechanism.point_name(s.at), &mechanism.body(s.on).name));
+    let special = construction.special.iter().flatten();
+    let special = special.filter(|s| s.is_assur && s.place.finite().is_some());
+    let points = mechanism.points.iter().cloned().chain(under);
+    for point in points.chain(special.map(|s| s.name.clone())) {
+        for head in ["v", "a"] {
+            names.extend(["size", "angle"].map(|part| format!("{head}({point}).{part}")));
+        }
+    }
+    if motion.order == Order::Velocity {
+        names.retain(|name| !is_acceleration(name));
+    }
+    names
+}
+
+/// Names of everything that the construction measures, in its order.
+#[must_use]
+pub fn measured_names(construction: &Construction) -> Vec<String> {
+    let lengths = construction.scheme.iter().filter_map(|s| match &s.action {
+        Action::MeasureLength { from, to, .. } => Some(format!("L({from},{to})")),
+        _ => None,
+    });
+    let segments = construction.plans().flat_map(|plan| {
+        plan.steps.iter().filter_map(move |s| match &s.action {
+            Action::Measure { from, to, .. } => Some(plan.kind.segment_name(from, to)),
+            _ => None,
+        })
+    });
+    lengths.chain(segments).collect()
+}
+
+/// Names of everything that stands in the construction's steps with a value, in their order.
+#[must_use]
+pub fn step_names(construction: &Construction) -> Vec<String> {
+    let mut names = measured_names(construction);
+    for plan in construction.plans() {
+        for step in &plan.steps {
+            match &step.action {
+                Action::LayOff(arrow) => names.push(plan.kind.segment_name(&arrow.from, &arrow.to)),
+                Action::Cross { point, .. } => {
+                    names.push(plan.kind.segment_name(plan.kind.pole(), point));
+                }
+                Action::Solve { unknowns, .. } => names.extend(unknowns.iter().map(|u| u.0.clone())),
+                _ => {}
+            }
+        }
+    }
+    names
+}

@@ -1,0 +1,320 @@
+//! Names of quantities and what they stand for.
+
+use crate::construction::PlanKind;
+use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+
+/// Why a quantity has no value.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum QuantityError {
+    /// The name is not one of the known forms.
+    #[error(
+        "`{0}` is no quantity; known forms: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) \
+         a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); vectors also with .x .y .size .angle, \
+         plan segments with /mu"
+    )]
+    Form(String),
+    /// It names something that this scene does not have.
+    #[error("`{quantity}`: there is no {what} `{name}` here{hint}")]
+    Unknown {
+        /// The whole name.
+        quantity: String,
+        /// What was looked for.
+        what: &'static str,
+        /// The name that is missing.
+        name: String,
+        /// A similar name, in words, or nothing.
+        hint: String,
+    },
+    /// It lies at infinity, or is an acceleration where only velocities were asked for.
+    #[error("`{0}` has no value here: {1}")]
+    NoValue(String, &'static str),
+}
+
+/// Whether a quantity of that name needs accelerations.
+#[must_use]
+pub fn is_acceleration(name: &str) -> bool {
+    let head = name.split('(').next().unwrap_or_default().trim();
+    head.starts_with('a') && head != "angle"
+}
+
+/// A quantity by its name, looked up in a mechanism once.
+///
+/// `v(A/B)` is the velocity of A minus that of B. `a_n` and `a_t` split the relative acceleration of two points of one
+/// link (of links that driven sliders join, without what the sliders add), or of a special point and the outer joint of one of its legs (there along and across the cut line). `x(D)` and `y(D)` are
+/// a point's coordinates, `position(3/2)` a slider's. A vector's `.x`, `.y`, `.size` and `.angle` (degrees) are numbers.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    pub(super) name: String,
+    /// Whether it takes accelerations.
+    pub(super) accelerates: bool,
+    pub(super) what: What,
+    pub(super) component: Option<Component>,
+}
+
+/// What a name asks for.
+#[derive(Clone, Debug)]
+pub enum What {
+    /// Angular velocity.
+    Omega(BodyId),
+    /// Angular acceleration.
+    Alpha(BodyId),
+    /// Angle of the axis.
+    Angle(BodyId),
+    /// Position along the guide.
+    SlidePosition(SliderId),
+    /// Velocity along the guide.
+    SlideVelocity(SliderId),
+    /// Acceleration along the guide.
+    SlideAcceleration(SliderId),
+    /// Coriolis acceleration, and the body that carries the guide.
+    Coriolis(SliderId, BodyId),
+    /// A coordinate: axis 0 or 1.
+    Coordinate(usize, Spot),
+    /// A distance.
+    Length(Spot, Spot),
+    /// Velocity, relative to a second place where there is one.
+    Velocity(Spot, Option<Spot>),
+    /// Acceleration, relative to a second place where there is one.
+    Acceleration(Spot, Option<Spot>),
+    /// Normal or tangential part of the acceleration of the first, relative to the second; the link to which both belong.
+    Part(Normality, Spot, Spot, Option<BodyId>),
+    /// A segment of a plan.
+    Segment {
+        /// Which plan.
+        kind: PlanKind,
+        /// From this plan point …
+        from: String,
+        /// … to this one.
+        to: String,
+        /// Whether it is asked for in millimetres of paper.
+        on_paper: bool,
+    },
+}
+
+/// Which part of an acceleration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Normality {
+    /// Towards the other place.
+    Normal,
+    /// Across that.
+    Tangential,
+}
+
+/// A named place of a body.
+#[derive(Clone, Debug)]
+pub enum Spot {
+    /// Where this point is, as a place of this body.
+    Point(BodyId, PointId, String),
+    /// A special point by its name.
+    Special(String),
+}
+
+impl Spot {
+    /// Its name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Spot::Point(_, _, name) | Spot::Special(name) => name,
+        }
+    }
+}
+
+/// A number of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Component {
+    /// Along x.
+    X,
+    /// Along y.
+    Y,
+    /// Its length.
+    Size,
+    /// Its direction in degrees.
+    Angle,
+}
+
+impl Asked {
+    /// The quantity of that name. Plan points are looked up later, in the construction.
+    ///
+    /// # Errors
+    /// [`QuantityError::Form`] and [`QuantityError::Unknown`].
+    pub fn new(name: &str, mechanism: &Mechanism) -> Result<Asked, QuantityError> {
+        let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+        let finder = Finder { name, mechanism };
+        let (head, rest) = compact.split_once('(').ok_or_else(|| finder.form())?;
+        let (argument, tail) = rest.rsplit_once(')').ok_or_else(|| finder.form())?;
+        let (component, on_paper) = match tail {
+            "" => (None, false),
+            ".x" => (Some(Component::X), false),
+            ".y" => (Some(Component::Y), false),
+            ".size" => (Some(Component::Size), false),
+            ".angle" => (Some(Component::Angle), false),
+            "/mu" if head.ends_with("plan") => (None, true),
+            _ => return Err(finder.form()),
+        };
+        let what = finder.what(head, argument, on_paper)?;
+        let asked = Asked { name: name.to_owned(), accelerates: is_acceleration(name), what, component };
+        if component.is_some() && !asked.is_of_vectors() {
+            return Err(finder.form());
+        }
+        Ok(asked)
+    }
+
+    /// Its name as it was asked for.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What it asks for.
+    #[must_use]
+    pub fn what(&self) -> &What {
+        &self.what
+    }
+
+    /// Which number of a vector it asks for, if one.
+    #[must_use]
+    pub fn component(&self) -> Option<Component> {
+        self.component
+    }
+}
+
+pub(super) fn unknown<'n>(
+    quantity: &str,
+    what: &'static str,
+    name: &str,
+    known: impl Iterator<Item = &'n str>,
+) -> QuantityError {
+    let nearest = crate::scene::nearest_within(name, known, 2);
+    QuantityError::Unknown {
+        quantity: quantity.to_owned(),
+        what,
+        name: name.to_owned(),
+        hint: nearest.map_or_else(String::new, |k| format!("; did you mean `{k}`?")),
+    }
+}
+
+/// Looks names up in a mechanism.
+struct Finder<'a> {
+    name: &'a str,
+    mechanism: &'a Mechanism,
+}
+
+impl Finder<'_> {
+    fn form(&self) -> QuantityError {
+        QuantityError::Form(self.name.to_owned())
+    }
+
+    fn what(&self, head: &str, argument: &str, on_paper: bool) -> Result<What, QuantityError> {
+        let pair = |by: char| argument.split_once(by).ok_or_else(|| self.form());
+        let relative = || -> Result<(Spot, Option<Spot>), QuantityError> {
+            match argument.split_once('/') {
+                Some((a, b)) => Ok((self.spot(a)?, Some(self.spot(b)?))),
+                None => Ok((self.spot(argument)?, None)),
+            }
+        };
+        Ok(match head {
+            "omega" => What::Omega(self.link(argument)?),
+            "alpha" => What::Alpha(self.link(argument)?),
+            "angle" => What::Angle(self.link(argument)?),
+            "position" => What::SlidePosition(self.slider(argument)?),
+            "v_r" => What::SlideVelocity(self.slider(argument)?),
+            "a_r" => What::SlideAcceleration(self.slider(argument)?),
+            "a_c" => {
+                let id = self.slider(argument)?;
+                What::Coriolis(id, self.mechanism.slider(id).on)
+            }
+            "x" => What::Coordinate(0, self.spot(argument)?),
+            "y" => What::Coordinate(1, self.spot(argument)?),
+            "L" => {
+                let (a, b) = pair(',')?;
+                What::Length(self.spot(a)?, self.spot(b)?)
+            }
+            "v" => {
+                let (a, b) = relative()?;
+                What::Velocity(a, b)
+            }
+            "a" => {
+                let (a, b) = relative()?;
+                What::Acceleration(a, b)
+            }
+            "a_n" | "a_t" => {
+                let part = match head {
+                    "a_n" => Normality::Normal,
+                    _ => Normality::Tangential,
+                };
+                let (a, b) = pair('/')?;
+                let (a, b) = (self.spot(a)?, self.spot(b)?);
+                let link = self.common_link(&a, &b);
+                What::Part(part, a, b, link)
+            }
+            "vplan" | "aplan" => {
+                let kind = match head {
+                    "vplan" => PlanKind::Velocity,
+                    _ => PlanKind::Acceleration,
+                };
+                let (from, to) = pair(',')?;
+                let (from, to) = (from.to_owned(), to.to_owned());
+                What::Segment { kind, from, to, on_paper }
+            }
+            _ => return Err(self.form()),
+        })
+    }
+
+    fn link(&self, name: &str) -> Result<BodyId, QuantityError> {
+        let links = || self.mechanism.links().map(|(_, b)| b.name.as_str());
+        let found = self.mechanism.link(name);
+        found.ok_or_else(|| unknown(self.name, "link", name, links()))
+    }
+
+    fn slider(&self, name: &str) -> Result<SliderId, QuantityError> {
+        let ids = (0..self.mechanism.sliders.len()).map(SliderId);
+        let names: Vec<String> = ids.map(|id| self.mechanism.slider_name(id)).collect();
+        let found = names.iter().position(|n| n == name).map(SliderId);
+        let known = || names.iter().map(String::as_str);
+        found.ok_or_else(|| unknown(self.name, "slider", name, known()))
+    }
+
+    /// The names of special points, with the links to which they belong.
+    fn special(&self) -> impl Iterator<Item = (&str, BodyId)> {
+        let points = self.mechanism.groups.iter().flat_map(|g| &g.special);
+        points.filter(|s| s.target.is_none()).map(|s| (s.name.as_str(), s.link))
+    }
+
+    /// The place that a name means: a joint, a special point, or `D_2`.
+    fn spot(&self, name: &str) -> Result<Spot, QuantityError> {
+        if self.special().any(|(special, _)| special == name) {
+            return Ok(Spot::Special(name.to_owned()));
+        }
+        if let Some(point) = self.mechanism.point(name) {
+            let mut bodies = self.mechanism.bodies.iter().enumerate();
+            let body = bodies.find(|(_, b)| b.points.contains(&point));
+            let body = body.map_or(BodyId(0), |(i, _)| BodyId(i));
+            return Ok(Spot::Point(body, point, name.to_owned()));
+        }
+        if let Some((point, body)) = name.split_once('_') {
+            let under = self.mechanism.point(point).zip(self.mechanism.link(body));
+            if let Some((point, body)) = under {
+                return Ok(Spot::Point(body, point, name.to_owned()));
+            }
+        }
+        let points = self.mechanism.points.iter().map(String::as_str);
+        let known = points.chain(self.special().map(|(name, _)| name));
+        Err(unknown(self.name, "point", name, known))
+    }
+
+    /// A link to which both belong, or that of the first where driven sliders join it to one of the second.
+    fn common_link(&self, a: &Spot, b: &Spot) -> Option<BodyId> {
+        let holds = |link: BodyId, spot: &Spot| match spot {
+            Spot::Special(name) => self.special().any(|s| s == (name.as_str(), link)),
+            Spot::Point(body, point, _) => *body == link || self.mechanism.body(link).points.contains(point),
+        };
+        let links = || self.mechanism.links().map(|(id, _)| id);
+        let joined = |link: BodyId| {
+            let root = self.mechanism.root(link);
+            links().any(|other| self.mechanism.root(other) == root && holds(other, b))
+        };
+        let own = |link: &BodyId| holds(*link, a);
+        let common = links().filter(own).find(|&link| holds(link, b));
+        common.or_else(|| links().filter(own).find(|&link| joined(link)))
+    }
+}

@@ -1,0 +1,374 @@
+//! How a hand reads quantities from its drawing.
+
+use super::name::{Asked, Component, Normality, Spot, What};
+use crate::construction::{
+    Along, Construction, Does, End, How, NumberId, NumberKind, Part, PlaceId, PlanKind, Product, ProductKind, Sheet,
+    Solution, SpecialId, StepId, Writer, image_name, normal_name, written,
+};
+use crate::mechanism::{BodyId, PointId, SliderId};
+use indexmap::IndexMap;
+
+/// How a quantity is read: a number of the construction, and what its sign says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// The number.
+    pub number: NumberId,
+    /// What its sign says.
+    pub sense: Sense,
+    /// The latest sheet that it needs.
+    pub sheet: Sheet,
+}
+
+/// What the sign of a number says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sense {
+    /// It belongs to the quantity.
+    Signed,
+    /// Nothing to a reader: only the magnitude counts, although the construction goes on with the sign.
+    Magnitude,
+    /// It is an angle, which comes back after 360°.
+    Angle,
+    /// It is the distance of two places, of which nobody sees that it should be negative.
+    Distance,
+}
+
+impl Reading {
+    /// Whether a reader writes it without a sign of its own.
+    #[must_use]
+    pub fn is_size(&self) -> bool {
+        matches!(self.sense, Sense::Magnitude | Sense::Distance)
+    }
+}
+
+/// Why a quantity is not read from a hand drawing.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unread {
+    /// The scene gives it.
+    #[error("the scene gives it")]
+    Given,
+    /// Some group has no construction, and it depends on that.
+    #[error("it depends on a group without a construction (a special point at infinity, or a higher class)")]
+    NoConstruction,
+    /// Only one of a vector's numbers has a band.
+    #[error("a vector: its `.size` and `.angle` have bands")]
+    Vector,
+    /// The drawing does not show it.
+    #[error("the drawing does not show it")]
+    NotDrawn,
+    /// With such errors the construction does not hold together: lines that should cross may be parallel.
+    #[error("errors of this size take the construction apart")]
+    Apart,
+    /// The figure has no such panel.
+    #[error("the figure has no {}, so no scale", .0.name())]
+    NoSheet(Sheet),
+}
+
+/// The construction of a solved scene as far as a hand can carry it out, and after it the operations by which quantities are read off; with how each is
+/// read, or why there is nothing to read.
+///
+/// A quantity that the construction measures or solves for is read there. A segment or a vector of a plan, a direction and a
+/// length are measured once more, with an error of their own.
+#[must_use]
+pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<Result<Reading, Unread>>) {
+    let writer = written(&solution.mechanism, &solution.pose, &solution.motion);
+    let mut reader = Reader { steps: writer.construction.steps_of_quantities(), writer };
+    let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
+    let mut construction = reader.writer.construction;
+    construction.operations.retain(|operation| operation.by_hand);
+    (construction, readings)
+}
+
+struct Reader<'a> {
+    writer: Writer<'a>,
+    /// Which step gives each quantity.
+    steps: IndexMap<String, StepId>,
+}
+
+/// Where a vector stands in a plan, or what it is computed from.
+enum Drawn {
+    Segment([PlaceId; 2]),
+    Computed(NumberId, Along),
+}
+
+impl Reader<'_> {
+    fn reading(&mut self, asked: &Asked) -> Result<Reading, Unread> {
+        let (number, sense) = self.number(asked)?;
+        match self.writer.is_beyond(number) {
+            true => Err(Unread::NoConstruction),
+            false => Ok(Reading { number, sense, sheet: asked.sheet() }),
+        }
+    }
+
+    fn number(&mut self, asked: &Asked) -> Result<(NumberId, Sense), Unread> {
+        let name = asked.name();
+        let number = match asked.what() {
+            What::Omega(link) => self.rate(*link, 0)?,
+            What::Alpha(link) => self.rate(*link, 1)?,
+            What::SlideVelocity(id) => self.slide_rate(*id, 0)?,
+            What::SlideAcceleration(id) => self.slide_rate(*id, 1)?,
+            What::Angle(link) => return Ok((self.axis(name, *link)?, Sense::Angle)),
+            What::SlidePosition(id) => self.slide_position(name, *id)?,
+            What::Coordinate(axis, spot) => self.coordinate(name, [How::X, How::Y][*axis], spot)?,
+            What::Length(a, b) => return self.length(name, a, b),
+            What::Segment { kind, from, to, .. } => return self.segment(*kind, from, to),
+            What::Velocity(a, b) | What::Acceleration(a, b) => {
+                let drawn = self.vector(asked.sheet(), a, b.as_ref())?;
+                return self.component(asked, drawn);
+            }
+            What::Coriolis(id, on) => {
+                let drawn = self.coriolis(*id, *on)?;
+                return self.component(asked, drawn);
+            }
+            What::Part(part, a, b, link) => {
+                let drawn = self.part(name, *part, a, b, *link)?;
+                return self.component(asked, drawn);
+            }
+        };
+        Ok((number, Sense::Signed))
+    }
+
+    /// One number of a vector, measured where it stands or computed.
+    fn component(&mut self, asked: &Asked, drawn: Drawn) -> Result<(NumberId, Sense), Unread> {
+        let component = asked.component().ok_or(Unread::Vector)?;
+        let sheet = asked.sheet();
+        let ends = match (drawn, component) {
+            // Points at rest and vectors of nothing are not measured.
+            (Drawn::Segment(ends), _) if ends.iter().any(|&end| self.writer.is_place_beyond(end)) => {
+                return Err(Unread::NoConstruction);
+            }
+            (Drawn::Segment([from, to]), _) if from == to => return Err(Unread::Given),
+            (Drawn::Segment(ends), _) => ends,
+            (Drawn::Computed(size, _), Component::Size) => return Ok((size, Sense::Magnitude)),
+            // Its direction and components show when it is laid off.
+            (Drawn::Computed(size, along), _) => {
+                let pole = self.writer.pole_of(sheet).ok_or(Unread::NotDrawn)?;
+                [pole, self.writer.lay_off(sheet, pole, vec![Product::plain(size)], along)]
+            }
+        };
+        let (how, sense) = match component {
+            Component::X => (How::X, Sense::Signed),
+            Component::Y => (How::Y, Sense::Signed),
+            Component::Size => (How::Size, Sense::Distance),
+            Component::Angle => (How::Direction, Sense::Angle),
+        };
+        Ok((self.measure(sheet, asked.name(), ends, how), sense))
+    }
+
+    /// Measures for a reader.
+    fn measure(&mut self, sheet: Sheet, name: &str, ends: [PlaceId; 2], how: How) -> NumberId {
+        self.writer.step = self.steps.get(name).copied();
+        self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how)
+    }
+
+    /// A vector of a plan, relative to another where there is one.
+    fn vector(&mut self, sheet: Sheet, a: &Spot, b: Option<&Spot>) -> Result<Drawn, Unread> {
+        let to = self.plan_point(sheet, a)?;
+        let from = match b {
+            Some(b) => self.plan_point(sheet, b)?,
+            None => self.writer.pole_of(sheet).ok_or(Unread::NotDrawn)?,
+        };
+        Ok(Drawn::Segment([from, to]))
+    }
+
+    fn coriolis(&mut self, id: SliderId, on: BodyId) -> Result<Drawn, Unread> {
+        let omega = self.rate_or_given(on, 0)?;
+        let velocity = self.slide_rate_or_given(id, 0)?;
+        let (Some(omega), Some(velocity)) = (omega, velocity) else {
+            return Err(Unread::Given);
+        };
+        let product = Product::new(ProductKind::Coriolis, 2.0, &[omega, velocity]);
+        let size = self.writer.compute(Sheet::Acceleration, NumberKind::Size, vec![product]);
+        Ok(Drawn::Computed(size, Along::line(self.writer.guide(id)).turned(1)))
+    }
+
+    /// A rate of a link that is found; given ones are not read.
+    fn rate(&self, link: BodyId, order: usize) -> Result<NumberId, Unread> {
+        if self.is_given(link) {
+            return Err(Unread::Given);
+        }
+        self.rate_or_given(link, order)?.ok_or(Unread::Given)
+    }
+
+    /// Whether a link turns as the scene says: by itself, or tied by sliders to one that does.
+    fn is_given(&self, link: BodyId) -> bool {
+        let mechanism = self.writer.mechanism;
+        let spins = &self.writer.construction.spins;
+        let bodies = || (0..mechanism.bodies.len()).map(BodyId);
+        let mut known = bodies().filter(|&b| mechanism.is_known(b));
+        let own = spins[link.0];
+        mechanism.is_known(link) || own.is_some_and(|own| known.any(|b| spins[b.0] == Some(own)))
+    }
+
+    /// Nothing for a rate that is given as zero.
+    fn rate_or_given(&self, link: BodyId, order: usize) -> Result<Option<NumberId>, Unread> {
+        let rates = self.writer.construction.spins[link.0];
+        Ok(rates.ok_or(Unread::NoConstruction)?[order])
+    }
+
+    fn slide_rate(&self, id: SliderId, order: usize) -> Result<NumberId, Unread> {
+        if self.writer.mechanism.slider(id).drive.is_some() {
+            return Err(Unread::Given);
+        }
+        self.slide_rate_or_given(id, order)?.ok_or(Unread::Given)
+    }
+
+    fn slide_rate_or_given(&self, id: SliderId, order: usize) -> Result<Option<NumberId>, Unread> {
+        let rates = self.writer.construction.slides[id.0];
+        Ok(rates.ok_or(Unread::NoConstruction)?[order])
+    }
+
+    /// The direction of a link's axis, from its first to its second point.
+    fn axis(&mut self, name: &str, link: BodyId) -> Result<NumberId, Unread> {
+        let (mechanism, pose) = (self.writer.mechanism, self.writer.pose);
+        let axis = pose.axes[link.0].ok_or(Unread::NotDrawn)?;
+        let &[from, to, ..] = mechanism.body(link).points.as_slice() else {
+            return Err(Unread::NotDrawn);
+        };
+        let arm = pose.arm(from, to);
+        // With a shape of its own the axis may run elsewhere.
+        let apart = crate::geometry::cross(axis.normalize(), arm).abs();
+        if arm.norm() == 0.0 || arm.dot(&axis) < 0.0 || apart > 1e-9 * arm.norm() {
+            return Err(Unread::NotDrawn);
+        }
+        let ends = [self.writer.plot(from), self.writer.plot(to)];
+        Ok(self.measure(Sheet::Scheme, name, ends, How::Direction))
+    }
+
+    /// The position along a guide, where a point of the guide's body stands at the place from which it counts.
+    fn slide_position(&mut self, name: &str, id: SliderId) -> Result<NumberId, Unread> {
+        let (mechanism, pose) = (self.writer.mechanism, self.writer.pose);
+        let slider = mechanism.slider(id);
+        if slider.drive.is_some_and(|drive| drive.position.is_some()) {
+            return Err(Unread::Given);
+        }
+        let position = pose.slides[id.0].ok_or(Unread::NotDrawn)?;
+        let start = pose.point(slider.at) - pose.guide(id) * position;
+        let mut points = mechanism.body(slider.on).points.iter().copied();
+        let from = points.find(|&p| (pose.point(p) - start).norm() <= self.writer.near);
+        let from = from.ok_or(Unread::NotDrawn)?;
+        let how = How::Along(self.writer.guide(id));
+        let ends = [self.writer.plot(from), self.writer.plot(slider.at)];
+        Ok(self.measure(Sheet::Scheme, name, ends, how))
+    }
+
+    fn coordinate(&mut self, name: &str, how: How, spot: &Spot) -> Result<NumberId, Unread> {
+        let place = self.scheme_point(spot)?;
+        let origin = -self.writer.construction.origin.coords;
+        let zero = self.writer.pole(Sheet::Scheme, "origin", origin);
+        Ok(self.measure(Sheet::Scheme, name, [zero, place], how))
+    }
+
+    /// A length: that which the construction measures, else measured for this reading.
+    fn length(&mut self, name: &str, a: &Spot, b: &Spot) -> Result<(NumberId, Sense), Unread> {
+        if let (Some(a), Some(b)) = (self.end(a), self.end(b))
+            && let Some(number) = self.measured(&NumberKind::Length([a, b]))
+        {
+            return Ok((number, Sense::Magnitude));
+        }
+        let ends = [self.scheme_point(a)?, self.scheme_point(b)?];
+        Ok((self.measure(Sheet::Scheme, name, ends, How::Size), Sense::Distance))
+    }
+
+    /// A segment of a plan: that which the construction measures, else measured for this reading.
+    fn segment(&mut self, kind: PlanKind, from: &str, to: &str) -> Result<(NumberId, Sense), Unread> {
+        let sheet = kind.sheet();
+        let segment = NumberKind::Segment(sheet, [from, to].map(str::to_owned));
+        if let Some(number) = self.measured(&segment) {
+            return Ok((number, Sense::Magnitude));
+        }
+        let place = |name: &str| self.writer.construction.place(sheet, name).ok_or(Unread::NoConstruction);
+        let ends = [place(from)?, place(to)?];
+        if ends.iter().any(|&end| self.writer.is_place_beyond(end)) {
+            return Err(Unread::NoConstruction);
+        }
+        if ends[0] == ends[1] {
+            return Err(Unread::Given);
+        }
+        Ok((self.measure(sheet, &kind.segment_name(from, to), ends, How::Size), Sense::Distance))
+    }
+
+    /// A number that the construction measures.
+    fn measured(&self, kind: &NumberKind) -> Option<NumberId> {
+        let construction = &self.writer.construction;
+        construction.operations.iter().find_map(|operation| match operation.does {
+            Does::Measure { number, .. } if construction.numbers[number.0] == *kind => Some(number),
+            _ => None,
+        })
+    }
+
+    /// A place as the end of a length, if lengths that are measured end there.
+    fn end(&self, spot: &Spot) -> Option<End> {
+        match spot {
+            Spot::Point(_, point, name) => {
+                (self.writer.mechanism.point_name(*point) == name).then_some(End::Joint(*point))
+            }
+            Spot::Special(name) => {
+                let mut special = self.writer.construction.special.iter().flatten();
+                special.position(|s| s.name == *name).map(|index| End::Special(SpecialId(index)))
+            }
+        }
+    }
+
+    fn scheme_point(&mut self, spot: &Spot) -> Result<PlaceId, Unread> {
+        match spot {
+            Spot::Point(_, point, _) => Ok(self.writer.plot(*point)),
+            Spot::Special(name) => self.writer.construction.place(Sheet::Scheme, name).ok_or(Unread::NoConstruction),
+        }
+    }
+
+    /// The end of a named place's vector: the plan's own point of that name where a hand has found it, else laid off.
+    fn plan_point(&mut self, sheet: Sheet, spot: &Spot) -> Result<PlaceId, Unread> {
+        let named = self.writer.construction.place(sheet, &image_name(spot.name()));
+        match (named.filter(|&place| !self.writer.is_place_beyond(place)), spot) {
+            (Some(place), _) => Ok(place),
+            (None, Spot::Point(body, point, _)) => {
+                let holder = self.holder(sheet, *body, *point);
+                Ok(self.writer.motion(sheet, holder, *point))
+            }
+            (None, Spot::Special(_)) => Err(Unread::NoConstruction),
+        }
+    }
+
+    /// The body over which a point's vector is found soonest: one of known motion, or one where it is already.
+    fn holder(&self, sheet: Sheet, body: BodyId, point: PointId) -> BodyId {
+        let mechanism = self.writer.mechanism;
+        let own = mechanism.body(body).points.contains(&point);
+        let holders = || {
+            let bodies = (0..mechanism.bodies.len()).map(BodyId);
+            bodies.filter(|&b| own && mechanism.body(b).points.contains(&point))
+        };
+        let known = holders().find(|&b| mechanism.is_known(b));
+        known.or_else(|| holders().find(|&b| self.writer.moved_point(sheet, b, point).is_some())).unwrap_or(body)
+    }
+
+    /// A part of a relative acceleration: between plan points where the construction lays it off, else computed.
+    fn part(&mut self, name: &str, part: Normality, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<Drawn, Unread> {
+        let sheet = Sheet::Acceleration;
+        if let Spot::Special(special) = a {
+            let normal = normal_name(b.name(), special);
+            let plan = self.writer.construction.acceleration.as_ref();
+            let laid = plan.and_then(|plan| plan.arrows().find(|arrow| arrow.to == normal));
+            let (from, to) = match part {
+                Normality::Normal => (laid.map(|arrow| arrow.from.as_str()), normal.as_str()),
+                Normality::Tangential => (laid.map(|_| normal.as_str()), &*image_name(special)),
+            };
+            if let Some(from) = from {
+                let place = |name: &str| self.writer.construction.place(sheet, name);
+                let ends = place(from).zip(place(to)).ok_or(Unread::NoConstruction)?;
+                return Ok(Drawn::Segment([ends.0, ends.1]));
+            }
+        }
+        let link = link.ok_or(Unread::NotDrawn)?;
+        let order = usize::from(part == Normality::Tangential);
+        let rate = self.rate_or_given(link, order)?.ok_or(Unread::Given)?;
+        let (from, to) = (self.scheme_point(b)?, self.scheme_point(a)?);
+        let line = self.writer.join_places(from, to, Part::Line);
+        let length = self.measure(Sheet::Scheme, name, [from, to], How::Along(line));
+        let (product, turns) = match part {
+            Normality::Normal => (Product::new(ProductKind::Normal, -1.0, &[rate, rate, length]), 0),
+            Normality::Tangential => (Product::new(ProductKind::Turning, 1.0, &[rate, length]), 1),
+        };
+        let size = self.writer.compute(sheet, NumberKind::Size, vec![product]);
+        Ok(Drawn::Computed(size, Along::line(line).turned(turns)))
+    }
+}

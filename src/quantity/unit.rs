@@ -1,0 +1,261 @@
+use super::name::{Asked, Component, Normality, Spot, What};
+use crate::construction::{PlanKind, Sheet};
+use crate::mechanism::Mechanism;
+use crate::scene::Units;
+use crate::words::Notation;
+
+/// Of what kind a quantity is: what may share an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// An angle, in degrees.
+    Angle,
+    /// An angular velocity.
+    AngularVelocity,
+    /// An angular acceleration.
+    AngularAcceleration,
+    /// A coordinate, or a position along a guide.
+    Position,
+    /// A distance.
+    Length,
+    /// A velocity, or a segment of the velocity plan.
+    Velocity,
+    /// An acceleration, or a segment of the acceleration plan.
+    Acceleration,
+}
+
+impl Kind {
+    /// Its unit, as in `rad/s²`.
+    #[must_use]
+    pub fn unit(self, units: Units) -> String {
+        let (length, time) = (units.length.as_str(), units.time.as_str());
+        match self {
+            Kind::Angle => "°".to_owned(),
+            Kind::AngularVelocity => format!("rad/{time}"),
+            Kind::AngularAcceleration => format!("rad/{time}²"),
+            Kind::Position | Kind::Length => length.to_owned(),
+            Kind::Velocity => format!("{length}/{time}"),
+            Kind::Acceleration => format!("{length}/{time}²"),
+        }
+    }
+
+    /// Whether it is a rate, whose zero means rest; a place or an angle counts from anywhere.
+    #[must_use]
+    pub fn is_rate(self) -> bool {
+        !matches!(self, Kind::Angle | Kind::Position | Kind::Length)
+    }
+}
+
+/// A symbol in parts: letter, what stands high and low beside it, what follows.
+struct Symbol {
+    letter: &'static str,
+    high: &'static str,
+    low: String,
+    after: String,
+}
+
+impl Asked {
+    /// Of what kind its value is; a vector's size and components are of the vector's kind.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        if self.component == Some(Component::Angle) {
+            return Kind::Angle;
+        }
+        match &self.what {
+            What::Angle(_) => Kind::Angle,
+            What::Omega(_) => Kind::AngularVelocity,
+            What::Alpha(_) => Kind::AngularAcceleration,
+            What::SlidePosition(_) | What::Coordinate(..) => Kind::Position,
+            What::Length(..) => Kind::Length,
+            What::SlideVelocity(_) | What::Velocity(..) => Kind::Velocity,
+            What::SlideAcceleration(_) | What::Coriolis(..) | What::Acceleration(..) | What::Part(..) => {
+                Kind::Acceleration
+            }
+            What::Segment { kind, .. } => match kind {
+                PlanKind::Velocity => Kind::Velocity,
+                PlanKind::Acceleration => Kind::Acceleration,
+            },
+        }
+    }
+
+    /// Whether its value is a vector.
+    #[must_use]
+    pub fn is_vector(&self) -> bool {
+        self.component.is_none() && self.is_of_vectors()
+    }
+
+    /// Whether it is a length on paper, in millimetres.
+    #[must_use]
+    pub fn is_on_paper(&self) -> bool {
+        matches!(self.what, What::Segment { on_paper: true, .. })
+    }
+
+    pub(super) fn is_of_vectors(&self) -> bool {
+        matches!(self.what, What::Coriolis(..) | What::Velocity(..) | What::Acceleration(..) | What::Part(..))
+    }
+
+    /// Whether it can be read without the places and motions of points.
+    #[must_use]
+    pub fn is_of_links_alone(&self) -> bool {
+        matches!(
+            self.what,
+            What::Omega(_)
+                | What::Alpha(_)
+                | What::Angle(_)
+                | What::Coriolis(..)
+                | What::SlidePosition(_)
+                | What::SlideVelocity(_)
+                | What::SlideAcceleration(_)
+        )
+    }
+
+    /// Whether special points or plans are needed for it.
+    #[must_use]
+    pub fn needs_construction(&self) -> bool {
+        let special = |spot: &Spot| matches!(spot, Spot::Special(_));
+        match &self.what {
+            What::Segment { .. } => true,
+            What::Coordinate(_, spot) => special(spot),
+            What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
+            What::Velocity(a, b) | What::Acceleration(a, b) => special(a) || b.as_ref().is_some_and(special),
+            _ => false,
+        }
+    }
+
+    /// The sheet from which it is read.
+    #[must_use]
+    pub fn sheet(&self) -> Sheet {
+        match (&self.what, self.kind()) {
+            (What::Velocity(..), _) => Sheet::Velocity,
+            (What::Acceleration(..) | What::Part(..) | What::Coriolis(..), _) => Sheet::Acceleration,
+            (_, Kind::Velocity | Kind::AngularVelocity) => Sheet::Velocity,
+            (_, Kind::Acceleration | Kind::AngularAcceleration) => Sheet::Acceleration,
+            (_, Kind::Angle | Kind::Position | Kind::Length) => Sheet::Scheme,
+        }
+    }
+
+    /// Whether it is seen on its sheet as a length; a rate is only computed.
+    #[must_use]
+    pub fn is_length_on_sheet(&self) -> bool {
+        let is_turning = matches!(self.kind(), Kind::Angle | Kind::AngularVelocity | Kind::AngularAcceleration);
+        !is_turning && !matches!(self.what, What::SlideVelocity(_) | What::SlideAcceleration(_))
+    }
+
+    /// Whether it is a rate that is solved for or given: it has a sense, which people write as a sign or not at all.
+    #[must_use]
+    pub fn is_rate(&self) -> bool {
+        use What::{Alpha, Omega, SlideAcceleration, SlideVelocity};
+        matches!(self.what, Omega(_) | Alpha(_) | SlideVelocity(_) | SlideAcceleration(_))
+    }
+
+    /// Whether it counts by turning: its sign hangs on which sense of rotation is positive.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        matches!(self.kind(), Kind::Angle | Kind::AngularVelocity | Kind::AngularAcceleration)
+    }
+
+    /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, which is zero in dead positions.
+    #[must_use]
+    pub fn has_dead_positions(&self) -> bool {
+        matches!(self.what, What::Omega(_) | What::SlideVelocity(_))
+    }
+
+    /// What it belongs to, as in `4` of `omega(4)` and `alpha(4)`.
+    #[must_use]
+    pub fn subject(&self) -> &str {
+        let inner = self.name().split_once('(').map_or("", |(_, rest)| rest);
+        inner.rsplit_once(')').map_or(inner, |(inner, _)| inner)
+    }
+
+    /// How it is written, as in `ω_{4}`; a vector by its size, as in `|v_{D}|`. `shown` gives the text for a name; segments of plans
+    /// are called by the points' own names.
+    #[must_use]
+    pub fn symbol(&self, mechanism: &Mechanism, notation: &Notation, shown: &dyn Fn(&str) -> String) -> String {
+        let plain = |letter, low: String| Symbol { letter, high: "", low, after: String::new() };
+        let relative = |letter, high, a: &str, b: Option<&str>| Symbol {
+            high,
+            ..plain(letter, shown(a) + &b.map_or(String::new(), shown))
+        };
+        let link = |id| shown(&mechanism.body(id).name);
+        let slider = |letter, low: &str, id| {
+            let name = mechanism.slider_name(id);
+            let parts: Vec<String> = name.split('/').map(shown).collect();
+            Symbol { after: format!("({})", parts.join("/")), ..plain(letter, low.to_owned()) }
+        };
+        let symbol = match &self.what {
+            What::Omega(id) => plain("ω", link(*id)),
+            What::Alpha(id) => plain("α", link(*id)),
+            What::Angle(id) => plain("φ", link(*id)),
+            What::SlidePosition(id) => slider("s", "", *id),
+            What::SlideVelocity(id) => slider("v", notation.relative, *id),
+            What::SlideAcceleration(id) => slider("a", notation.relative, *id),
+            What::Coriolis(id, _) => slider("a", notation.coriolis, *id),
+            What::Coordinate(0, spot) => plain("x", shown(spot.name())),
+            What::Coordinate(_, spot) => plain("y", shown(spot.name())),
+            What::Length(a, b) => relative("L", "", a.name(), Some(b.name())),
+            What::Velocity(a, b) => relative("v", "", a.name(), b.as_ref().map(|b| b.name())),
+            What::Acceleration(a, b) => relative("a", "", a.name(), b.as_ref().map(|b| b.name())),
+            What::Part(normality, a, b, _) => {
+                let part = match normality {
+                    Normality::Normal => notation.normal,
+                    Normality::Tangential => notation.tangential,
+                };
+                relative("a", part, a.name(), Some(b.name()))
+            }
+            What::Segment { kind, from, to, .. } => {
+                Symbol { after: format!(" ({} {})", shown(from), shown(to)), ..plain(kind.scale_name(), String::new()) }
+            }
+        };
+        let axis = match self.component {
+            Some(Component::X) => ",x",
+            Some(Component::Y) => ",y",
+            _ => "",
+        };
+        let (high, low) = (script('^', symbol.high), script('_', &(symbol.low + axis)));
+        let written = format!("{}{high}{low}{}", symbol.letter, symbol.after);
+        match self.component {
+            Some(Component::Angle) => format!("∠{written}"),
+            Some(Component::Size) => format!("|{written}|"),
+            None if self.is_vector() => format!("|{written}|"),
+            _ => written,
+        }
+    }
+}
+
+fn script(mark: char, text: &str) -> String {
+    if text.is_empty() { String::new() } else { format!("{mark}{{{text}}}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::construction::display;
+
+    #[test]
+    fn symbols_as_on_the_blackboard() {
+        let text = include_str!("../../examples/figure-2.json");
+        let scene = crate::scene::Scene::read(text).expect("a good scene");
+        let mechanism = crate::mechanism::mechanism(&scene).expect("a mechanism");
+        let notation = crate::words::Wording::default().notation;
+        for (name, symbol, kind, subject) in [
+            ("omega(4)", "ω_{4}", Kind::AngularVelocity, "4"),
+            ("angle(4)", "φ_{4}", Kind::Angle, "4"),
+            ("position(3/2)", "s(3/2)", Kind::Position, "3/2"),
+            ("v_r(3/2)", "v_{r}(3/2)", Kind::Velocity, "3/2"),
+            ("a_c(3/2)", "|a_{c}(3/2)|", Kind::Acceleration, "3/2"),
+            ("a_c(3/2).x", "a_{c,x}(3/2)", Kind::Acceleration, "3/2"),
+            ("x(D)", "x_{D}", Kind::Position, "D"),
+            ("v(D).y", "v_{D,y}", Kind::Velocity, "D"),
+            ("v(D).angle", "∠v_{D}", Kind::Angle, "D"),
+            ("a(D/G).size", "|a_{DG}|", Kind::Acceleration, "D/G"),
+            ("a_n(S3/B)", "|a^{n}_{S_{3}B}|", Kind::Acceleration, "S3/B"),
+            ("L(B,S3)", "L_{BS_{3}}", Kind::Length, "B,S3"),
+            ("vplan(b,s3)", "μ_v (b s_{3})", Kind::Velocity, "b,s3"),
+        ] {
+            let asked = Asked::new(name, &mechanism).expect(name);
+            assert_eq!(asked.symbol(&mechanism, notation, &display), symbol);
+            assert_eq!((asked.kind(), asked.subject()), (kind, subject), "{name}");
+        }
+        let paper = Asked::new("vplan(b,s3)/mu", &mechanism).expect("a known form");
+        assert!(paper.is_on_paper());
+    }
+}

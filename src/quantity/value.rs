@@ -1,0 +1,213 @@
+//! Values of quantities in a position.
+
+use super::name::{Asked, Component, Normality, QuantityError, Spot, What, unknown};
+use super::state::{Snapshot, State};
+use crate::construction::{Construction, PlanKind, Sheet, Solution, image_name, normal_name};
+use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
+use crate::mechanism::BodyId;
+
+/// The value of a named quantity, in the scene's units; angles in degrees, rates in rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Quantity {
+    /// A number.
+    Number(f64),
+    /// A vector in the fixed frame.
+    Vector(Vector),
+}
+
+/// The scales of a figure: units of the scene per millimetre of paper; none for a panel that it does not have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scales {
+    /// Length per mm.
+    pub length: Option<f64>,
+    /// Velocity per mm.
+    pub velocity: Option<f64>,
+    /// Acceleration per mm.
+    pub acceleration: Option<f64>,
+}
+
+impl Scales {
+    /// The scale of a sheet.
+    #[must_use]
+    pub fn of(&self, sheet: Sheet) -> Option<f64> {
+        match sheet {
+            Sheet::Scheme => self.length,
+            Sheet::Velocity => self.velocity,
+            Sheet::Acceleration => self.acceleration,
+        }
+    }
+
+    /// The scales of all sheets.
+    #[must_use]
+    pub fn all(&self) -> [Option<f64>; 3] {
+        Sheet::ALL.map(|sheet| self.of(sheet))
+    }
+}
+
+impl Solution {
+    /// The value of the quantity of that name, as in `omega(2)`, `a_n(D/G)` or `vplan(b,s3)`; lengths on paper (`/mu`) have no value here,
+    /// for they need a figure's scales: [`Asked::value`].
+    ///
+    /// # Errors
+    /// Says what the name should be, or why there is no value. For many positions look the name up once: [`Asked`].
+    pub fn quantity(&self, name: &str) -> Result<Quantity, QuantityError> {
+        Asked::new(name, &self.mechanism)?.value(&self.snapshot(), Some(&self.construction), None)
+    }
+
+    /// Position and motion together, as quantities are read from them.
+    #[must_use]
+    pub fn snapshot(&self) -> Snapshot<'_> {
+        Snapshot { pose: &self.pose, motion: &self.motion }
+    }
+}
+
+impl Asked {
+    /// Its value; `scales` only for lengths on paper, `construction` only where [`Self::needs_construction`].
+    ///
+    /// # Errors
+    /// [`QuantityError::NoValue`], and [`QuantityError::Unknown`] for a point that the plan does not have.
+    pub fn value(
+        &self,
+        state: &impl State,
+        construction: Option<&Construction>,
+        scales: Option<&Scales>,
+    ) -> Result<Quantity, QuantityError> {
+        use Quantity::{Number, Vector};
+        if self.accelerates && !state.has_accelerations() {
+            return Err(self.none("accelerations were not asked for"));
+        }
+        let reader = Reader { asked: self, state, construction };
+        let value = match &self.what {
+            What::Omega(link) => Number(state.spin(*link)[0]),
+            What::Alpha(link) => Number(state.spin(*link)[1]),
+            What::Angle(link) => {
+                let axis = state.axis(*link);
+                Number(degrees_of(axis.ok_or_else(|| self.none("the link has no axis"))?))
+            }
+            What::SlidePosition(id) => {
+                let position = state.slide_position(*id);
+                let why = "the guide has no point to count from";
+                Number(position.ok_or_else(|| self.none(why))?)
+            }
+            What::SlideVelocity(id) => Number(state.slide_rates(*id)[0]),
+            What::SlideAcceleration(id) => Number(state.slide_rates(*id)[1]),
+            What::Coriolis(id, on) => {
+                let twice = 2.0 * state.spin(*on)[0] * state.slide_rates(*id)[0];
+                Vector(quarter_turn(state.guide(*id)) * twice)
+            }
+            What::Coordinate(axis, spot) => Number(reader.place(spot)?.1[*axis]),
+            What::Length(a, b) => Number((reader.place(b)?.1 - reader.place(a)?.1).norm()),
+            What::Velocity(a, b) => Vector(reader.difference(0, a, b.as_ref())?),
+            What::Acceleration(a, b) => Vector(reader.difference(1, a, b.as_ref())?),
+            What::Part(part, a, b, link) => {
+                let [normal, tangential] = reader.parts(a, b, *link)?;
+                Vector(match part {
+                    Normality::Normal => normal,
+                    Normality::Tangential => tangential,
+                })
+            }
+            What::Segment { kind, from, to, on_paper } => {
+                Number(reader.segment(*kind, from, to, on_paper.then_some(scales))?)
+            }
+        };
+        Ok(match (value, self.component) {
+            (Vector(v), Some(component)) => Number(match component {
+                Component::X => v.x,
+                Component::Y => v.y,
+                Component::Size => v.norm(),
+                Component::Angle => degrees_of(v),
+            }),
+            (value, _) => value,
+        })
+    }
+
+    pub(super) fn none(&self, why: &'static str) -> QuantityError {
+        QuantityError::NoValue(self.name.clone(), why)
+    }
+}
+
+/// Reads a quantity from a position.
+struct Reader<'a, S: State> {
+    asked: &'a Asked,
+    state: &'a S,
+    construction: Option<&'a Construction>,
+}
+
+impl<S: State> Reader<'_, S> {
+    fn none(&self, why: &'static str) -> QuantityError {
+        self.asked.none(why)
+    }
+
+    /// The body to which a named place belongs, and where it is.
+    fn place(&self, spot: &Spot) -> Result<(BodyId, Point), QuantityError> {
+        match spot {
+            Spot::Point(body, point, _) => Ok((*body, self.state.place(*point))),
+            Spot::Special(name) => {
+                let special = self.construction.and_then(|c| c.special_point(name));
+                let special = special.ok_or_else(|| self.none("there is no construction"))?;
+                let place = special.place.finite();
+                let place = place.ok_or_else(|| self.none("the special point lies at infinity"))?;
+                Ok((special.link, place))
+            }
+        }
+    }
+
+    /// Velocity (order 0) or acceleration (order 1) of one place, less that of another.
+    fn difference(&self, order: usize, a: &Spot, b: Option<&Spot>) -> Result<Vector, QuantityError> {
+        let of = |spot: &Spot| -> Result<Vector, QuantityError> {
+            let (body, place) = self.place(spot)?;
+            Ok(self.state.motion_at(body, place)[order])
+        };
+        Ok(of(a)? - b.map_or(Ok(Vector::zeros()), of)?)
+    }
+
+    /// Normal and tangential part of the acceleration of `a` relative to `b`.
+    fn parts(&self, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<[Vector; 2], QuantityError> {
+        let plan = self.construction.and_then(|c| c.acceleration.as_ref());
+        if let (Spot::Special(special), Some(plan)) = (a, plan) {
+            let normal = normal_name(b.name(), special);
+            let image = image_name;
+            // It starts at the image of `b`, or where driven sliders have led from there.
+            let laid = plan.arrows().find(|arrow| arrow.to == normal);
+            let parts =
+                laid.and_then(|laid| plan.segment(&laid.from, &normal)).zip(plan.segment(&normal, &image(special)));
+            if let Some((normal, tangential)) = parts {
+                return Ok([normal, tangential]);
+            }
+        }
+        let arm = self.place(a)?.1 - self.place(b)?.1;
+        let link = link.ok_or_else(|| self.none("the two points are not on one link"))?;
+        let [omega, alpha] = self.state.spin(link);
+        Ok([arm * -(omega * omega), quarter_turn(arm) * alpha])
+    }
+
+    /// The length of a plan segment; `scales` asks for millimetres of paper.
+    fn segment(
+        &self,
+        kind: PlanKind,
+        from: &str,
+        to: &str,
+        scales: Option<Option<&Scales>>,
+    ) -> Result<f64, QuantityError> {
+        let construction = self.construction.ok_or_else(|| self.none("there is no construction"))?;
+        let mut plans = construction.plans();
+        let plan = plans.find(|plan| plan.kind == kind);
+        let plan = plan.ok_or_else(|| self.none("there is no such plan"))?;
+        for name in [from, to] {
+            if !plan.points.contains_key(name) {
+                let known = plan.points.keys().map(String::as_str);
+                return Err(unknown(&self.asked.name, "plan point", name, known));
+            }
+        }
+        let length = plan.segment(from, to).map_or(0.0, |v| v.norm());
+        let Some(scales) = scales else {
+            return Ok(length);
+        };
+        let mu = scales.and_then(|s| match kind {
+            PlanKind::Velocity => s.velocity,
+            PlanKind::Acceleration => s.acceleration,
+        });
+        let mu = mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
+        Ok(length / mu)
+    }
+}

@@ -1,0 +1,129 @@
+//! Drives: one turns a link, or pushes a slider along its guide.
+
+use std::f64::consts::{PI, TAU};
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::form::{DRAWN, Form};
+use super::schema::without_defaults;
+use super::units::TimeUnit;
+use super::write::write_keys;
+use super::wrong::Wrong;
+
+/// A drive: it turns the link (angle, omega or rpm, alpha), or pushes a sliding link (position, speed, acceleration).
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = r#"a drive as { "angle": 70, "omega": -1 }"#)]
+#[schemars(rename = "linkDrive")]
+pub(super) struct LinkDriveFile {
+    /// Angle of the link's axis from +x, in degrees.
+    pub angle: Option<f64>,
+    /// Angular velocity, in radians per unit of time.
+    pub omega: Option<f64>,
+    /// Speed of rotation in turns per minute, in place of omega.
+    pub rpm: Option<f64>,
+    /// Angular acceleration, in radians per unit of time squared; left out: zero.
+    pub alpha: Option<f64>,
+    /// Of a sliding link: distance along its guide from the guide's `through`.
+    pub position: Option<f64>,
+    /// Of a sliding link: speed along its guide.
+    pub speed: Option<f64>,
+    /// Of a sliding link: acceleration along its guide; left out: zero.
+    pub acceleration: Option<f64>,
+}
+
+write_keys!(LinkDriveFile { omega, rpm, angle, alpha, position, speed, acceleration });
+
+/// A drive that turns a link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drive {
+    /// Angle of the link's axis from +x, in degrees; always `None` in the drawn form.
+    pub angle_deg: Option<f64>,
+    /// Angular velocity, in radians per unit of time, counter-clockwise positive.
+    pub omega: f64,
+    /// Angular acceleration, in radians per unit of time squared; zero unless given.
+    pub alpha: f64,
+}
+
+/// A drive that pushes a slider along its guide.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = r#"a drive as { "position": 40, "speed": 10 }"#)]
+#[schemars(rename = "sliderDrive", transform = without_defaults)]
+pub struct SliderDrive {
+    /// Distance along the guide from `through`.
+    pub position: Option<f64>,
+    /// Speed along the guide.
+    pub speed: f64,
+    /// Acceleration along the guide; left out: zero.
+    #[serde(default)]
+    pub acceleration: f64,
+}
+
+write_keys!(SliderDrive { speed, position, acceleration } unless SliderDrive { position: None, speed: 0.0, acceleration: 0.0 });
+
+/// What the drive written in a link does.
+pub(super) enum LinkDrive {
+    Turns(Drive),
+    Pushes(SliderDrive),
+}
+
+impl LinkDriveFile {
+    /// Errors at what the drawing gives already.
+    pub fn check_form(&self, form: Form, link: &str) -> Result<(), Wrong> {
+        match first_given(&[("angle", self.angle.is_some()), ("position", self.position.is_some())]) {
+            Some(key) if form == Form::Drawn => {
+                let message = format!("the drive of link {link} has `{key}`, but this scene is a drawn configuration");
+                Err(Wrong::key(&[key], message).hint(format!("remove `{key}`: {DRAWN}")))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The drive of this link, checked.
+    pub fn read(&self, time: TimeUnit, link: &str) -> Result<LinkDrive, Wrong> {
+        let pushes = self.position.is_some() || self.speed.is_some() || self.acceleration.is_some();
+        if pushes { self.pushing(link).map(LinkDrive::Pushes) } else { self.turning(time, link).map(LinkDrive::Turns) }
+    }
+
+    fn turning(&self, time: TimeUnit, link: &str) -> Result<Drive, Wrong> {
+        let omega = match (self.omega, self.rpm) {
+            (Some(omega), None) => omega,
+            (None, Some(rpm)) => match time {
+                TimeUnit::S => rpm * (PI / 30.0),
+                TimeUnit::Min => rpm * TAU,
+            },
+            (Some(_), Some(_)) => {
+                let message = format!("the drive of link {link} has both `omega` and `rpm`");
+                return Err(Wrong::key(&["rpm"], message).hint("keep one of them"));
+            }
+            (None, None) => {
+                let hint = r#"add "omega" (radians per unit of time) or "rpm"; for a sliding link "speed""#;
+                return Err(Wrong::value(&[], format!("the drive of link {link} has no speed")).hint(hint));
+            }
+        };
+        Ok(Drive { angle_deg: self.angle, omega, alpha: self.alpha.unwrap_or(0.0) })
+    }
+
+    fn pushing(&self, link: &str) -> Result<SliderDrive, Wrong> {
+        let turns = [
+            ("angle", self.angle.is_some()),
+            ("omega", self.omega.is_some()),
+            ("rpm", self.rpm.is_some()),
+            ("alpha", self.alpha.is_some()),
+        ];
+        if let Some(key) = first_given(&turns) {
+            let hint = "a drive has `position`, `speed`, `acceleration`, or `angle`, `omega`, `alpha`";
+            return Err(Wrong::key(&[key], format!("the drive of link {link} both pushes and turns")).hint(hint));
+        }
+        let Some(speed) = self.speed else {
+            let message = format!("the drive of link {link} has no `speed`");
+            return Err(Wrong::value(&[], message).hint(r#"add "speed", along the guide"#));
+        };
+        Ok(SliderDrive { position: self.position, speed, acceleration: self.acceleration.unwrap_or(0.0) })
+    }
+}
+
+/// The first of these keys that is given.
+pub(super) fn first_given<'a>(keys: &[(&'a str, bool)]) -> Option<&'a str> {
+    keys.iter().find(|(_, given)| *given).map(|(key, _)| *key)
+}

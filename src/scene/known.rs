@@ -1,0 +1,86 @@
+//! Known motions: whose they are, and that no point's motion is given twice.
+
+use indexmap::IndexMap;
+
+use super::form::Form;
+use super::link::Link;
+use super::motion::PointMotion;
+use super::names::Names;
+use super::slider::{On, Slider};
+use super::value::{At, Entries};
+use super::wrong::Wrong;
+
+/// The points whose motion is known.
+pub(super) fn known(
+    form: Form,
+    names: &Names<'_>,
+    file: Option<Entries<PointMotion>>,
+) -> Result<IndexMap<String, PointMotion>, Wrong> {
+    if file.is_some() && form == Form::Lengths {
+        let hint = r#"give the coordinates of every point in "points": { … }, or drive a link"#;
+        return Err(Wrong::key(&["known"], "known motions belong to a drawn configuration").hint(hint));
+    }
+    let known = file.unwrap_or_default().0;
+    for (name, _) in &known {
+        names.point(&["known", name], name)?;
+        if names.on_ground(name) {
+            let message = format!("point {name} is on the ground, which does not move");
+            return Err(Wrong::key(&["known", name], message).hint("remove it here or from `ground`"));
+        }
+    }
+    Ok(known.into_iter().collect())
+}
+
+/// Errors at points whose motion is given twice: by `known`, by the motion or the drive of a link, by the drive of a
+/// slider on the ground.
+pub(super) fn check_given_once(
+    names: &Names<'_>,
+    known: &IndexMap<String, PointMotion>,
+    sliders: &[Slider],
+) -> Result<(), Wrong> {
+    // What gives the motion of a point, in words, by the point.
+    let mut given: IndexMap<&str, String> = IndexMap::new();
+    let mut give = |point, whose: &str, path: &[&str]| match given.insert(point, whose.to_owned()) {
+        None => Ok(()),
+        Some(first) => {
+            let message = format!("the motion of point {point} is given twice: by {first} and by {whose}");
+            Err(Wrong::value(path, message).hint("keep one of them"))
+        }
+    };
+    // A slider driven along a moving link says how two links move against each other, of no point how it moves.
+    let driven = |s: &Slider| s.drive.is_some() && s.on == On::Ground;
+    for (name, link) in names.links {
+        let pushes = |s: &Slider| driven(s) && s.link.as_ref() == Some(name);
+        let whose = match link {
+            Link { motion: Some(_), .. } => format!("the `motion` of link {name}"),
+            Link { drive: Some(_), .. } => format!("the drive of link {name}"),
+            _ if sliders.iter().any(pushes) => format!("the drive of slider {name}"),
+            _ => continue,
+        };
+        for point in link.points.iter().filter(|point| !names.on_ground(point)) {
+            give(point, &whose, &["links", name])?;
+        }
+    }
+    for (index, slider) in sliders.iter().enumerate().filter(|(_, slider)| driven(slider)) {
+        if let Some(pin) = &slider.pin {
+            give(pin, "the drive of its slider", &["sliders", &index.to_string()])?;
+        }
+    }
+    for point in known.keys() {
+        if let Some(whose) = given.get(point.as_str()) {
+            let message = format!("the motion of point {point} is given already, by {whose}");
+            return Err(Wrong::key(&["known", point], message).hint("keep one of them"));
+        }
+    }
+    Ok(())
+}
+
+/// Errors at motions of links that are given at a point there is not.
+pub(super) fn check_motions(names: &Names<'_>) -> Result<(), Wrong> {
+    for (name, link) in names.links {
+        if let Some(At::Point(point)) = link.motion.as_ref().map(|motion| &motion.at) {
+            names.point(&["links", name, "motion", "at"], point)?;
+        }
+    }
+    Ok(())
+}

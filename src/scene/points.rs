@@ -1,0 +1,151 @@
+//! The frame and the points: every point has a place where the form needs one, and every name is a point of something.
+
+use indexmap::IndexMap;
+
+use super::form::{DRAWN, Form};
+use super::name::{check_list, check_name};
+use super::names::Names;
+use super::shape::check_apart;
+use super::value::{Entries, NamesOr, NearValue, Vector, several_forms};
+use super::words::close;
+use super::write::write_forms;
+use super::wrong::Wrong;
+
+/// The frame's points: names, or names with coordinates.
+#[derive(Debug, Clone)]
+pub(super) enum Ground {
+    Names(Vec<String>),
+    Places(Entries<Vector>),
+}
+
+write_forms! { Ground { Ground::Names(names) => names, Ground::Places(places) => places } }
+
+several_forms!(Ground, "ground", NamesOr {
+    expecting: r#"the frame's points as { "A": [x, y], … }, or their names as ["A", …]"#,
+    names: Ground::Names,
+    other: Ground::Places,
+}, generator => {
+    "anyOf": [
+        generator.subschema_for::<Entries<Vector>>(),
+        { "type": "array", "items": { "type": "string" }, "description": "Names only, in a drawn configuration" },
+    ]
+});
+
+/// Approximate positions, which choose among the assembly modes.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Near {
+    /// Approximate coordinates of points, in the fixed frame.
+    pub points: IndexMap<String, [f64; 2]>,
+    /// Approximate angles of links by link name, in degrees (written `"angle(3)"` in the file).
+    pub angles_deg: IndexMap<String, f64>,
+}
+
+/// Coordinates by the name of a point.
+pub(super) type Coordinates = IndexMap<String, [f64; 2]>;
+
+/// The names of the frame's points and the coordinates that the scene gives.
+pub(super) fn ground(
+    form: Form,
+    ground: Option<Ground>,
+    points: Option<Entries<Vector>>,
+) -> Result<(Vec<String>, Coordinates), Wrong> {
+    let mut coordinates = Coordinates::new();
+    for (name, Vector(place)) in points.unwrap_or_default().0 {
+        check_name("a point", &name).map_err(|wrong| wrong.inside(&["points", &name]))?;
+        coordinates.insert(name, place);
+    }
+    let names = match ground {
+        None => Vec::new(),
+        Some(Ground::Names(_)) if form == Form::Lengths => {
+            let hint = r#"write { "A": [x, y], … }; or give the coordinates of every point in "points": { … }"#;
+            return Err(Wrong::value(&["ground"], "the frame's points have no coordinates").hint(hint));
+        }
+        Some(Ground::Names(names)) => {
+            check_list(&names, "").map_err(|wrong| wrong.inside(&["ground"]))?;
+            names
+        }
+        Some(Ground::Places(places)) => {
+            let mut names = Vec::with_capacity(places.0.len());
+            for (name, Vector(place)) in places.0 {
+                check_name("a point", &name).map_err(|wrong| wrong.inside(&["ground", &name]))?;
+                if coordinates.get(&name).is_some_and(|other| *other != place) {
+                    let message = format!("point {name} has other coordinates in `points`");
+                    let hint = "name it only in a list: \"ground\": [\"A\", …]";
+                    return Err(Wrong::value(&["ground", &name], message).hint(hint));
+                }
+                coordinates.insert(name.clone(), place);
+                names.push(name);
+            }
+            names
+        }
+    };
+    Ok((names, coordinates))
+}
+
+/// Errors at points without coordinates, points that are on nothing, names kept for results, and zero-length links.
+pub(super) fn check_points(form: Form, names: &Names<'_>, coordinates: &Coordinates) -> Result<(), Wrong> {
+    let place_of = |point: &str| {
+        coordinates.get(point).copied().ok_or_else(|| {
+            let near = close(point, coordinates.keys().map(String::as_str));
+            let hint = near.unwrap_or_else(|| format!("add \"{point}\": [x, y] to `points`"));
+            Wrong::key(&[], format!("point {point} has no coordinates in `points`")).hint(hint)
+        })
+    };
+    for (index, point) in names.ground.iter().enumerate() {
+        names
+            .check_reserved(point)
+            .and_then(|()| place_of(point))
+            .map_err(|wrong| wrong.at_first(&[&["ground", &index.to_string()], &["ground", point]]))?;
+    }
+    for (name, link) in names.links {
+        let mut places = Vec::with_capacity(link.points.len());
+        for (index, point) in link.points.iter().enumerate() {
+            // In the lengths form points get their places later.
+            let place = || if form == Form::Drawn { place_of(point).map(Some) } else { Ok(None) };
+            let place = names.check_reserved(point).and_then(|()| place()).map_err(|wrong| {
+                let index = index.to_string();
+                wrong.at_first(&[&["points", &index], &["shape", point], &[&index]]).inside(&["links", name])
+            })?;
+            places.extend(place.map(|place| (point.as_str(), place)));
+        }
+        check_apart(name, places.into_iter()).map_err(|(_, wrong)| wrong.inside(&["links", name]))?;
+    }
+    if let Some(point) = coordinates.keys().find(|point| !names.is_point(point)) {
+        let all = names.links.values().flat_map(|link| &link.points).map(String::as_str);
+        let hint = close(point, all).unwrap_or_else(|| "name it in the `points` of a link, or remove it".into());
+        let message = format!("point {point} is on no link and not on the ground");
+        return Err(Wrong::key(&["points", point], message).hint(hint));
+    }
+    Ok(())
+}
+
+/// The approximate positions.
+pub(super) fn near(form: Form, names: &Names<'_>, file: Option<Entries<NearValue>>) -> Result<Near, Wrong> {
+    if file.is_some() && form == Form::Drawn {
+        let message = "a drawn configuration needs no `near`";
+        return Err(Wrong::key(&["near"], message).hint(format!("remove it: {DRAWN}")));
+    }
+    let mut near = Near::default();
+    for (key, value) in file.unwrap_or_default().0 {
+        let path = ["near", &key];
+        let link = key.strip_prefix("angle(").and_then(|rest| rest.strip_suffix(')'));
+        match (link, value) {
+            (Some(link), NearValue::Degrees(degrees)) => {
+                names.link(&path, link)?;
+                near.angles_deg.insert(link.to_owned(), degrees);
+            }
+            (Some(_), NearValue::Vector(_)) => {
+                return Err(Wrong::value(&path, format!("{key} is one number, in degrees, not two")));
+            }
+            (None, NearValue::Vector(place)) => {
+                names.point(&path, &key)?;
+                near.points.insert(key, place);
+            }
+            (None, NearValue::Degrees(_)) => {
+                names.point(&path, &key)?;
+                return Err(Wrong::value(&path, format!("point {key} needs two numbers [x, y], found one")));
+            }
+        }
+    }
+    Ok(near)
+}

@@ -1,0 +1,192 @@
+//! In: the text of a file. Out: its types, or the first thing that keeps it from being them, in plain words.
+
+use serde::de::DeserializeOwned;
+use serde_json::Value as Json;
+use serde_path_to_error::Segment;
+
+use super::error::SceneError;
+use super::kind::FileKind;
+use super::place::Source;
+use super::text;
+use super::words::{nearest, shortened, suggestion};
+use super::wrong::Wrong;
+
+/// The file of that kind that the text holds, as its types, or the first thing that is wrong with it.
+pub(crate) fn read_as<T: DeserializeOwned>(text: &str, kind: &FileKind) -> Result<T, SceneError> {
+    let source = Source(text);
+    let read = || {
+        let json = text::parse(source, kind)?;
+        check_version(&json, kind)?;
+        typed(&json)
+    };
+    read().map_err(|wrong| source.error(wrong))
+}
+
+/// The version comes first: a file of another version may have other keys.
+fn check_version(json: &Json, kind: &FileKind) -> Result<(), Wrong> {
+    let FileKind { what, key, version } = *kind;
+    let Some(object) = json.as_object() else {
+        let start = kind.start();
+        return Err(Wrong::value(&[], format!("expected a {what} as {start}, found {}", describe(json))));
+    };
+    match object.get(key) {
+        None => {
+            // An unknown key that is nearly this one is the better message.
+            let hint = match object.keys().find(|other| nearest(other, [key]).is_some()) {
+                Some(other) => format!("did you mean `{key}` by `{}`?", shortened(other)),
+                None => format!(r#"add "{key}": {version}, the version of the {what} format"#),
+            };
+            let message = format!("`{key}` is missing, so this may be something other than a {what}");
+            Err(Wrong::value(&[], message).hint(hint))
+        }
+        Some(Json::Number(said)) if said.as_f64() == Some(version as f64) => Ok(()),
+        Some(Json::Number(said)) => {
+            Err(Wrong::value(&[key], format!("this program reads version {version}, the {what} says {said}")))
+        }
+        Some(other) => {
+            let found = describe(other);
+            let message = format!("expected the number {version}, the version of the format, found {found}");
+            Err(Wrong::value(&[key], message).hint(format!(r#"write "{key}": {version}"#)))
+        }
+    }
+}
+
+/// The JSON as the types of the file.
+fn typed<T: DeserializeOwned>(json: &Json) -> Result<T, Wrong> {
+    let mut track = serde_path_to_error::Track::new();
+    T::deserialize(serde_path_to_error::Deserializer::new(json, &mut track)).map_err(|error| {
+        let parts = track.path().iter().filter_map(part).collect::<Vec<_>>();
+        let path: Vec<&str> = parts.iter().map(String::as_str).collect();
+        plain(&error.to_string(), &path, at(json, &path))
+    })
+}
+
+/// A step of a path, in the form of this stage.
+fn part(segment: &Segment) -> Option<String> {
+    match segment {
+        Segment::Seq { index } => Some(index.to_string()),
+        Segment::Map { key } => Some(key.clone()),
+        Segment::Enum { .. } | Segment::Unknown => None,
+    }
+}
+
+/// The value at a path.
+fn at<'a>(json: &'a Json, path: &[&str]) -> Option<&'a Json> {
+    path.iter().try_fold(json, |value, part| match value {
+        Json::Object(object) => object.get(*part),
+        Json::Array(array) => array.get(part.parse::<usize>().ok()?),
+        _ => None,
+    })
+}
+
+/// What a JSON value is, as part of a sentence.
+fn describe(value: &Json) -> String {
+    match value {
+        Json::Null => "nothing".into(),
+        Json::Bool(truth) => truth.to_string(),
+        Json::Number(number) => format!("the number {number}"),
+        Json::String(text) => format!("the text \"{}\"", shortened(text)),
+        Json::Array(elements) if elements.is_empty() => "an empty list".into(),
+        Json::Array(elements) => format!("a list of {}", elements.len()),
+        Json::Object(_) => "an object { … }".into(),
+    }
+}
+
+/// What a type error, made by serde about `found` at the end of `path`, means in plain words.
+fn plain(message: &str, path: &[&str], found: Option<&Json>) -> Wrong {
+    if let Some((word, names)) = unknown(message, "unknown field `") {
+        return unknown_key(path, word, &names);
+    }
+    if let Some((word, names)) = unknown(message, "unknown variant `") {
+        // The word may be a key of an object whose keys are chosen from a list.
+        if found.is_some_and(Json::is_object) {
+            return unknown_key(path, word, &names);
+        }
+        let hint = suggestion(word, names.iter().copied(), "write one of");
+        return Wrong::value(path, format!("unknown word \"{}\"", shortened(word))).maybe_hint(hint);
+    }
+    if let Some(rest) = message.strip_prefix("missing field `") {
+        let key = rest.trim_end_matches('`');
+        return Wrong::value(path, format!("`{key}` is missing")).maybe_hint(missing_hint(path, key));
+    }
+    let typed = message.starts_with("invalid type") || message.starts_with("invalid value");
+    match (message.rsplit_once(", expected "), found) {
+        (Some((_, expected)), Some(found)) if typed => {
+            let expected = match expected {
+                "f64" => "a number",
+                "u16" => "a whole number from 1 to 65535",
+                "a string" | "string or map" => "a text in double quotes",
+                "a sequence" => "a list [ … ]",
+                "a map" => "an object { … }",
+                "a boolean" => "true or false",
+                other => other,
+            };
+            let message = format!("expected {expected}, found {}", describe(found));
+            Wrong::value(path, message).maybe_hint(type_hint(expected, found))
+        }
+        _ => match message.rsplit_once(HINT) {
+            Some((message, hint)) => Wrong::value(path, message).hint(hint),
+            None => Wrong::value(path, message),
+        },
+    }
+}
+
+/// What stands before the hint in the message of a type's own.
+pub(super) const HINT: &str = "; hint: ";
+
+/// The word and the names allowed in a message like ``unknown field `x`, expected one of `a`, `b` ``.
+fn unknown<'a>(message: &'a str, start: &str) -> Option<(&'a str, Vec<&'a str>)> {
+    let rest = message.strip_prefix(start)?;
+    let (word, rest) = rest.split_once("`, expected ").or_else(|| rest.split_once("`, there are "))?;
+    Some((word, rest.split('`').skip(1).step_by(2).collect()))
+}
+
+/// An unknown key in the object at `path`, or at its end.
+fn unknown_key(path: &[&str], word: &str, names: &[&str]) -> Wrong {
+    let key = if path.last() == Some(&word) { &[][..] } else { &[word] };
+    let names = names.iter().copied().filter(|name| !name.starts_with("kinegon")).chain(["note"]);
+    Wrong::key(&[path, key].concat(), format!("unknown key `{}`", shortened(word))).maybe_hint(suggestion(
+        word,
+        names,
+        "the keys here are",
+    ))
+}
+
+fn missing_hint(path: &[&str], key: &str) -> Option<String> {
+    let example = match (path.last().copied(), key) {
+        (None, "units") => r#"add "units": { "length": "mm", "time": "s" }"#,
+        (None, "links") => r#"add "links": { "1": { "points": ["A", "B"], … }, … }"#,
+        (Some("units"), "length") => r#"add "length": "m", "mm", "cm", "in" or "ft""#,
+        (Some("units"), "time") => r#"add "time": "s" or "min""#,
+        (_, "on") => r#"add "on", the link that carries the guide, or "ground""#,
+        (_, "speed") => r#"add "speed", along the guide"#,
+        (_, "velocity") => r#"add "velocity": [x, y]"#,
+        _ => return None,
+    };
+    Some(example.to_owned())
+}
+
+fn type_hint(expected: &str, found: &Json) -> Option<String> {
+    match found {
+        Json::String(text) if expected.contains("number") => {
+            let text = text.trim();
+            let number = text.trim_end_matches(|c: char| !c.is_ascii_digit()).trim_end();
+            let pointed = text.replacen(',', ".", 1);
+            if text.parse::<f64>().is_ok_and(f64::is_finite) {
+                Some(format!("write {text} without quotes"))
+            } else if pointed.parse::<f64>().is_ok_and(f64::is_finite) {
+                Some(format!("write {pointed} without quotes and with a point"))
+            } else if !number.parse::<f64>().is_ok_and(f64::is_finite) {
+                None
+            } else if expected.contains(" mm") {
+                Some(format!("write {number} without quotes"))
+            } else {
+                Some(format!("write {number} without quotes; units stand in `units`, angles are in degrees"))
+            }
+        }
+        Json::Number(number) if expected.contains("text") || expected.contains("name") => {
+            Some(format!("write \"{number}\" in double quotes"))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,163 @@
+//! A catalogue: the sentences of one language in a text file, read once into a list in the order of their declarations.
+
+/// All sentences of a language, a method each; `sentences.rs` declares them.
+#[derive(Clone, Debug)]
+pub struct Language {
+    /// Its code, as scenes and the command line write it.
+    pub code: &'static str,
+    /// In the order in which they are declared, those of mistakes last.
+    pub(super) sentences: Vec<Sentence>,
+}
+
+/// What every catalogue has to say.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Declared {
+    /// Before the equals sign.
+    pub key: &'static str,
+    /// The names of its blanks, in the order in which they are filled.
+    pub blanks: &'static [&'static str],
+    /// Whether every blank must be filled somewhere in the sentence.
+    pub needs_all: bool,
+}
+
+/// A sentence: how it starts, then each blank by its number, with the words behind it.
+#[derive(Clone, Debug)]
+pub(super) struct Sentence {
+    start: &'static str,
+    rest: Vec<(usize, &'static str)>,
+}
+
+impl Sentence {
+    /// A sentence without blanks.
+    pub fn of_words(words: &'static str) -> Sentence {
+        Sentence { start: words, rest: Vec::new() }
+    }
+
+    /// A sentence with its blanks in braces.
+    ///
+    /// # Errors
+    /// In words: a brace alone, a blank that is not declared, or one that is missing.
+    fn read(text: &'static str, declared: &Declared) -> Result<Sentence, String> {
+        let mut parts = text.split('{');
+        let start = parts.next().unwrap_or_default();
+        if start.contains('}') {
+            return Err("a } without its {".to_owned());
+        }
+        let rest = parts.map(|part| {
+            let (name, words) = part.split_once('}').ok_or("a { without its }")?;
+            if words.contains('}') {
+                return Err("a } without its {".to_owned());
+            }
+            let blank = declared.blanks.iter().position(|blank| *blank == name);
+            Ok((blank.ok_or_else(|| format!("there is no {{{name}}} here, only {}", braced(declared.blanks)))?, words))
+        });
+        let rest: Vec<(usize, &str)> = rest.collect::<Result<_, String>>()?;
+        let is_missing = |blank: usize| declared.needs_all && rest.iter().all(|(used, _)| *used != blank);
+        match (0..declared.blanks.len()).find(|blank| is_missing(*blank)) {
+            Some(blank) => Err(format!("{{{}}} is missing", declared.blanks[blank])),
+            None => Ok(Sentence { start, rest }),
+        }
+    }
+
+    /// The words of a sentence without blanks.
+    pub fn plain(&self) -> &'static str {
+        self.start
+    }
+
+    /// The sentence with its blanks filled, in the order of their declaration.
+    pub fn filled(&self, blanks: &[&str]) -> String {
+        let length = self.rest.iter().map(|(blank, words)| blanks[*blank].len() + words.len()).sum::<usize>();
+        let mut text = String::with_capacity(self.start.len() + length);
+        text.push_str(self.start);
+        for (blank, words) in &self.rest {
+            text.push_str(blanks[*blank]);
+            text.push_str(words);
+        }
+        text
+    }
+
+    /// The numbers of its blanks, each once.
+    #[cfg(test)]
+    pub fn blanks(&self) -> std::collections::BTreeSet<usize> {
+        self.rest.iter().map(|(blank, _)| *blank).collect()
+    }
+}
+
+/// Names of blanks as a catalogue writes them.
+fn braced(names: &[&str]) -> String {
+    if names.is_empty() {
+        return "words".to_owned();
+    }
+    names.iter().map(|name| format!("{{{name}}}")).collect::<Vec<_>>().join(", ")
+}
+
+/// The sentences of a catalogue in the order of their declarations, none where it lacks one; and all that is wrong with it, a line each.
+pub(super) fn read(text: &'static str, declared: &[Declared]) -> (Vec<Option<Sentence>>, Vec<String>) {
+    let mut sentences = vec![None; declared.len()];
+    let mut faults = Vec::new();
+    let lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+    for (number, line) in lines {
+        let mut fault = |says: String| faults.push(format!("line {number}: {says}"));
+        let Some((key, sentence)) = line.split_once('=') else {
+            fault(format!("no = in `{line}`; a line is: key = sentence"));
+            continue;
+        };
+        let key = key.trim();
+        let Some(place) = declared.iter().position(|one| one.key == key) else {
+            fault(format!("no sentence is called `{key}`"));
+            continue;
+        };
+        let sentence = sentence.trim();
+        let quoted = sentence.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
+        match Sentence::read(quoted.unwrap_or(sentence), &declared[place]) {
+            Ok(_) if sentences[place].is_some() => fault(format!("`{key}` is here for the second time")),
+            Ok(sentence) => sentences[place] = Some(sentence),
+            Err(says) => fault(format!("`{key}`: {says}")),
+        }
+    }
+    let lacking = declared.iter().zip(&sentences).filter(|(_, sentence)| sentence.is_none());
+    faults.extend(lacking.map(|(declared, _)| format!("`{}` is missing or cannot be read", declared.key)));
+    (sentences, faults)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DECLARED: [Declared; 3] = [
+        Declared { key: "plan", blanks: &[], needs_all: true },
+        Declared { key: "cross", blanks: &["image", "ray"], needs_all: true },
+        Declared { key: "wrong.done", blanks: &["image", "ray"], needs_all: false },
+    ];
+
+    #[test]
+    fn blanks_are_filled_by_name() {
+        let text = "# Words.\n\nplan = \" plan\"\ncross = on {ray}: {image}, {ray}\nwrong.done = a = {image}";
+        let (sentences, faults) = read(text, &DECLARED);
+        assert_eq!(faults, [""; 0]);
+        let [plan, cross, wrong] = [0, 1, 2].map(|i| sentences[i].as_ref().expect("it is there"));
+        assert_eq!(plan.plain(), " plan");
+        assert_eq!(cross.filled(&["b", "r"]), "on r: b, r");
+        // What fills a blank is not read again.
+        assert_eq!(wrong.filled(&["{ray}", "r"]), "a = {ray}");
+    }
+
+    #[test]
+    fn a_bad_line_is_named() {
+        for (line, says) in [
+            ("cross on {ray}", "line 2: no = in `cross on {ray}`; a line is: key = sentence"),
+            ("crosses = {image}", "line 2: no sentence is called `crosses`"),
+            ("plan = again", "line 2: `plan` is here for the second time"),
+            ("cross = {image}", "line 2: `cross`: {ray} is missing"),
+            ("cross = {image} {rays}", "line 2: `cross`: there is no {rays} here, only {image}, {ray}"),
+            ("plan = {image}", "line 2: `plan`: there is no {image} here, only words"),
+            ("cross = {image {ray}", "line 2: `cross`: a { without its }"),
+            ("cross = image} {ray}", "line 2: `cross`: a } without its {"),
+            ("cross = {image}} {ray}", "line 2: `cross`: a } without its {"),
+        ] {
+            let text = format!("plan = plan\n{line}\nwrong.done = wrong").leak();
+            let (_, faults) = read(text, &DECLARED);
+            assert_eq!(faults, [says, "`cross` is missing or cannot be read"]);
+        }
+    }
+}

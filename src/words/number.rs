@@ -1,0 +1,266 @@
+use crate::scene::DecimalMark;
+
+/// Where a number stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Medium {
+    /// On a figure, in markup: `−2.5·10^{−7}`. This minus is as wide as a plus.
+    Figure,
+    /// In plain text: `-2.5e-7`.
+    Text,
+}
+
+/// How many digits a number has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Digits {
+    /// So many, counted from the first that is not 0.
+    Significant(usize),
+    /// So many behind the decimal mark.
+    Decimals(usize),
+    /// As few as read back to the same number.
+    Shortest,
+    /// One, rounded away from 0.
+    OneUp,
+}
+
+/// How a number is written; its decimal mark is the [`Wording`](super::Wording)'s. In plain text, if nothing else is said.
+///
+/// Nothing is `0`, with its decimals where they are given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NumberStyle {
+    digits: Digits,
+    /// A number is written in full if the power of ten of its first digit is one of these, the last not included.
+    full: [i32; 2],
+    is_trimmed: bool,
+    has_plus: bool,
+    medium: Medium,
+}
+
+impl NumberStyle {
+    const fn new(digits: Digits, full: [i32; 2]) -> NumberStyle {
+        NumberStyle { digits, full, is_trimmed: false, has_plus: false, medium: Medium::Text }
+    }
+
+    /// So many significant digits, zeros among them: `0.1200`; with a power of ten outside of 10⁻⁴ to 10⁹.
+    #[must_use]
+    pub const fn significant(digits: usize) -> NumberStyle {
+        NumberStyle::new(Digits::Significant(digits), [-4, 9])
+    }
+
+    /// So many decimals: `12.30`; never with a power of ten.
+    #[must_use]
+    pub const fn decimals(decimals: usize) -> NumberStyle {
+        NumberStyle::new(Digits::Decimals(decimals), [i32::MIN, i32::MAX])
+    }
+
+    /// As few digits as read back to the same number: `0.25`; never with a power of ten.
+    #[must_use]
+    pub const fn shortest() -> NumberStyle {
+        NumberStyle::new(Digits::Shortest, [i32::MIN, i32::MAX])
+    }
+
+    /// A bound: one digit, rounded away from 0, with its power of ten: `3e-17`.
+    #[must_use]
+    pub const fn bound() -> NumberStyle {
+        NumberStyle::new(Digits::OneUp, [0, 0])
+    }
+
+    /// Written in full from 10^`from` on to below 10^`to`, as rounded; else with a power of ten, there with all digits if decimals are given.
+    #[must_use]
+    pub const fn in_full(self, from: i32, to: i32) -> NumberStyle {
+        NumberStyle { full: [from, to], ..self }
+    }
+
+    /// Without zeros at the end of its decimals.
+    #[must_use]
+    pub const fn trimmed(self) -> NumberStyle {
+        NumberStyle { is_trimmed: true, ..self }
+    }
+
+    /// With a plus before what is not negative.
+    #[must_use]
+    pub const fn with_plus(self) -> NumberStyle {
+        NumberStyle { has_plus: true, ..self }
+    }
+
+    /// As it is written there.
+    #[must_use]
+    pub const fn on(self, medium: Medium) -> NumberStyle {
+        NumberStyle { medium, ..self }
+    }
+
+    /// The number in this style.
+    #[must_use]
+    pub fn write(self, x: f64, mark: DecimalMark) -> String {
+        let mut text = match self.digits {
+            Digits::Decimals(_) => self.unsigned(x),
+            _ if x == 0.0 => "0".to_owned(),
+            _ => self.unsigned(x),
+        };
+        if self.has_plus && !text.starts_with('-') {
+            text.insert(0, '+');
+        }
+        if self.medium == Medium::Figure {
+            text = text.replace('-', "−");
+        }
+        match mark {
+            DecimalMark::Point => text,
+            DecimalMark::Comma => text.replace('.', ","),
+        }
+    }
+
+    /// With a hyphen, a decimal point and without a plus.
+    fn unsigned(self, x: f64) -> String {
+        if !x.is_finite() {
+            return x.to_string();
+        }
+        // The power is that of the rounded number: with four digits, 9.9996 is 10.00.
+        let scientific = match self.digits {
+            Digits::Significant(digits) => format!("{x:.*e}", digits - 1),
+            Digits::OneUp => one_up(x),
+            Digits::Decimals(_) | Digits::Shortest => format!("{x:e}"),
+        };
+        let (mantissa, power) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+        let power: i32 = power.parse().unwrap_or(0);
+        if self.full[0] <= power && power < self.full[1] {
+            let full = match self.digits {
+                Digits::Significant(digits) => {
+                    format!("{x:.*}", usize::try_from(digits as i32 - 1 - power).unwrap_or(0))
+                }
+                Digits::Decimals(decimals) => format!("{x:.decimals$}"),
+                Digits::Shortest | Digits::OneUp => x.to_string(),
+            };
+            return self.tidy(&full).to_owned();
+        }
+        let mantissa = self.tidy(mantissa);
+        match self.medium {
+            Medium::Figure => format!("{mantissa}·{}", power_of_ten(power)),
+            Medium::Text => format!("{mantissa}e{power}"),
+        }
+    }
+
+    fn tidy(self, number: &str) -> &str {
+        let has_idle = self.is_trimmed && number.contains('.');
+        if has_idle { number.trim_end_matches('0').trim_end_matches('.') } else { number }
+    }
+}
+
+/// A power of ten in markup: `10^{−3}`.
+#[must_use]
+pub fn power_of_ten(power: i32) -> String {
+    format!("10^{{{}}}", power.to_string().replace('-', "−"))
+}
+
+/// A number rounded away from 0 to one digit, as in `3e-17`.
+fn one_up(x: f64) -> String {
+    let text = format!("{x:.0e}");
+    if text.parse().is_ok_and(|rounded: f64| x.abs() <= rounded.abs()) {
+        return text;
+    }
+    // Rounded down: one unit more; 9 was rounded down to itself.
+    let (digit, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let [digit, power] = [digit, power].map(|part| part.parse::<i32>().unwrap_or(0));
+    let next = digit + digit.signum();
+    if next.abs() < 10 { format!("{next}e{power}") } else { format!("{}e{}", next.signum(), power + 1) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FIVE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7);
+
+    fn written(style: NumberStyle, x: f64) -> String {
+        style.write(x, DecimalMark::Point)
+    }
+
+    #[test]
+    fn numbers_have_significant_digits() {
+        for (x, text, figure) in [
+            (0.0, "0", "0"),
+            (-0.0, "0", "0"),
+            (f64::NEG_INFINITY, "-inf", "−inf"),
+            (0.25, "0.25000", "0.25000"),
+            (-12.0, "-12.000", "−12.000"),
+            (1234567.8, "1234568", "1234568"),
+            (12345678.0, "1.2346e7", "1.2346·10^{7}"),
+            (0.000123456, "0.00012346", "0.00012346"),
+            (-0.0000123456, "-1.2346e-5", "−1.2346·10^{−5}"),
+            (5e-324, "4.9407e-324", "4.9407·10^{−324}"),
+            (f64::MAX, "1.7977e308", "1.7977·10^{308}"),
+        ] {
+            assert_eq!(written(FIVE, x), text);
+            assert_eq!(written(FIVE.on(Medium::Figure), x), figure);
+        }
+    }
+
+    #[test]
+    fn rounding_may_give_the_next_power_of_ten() {
+        for (x, five, four) in [
+            (9.99996, "10.000", "10"),
+            (-9.99996, "-10.000", "-10"),
+            (9.9999, "9.9999", "10"),
+            (0.0000999999, "0.00010000", "0.0001"),
+            (9999999.0, "1.0000e7", "1e7"),
+            (9.99999e-9, "1.0000e-8", "1e-8"),
+        ] {
+            assert_eq!(written(FIVE, x), five);
+            assert_eq!(written(NumberStyle::significant(4).in_full(-4, 7).trimmed(), x), four);
+        }
+    }
+
+    #[test]
+    fn idle_zeros_are_left_out() {
+        let four = NumberStyle::significant(4).trimmed().on(Medium::Figure);
+        for (x, text) in [
+            (-1.25, "−1.25"),
+            (1234.56, "1235"),
+            (0.000123456, "0.0001235"),
+            (1.5e-7, "1.5·10^{−7}"),
+            (200.0, "200"),
+            (-3e12, "−3·10^{12}"),
+        ] {
+            assert_eq!(written(four, x), text);
+        }
+    }
+
+    #[test]
+    fn decimals_are_counted_from_the_mark() {
+        let two = NumberStyle::decimals(2);
+        assert_eq!([0.0, 12.345, -1e9].map(|x| written(two, x)), ["0.00", "12.35", "-1000000000.00"]);
+        assert_eq!([0.0, -0.5].map(|x| written(two.with_plus().on(Medium::Figure), x)), ["+0.00", "−0.50"]);
+        let scale = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
+        let scales = [0.0, 0.0025, 0.00012345678, 20.0, 2.5e-5, 1e6].map(|x| written(scale, x));
+        assert_eq!(scales, ["0", "0.0025", "0.000123", "20", "2.5e-5", "1e6"]);
+    }
+
+    #[test]
+    fn the_shortest_text_reads_back() {
+        let shortest = NumberStyle::shortest();
+        assert_eq!([0.1, -30.0, 1e-7].map(|x| written(shortest, x)), ["0.1", "-30", "0.0000001"]);
+        assert_eq!([0.1, 1e-7, 1e9].map(|x| written(shortest.in_full(-5, 9), x)), ["0.1", "1e-7", "1e9"]);
+    }
+
+    #[test]
+    fn bounds_are_rounded_up() {
+        for (x, text) in [
+            (0.0, "0"),
+            (3e-17, "3e-17"),
+            (3.0000001e-17, "4e-17"),
+            (9.5e-17, "1e-16"),
+            (9.2e-17, "1e-16"),
+            (-2.1, "-3e0"),
+        ] {
+            assert_eq!(written(NumberStyle::bound(), x), text);
+        }
+        assert_eq!(written(NumberStyle::bound().on(Medium::Figure), 2.1e-15), "3·10^{−15}");
+    }
+
+    #[test]
+    fn the_decimal_mark_is_that_of_the_wording() {
+        let comma = |style: NumberStyle, x: f64| style.write(x, DecimalMark::Comma);
+        assert_eq!(comma(FIVE, -9.99996), "-10,000");
+        assert_eq!(comma(FIVE.on(Medium::Figure), 1e-9), "1,0000·10^{−9}");
+        assert_eq!(comma(NumberStyle::decimals(2).with_plus(), 0.125), "+0,12");
+        assert_eq!(comma(NumberStyle::shortest(), 30.0), "30");
+    }
+}

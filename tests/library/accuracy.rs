@@ -1,0 +1,170 @@
+//! What the library claims of its accuracy, on families of hard fourth-class groups (`examples/speed_vs_error/families.rs`).
+
+use crate::speed_vs_error::families::Family;
+use crate::speed_vs_error::methods::{Method, Prepared};
+use crate::speed_vs_error::survey::{Survey, median};
+use crate::speed_vs_error::truth::{Precise, Truth, rounded};
+use crate::speed_vs_error::{document, joints};
+use crate::support::exact::minus;
+use crate::support::files::{self, scene_text};
+use crate::support::random::Random;
+use kinegon::mechanism::mechanism;
+use kinegon::position::pose;
+use kinegon::scene::{Along, Scene};
+use serde_json::Value;
+
+/// Largest error of velocities and of accelerations, in units u·condition.
+const CLAIM: f64 = 1.0;
+
+/// Largest error of a link's angular velocity or acceleration, in units u·|its true value|, whatever the condition; 1 is the nearest f64.
+const ROUNDINGS: f64 = 4.0;
+
+/// Groups for each family and parameter.
+const GROUPS: usize = if cfg!(debug_assertions) { 4 } else { 1000 };
+
+/// Which error of the paper's procedure, in units u·condition, is more than six digits lost.
+const SIX_DIGITS: f64 = 1e6;
+
+/// By how much the library must be better there.
+const FOUR_DIGITS: f64 = 1e4;
+
+/// Errors of a group in units u·condition.
+struct Errors {
+    naive: f64,
+    /// Of velocities and accelerations.
+    library: [f64; 2],
+    /// The largest of its angular rates, by [`Case::roundings`](measure::Case::roundings).
+    roundings: f64,
+}
+
+/// A family's errors by its parameter; without the groups that the library refuses.
+fn errors(family: Family) -> Vec<(f64, Vec<Errors>)> {
+    let parameters = family.parameters().into_iter();
+    let errors = parameters.map(|parameter| {
+        // Not the seeds of the survey.
+        let mut dice = Random(1000 + family as u64);
+        let groups = (0..GROUPS).map(|_| family.group(parameter, &mut dice));
+        let prepared = groups.filter_map(|group| Prepared::new(&group));
+        let errors = prepared.filter_map(|one| {
+            let rates = one.rates(Method::Library);
+            Some(Errors {
+                naive: one.case.worst_units(&one.rates(Method::Naive))?,
+                library: one.case.units(&rates)?,
+                roundings: one.case.roundings(&rates),
+            })
+        });
+        (parameter, errors.collect())
+    });
+    errors.collect()
+}
+
+#[test]
+fn errors_stay_below_the_claims_and_far_below_those_of_the_naive_procedure() {
+    let (mut hopeless, mut saved) = (0, 0);
+    let mut failures = Vec::new();
+    for family in Family::ALL {
+        let mut sorted = [Vec::new(), Vec::new()];
+        let mut last_digit: f64 = 0.0;
+        for Errors { naive, library, roundings } in errors(family).into_iter().flat_map(|(_, errors)| errors) {
+            last_digit = last_digit.max(roundings);
+            let worst = library[0].max(library[1]);
+            sorted[0].push(library[0]);
+            sorted[1].push(library[1]);
+            if naive.is_nan() || naive > SIX_DIGITS {
+                hopeless += 1;
+                saved += usize::from(worst * FOUR_DIGITS < naive);
+            }
+        }
+        let count = sorted[0].len();
+        let [velocity, acceleration] = sorted.map(|mut errors| {
+            errors.sort_by(f64::total_cmp);
+            [0.5, 0.99, 0.999, 1.0].map(|share| errors[(share * (count - 1) as f64) as usize])
+        });
+        println!(
+            "{}: {count} groups; median, 99 %, 99.9 %, largest error of velocities {velocity:.2?} u·condition, of accelerations {acceleration:.2?}; of ω and α {last_digit:.4} u",
+            family.name(),
+        );
+        // Written so that no NaN passes.
+        let kept = velocity[3] <= CLAIM && acceleration[3] <= CLAIM && last_digit <= ROUNDINGS;
+        if !kept {
+            failures.push(family.name());
+        }
+    }
+    println!(
+        "the naive procedure loses more than six digits in {hopeless} groups, the library is four digits better in {saved}"
+    );
+    assert!(failures.is_empty(), "above the claims: {failures:?}");
+    assert_eq!(hopeless, saved);
+    assert!(hopeless > 30 * GROUPS, "the families have become too easy");
+}
+
+#[test]
+fn parallel_cut_lines_are_as_good_as_crossing_ones() {
+    for family in [Family::Parallel, Family::BothParallel] {
+        // The same groups, but for the angle of their cut lines.
+        let [crossing, parallel] = [1e-3..1.0, 0.0..1e-12].map(|parameters| {
+            let rows = errors(family).into_iter();
+            let rows = rows.filter(|(parameter, _)| parameters.contains(parameter));
+            let errors = rows.flat_map(|(_, errors)| errors);
+            median(errors.map(|e| e.library[1])).expect("some groups")
+        });
+        println!(
+            "{}: median error of accelerations {parallel:.2} u·condition; while the lines cross {crossing:.2}",
+            family.name()
+        );
+        assert!(parallel < 1.25 * crossing, "{family:?}");
+    }
+}
+
+/// By how much a number of 256 bits differs from a decimal one.
+fn differs(number: &Precise, decimal: &str) -> f64 {
+    let high = rounded(number);
+    let low = rounded(&(number.clone() - <Precise as joints::Real>::exactly(high)));
+    minus(high, decimal) + low
+}
+
+/// The reference itself against the 90-digit truth of tests/reference, of which 20 digits stand there.
+#[test]
+fn the_reference_has_all_published_digits() {
+    let mut compared = 0;
+    for set in ["class4", "class4_prismatic", "dyads", "triads", "hard", "hard_dyads_triads"] {
+        for line in files::read(&format!("tests/reference/{set}.jsonl")).lines() {
+            let case: Value = serde_json::from_str(line).expect("a line is JSON");
+            let (name, expect) = (&case["name"], &case["expect"]);
+            let scene = Scene::read(scene_text(line)).expect("a good scene");
+            let mechanism = mechanism(&scene).expect("a mechanism");
+            let pose = pose(&mechanism, &scene.near).expect("it is drawn");
+            let points: Vec<[f64; 2]> = pose.points.iter().map(|p| [p.x, p.y]).collect();
+            let guides = scene.sliders.iter().map(|slider| match slider.along {
+                Along::Direction(direction) => direction,
+                ref other => panic!("{name}: {other:?}"),
+            });
+            let guides: Vec<[f64; 2]> = guides.collect();
+            let truth = Truth::new(&mechanism, &points, &guides);
+            if expect["singular"] == true {
+                continue;
+            }
+            let truth = truth.expect("it is not singular");
+            for (link, numbers) in expect["links"].as_object().into_iter().flatten() {
+                let body = &truth.bodies[mechanism.link(link).expect("a link").0];
+                for (key, number) in [("omega", &body.omega), ("alpha", &body.alpha)] {
+                    let decimal = numbers[key].as_str().expect("a decimal string");
+                    let difference = differs(number, decimal).abs();
+                    // 20 digits are written, and zeros of the truth are its rounding.
+                    let allowed = 1e-19 * rounded(number).abs() + 1e-60;
+                    assert!(difference <= allowed, "{name}: {key}({link}) {difference:e}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    println!("{compared} numbers of the reference have all published digits");
+    assert!(compared > 2500);
+}
+
+#[test]
+fn the_page_is_current() {
+    let page = files::read("docs/accuracy.md").replace("\r\n", "\n");
+    let now = document::accuracy(&Survey::new());
+    assert!(page.starts_with(&now), "run cargo run --release --example speed_vs_error");
+}

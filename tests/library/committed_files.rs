@@ -1,0 +1,143 @@
+//! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper, curves over the second
+//! one's cycle and the paper's numbers checked, the gallery.
+//!
+//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `style` and `marks`, `kinegon draw`,
+//! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"`,
+//! `kinegon check examples/figure-2.json examples/paper-as-student.json --draw out/ --mu-l 5 --mu-v 2.5 --mu-a 2.5` and
+//! `cargo run --release --example gallery` make them anew.
+
+use crate::examples::gallery;
+use crate::support::files;
+use crate::support::stages::{answer_key, solved};
+use kinegon::check::{Marks, Measured, check, redrawn};
+use kinegon::cycle::{Curves, Drive, Path};
+use kinegon::drawing::{Drawing, Style};
+use kinegon::scene::Scene;
+use kinegon::{Solution, drawing, format};
+use std::path::PathBuf;
+
+/// Compares, and leaves what came out beside the test's other products for a look.
+fn same(path: &str, now: &str) {
+    let there = std::fs::read_to_string(files::path(path)).unwrap_or_default();
+    // A checkout may have turned the line ends.
+    if there.replace("\r\n", "\n") != now {
+        let left = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(path.replace('/', "-"));
+        std::fs::write(&left, now).expect("the test's folder can be written");
+        panic!("{path} is not what the program makes now: see {}", left.display());
+    }
+}
+
+fn figure(name: &str) -> Drawing {
+    let solution = solved(&files::read(&format!("examples/{name}.json")));
+    solution.expect("the example is sound").figure()
+}
+
+fn curves() -> Drawing {
+    let Solution { scene, mechanism, pose, .. } = solved(&files::read("examples/figure-2.json")).expect("a good scene");
+    let drive = Drive::new(&mechanism, None).expect("it has a drive");
+    let mut path = Path::new(&mechanism, &pose, drive).expect("it is not singular");
+    let range = path.cover(None, None).expect("it moves");
+    let names = ["omega(4)", "alpha(4)", "v_r(3/2)"].map(str::to_owned);
+    let curves = Curves::new(&path, range, Some(&names)).expect("known quantities");
+    drawing::curves(&scene, &curves).expect("it fits")
+}
+
+/// The numbers that the paper prints, over the figure that they belong to; and their table.
+fn checked() -> [Drawing; 2] {
+    let solution = solved(&files::read("examples/figure-2.json"));
+    let mut solution = solution.expect("the example is sound");
+    let measured = Measured::read_json(&files::read("examples/paper-as-student.json"));
+    let measured = measured.expect("the example is sound");
+    let words = solution.wording();
+    let own = {
+        // As deep as the program looks.
+        let drawn = answer_key(&solution, 5);
+        let checked = check(&measured, &drawn).expect("values that are understood");
+        redrawn(&measured, &drawn, &checked, &words).expect("scales are there")
+    };
+    let figure = &mut solution.scene.figure;
+    (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.5), Some(2.5));
+    let sheets = drawing::overlay(&solution, &own);
+    sheets.try_into().expect("a figure and a table")
+}
+
+/// The figures by their names in `out`.
+fn figures() -> [(&'static str, Drawing); 5] {
+    let [checked, values] = checked();
+    [
+        ("figure-1", figure("figure-1")),
+        ("figure-2", figure("figure-2")),
+        ("figure-2-curves", curves()),
+        ("paper-as-student-check", checked),
+        ("paper-as-student-check-values", values),
+    ]
+}
+
+#[test]
+fn schemas_are_current() {
+    same("templates/scene.schema.json", &format::json(&Scene::schema()));
+    same("templates/result.schema.json", &format::json(&format::result_schema()));
+    same("templates/style.schema.json", &format::json(&Style::schema()));
+    same("templates/marks.schema.json", &format::json(&Marks::schema()));
+}
+
+#[test]
+fn examples_name_the_schema_and_fit_it() {
+    // The schema's own rules are those of the reader; here only that every example reads and points to it.
+    let mut seen = 0;
+    for (name, text) in files::scenes("examples") {
+        assert!(text.contains("\"$schema\": \"../templates/scene.schema.json\""), "{name}");
+        Scene::read(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
+        seen += 1;
+    }
+    assert!(seen >= 3);
+}
+
+#[test]
+fn figures_are_redrawn_to_the_byte() {
+    for (name, drawing) in figures() {
+        same(&format!("out/{name}.svg"), &drawing.svg());
+    }
+}
+
+#[test]
+fn the_gallery_is_current_and_complete() {
+    let made = gallery::files().expect("every scene can be drawn");
+    for (path, text) in &made {
+        same(path, text);
+    }
+    let is_shown = |name: &str| {
+        let picture = format!("docs/gallery/{name}");
+        made.iter().any(|(path, _)| *path == picture)
+    };
+    for (name, _) in files::templates() {
+        assert!(is_shown(&format!("{name}.svg")), "{name} is not in the gallery");
+    }
+    for name in files::list("docs/gallery") {
+        assert!(is_shown(&name), "{name} is not made any more");
+    }
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn pictures_are_redrawn_within_one_level_per_channel() {
+    fn pixels(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
+        let size = reader.output_buffer_size().expect("a size that fits");
+        let mut data = vec![0; size];
+        let info = reader.next_frame(&mut data).expect("a frame");
+        (info.width, info.height, data)
+    }
+    for (name, drawing) in figures() {
+        let there = std::fs::read(files::path(&format!("out/{name}.png"))).expect("it is there");
+        let now = drawing.png(100.0).expect("a picture");
+        let ((w, h, a), (x, y, b)) = (pixels(&there), pixels(&now));
+        assert_eq!((w, h), (x, y), "{name}");
+        let worst = a.iter().zip(&b).map(|(a, b)| a.abs_diff(*b)).max();
+        if worst > Some(1) {
+            let left = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.png"));
+            std::fs::write(&left, &now).expect("the test's folder can be written");
+            panic!("out/{name}.png differs by up to {worst:?} levels: see {}", left.display());
+        }
+    }
+}

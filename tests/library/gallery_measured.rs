@@ -1,0 +1,97 @@
+//! Every starting scene, the paper's figures and the mechanisms with cylinders in twelve positions of its crank, measured as readers see it: no label touches a label, a joint or an arrowhead or leaves
+//! its panel, no word is too small, no arrowhead longer than its vector, every point of a plan has its name, files are small in every style.
+//!
+//! A debug build measures every second position. Styles move nothing, so only what they change is measured in each.
+
+use crate::support::faults::{MOST_BYTES, faults, id};
+use crate::support::files;
+use crate::support::stages::solved;
+use kinegon::construction::{Construction, Plan, PlanKind, PointRole};
+use kinegon::cycle::Film;
+use kinegon::drawing::{Drawing, Shape, Style};
+use kinegon::scene::StyleName;
+use std::path::PathBuf;
+
+/// Positions of each scene: where the crank turns all the way round, every 30°.
+const POSITIONS: usize = 12;
+
+/// Each figure with what it is called and what it shows.
+fn figures() -> Vec<(String, Drawing, Construction)> {
+    let step = if cfg!(debug_assertions) { 2 } else { 1 };
+    let mut all = Vec::new();
+    let examples = [1, 2].map(|number| {
+        let name = format!("figure-{number}");
+        let text = files::read(&format!("examples/{name}.json"));
+        (name, text)
+    });
+    let folders = ["templates", "tests/driven_sliders"];
+    let scenes = folders.into_iter().flat_map(files::scenes);
+    for (name, text) in scenes.chain(examples) {
+        let solution = solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let film = Film::new(&solution, None, POSITIONS).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let positions = film.values.iter().zip(film.positions);
+        for (value, solution) in positions.step_by(step) {
+            all.push((format!("{name} at {value:.1}"), solution.figure(), solution.construction));
+        }
+    }
+    all
+}
+
+/// How many names a plan's points should show: no point of the ground under a slider, which is the pole, and no vanished normal part.
+fn names_of(plan: &Plan) -> usize {
+    let is_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
+    let vanished = |name: &str| {
+        let own = &plan.points[name];
+        let mut others = plan.points.values();
+        own.role == PointRole::Normal && others.any(|p| p.role != PointRole::Normal && p.vector == own.vector)
+    };
+    let names = plan.points.keys();
+    names.filter(|name| !is_pole(name) && !vanished(name)).count()
+}
+
+/// How many names the labels of a panel show, alone or several in one.
+fn names_in(drawing: &Drawing, panel: &str) -> usize {
+    let prefix = format!("{panel}-label-");
+    let labels = drawing.marks.iter().filter(|mark| id(mark).starts_with(&prefix));
+    let names = labels.map(|mark| match &mark.shape {
+        Shape::Text(text) => text.text.content().split(',').count(),
+        _ => 0,
+    });
+    names.sum()
+}
+
+#[test]
+fn figures_are_readable_in_every_position() {
+    let figures = figures();
+    let least = if cfg!(debug_assertions) { 150 } else { 300 };
+    assert!(figures.len() >= least, "only {} figures", figures.len());
+    let mut wrong = Vec::new();
+    for (name, drawing, construction) in &figures {
+        let before = wrong.len();
+        wrong.extend(faults(drawing).iter().map(|fault| format!("{name}: {fault}")));
+        for plan in construction.plans() {
+            let panel = match plan.kind {
+                PlanKind::Velocity => "velocity",
+                PlanKind::Acceleration => "acceleration",
+            };
+            let (shown, wanted) = (names_in(drawing, panel), names_of(plan));
+            if shown != wanted {
+                wrong.push(format!("{name}: {shown} of {wanted} names in the {panel} plan"));
+            }
+        }
+        let mut styled = drawing.clone();
+        for style in StyleName::ALL {
+            styled.style = Style::named(style);
+            let bytes = styled.svg().len();
+            if bytes > MOST_BYTES {
+                wrong.push(format!("{name}: {bytes} bytes in {}", style.as_str()));
+            }
+        }
+        if wrong.len() > before {
+            // Left for a look.
+            let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.svg"));
+            std::fs::write(path, drawing.svg()).expect("the test's folder can be written");
+        }
+    }
+    assert!(wrong.is_empty(), "{} faults in {} figures\n{}", wrong.len(), figures.len(), wrong.join("\n"));
+}

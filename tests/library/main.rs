@@ -1,0 +1,66 @@
+//! What the library computes, draws and writes, held against mathematics, references and committed files.
+//! `cargo test --test library cycle::` runs one of the modules.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod accuracy;
+mod architecture;
+mod bad_scenes;
+mod committed_files;
+mod curves;
+mod cycle;
+mod drawing;
+mod driven_cycles;
+mod driven_sliders;
+mod error_bounds;
+mod fuzzed;
+mod gallery_measured;
+mod given_angle;
+mod higher_class;
+mod hodographs;
+mod invariants;
+mod levers;
+mod paper_facts;
+mod pencil;
+mod planted_mistakes;
+mod planted_modes;
+mod properties;
+mod published_numbers;
+mod reference;
+mod scene_build;
+mod scene_read;
+mod templates;
+mod worked;
+mod worksheets;
+
+/// Examples whose tables are tested; they are programs, too.
+#[allow(dead_code)]
+#[path = "../../examples"]
+mod examples {
+    pub mod gallery;
+    pub mod mistakes;
+    #[path = "published_numbers/table.rs"]
+    pub mod published_numbers;
+    #[path = "textbook_cases.rs"]
+    pub mod textbook_cases;
+}
+
+/// Hard groups of the example `speed_vs_error`, its methods and their truth.
+#[allow(dead_code)] // the example draws a picture besides
+#[path = "../../examples/speed_vs_error"]
+mod speed_vs_error {
+    use crate::support::{groups, random};
+    pub mod document;
+    pub mod families;
+    mod general;
+    mod hand;
+    pub mod joints;
+    mod kernel;
+    mod measure;
+    pub mod methods;
+    mod naive;
+    mod single;
+    pub mod survey;
+    pub mod truth;
+}

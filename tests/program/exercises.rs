@@ -1,0 +1,391 @@
+//! Exercises: every kind of mechanism gives some; they are the same for the same seed, and can be drawn by hand.
+
+use crate::support::files;
+use crate::support::program::{self, kinegon, scratch, stderr};
+use crate::support::random::Random;
+use crate::support::stages::{answer_key, solved};
+use kinegon::Solution;
+use kinegon::check::{AnswerKey, Given, Measured, Student, Verdict, check};
+use kinegon::construction::{Action, PlanKind};
+use kinegon::drawing::Shape;
+use kinegon::exercise::{Exercise, ExerciseError, Exercises, Refusal};
+use kinegon::geometry::{Point, Vector};
+use kinegon::scene::{Figure, Page, PageSize};
+use serde_json::Value;
+use std::path::Path;
+
+/// All kinds of `kinegon new` with their scenes.
+fn kinds() -> Vec<(String, String)> {
+    let mut kinds = files::templates();
+    for name in ["figure-1", "figure-2"] {
+        kinds.push((name.into(), files::read(&format!("examples/{name}.json"))));
+    }
+    assert_eq!(kinds.len(), 19);
+    kinds
+}
+
+fn exercises(text: &str, seed: u64) -> Exercises {
+    let base = solved(text).expect("a good scene");
+    Exercises::new(text, &base.scene.figure, None, &base.construction, seed).expect("it can vary")
+}
+
+fn exercise(text: &str, seed: u64) -> Exercise {
+    exercises(text, seed).next().expect("one can be found")
+}
+
+/// Everything that is asked of an exercise, seen anew.
+#[test]
+fn every_kind_gives_exercises_that_a_hand_draws_well() {
+    for (kind, text) in kinds() {
+        let exercise = exercise(&text, 11);
+        let solution = solved(&exercise.text).unwrap_or_else(|e| panic!("{kind}: {e}"));
+        numbers_are_round(&kind, &exercise.text);
+        lines_cross_well(&kind, &solution);
+        segments_are_long(&kind, &solution);
+        special_points_are_on_the_sheet(&kind, &exercise);
+        let conditions = solution.motion.groups.iter().map(|g| g.condition);
+        assert!(conditions.fold(1.0, f64::max) <= 40.0, "{kind}");
+        // The scales stand in the file, of the series 1, 2, 2.5, 5.
+        let figure = &solution.scene.figure;
+        for mu in [figure.mu_l, figure.mu_v, figure.mu_a] {
+            let digits = format!("{:e}", mu.unwrap_or_else(|| panic!("{kind}: no scale")));
+            let digits = digits.split('e').next().unwrap_or_default();
+            assert!(["1", "2", "2.5", "5"].contains(&digits), "{kind}: {digits}");
+        }
+        keys_hold(&kind, &exercise);
+    }
+}
+
+/// Lengths and places have few digits and no odd ones, drives stand at multiples of 5°.
+fn numbers_are_round(kind: &str, text: &str) {
+    let scene: Value = serde_json::from_str(text).expect("JSON");
+    let links = scene["links"].as_object().expect("links");
+    for link in links.values() {
+        for (key, length) in link["lengths"].as_object().into_iter().flatten() {
+            let Some(length) = length.as_f64() else {
+                continue;
+            };
+            let written = format!("{length:e}");
+            let digits = written.split('e').next().unwrap_or_default().replace('.', "");
+            assert!(digits.len() <= 3, "{kind}: {key} {length}");
+        }
+        for angle in [&link["drive"]["angle"], &link["angle"]] {
+            let angle = angle.as_f64().unwrap_or(0.0);
+            assert_eq!(angle % 5.0, 0.0, "{kind}");
+        }
+    }
+}
+
+/// Where a step marks a crossing, the last two lines drawn towards it meet at 20° or more.
+fn lines_cross_well(kind: &str, solution: &Solution) {
+    let mut crossings = 0;
+    for plan in solution.construction.plans() {
+        let mut rays: Vec<(&str, Vector)> = Vec::new();
+        for step in &plan.steps {
+            match &step.action {
+                Action::Ray(ray) => rays.push((&ray.to, ray.direction)),
+                Action::Cross { point, .. } => {
+                    let own: Vec<Vector> =
+                        rays.iter().filter(|(to, _)| to == point).map(|(_, direction)| *direction).collect();
+                    let [.., a, b] = own.as_slice() else {
+                        panic!("{kind}: {point} has no two lines");
+                    };
+                    let sine = a.perp(b).abs() / (a.norm() * b.norm());
+                    assert!(sine >= libm::sin(20_f64.to_radians()), "{kind}: {sine}");
+                    crossings += 1;
+                }
+                _ => {}
+            }
+        }
+    }
+    assert!(crossings > 0, "{kind}");
+    // Cut lines, by their joints and directions.
+    for special in solution.construction.special.iter().flatten() {
+        let [a, b] = special.cuts.each_ref().map(|cut| cut.line.direction());
+        if let (true, Some(a), Some(b)) = (special.is_assur, a, b) {
+            assert!(a.perp(&b).abs() >= 0.34, "{kind}: {}", special.name);
+        }
+    }
+}
+
+fn segments_are_long(kind: &str, solution: &Solution) {
+    let figure = &solution.scene.figure;
+    for plan in solution.construction.plans() {
+        let mu = match plan.kind {
+            PlanKind::Velocity => figure.mu_v,
+            PlanKind::Acceleration => figure.mu_a,
+        };
+        for step in &plan.steps {
+            if let Action::Measure { from, to, .. } = &step.action {
+                let way = plan.points[to].vector - plan.points[from].vector;
+                let mm = way.norm() / mu.expect("a scale");
+                assert!(!(1e-6..5.0).contains(&mm), "{kind}: {from} {to} {mm} mm");
+            }
+        }
+    }
+}
+
+/// Joints on the student's sheet lie as in the scheme at its scale; special points, which are not drawn, have room in the same panel.
+fn special_points_are_on_the_sheet(kind: &str, exercise: &Exercise) {
+    let marks = &exercise.sheet.marks;
+    let circles = marks.iter().filter_map(|mark| match (&mark.id, &mark.shape) {
+        (Some(id), Shape::Circle { center, .. }) => {
+            let name = id.strip_prefix("scheme-point-")?;
+            let point = exercise.solution.mechanism.point(name)?;
+            Some((exercise.solution.pose.point(point), *center))
+        }
+        _ => None,
+    });
+    let circles: Vec<(Point, kinegon::drawing::Point)> = circles.collect();
+    let mu = exercise.scales.length.expect("a scale");
+    let (origin, centre) = circles[0];
+    let on_sheet = |place: Point| {
+        let way = (place - origin) / mu;
+        kinegon::drawing::Point::new(centre.x + way.x, centre.y - way.y)
+    };
+    for (place, centre) in &circles {
+        assert!((on_sheet(*place) - *centre).hypot() < 1e-6, "{kind}");
+    }
+    let (_, frame) = &exercise.sheet.panels[0];
+    for special in exercise.solution.construction.special.iter().flatten() {
+        let place = special.place.finite().expect("not at infinity");
+        assert!(frame.contains(on_sheet(place)), "{kind}: {}", special.name);
+        let drawn = format!("scheme-point-{}", special.name);
+        let is_joint = exercise.solution.mechanism.point(&special.name).is_some();
+        let mut shown = marks.iter().filter(|m| m.id.as_deref() == Some(&drawn));
+        assert!(is_joint || shown.next().is_none(), "{kind} gives it away");
+    }
+}
+
+/// The key's values are right, a careful hand's pass, the empty form is empty.
+fn keys_hold(kind: &str, exercise: &Exercise) {
+    let answers = AnswerKey { scales: exercise.scales, ..answer_key(&exercise.solution, 0) };
+    let key = exercise.key();
+    assert!(key.values.len() >= 6, "{kind}");
+    let values = key.values.iter().map(|(name, value)| Given {
+        name: name.clone(),
+        text: format!("{:+}", value.value),
+        unit: Some(value.unit.clone()),
+        place: name.clone(),
+    });
+    let measured = Measured { values: values.collect(), ..Measured::default() };
+    let checked = check(&measured, &answers).unwrap_or_else(|e| panic!("{kind}: {e}"));
+    assert_eq!(checked.values.len(), key.values.len(), "{kind}");
+    for value in &checked.values {
+        let name = value.entry.asked.name();
+        let own = &key.values[name];
+        assert_eq!(value.entry.step, own.step, "{kind}: {name}");
+        let near = value.difference.abs() <= 1e-12 * value.entry.expected.abs();
+        assert!(value.verdict == Verdict::Right || near, "{kind}: {name} {value:?}");
+        let allowed = own.allowed.zip(value.tolerance);
+        let (allowed, judged) = allowed.unwrap_or((0.0, 0.0));
+        assert!((allowed - judged).abs() <= 1e-6 * judged, "{kind}: {name}");
+    }
+    let student = Student::new(&answers).unwrap_or_else(|e| panic!("{kind}: {e}"));
+    let mut random = Random(5);
+    let careful = student.draw(&[], [0.2, 0.2], &mut || random.within(1.0), &[]);
+    let checked = check(&careful, &answers).expect("understood");
+    let off = checked.values.iter().filter(|v| v.verdict == Verdict::Off);
+    let off: Vec<&str> = off.map(|v| v.entry.asked.name()).collect();
+    assert!(off.is_empty(), "{kind}: {off:?}");
+    let empty = Measured::read_json(&exercise.form_json()).expect("a form");
+    let error = check(&empty, &answers).expect_err("nothing is filled in");
+    assert!(error.message.contains("empty"), "{kind}: {error}");
+    let empty = Measured::read_csv(&exercise.form_csv()).expect("a form");
+    assert!(check(&empty, &answers).is_err(), "{kind}");
+    let boxes = exercise.sheet.marks.iter().filter_map(|m| m.id.as_deref());
+    let boxes = boxes.filter(|id| id.starts_with("box-") && id.ends_with("-value"));
+    assert_eq!(boxes.count(), key.values.len(), "{kind}");
+}
+
+/// Where a starting scene has a block on the line between two points of its guide, so have the exercises.
+#[test]
+fn blocks_stay_on_their_guides() {
+    for (kind, block, line) in
+        [("dyad-rpr", "B", ["D", "C"]), ("dyad-prp", "C", ["A", "B"]), ("dyad-rpp", "B", ["C", "D"])]
+    {
+        let text = files::read(&format!("templates/{kind}.json"));
+        for seed in 0..5 {
+            let found = exercise(&text, seed);
+            let place = |name: &str| Point::from(found.solution.scene.coordinates[name]);
+            let [from, to] = line.map(place);
+            let off = (to - from).normalize().perp(&(place(block) - from));
+            assert!(off.abs() < 1e-9, "{kind}: {off}");
+        }
+    }
+}
+
+#[test]
+fn a_seed_gives_the_same_exercises_and_others_give_others() {
+    for (kind, text) in kinds() {
+        if !["four-bar", "slotted-lever", "dyad-rpr", "fourth-class"].contains(&kind.as_str()) {
+            continue;
+        }
+        let texts = |seed: u64, count: usize| {
+            let mut exercises = exercises(&text, seed);
+            let next = (0..count).map(|_| exercises.next().expect("found").text);
+            next.collect::<Vec<String>>()
+        };
+        let (three, one, other) = (texts(3, 3), texts(3, 1), texts(4, 1));
+        assert_eq!(three[0], one[0], "{kind}");
+        assert_eq!(three, texts(3, 3), "{kind}");
+        let untitled = |text: &str| {
+            let mut scene: Value = serde_json::from_str(text).expect("JSON");
+            scene["title"].take();
+            scene
+        };
+        let all: Vec<Value> = three.iter().chain(&other).map(|t| untitled(t)).collect();
+        for (index, scene) in all.iter().enumerate() {
+            assert!(!all[..index].contains(scene), "{kind}: twice the same");
+        }
+        assert!(three[1].contains("(3-2)"), "{kind}");
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_is_given_up_with_the_reason() {
+    let text = files::read("templates/four-bar.json");
+    let base = solved(&text).expect("a good scene");
+    // A plan of some hundredths of a millimetre.
+    let figure = Figure { mu_v: Some(1e5), ..base.scene.figure.clone() };
+    let page = Some(Page::default());
+    let mut small = Exercises::new(&text, &figure, page, &base.construction, 1).expect("varies");
+    let error = small.next().expect_err("too small");
+    assert!(matches!(error, ExerciseError::GaveUp { most: Refusal::Short, percent: 50.., .. }), "{error}");
+    assert!(error.to_string().contains("shorter than 5 mm"), "{error}");
+    // BC and ED parallel: the special point of link 3 lies at infinity.
+    let parallel = files::read("examples/figure-1.json")
+        .replace("\"C\": [70, 150]", "\"C\": [0, 150]")
+        .replace("\"D\": [190, 240]", "\"D\": [300, 240]");
+    let base = solved(&parallel).expect("a good scene");
+    let none = Exercises::new(&parallel, &figure, None, &base.construction, 1);
+    let error = none.expect_err("no construction");
+    assert!(error.to_string().contains("at infinity"), "{error}");
+}
+
+fn run(arguments: &[&str], folder: &Path) -> std::process::Output {
+    let mut command = kinegon();
+    command.arg("exercise").args(arguments).arg("-o").arg(folder);
+    command.output().expect("the program starts")
+}
+
+fn json(path: &Path) -> Value {
+    let text = std::fs::read_to_string(path).expect("it is there");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+#[test]
+fn files_hold_together() {
+    let folder = scratch("exercises");
+    for (kind, style) in [("slotted-lever", "print"), ("third-class", "lecture")] {
+        let arguments = [kind, "--seed", "21", "--count", "2", "--style", style];
+        let output = run(&arguments, &folder);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let own = folder.join(format!("{kind}-21-2"));
+        let mut names: Vec<String> = std::fs::read_dir(&own)
+            .expect("a folder")
+            .map(|e| e.expect("listed").file_name().into_string().expect("plain"))
+            .collect();
+        names.sort();
+        let mut expected =
+            vec!["form.csv", "form.json", "key.json", "key.pdf", "key.svg", "scene.json", "sheet.pdf", "sheet.svg"];
+        if !cfg!(feature = "pdf") {
+            expected.retain(|name| !name.ends_with("pdf"));
+        }
+        assert_eq!(names, expected);
+        // What the program itself says of the scene.
+        let key = json(&own.join("key.json"));
+        let values = key["values"].as_object().expect("values");
+        let mut scene = json(&own.join("scene.json"));
+        assert_eq!(scene["figure"]["style"], style);
+        scene["want"] = values.keys().cloned().collect::<Vec<String>>().into();
+        let solved = program::with_scene(&["solve", "-"], scene.to_string().as_bytes());
+        assert_eq!(solved.status.code(), Some(0), "{}", stderr(&solved));
+        let solved: Value = serde_json::from_slice(&solved.stdout).expect("JSON");
+        for (name, value) in values {
+            let exact = match &solved["quantities"][name] {
+                Value::Array(v) => {
+                    let [x, y] = [0, 1].map(|k| v[k].as_f64().expect("a number"));
+                    libm::hypot(x, y)
+                }
+                number => number.as_f64().unwrap_or_else(|| panic!("{name}")),
+            };
+            let own = value["value"].as_f64().expect("a number");
+            assert!((own - exact).abs() <= 1e-9 * exact.abs().max(1e-6), "{name}");
+        }
+        // Filled in with the key's values the form passes; empty it is refused.
+        let scene = own.join("scene.json");
+        let scene = scene.to_str().expect("UTF-8");
+        let check = |form: &Path| {
+            let output = kinegon().args(["check", scene]).arg(form).output();
+            output.expect("the program starts")
+        };
+        let empty = check(&own.join("form.json"));
+        assert_eq!(empty.status.code(), Some(2));
+        assert!(stderr(&empty).contains("empty"), "{}", stderr(&empty));
+        let mut form = json(&own.join("form.json"));
+        for (name, value) in values {
+            let value = value["value"].as_f64().expect("a number");
+            form["values"][name] = format!("{value:+}").into();
+        }
+        let filled = own.join("filled.json");
+        std::fs::write(&filled, form.to_string()).expect("written");
+        assert_eq!(check(&filled).status.code(), Some(0));
+    }
+}
+
+#[test]
+fn the_same_bytes_again_and_nothing_is_written_over() {
+    let (first, second) = (scratch("exercises-first"), scratch("exercises-second"));
+    let arguments = ["four-bar", "--seed", "2", "--language", "es", "--decimal", "comma", "--page", "a4"];
+    for folder in [&first, &second] {
+        let output = run(&arguments, folder);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    }
+    let read = |folder: &Path, name: &str| std::fs::read(folder.join("four-bar-2-1").join(name)).expect("written");
+    for name in ["scene.json", "sheet.svg", "key.svg", "key.json", "form.csv"] {
+        assert!(read(&first, name) == read(&second, name), "{name}");
+    }
+    let sheet = String::from_utf8(read(&first, "sheet.svg")).expect("text");
+    assert!(sheet.contains("width=\"297mm\"") && sheet.contains("Datos"));
+    let key = String::from_utf8(read(&first, "key.svg")).expect("text");
+    assert!(key.contains("width=\"420mm\"") && key.contains("Plano de velocidades"));
+    let scene = json(&first.join("four-bar-2-1/scene.json"));
+    assert_eq!(scene["figure"]["language"], "es");
+    assert_eq!(scene["figure"]["decimal"], "comma");
+    let before = read(&first, "scene.json");
+    let again = run(&arguments, &first);
+    assert_eq!(again.status.code(), Some(2));
+    assert!(stderr(&again).contains("is not overwritten"), "{}", stderr(&again));
+    assert!(before == read(&first, "scene.json"));
+    // A scene of one's own, by its path.
+    let own = run(&["templates/five-bar.json", "--seed", "2"], &first);
+    assert_eq!(own.status.code(), Some(0), "{}", stderr(&own));
+    assert!(first.join("five-bar-2-1/key.json").is_file());
+    for (arguments, part) in [
+        (["for-bar", "--seed", "1"], "nearest kind is `four-bar`"),
+        (["tests/files", "--seed", "1"], "no file"),
+        (["four-bar", "--seed", "-1"], "invalid value"),
+        (["templates/page.html", "--seed", "1"], "page.html"),
+    ] {
+        let output = run(&arguments, &second);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(stderr(&output).contains(part), "{}", stderr(&output));
+    }
+}
+
+/// Sheets are of the size that is asked for; without it as large as need be.
+#[test]
+fn sheets_are_large_enough() {
+    for (kind, width) in [("four-bar", 297.0), ("fourth-class", 420.0)] {
+        let text = files::read(&format!("templates/{kind}.json"));
+        assert_eq!(exercise(&text, 1).sheet.width, width, "{kind}");
+    }
+    let text = files::read("templates/four-bar.json");
+    let base = solved(&text).expect("a good scene");
+    let page = Page { size: PageSize::A3, landscape: false };
+    let figure = &base.scene.figure;
+    let exercises = Exercises::new(&text, figure, Some(page), &base.construction, 1);
+    let exercise = exercises.expect("varies").next().expect("found");
+    assert_eq!([exercise.sheet.width, exercise.sheet.height], [297.0, 420.0]);
+}

@@ -1,0 +1,18 @@
+//! The program `kinegon` from outside: what it prints and writes, its messages and exit codes.
+//! `cargo test --test program styles::` runs one of the modules.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod certain_digits;
+mod command_line;
+mod command_line_check;
+mod command_line_class;
+mod command_line_paper;
+mod command_line_pencil;
+mod command_line_sweep;
+mod exercises;
+mod overlays;
+mod step_sheets;
+mod styles;
+mod wording;

@@ -1,0 +1,331 @@
+//! Languages, notations and decimal marks: nothing is left in another language, numbers have their comma, and results stay what they are.
+
+use crate::support::files;
+use crate::support::program::{self, kinegon, stderr};
+use crate::support::stages::solved;
+use kinegon::check::Mistake;
+use kinegon::construction::Tolerance;
+use kinegon::cycle::{Curves, Drive, Path};
+use kinegon::drawing::{Drawing, Shape, curves};
+use kinegon::quantity::{Asked, pencil, step_names};
+use kinegon::scene::{LanguageName, NotationName, Scene};
+use kinegon::words::Wording;
+use kinegon::{Solution, format};
+
+/// Scenes of every kind: starting scenes, examples, cylinders, drawn configurations with special points at infinity.
+fn scenes() -> Vec<(String, String)> {
+    let mut all = files::templates();
+    all.extend(files::scenes("examples"));
+    all.extend(files::scenes("tests/driven_sliders"));
+    let drawn = files::read("tests/drawn_scenes.jsonl");
+    let drawn = drawn.lines().enumerate();
+    all.extend(drawn.map(|(index, line)| (format!("drawn scene {index}"), line.to_owned())));
+    all
+}
+
+/// The scene with these entries in its figure, and a title that is in no language.
+fn with(text: &str, entries: &[(&str, &str)]) -> String {
+    let mut scene: serde_json::Value = serde_json::from_str(text).expect("JSON");
+    scene["title"] = "X".into();
+    for (key, value) in entries {
+        scene["figure"][key] = (*value).into();
+    }
+    scene.to_string()
+}
+
+/// The text of `kinegon steps`.
+fn steps(solution: &Solution) -> String {
+    let names = step_names(&solution.construction);
+    let asked = names.iter().map(|name| Asked::new(name, &solution.mechanism).expect("known"));
+    let pencil = pencil(solution, &solution.scales(), Tolerance::default(), asked.collect());
+    solution.steps(&pencil)
+}
+
+/// All that a drawing says, a line each.
+fn said(drawing: &Drawing) -> Vec<String> {
+    let texts = drawing.marks.iter().filter_map(|mark| match &mark.shape {
+        Shape::Text(text) => Some(text.text.content()),
+        _ => None,
+    });
+    let others = [drawing.title.clone(), drawing.description.clone()];
+    texts.chain(others).chain(drawing.steps.clone()).collect()
+}
+
+/// All that is said of a scene: on the figure, on the sheets of its steps, in the text of the steps, on its curves.
+fn all_said(name: &str, text: &str) -> Vec<String> {
+    let solution = solved(text).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let mut lines = said(&solution.figure());
+    lines.extend(said(&solution.stepwise_figure()));
+    lines.extend(steps(&solution).lines().map(str::to_owned));
+    lines.extend(said_of_curves(&solution));
+    lines
+}
+
+/// What the curves of link rates say, for scenes that can be moved.
+fn said_of_curves(solution: &Solution) -> Vec<String> {
+    let Ok(drive) = Drive::new(&solution.mechanism, None) else {
+        return Vec::new();
+    };
+    let Ok(mut path) = Path::new(&solution.mechanism, &solution.pose, drive) else {
+        return Vec::new();
+    };
+    let Ok(range) = path.cover(None, None) else {
+        return Vec::new();
+    };
+    let links = solution.mechanism.links();
+    let names = links.flat_map(|(_, body)| ["omega", "angle"].map(|q| format!("{q}({})", body.name)));
+    let names: Vec<String> = names.take(6).collect();
+    let Ok(sampled) = Curves::new(&path, range, Some(&names)) else {
+        return Vec::new();
+    };
+    said(&curves(&solution.scene, &sampled).expect("it fits"))
+}
+
+/// Words of the English sentences that no Spanish one has, and that are no accelerations of points either (`an`, `at`).
+const ENGLISH: &str = "the of and or to on by in is are it its where from through with without towards under over lies lie meets \
+    choose draw lay off mark measure solve pole scale scales scheme velocity velocities acceleration accelerations plan plans point points \
+    special link links guide ray rays crossing crossings segment segments measured image images infinity parallel tangential sliding \
+    relative reversed given known part parts both body sense turns uniformly construction loop equations equation agree differ \
+    rates rate largest allow printed value values paper direction roughly honest hand drawings keep least greatest bound position angle \
+    length drive limit change scene dead curves panels groups class mechanism two cross stops come alone figure so depends higher";
+
+/// Words of the Spanish sentences that English ones do not have.
+const SPANISH: &str =
+    "el la los las del de polo escala plano velocidad velocidades aceleraciones eslabón trazar medir marcar recta";
+
+/// The words of a list that a line has, apart from names of quantities such as `angle(2)`.
+fn words_of<'a>(list: &'a str, line: &str) -> Vec<&'a str> {
+    let line = line.to_lowercase();
+    let mut own: Vec<&str> = Vec::new();
+    let is_letter = |c: char| c.is_alphanumeric() || c == '_';
+    let mut rest = line.as_str();
+    while let Some(start) = rest.find(is_letter) {
+        rest = &rest[start..];
+        let end = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
+        if !rest[end..].starts_with('(') {
+            own.push(&rest[..end]);
+        }
+        rest = &rest[end..];
+    }
+    list.split_whitespace().filter(|word| own.contains(word)).collect()
+}
+
+#[test]
+fn every_sentence_is_in_the_language_asked_for() {
+    let mut sentences = 0;
+    for (name, text) in scenes() {
+        for (language, foreign) in [("es", ENGLISH), ("en", SPANISH)] {
+            for line in all_said(&name, &with(&text, &[("language", language)])) {
+                // Names of links and points may be words.
+                let names = ["rod", "arm", "C o D"];
+                if names.contains(&line.as_str()) {
+                    continue;
+                }
+                let found = words_of(foreign, &line);
+                assert!(found.is_empty(), "{name} in {language}: {found:?} in {line:?}");
+                sentences += usize::from(line.ends_with('.'));
+            }
+        }
+    }
+    assert!(sentences > 1000, "only {sentences} sentences seen");
+}
+
+#[test]
+fn every_mistake_is_told_in_the_language_asked_for() {
+    for (language, foreign) in [("es", ENGLISH), ("en", SPANISH)] {
+        let scene = with(&files::read("examples/figure-2.json"), &[("language", language)]);
+        let scene = solved(&scene).expect("a good scene").scene;
+        let words = Wording::of(&scene.figure);
+        let other = Wording::of(&with_other(&scene, language));
+        let mut told = 0;
+        for mistake in Mistake::all() {
+            // Only of special points wrong lines are told.
+            let lines = match mistake {
+                Mistake::WrongLines => ["S3", "cut line of S5", "guide of 3/2", ""],
+                _ => ["S3", "S5", "omega(3)", "v_r(3/2)"],
+            };
+            for blanks in [["p", "b", "omega(2)", "L(B,S3)"], lines, ["", "", "mm", "m"]] {
+                let blanks = blanks.map(str::to_owned);
+                let own = words.mistake(mistake.words(), &blanks);
+                for (said, other) in own.iter().zip(other.mistake(mistake.words(), &blanks)) {
+                    let found = words_of(foreign, said);
+                    assert!(found.is_empty(), "{language}: {found:?} in {said:?}");
+                    told += usize::from(*said != other);
+                }
+            }
+        }
+        // Some say no more than a number or a formula.
+        assert!(told > 29 * 5, "only {told} differ");
+    }
+}
+
+/// The figure in the other language.
+fn with_other(scene: &Scene, language: &str) -> kinegon::scene::Figure {
+    let mut figure = scene.figure.clone();
+    figure.language = match language {
+        "es" => LanguageName::English,
+        _ => LanguageName::Spanish,
+    };
+    figure
+}
+
+#[test]
+fn a_check_speaks_the_language_asked_for() {
+    let [scene, form] = ["figure-2", "paper-as-student"].map(|name| {
+        let path = files::path(&format!("examples/{name}.json"));
+        path.to_str().expect("a plain path").to_owned()
+    });
+    for (language, foreign) in [("es", ENGLISH), ("en", SPANISH)] {
+        let run = |more: &[&str]| {
+            let mut command = kinegon();
+            command.args(["check", &scene, &form, "--language", language, "--depth", "1"]);
+            let output = command.args(more).output().expect("it runs");
+            assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+            String::from_utf8(output.stdout).expect("text")
+        };
+        for line in run(&["--decimal", "comma"]).lines() {
+            let found = words_of(foreign, line);
+            assert!(found.is_empty(), "{language}: {found:?} in {line:?}");
+            assert!(!has_decimals(line, '.'), "{line}");
+        }
+        let result: serde_json::Value = serde_json::from_str(&run(&["--json"])).expect("JSON");
+        let mistakes = result["diagnosis"]["mistakes"].as_array().expect("a list");
+        assert_eq!(mistakes.len(), 1);
+        for mistake in mistakes {
+            for key in ["done", "should_be"] {
+                let said = mistake[key].as_str().expect("a text");
+                let found = words_of(foreign, said);
+                assert!(found.is_empty(), "{language}: {found:?} in {said:?}");
+            }
+        }
+        let done = mistakes[0]["done"].as_str().expect("a text");
+        assert_eq!(done.contains("se midió"), language == "es", "{done}");
+    }
+}
+
+/// Whether a line has a digit, the mark and a digit.
+fn has_decimals(line: &str, mark: char) -> bool {
+    let letters: Vec<char> = line.chars().collect();
+    let digit = |c: char| c.is_ascii_digit();
+    letters.windows(3).any(|w| digit(w[0]) && w[1] == mark && digit(w[2]))
+}
+
+#[test]
+fn a_decimal_comma_stands_in_all_numbers() {
+    let mut commas = 0;
+    for (name, text) in scenes() {
+        for line in all_said(&name, &with(&text, &[("decimal", "comma")])) {
+            assert!(!has_decimals(&line, '.'), "{name}: {line}");
+            commas += usize::from(has_decimals(&line, ','));
+        }
+        let point = all_said(&name, &with(&text, &[("decimal", "point")]));
+        assert!(point.iter().any(|line| has_decimals(line, '.')), "{name}");
+    }
+    assert!(commas > 1000, "only {commas} lines with commas");
+}
+
+#[test]
+fn results_do_not_depend_on_the_wording() {
+    for (name, text) in scenes() {
+        let plain = with(&text, &[]);
+        let result = |text: &str| {
+            let solution = solved(text).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let plans = solution.construction.plans();
+            let points: Vec<_> = plans.map(|plan| plan.points.clone()).collect();
+            (format::json(&solution.result()), points, solution.warnings().collect::<Vec<String>>())
+        };
+        for notation in NotationName::ALL {
+            let worded = with(&text, &[("notation", notation.as_str()), ("language", "es"), ("decimal", "comma")]);
+            assert!(result(&worded) == result(&plain), "{name}");
+        }
+    }
+}
+
+/// What `kinegon steps` says of Figure 2 in a notation.
+fn figure_2_in(notation: &str) -> String {
+    let text = files::read("examples/figure-2.json");
+    steps(&solved(&with(&text, &[("notation", notation)])).expect("a good scene"))
+}
+
+#[test]
+fn notations_write_what_their_schools_write() {
+    for (notation, has, has_not) in [
+        (
+            "paper",
+            &["the pole p and", "the pole π and", "π b = ", "b n_b3 = ", "a^t_S3G", "a^c_S3B"][..],
+            &["′", "P_v", "τ"][..],
+        ),
+        (
+            "english",
+            &["the pole o and", "the pole o′ and", "o b = ", "o′ b′ = ", "b′ n_b3 = ", "o′ s′3 = ", "a^t_S3G"][..],
+            &["π", "P_v"][..],
+        ),
+        ("russian", &["the pole p and", "the pole π and", "a^τ_S3G", "a^k_S3B", "a^n_S3G"][..], &["a^t", "a^c"][..]),
+        ("german", &["the pole P_v and", "the pole P_a and", "P_v b = ", "P_a s3 = ", "a^t_S3G"][..], &["π", "′"][..]),
+    ] {
+        let text = figure_2_in(notation);
+        for word in has {
+            assert!(text.contains(word), "{notation}: no {word} in\n{text}");
+        }
+        for word in has_not {
+            assert!(!text.contains(word), "{notation}: {word} in\n{text}");
+        }
+        // Quantities keep their names.
+        for name in ["omega(4) = ", "alpha(2) = ", "v_r(3/2) = ", "a_r(3/2) = "] {
+            assert!(text.contains(name), "{notation}: no {name}");
+        }
+    }
+}
+
+#[test]
+fn a_pole_shares_its_letter_with_nothing_that_moves() {
+    // The fixed point O has its image at the pole; the moving point O of the other scene has not.
+    let fixed = with(&files::read("templates/hydraulic-boom.json"), &[("notation", "english")]);
+    let moving = files::read("templates/four-bar.json").replace("\"C\"", "\"O\"");
+    let moving = moving.replace("\"BC\"", "\"BO\"").replace("\"CD\"", "\"OD\"");
+    let moving = moving.replace("\"DC\"", "\"DO\"");
+    let moving = with(&moving, &[("notation", "english")]);
+    let labels = |text: &str, panel: &str| -> Vec<String> {
+        let drawing = solved(text).expect("a good scene").figure();
+        let prefix = format!("{panel}-label-");
+        let of_plan = drawing.marks.iter().filter_map(|mark| match &mark.shape {
+            Shape::Text(text) if mark.id.as_deref()?.starts_with(&prefix) => Some(text.text.content()),
+            _ => None,
+        });
+        of_plan.flat_map(|label| label.split(", ").map(str::to_owned).collect::<Vec<_>>()).collect()
+    };
+    for panel in ["velocity", "acceleration"] {
+        for text in [&fixed, &moving] {
+            let mut shown = labels(text, panel);
+            shown.sort();
+            let count = shown.len();
+            shown.dedup();
+            assert!(count > 2 && shown.len() == count, "{panel}: {shown:?}");
+        }
+    }
+}
+
+#[test]
+fn the_command_line_goes_before_the_scene() {
+    let scene = with(&files::read("examples/figure-2.json"), &[("language", "es"), ("notation", "german")]);
+    let run = |arguments: &[&str]| {
+        let output = program::with_scene(arguments, scene.as_bytes());
+        assert!(output.status.success(), "{}", stderr(&output));
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let own = run(&["steps", "-"]);
+    assert!(own.contains("Elegir el polo P_v") && own.contains("39.68°"), "{own}");
+    let other = ["steps", "-", "--language", "en", "--notation", "paper", "--decimal", "comma"];
+    let other = run(&other);
+    assert!(other.contains("Choose the pole p") && other.contains("39,68°"), "{other}");
+    let drawn = run(&["draw", "-", "-o", "-", "--language", "en"]);
+    assert!(drawn.contains("Velocity plan") && drawn.contains(">P</tspan>"), "{drawn}");
+    let curves = run(&["curves", "-", "-o", "-", "--decimal", "comma"]);
+    assert!(curves.contains("Velocidad angular") && curves.contains(">0,5<"), "{curves}");
+    // Results have no words, and no options for them.
+    assert_eq!(run(&["solve", "-"]), run(&["solve", "-"]));
+    let refused = kinegon().args(["steps", "-", "--language", "fr"]).output();
+    let refused = refused.expect("it runs");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(stderr(&refused).contains("[possible values: en, es]"));
+}

@@ -1,0 +1,150 @@
+//! Numbers of about 32 digits, so that a difference from a published decimal is not blurred by reading that decimal.
+//! Plain code on purpose: it shares nothing with what it measures.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// The unevaluated sum of two f64 (Dekker 1971, Knuth 1969): about 106 bits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exact {
+    high: f64,
+    low: f64,
+}
+
+impl Exact {
+    /// The decimal number that `text` writes, to 30 digits or more.
+    pub fn read(text: &str) -> Exact {
+        let high: f64 = text.parse().expect("a decimal number");
+        Exact::sum(high, -minus(high, text))
+    }
+
+    /// The nearest f64.
+    pub fn rounded(self) -> f64 {
+        self.high + self.low
+    }
+
+    fn sum(a: f64, b: f64) -> Exact {
+        let high = a + b;
+        let part = high - a;
+        let low = (a - (high - part)) + (b - part);
+        Exact { high, low }
+    }
+}
+
+impl From<f64> for Exact {
+    fn from(high: f64) -> Exact {
+        Exact { high, low: 0.0 }
+    }
+}
+
+impl Add for Exact {
+    type Output = Exact;
+    fn add(self, other: Exact) -> Exact {
+        let (high, low) = (Exact::sum(self.high, other.high), Exact::sum(self.low, other.low));
+        let once = Exact::sum(high.high, high.low + low.high);
+        Exact::sum(once.high, once.low + low.low)
+    }
+}
+
+impl Neg for Exact {
+    type Output = Exact;
+    fn neg(self) -> Exact {
+        Exact { high: -self.high, low: -self.low }
+    }
+}
+
+impl Sub for Exact {
+    type Output = Exact;
+    fn sub(self, other: Exact) -> Exact {
+        self + -other
+    }
+}
+
+impl Mul for Exact {
+    type Output = Exact;
+    fn mul(self, other: Exact) -> Exact {
+        let high = self.high * other.high;
+        let low = self.high.mul_add(other.high, -high);
+        Exact::sum(high, low + (self.high * other.low + self.low * other.high))
+    }
+}
+
+/// A whole number times a power of ten.
+struct Decimal {
+    digits: i128,
+    exponent: i32,
+}
+
+/// As many digits as an i128 holds and still leaves room for one difference.
+const DIGITS: i32 = 36;
+
+impl Decimal {
+    fn read(text: &str) -> Decimal {
+        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits = format!("{whole}{fraction}");
+        let exponent: i32 = exponent.parse().expect("an exponent");
+        Decimal {
+            digits: digits.parse().expect("at most 38 digits"),
+            exponent: exponent - i32::try_from(fraction.len()).expect("a short fraction"),
+        }
+    }
+
+    /// The power of ten just above the number.
+    fn top(&self) -> i32 {
+        let count = self.digits.unsigned_abs().checked_ilog10().map_or(0, |log| log + 1);
+        self.exponent + i32::try_from(count).expect("at most 38 digits")
+    }
+
+    /// How many units of 10^`unit` it is, cut off.
+    fn in_units(&self, unit: i32) -> i128 {
+        let shift = self.exponent - unit;
+        let power = 10_i128.checked_pow(shift.unsigned_abs());
+        match (shift >= 0, power) {
+            (true, Some(power)) => self.digits * power,
+            (false, Some(power)) => self.digits / power,
+            (_, None) => 0,
+        }
+    }
+}
+
+/// The exact value of `x` minus the decimal number `reference`, rounded once.
+///
+/// The subtraction is done in whole numbers; what is lost is below 10^−35 of the larger one.
+pub fn minus(x: f64, reference: &str) -> f64 {
+    // Rust writes as many exact digits of an f64 as it is asked for.
+    let x = Decimal::read(&format!("{x:.35e}"));
+    let mut reference = Decimal::read(reference);
+    if reference.digits == 0 {
+        reference.exponent = x.exponent;
+    }
+    let top = |d: &Decimal| if d.digits == 0 { i32::MIN } else { d.top() };
+    let largest = top(&x).max(top(&reference));
+    if largest == i32::MIN {
+        return 0.0;
+    }
+    let unit = largest - DIGITS;
+    let units = x.in_units(unit) - reference.in_units(unit);
+    format!("{units}e{unit}").parse().expect("a decimal number")
+}
+
+/// Whether `x` is above `bound`; a NaN is above all bounds.
+pub fn exceeds(x: f64, bound: f64) -> bool {
+    x.is_nan() || x > bound
+}
+
+/// Checked here because every other number of these tests rests on it.
+#[test]
+fn differences_from_decimals_are_exact() {
+    // 0.1 is 0.1000000000000000055511151231257827… in binary.
+    let tenth = minus(0.1, "0.1");
+    assert!((tenth / 5.551_115_123_125_783e-18 - 1.0).abs() < 1e-14);
+    assert_eq!(libm::log10(minus(-2.5e-300, "-2.5E-300").abs()).floor(), -317.0);
+    assert_eq!(minus(3.0, "0"), 3.0);
+    assert_eq!(minus(0.0, "-3.0"), 3.0);
+    assert_eq!(minus(0.0, "0"), 0.0);
+    assert_eq!(minus(1e20, "100000000000000000001"), -1.0);
+    assert_eq!(minus(1.0, "1e40"), -1e40);
+    let third = Exact::read("0.33333333333333333333333333333333");
+    let rest = third * Exact::from(3.0) - Exact::from(1.0);
+    assert!((rest.rounded() / -1e-32 - 1.0).abs() < 0.5, "{rest:?}");
+}

@@ -1,0 +1,58 @@
+//! Files of the repository.
+
+use std::path::{Path, PathBuf};
+
+/// The path of a file or folder of the repository.
+pub fn path(of: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(of)
+}
+
+/// The text of a file of the repository.
+pub fn read(of: &str) -> String {
+    std::fs::read_to_string(path(of)).unwrap_or_else(|error| panic!("{of}: {error}"))
+}
+
+/// What lies in a folder of the repository, sorted.
+pub fn list(folder: &str) -> Vec<String> {
+    let entries = std::fs::read_dir(path(folder)).expect("the folder is there");
+    let names = entries.map(|entry| entry.expect("it can be listed").file_name());
+    let mut names: Vec<String> = names.map(|name| name.into_string().expect("a plain name")).collect();
+    names.sort();
+    names
+}
+
+/// Names and texts of the starting scenes, sorted.
+pub fn templates() -> Vec<(String, String)> {
+    scenes("templates")
+}
+
+/// Names and texts of the scenes in a folder, sorted; schemas, expected numbers and measured values are none.
+pub fn scenes(folder: &str) -> Vec<(String, String)> {
+    let files = list(folder).into_iter();
+    let names = files.filter_map(|file| Some(file.strip_suffix(".json")?.to_owned()));
+    let scenes = names.filter(|name| !name.ends_with(".schema") && !name.ends_with(".expect"));
+    let with_text = |name: String| {
+        let text = read(&format!("{folder}/{name}.json"));
+        (name, text)
+    };
+    let scenes = scenes.map(with_text);
+    scenes.filter(|(_, text)| text.contains("\"kinegon\":")).collect()
+}
+
+/// The text of the scene in a line of `tests/reference`, so that its numbers are read by the library and nobody before it.
+pub fn scene_text(line: &str) -> &str {
+    let key = "\"scene\":";
+    let start = line.find(key).expect("a case has a scene") + key.len();
+    let mut depth = 0;
+    for (i, byte) in line.bytes().enumerate().skip(start) {
+        match byte {
+            b'{' => depth += 1,
+            b'}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return &line[start..=i];
+        }
+    }
+    panic!("the scene ends")
+}

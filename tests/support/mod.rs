@@ -1,0 +1,18 @@
+//! What tests share. Each of the three programs includes all of it once.
+#![allow(dead_code)] // not every program uses all of it
+
+pub mod browser;
+pub mod changes;
+pub mod comparison;
+pub mod exact;
+pub mod faults;
+pub mod files;
+pub mod groups;
+pub mod images;
+pub mod later;
+pub mod planted;
+pub mod program;
+pub mod random;
+pub mod stages;
+pub mod tools;
+pub mod whole_way;

@@ -1,0 +1,41 @@
+//! Programs that read and draw what we write: judges that need not be installed.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Where a program is, or none with a word on stderr: the test that needs it is then skipped.
+pub fn find(program: &str) -> Option<PathBuf> {
+    let folders = std::env::var_os("PATH")?;
+    let found = std::env::split_paths(&folders).map(|folder| folder.join(program)).find(|path| path.is_file());
+    if found.is_none() {
+        eprintln!("skipped: {program} is not installed");
+    }
+    found
+}
+
+/// What a program says on stdout.
+pub fn run<A: AsRef<OsStr>>(program: &Path, arguments: impl IntoIterator<Item = A>) -> Vec<u8> {
+    run_in(Path::new(env!("CARGO_TARGET_TMPDIR")), program, arguments)
+}
+
+/// The same, in a folder of its own.
+pub fn run_in<A: AsRef<OsStr>>(folder: &Path, program: &Path, arguments: impl IntoIterator<Item = A>) -> Vec<u8> {
+    let mut command = Command::new(program);
+    command.args(arguments).current_dir(folder).stdin(Stdio::null());
+    let output = command.output().expect("the program starts");
+    assert!(
+        output.status.success(),
+        "{command:?}\n{}\n{}",
+        String::from_utf8_lossy(&output.stdout),
+        String::from_utf8_lossy(&output.stderr)
+    );
+    output.stdout
+}
+
+/// A file of that name among the tests' products.
+pub fn leave(name: &str, bytes: &[u8]) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::write(&path, bytes).expect("the test's folder can be written");
+    path
+}
