@@ -202,6 +202,11 @@ impl<'a> Canvas<'a> {
     ) -> &mut Wanted {
         let markup = self.renamed.get(name).map_or(standard, String::as_str);
         let request = LabelRequest { text: RichText::math(markup), size: LABEL, anchor, clearance, prefer, priority };
+        self.ask(name, request)
+    }
+
+    /// Asks for a label of the usual look; `name` is the end of its mark's id.
+    pub(super) fn ask(&mut self, name: &str, request: LabelRequest) -> &mut Wanted {
         self.want(Wanted { request, name: format!("label-{name}"), pen: Pen::Label, number: None, optional: false })
     }
 
@@ -221,7 +226,7 @@ impl<'a> Canvas<'a> {
             prefer: None,
             priority: 3,
         };
-        self.want(Wanted { request, name: format!("label-{name}"), pen: Pen::Label, number: None, optional: false });
+        self.ask(name, request);
     }
 
     /// The text that a name is shown by.

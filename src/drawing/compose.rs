@@ -14,6 +14,8 @@ use kurbo::{Point, Rect};
 
 /// Size of the title.
 pub(super) const TITLE: f64 = 5.2;
+/// Where its baseline is.
+pub(super) const TITLE_LINE: f64 = MARGIN + 5.6;
 
 /// A sheet of panels true to scale, before it is laid out and drawn.
 pub(super) struct Composition<'a> {
@@ -81,6 +83,6 @@ pub(super) fn draw_title(drawing: &mut Drawing) {
     let title = RichText::verbatim(&drawing.title);
     let room = drawing.width - MARGIN - MARGIN;
     let size = TITLE * (room / title.width(TITLE)).min(1.0);
-    let heading = PlacedText::new(title, size, Point::new(MARGIN, MARGIN + 5.6));
+    let heading = PlacedText::new(title, size, Point::new(MARGIN, TITLE_LINE));
     drawing.draw(Pen::Heading, Shape::Text(heading));
 }

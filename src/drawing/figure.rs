@@ -7,10 +7,11 @@ use super::layout::{Needs, Placed};
 use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;
-use super::panel::{Frame, Layer, Layers, Panel, numbered_name};
+use super::panel::{Frame, Layer, Layers, Panel, numbered};
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::{Drawing, Pen};
+use super::text::RichText;
 use super::view::{Extent, View, fitting_scale};
 use super::words::StepWords;
 use super::worksheet::Worksheet;
@@ -179,7 +180,7 @@ pub(super) fn panels<'a>(
 ) -> Vec<Panel<'a>> {
     let panel = |(index, &(panel, extent)): (usize, &(PanelName, Extent))| {
         let name = name(scheme.words.language, panel);
-        let frame = |index| Frame::new(Line::new(vec![numbered_name(index, name)]), Pen::Heading);
+        let frame = |index| Frame::new(Line::new(vec![RichText::plain(&numbered(index, name))]), Pen::Heading);
         let lowest: Box<dyn Layer> = Box::new(frame(index));
         Panel {
             name: name.to_owned(),

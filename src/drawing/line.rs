@@ -15,6 +15,15 @@ impl Line {
         Line(parts)
     }
 
+    /// A sentence with a symbol in its blank.
+    pub(super) fn around(sentence: impl Fn(&str) -> String, symbol: RichText) -> Line {
+        const BLANK: &str = "\u{fffc}";
+        let sentence = sentence(BLANK);
+        let (before, behind) = sentence.split_once(BLANK).unwrap_or((&sentence, ""));
+        let words = |text: &str| (!text.trim().is_empty()).then(|| RichText::plain(text.trim()));
+        Line(words(before).into_iter().chain([symbol]).chain(words(behind)).collect())
+    }
+
     pub(super) fn width(&self, size: f64) -> f64 {
         let spaces = self.0.len().saturating_sub(1) as f64 * Self::SPACE * size;
         spaces + self.0.iter().map(|part| part.width(size)).sum::<f64>()

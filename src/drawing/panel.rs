@@ -5,7 +5,6 @@ use super::layout::{Needs, Placed};
 use super::line::Line;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
-use super::text::RichText;
 use super::view::View;
 use indexmap::IndexMap;
 use kurbo::Vec2;
@@ -100,8 +99,7 @@ impl Layer for Frame {
     }
 }
 
-/// What the panel of this number is called, as in `(a) Scheme`.
-pub(super) fn numbered_name(index: usize, name: &str) -> RichText {
-    let letter = char::from(b'a' + index as u8);
-    RichText::plain(&format!("({letter}) {name}"))
+/// The heading of the panel of this number, as in `(a) Scheme`.
+pub(super) fn numbered(index: usize, name: &str) -> String {
+    format!("({}) {name}", char::from(b'a' + index as u8))
 }
