@@ -173,16 +173,14 @@ impl<'a> Canvas<'a> {
     /// Whether nothing has been drawn within a circle, and none that shows a crowded place reaches into it.
     pub(super) fn is_free(&self, centre: Point, radius: f64) -> bool {
         let far = radius * radius;
-        let lines = self.obstacles.lines.iter();
-        let mut lines = lines.map(|&(a, b)| Line::new(a, b).nearest(centre, 1e-3).distance_sq);
-        let mut boxes = self.obstacles.boxes.iter().map(|area| {
+        let is_off_line = |&(a, b): &(Point, Point)| Line::new(a, b).nearest(centre, 1e-3).distance_sq > far;
+        let is_off_box = |area: &Rect| {
             let nearest = Point::new(centre.x.clamp(area.x0, area.x1), centre.y.clamp(area.y0, area.y1));
-            (nearest - centre).hypot2()
-        });
-        let mut closed = self.closed.iter();
-        lines.all(|distance| distance > far)
-            && boxes.all(|distance| distance > far)
-            && closed.all(|(other, own)| (*other - centre).hypot() > own + radius)
+            (nearest - centre).hypot2() > far
+        };
+        self.obstacles.lines.iter().all(is_off_line)
+            && self.obstacles.boxes.iter().all(is_off_box)
+            && self.closed.iter().all(|(other, own)| (*other - centre).hypot() > own + radius)
     }
 
     /// Keeps labels off a box.
@@ -239,10 +237,7 @@ impl<'a> Canvas<'a> {
     pub(super) fn finish(mut self) {
         let mut requests = std::mem::take(&mut self.requests);
         requests.retain(|(wanted, _)| holds(self.frame, wanted.request.anchor));
-        let shown = |anchor: Point| {
-            let mut circles = self.closed.iter();
-            circles.any(|(centre, radius)| (anchor - *centre).hypot() < *radius)
-        };
+        let shown = |anchor: Point| self.closed.iter().any(|(centre, radius)| (anchor - *centre).hypot() < *radius);
         let (within, outside): (Vec<_>, Vec<_>) =
             requests.into_iter().partition(|(wanted, _)| shown(wanted.request.anchor));
         self.place(within);

@@ -30,10 +30,7 @@ pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
             Some((a, b)) => vec![Shape::Line(a, b)],
             None => Vec::new(),
         },
-        Shape::Polyline(points) => {
-            let parts = points.windows(2).filter_map(|ends| line(&ends[0], &ends[1]));
-            parts.collect()
-        }
+        Shape::Polyline(points) => points.windows(2).filter_map(|ends| line(&ends[0], &ends[1])).collect(),
         Shape::Polygon(corners) => {
             let corners = inside(area, corners);
             let some = corners.len() > 2;

@@ -13,7 +13,7 @@ use crate::words::Wording;
 use kurbo::{Point, Rect};
 
 /// Size of the title.
-pub(super) const TITLE: f64 = 5.2;
+pub(super) const TITLE_SIZE: f64 = 5.2;
 /// Where its baseline is.
 pub(super) const TITLE_LINE: f64 = MARGIN + 5.6;
 
@@ -82,7 +82,7 @@ pub(super) fn titled(scene: &Scene, words: &Wording, title: String) -> Drawing {
 pub(super) fn draw_title(drawing: &mut Drawing) {
     let title = RichText::verbatim(&drawing.title);
     let room = drawing.width - MARGIN - MARGIN;
-    let size = TITLE * (room / title.width(TITLE)).min(1.0);
+    let size = TITLE_SIZE * (room / title.width(TITLE_SIZE)).min(1.0);
     let heading = PlacedText::new(title, size, Point::new(MARGIN, TITLE_LINE));
     drawing.draw(Pen::Heading, Shape::Text(heading));
 }

@@ -65,8 +65,11 @@ impl Solution {
         let scheme = Scheme::new(self);
         let extents = extents(&scheme);
         let layout = finished(&scheme, &extents).layout();
-        let panels = extents.iter().zip(&layout.panels);
-        panels.filter_map(|((panel, extent), placed)| overflow_warning(*panel, extent, placed)).collect()
+        extents
+            .iter()
+            .zip(&layout.panels)
+            .filter_map(|((panel, extent), placed)| overflow_warning(*panel, extent, placed))
+            .collect()
     }
 }
 

@@ -67,8 +67,7 @@ impl Inset {
 
     /// Draws the circles and, larger, all that the canvas shows of the crowd.
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, words: &Wording) {
-        let lasting = canvas.marks().iter().filter(|mark| !mark.passing);
-        let marks: Vec<Mark> = lasting.cloned().collect();
+        let marks: Vec<Mark> = canvas.marks().iter().filter(|mark| !mark.passing).cloned().collect();
         for mark in &marks {
             for shape in self.enlarged(&mark.shape) {
                 canvas.since(mark.since);
@@ -104,8 +103,7 @@ impl Inset {
         let lines = |points: &[Point], closed: bool| {
             let ends = points.iter().zip(points.iter().cycle().skip(1));
             let count = points.len().saturating_sub(usize::from(!closed));
-            let parts = ends.take(count).filter_map(|(a, b)| line(*a, *b));
-            parts.map(|(a, b)| Shape::Line(a, b)).collect()
+            ends.take(count).filter_map(|(a, b)| line(*a, *b)).map(|(a, b)| Shape::Line(a, b)).collect()
         };
         match shape {
             Shape::Line(a, b) => lines(&[*a, *b], false),
@@ -178,8 +176,8 @@ fn free_place(canvas: &Canvas<'_>, near: Point, radius: f64) -> Option<Point> {
         let count = ((to - from) / STEP) as usize;
         (0..=count).map(move |k| from + STEP * k as f64)
     };
-    let all = places(room.x0, room.x1).flat_map(|x| places(room.y0, room.y1).map(move |y| Point::new(x, y)));
-    let mut all: Vec<Point> = all.collect();
+    let mut all: Vec<Point> =
+        places(room.x0, room.x1).flat_map(|x| places(room.y0, room.y1).map(move |y| Point::new(x, y))).collect();
     let distance = |p: &Point| (*p - near).hypot2();
     all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     all.into_iter().find(|p| canvas.is_free(*p, radius + APART))

@@ -89,9 +89,7 @@ impl Entry {
 /// Whether the scales find room in the layout's columns.
 pub(super) fn fits(layout: &Layout, words: &Wording, units: Units) -> bool {
     let column = layout.legend.width() / layout.columns as f64;
-    let entries = layout.panels.iter().map(|p| Entry::new(p.kind, p.mu, words, units));
-    let mut widths = entries.map(|entry| entry.width());
-    widths.all(|width| width <= column - PAD)
+    layout.panels.iter().all(|placed| Entry::new(placed.kind, placed.mu, words, units).width() <= column - PAD)
 }
 
 /// The box with the scales of the panels, and room for words.
@@ -125,8 +123,7 @@ pub(super) fn agreement(words: &Wording, construction: &Construction) -> String 
             language.agreement(&difference, &allowed)
         }
         _ => {
-            let mut special = construction.special.iter().flatten();
-            let far = special.any(|s| s.place.finite().is_none());
+            let far = construction.special.iter().flatten().any(|special| special.place.finite().is_none());
             let why = if far { language.one_route_far() } else { language.one_route() };
             why.to_owned()
         }

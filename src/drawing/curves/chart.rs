@@ -98,10 +98,7 @@ fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>,
 fn drive_axis(course: &Course<'_>, across: [f64; 2]) -> Axis {
     let [low, high] = course.range;
     let margin = BEYOND * (high - low);
-    let beside = |at: f64| {
-        let mut verticals = course.verticals().into_iter();
-        verticals.any(|(pen, x)| pen == Pen::Limit && (x - at).abs() < margin)
-    };
+    let beside = |at: f64| course.verticals().iter().any(|(pen, x)| *pen == Pen::Limit && (x - at).abs() < margin);
     let end = |at: f64, beyond: f64| if beside(at) { at + beyond } else { at };
     let ends = [end(low, -margin), end(high, margin)];
     Axis::new(course.words, ends, across, APART, course.path.drive.is_angle())
@@ -182,8 +179,7 @@ fn description(course: &Course<'_>, graphs: &[Graph<'_>]) -> String {
         let unit = graph.kind.unit(units);
         let value = |value: f64| format!("{} {unit}", course.number(value, 6));
         for (curve, _) in &graph.curves {
-            let names: Vec<&str> = curve.asked.iter().map(|a| a.name()).collect();
-            let names = names.join(" = ");
+            let names = curve.asked.iter().map(|asked| asked.name()).collect::<Vec<_>>().join(" = ");
             if let Some(constant) = curve.constant {
                 let sentence = language.is_constant(&names, &value(constant));
                 text.push_str(&format!(" {sentence};"));

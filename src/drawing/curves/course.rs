@@ -1,7 +1,7 @@
 use super::axis::significant;
 use crate::cycle::{Event, Happening, Path};
 use crate::drawing::canvas::CAPTION;
-use crate::drawing::compose::{self, titled};
+use crate::drawing::compose::{TITLE_LINE, TITLE_SIZE, titled};
 use crate::drawing::layout::MARGIN;
 use crate::drawing::line::Line;
 use crate::drawing::sheet::{Drawing, Pen};
@@ -27,10 +27,10 @@ impl Course<'_> {
     pub fn titled(&self, right: f64) -> Drawing {
         let title = self.scene.title.as_deref().unwrap_or(self.words.language.curves());
         let mut drawing = titled(self.scene, &self.words, title.to_owned());
-        let free = right - RichText::verbatim(title).width(compose::TITLE) - MARGIN - 6.0;
+        let free = right - RichText::verbatim(title).width(TITLE_SIZE) - MARGIN - 6.0;
         let speeds = self.speeds();
         if speeds.width(CAPTION) <= free {
-            speeds.ending(&mut drawing, Point::new(right, compose::TITLE_LINE));
+            speeds.ending(&mut drawing, Point::new(right, TITLE_LINE));
         }
         drawing
     }

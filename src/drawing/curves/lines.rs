@@ -37,8 +37,7 @@ pub(super) fn simplified(points: &[Point]) -> Vec<Point> {
             open.extend([(from, middle), (middle, to)]);
         }
     }
-    let kept = points.iter().zip(keep).filter(|(_, keep)| *keep);
-    kept.map(|(point, _)| *point).collect()
+    points.iter().zip(keep).filter(|(_, keep)| *keep).map(|(point, _)| *point).collect()
 }
 
 /// The distance of a point from the straight line between two others.

@@ -9,8 +9,7 @@ pub(super) fn looks(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<usize>
     let mut shared: Vec<&str> = Vec::new();
     for (number, (_, members)) in kinds.iter().enumerate() {
         for own in members.iter().map(subject) {
-            let mut others = kinds[number + 1..].iter();
-            let again = others.any(|(_, other)| other.iter().any(|i| subject(i) == own));
+            let again = kinds[number + 1..].iter().any(|(_, other)| other.iter().any(|index| subject(index) == own));
             if again && !shared.contains(&own) {
                 shared.push(own);
             }

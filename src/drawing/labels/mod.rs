@@ -33,8 +33,8 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
     search.make_room();
     search.improve();
     search.look_everywhere();
-    let found = search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen]));
-    let found: Vec<Option<Place>> = found.collect();
+    let found: Vec<Option<Place>> =
+        search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen])).collect();
     let placed = requests.iter().zip(found).enumerate().map(|(index, (request, found))| {
         let crowded = found.is_none();
         let place = found.unwrap_or_else(|| search.least_bad(index));

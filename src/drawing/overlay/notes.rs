@@ -106,11 +106,13 @@ impl Item for Notes<'_> {
     }
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let mut area = layout.below();
-        if let Some(column) = layout.aside.filter(|_| self.is_column()) {
-            drawing.draw(Pen::Frame, Shape::Polygon(corners(column)));
-            area = Rect { y0: column.y0 + TOP, ..column };
-        }
+        let area = match layout.aside {
+            Some(column) if self.is_column() => {
+                drawing.draw(Pen::Frame, Shape::Polygon(corners(column)));
+                Rect { y0: column.y0 + TOP, ..column }
+            }
+            _ => layout.below(),
+        };
         self.draw_key(drawing, area);
         lines::draw(drawing, area, self.key_lines(), &self.lines());
     }

@@ -92,8 +92,7 @@ impl Overlay {
     pub(in crate::drawing) fn extended(&self, panel: PanelName, own: Extent, is_given: bool) -> Extent {
         let reach = REACH[usize::from(is_given)];
         let points = self.points.iter().filter(|p| p.panel == panel);
-        let ends = self.lines.iter().filter(|l| l.panel == panel);
-        let ends = ends.flat_map(|l| l.ends);
+        let ends = self.lines.iter().filter(|l| l.panel == panel).flat_map(|l| l.ends);
         let mut extent = own;
         for place in points.map(|p| p.at).chain(ends) {
             let all = Extent::of([extent.low, extent.high, place]);
