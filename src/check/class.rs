@@ -1,9 +1,10 @@
 //! What a teacher sees of a whole class: a row for each drawing, and what went wrong most often.
 
-use super::diagnosis::Finding;
+use super::checked::Checked;
+use super::explanation::Finding;
 use super::marks::{Awarded, Scheme};
 use super::report::sentences;
-use super::verdict::{Checked, Verdict};
+use super::verdict::Verdict;
 use crate::scene::schema_of;
 use crate::words::Wording;
 use schemars::JsonSchema;

@@ -1,9 +1,8 @@
 //! How far honest errors carry all values together.
 
-use super::mistakes::Candidate;
-use super::model::{GROUPS, PLOTTED, TOGETHER};
-use super::score::Scorer;
-use crate::construction::{Change, Values};
+use super::datum::Datum;
+use super::model::{Changes, GROUPS, Model, PLOTTED, TOGETHER};
+use crate::construction::{Change, Tolerance, Values};
 
 /// How good a hand is, and how it computes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,16 +74,26 @@ fn add_outer(matrix: &mut [f64], column: &[f64]) {
 /// Difference quotients are taken with this part of an error's limit: larger errors bend, the least ones drown in rounding.
 const STEP: f64 = 0.125;
 
-impl Scorer<'_> {
-    /// The covariances of the values of drawings with these mistakes.
-    pub fn covariances(&self, set: &[&Candidate]) -> Covariances {
-        let model = self.model(set);
-        let count = self.data.len();
-        let variants = self.variants(set);
+/// Reads data from values of a run into their places.
+pub(super) fn read(model: &Model, values: &Values, data: &[Datum], which: &[usize], into: &mut [f64]) {
+    for &datum in which {
+        if let Ok(reading) = model.readings[data[datum].entry] {
+            into[datum] = values.number(reading.number);
+        }
+    }
+}
+
+/// The runs that values are read from: changes put into the construction, and the data that are read there.
+pub(super) type Variants<'c> = [(Changes<'c>, Vec<usize>)];
+
+impl Covariances {
+    /// The covariances of the values of drawings with changes.
+    pub fn new(model: &Model, tolerance: &Tolerance, data: &[Datum], variants: &Variants<'_>) -> Covariances {
+        let count = data.len();
         let bases: Vec<Values> = variants.iter().map(|(c, _)| model.replay(c)).collect();
         let mut exact = vec![0.0; count];
-        for ((_, data), base) in variants.iter().zip(&bases) {
-            self.read(model, base, data, &mut exact);
+        for ((_, which), base) in variants.iter().zip(&bases) {
+            read(model, base, data, which, &mut exact);
         }
         let mut covariances = Covariances {
             groups: core::array::from_fn(|_| vec![0.0; count * count]),
@@ -95,13 +104,13 @@ impl Scorer<'_> {
         let mut column = vec![0.0; count];
         let deviation = 1.0 / 3.0_f64.sqrt();
         let mut plotted: Vec<Vec<f64>> = Vec::new();
-        for (operation, which, limit, group) in model.errors(&self.tolerance) {
-            for ((changes, data), base) in variants.iter().zip(&bases) {
+        for (operation, which, limit, group) in model.errors(tolerance) {
+            for ((changes, which_data), base) in variants.iter().zip(&bases) {
                 let change = Change::Error(which, STEP * limit);
                 model.replay_after(&mut scratch, base, operation, change, changes);
-                self.read(model, &scratch, data, &mut column);
+                read(model, &scratch, data, which_data, &mut column);
             }
-            for ((own, exact), datum) in column.iter_mut().zip(&exact).zip(&self.data) {
+            for ((own, exact), datum) in column.iter_mut().zip(&exact).zip(data) {
                 *own = datum.turned(*own - exact) * (deviation / STEP);
             }
             add_outer(&mut covariances.groups[group], &column);
@@ -119,16 +128,16 @@ impl Scorer<'_> {
             add_outer(&mut covariances.groups[TOGETHER], &column);
         }
         // People go on with numbers as they write them: those that are read here, and sizes of vectors that are laid off, to the same decimals.
-        let read = self.data.iter().enumerate().filter_map(|(index, datum)| {
+        let written = data.iter().enumerate().filter_map(|(index, datum)| {
             let reading = model.readings[datum.entry].ok()?;
             Some((reading.number, datum.rounding, Some(index)))
         });
         let sizes = model.sizes.iter().map(|&(number, sheet)| {
-            let same = self.data.iter().filter(|d| d.sheet == Some(sheet));
+            let same = data.iter().filter(|d| d.sheet == Some(sheet));
             let finest = same.map(|d| d.rounding).fold(f64::INFINITY, f64::min);
             (number, if finest.is_finite() { finest } else { 0.0 }, None)
         });
-        for (number, rounding, datum) in read.chain(sizes) {
+        for (number, rounding, datum) in written.chain(sizes) {
             let Some(operation) = model.makers[number.0].filter(|_| model.used[number.0]) else {
                 continue;
             };
@@ -136,10 +145,10 @@ impl Scorer<'_> {
                 covariances.used[datum] = true;
             }
             let size = rounding * deviation;
-            for ((changes, data), base) in variants.iter().zip(&bases) {
+            for ((changes, which_data), base) in variants.iter().zip(&bases) {
                 let change = Change::Written(number, base.number(number) + size);
                 model.replay_after(&mut scratch, base, operation, change, changes);
-                self.read(model, &scratch, data, &mut column);
+                read(model, &scratch, data, which_data, &mut column);
             }
             for (own, exact) in column.iter_mut().zip(&exact) {
                 *own -= exact;

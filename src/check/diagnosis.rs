@@ -1,41 +1,25 @@
 //! What the explanations that were tried come to.
 
-use super::mistakes::Candidate;
-use super::search::{MARGIN, Search, Tried, is_by_hand};
+use super::answer_key::AnswerKey;
+use super::entry::Entry;
+use super::explanation::{Diagnosis, Explanation, Finding};
+use super::mistakes::{Candidate, Site};
+use super::model::Model;
+use super::score::Scorer;
+use super::search::{MARGIN, Search, Tried, is_by_hand, other_modes};
 use super::verdict::{Judged, Verdict};
 
-/// What explains the values.
-#[derive(Clone, Debug)]
-pub struct Diagnosis {
-    /// The mistakes that explain them best, in the order of the construction; none where nothing is to be explained or nothing in the
-    /// catalogue does.
-    pub best: Explanation,
-    /// What explains them, too, less surely.
-    pub others: Vec<Explanation>,
-    /// The values, by their places in the list, that remain without an explanation.
-    pub unexplained: Vec<usize>,
-}
-
-/// Mistakes that explain values together.
-#[derive(Clone, Debug)]
-pub struct Explanation {
-    /// The mistakes, in the order of the construction.
-    pub findings: Vec<Finding>,
-    /// How sure it is among all explanations that were tried, from 0 to 1.
-    pub probability: f64,
-    /// Whether it is here because the given values alone cannot tell it from the best one.
-    pub is_alike: bool,
-}
-
-/// A mistake that was probably made.
-#[derive(Clone, Debug)]
-pub struct Finding {
-    /// The mistake, and where it was made.
-    pub candidate: Candidate,
-    /// Values, by their places in the list, that differ from the right ones because of it and are consistent with it.
-    pub follows: Vec<usize>,
-    /// Values that it touches itself: written otherwise than meant, or read where it was made.
-    pub written: Vec<usize>,
+/// What explains the values of an own drawing.
+pub(super) fn diagnose(key: &AnswerKey<'_>, mu: [Option<f64>; 3], model: &Model, values: &[Judged]) -> Diagnosis {
+    let entries: Vec<Entry> = values.iter().map(|v| v.entry.clone()).collect();
+    let mut models = vec![model.clone()];
+    models.extend(other_modes(key, mu, &entries));
+    let site = Site { model, key, entries: &entries, other_modes: models.len() - 1 };
+    let candidates = site.candidates();
+    let scorer = Scorer::new(&models, &entries, key.tolerance);
+    let search = Search::new(&candidates, &scorer);
+    let tried = search.run(key.depth);
+    search.diagnosis(tried, values)
 }
 
 /// By how much mistakes must explain the values of a hand drawing better than no mistake, where none is off beyond its tolerance: fifty times likelier.

@@ -12,6 +12,9 @@ const HANDS: [f64; 9] = [1.0, 0.5, 0.2, 0.05, 0.01, 2e-3, 4e-4, 8e-5, 1e-5];
 /// The errors of the velocity plan.
 const VELOCITY: usize = 2;
 
+/// Two explanations fit as well whose likelihoods differ by less than a factor of two.
+const SAME_FIT: f64 = 1.4;
+
 /// Cost of a hand ten times better than the tolerance says, at one kind of acts.
 const BETTER_HAND: f64 = 1.2;
 
@@ -114,6 +117,31 @@ impl From<Hands<'_, '_>> for Fit {
 }
 
 impl Scorer<'_> {
+    /// About how far honest errors of a hand as good as the fit says let a value be off.
+    pub fn deviation(&self, datum: usize, fit: &Fit) -> f64 {
+        let hand = fit.hand.worst();
+        (hand * hand * self.quick[datum] + self.data[datum].variance()).sqrt()
+    }
+
+    /// Whether the values cannot tell two explanations apart: both fit them as well, and each value is about as far from what both predict.
+    pub fn are_alike(&self, a: &Fit, b: &Fit, sets: [&[&Candidate]; 2]) -> bool {
+        let [meant_a, meant_b] = sets.map(|set| self.meant(set));
+        let hand = a.hand.worst();
+        let same = |index: usize| match (&meant_a[index], &meant_b[index]) {
+            (Some(m), Some(n)) => {
+                let [p, q] = [a.predicted[index], b.predicted[index]];
+                let [r, s] = [m.off(p, 0.0) / m.rounding, n.off(q, 0.0) / n.rounding];
+                let deviation = hand * self.quick[index].sqrt() / m.rounding.max(n.rounding);
+                // Both may be off in any sense where none is written.
+                let same_sense = m.is_magnitude || (p * q > 0.0) == (m.value * n.value > 0.0);
+                same_sense && (r - s).abs() <= 0.5 * (1.0 + deviation)
+            }
+            (None, None) => true,
+            _ => false,
+        };
+        (a.cost - b.cost).abs() <= SAME_FIT && (0..self.data.len()).all(same)
+    }
+
     /// The whole comparison, with the covariances that the mistakes bring with them, of hands equally good at everything.
     pub fn compare(&self, set: &[&Candidate]) -> Option<Hands<'_, '_>> {
         let predicted = self.predicted(set);

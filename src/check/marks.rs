@@ -1,10 +1,11 @@
 //! A marking scheme: how many marks each quantity is worth, and what values earn.
 
 use super::answer_key::AnswerKey;
+use super::checked::Checked;
 use super::entry::entries;
 use super::sheet::{CheckError, Given, Measured};
 use super::template::form_names;
-use super::verdict::{Checked, Verdict};
+use super::verdict::Verdict;
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
 use crate::words::Wording;
 use indexmap::IndexMap;

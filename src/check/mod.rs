@@ -10,11 +10,13 @@
 //! `marks` says what values earn, `class` what is told of many drawings. Nothing is read or printed here, and no plan is computed again.
 
 mod answer_key;
+mod checked;
 mod class;
 mod covariance;
 mod datum;
 mod diagnosis;
 mod entry;
+mod explanation;
 mod file;
 mod fit;
 mod marks;
@@ -36,9 +38,10 @@ mod unit;
 mod verdict;
 
 pub use answer_key::AnswerKey;
+pub use checked::{BANDS, Checked, check};
 pub use class::{ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
-pub use diagnosis::{Diagnosis, Explanation, Finding};
 pub use entry::{Entry, entries};
+pub use explanation::{Diagnosis, Explanation, Finding};
 pub use marks::{Awarded, Marks, Scheme};
 pub use mistakes::{Candidate, Mistake};
 pub use precision::Precision;
@@ -50,4 +53,4 @@ pub use result::{CheckResult, check_result, check_schema};
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};
 pub use student::Student;
 pub use template::{form_names, template_csv, template_json};
-pub use verdict::{BANDS, Checked, Judged, Verdict, check};
+pub use verdict::{Judged, Verdict};

@@ -129,7 +129,7 @@ impl Model {
             construction,
         };
         model.look_around(&solution.mechanism);
-        model.together = ways_together(&model, &solution.mechanism);
+        model.together = ways_together(&model.construction, &model.exact, &solution.mechanism);
         Ok(model)
     }
 

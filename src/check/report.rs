@@ -1,9 +1,10 @@
 //! The report as text, in the figure's language.
 
 use super::answer_key::AnswerKey;
-use super::diagnosis::{Explanation, Finding};
+use super::checked::Checked;
+use super::explanation::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
-use super::verdict::{Checked, Judged, Verdict};
+use super::verdict::{Judged, Verdict};
 use crate::construction::Teller;
 use crate::construction::{PlanKind, shown_text};
 use crate::words::{Language, Medium, NumberStyle, Wording};

@@ -1,10 +1,11 @@
 //! The report as JSON.
 
 use super::answer_key::AnswerKey;
-use super::diagnosis::{Explanation, Finding};
+use super::checked::Checked;
+use super::explanation::{Explanation, Finding};
 use super::marks::Awarded;
 use super::report::sentences;
-use super::verdict::{Checked, Verdict};
+use super::verdict::Verdict;
 use crate::construction::PlanKind;
 use crate::words::Wording;
 use schemars::JsonSchema;

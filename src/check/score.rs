@@ -6,16 +6,13 @@
 //! factorisation row by row). One that no error explains stands outside and says nothing about those that follow. Costs
 //! are −2 ln of likelihoods, each value's counted from the density of its rounding.
 
+use super::covariance::{Covariances, read};
 use super::datum::{Cost, Datum, Without};
 use super::entry::Entry;
-use super::fit::Fit;
 use super::mistakes::Candidate;
 use super::model::{Changes, Model, TOGETHER};
-use crate::construction::{Change, Disturbance, Sheet, Tolerance, Values};
+use crate::construction::{Change, Disturbance, Sheet, Tolerance};
 use crate::quantity::{Kind, Sense};
-
-/// Two explanations fit as well whose likelihoods differ by less than a factor of two.
-const SAME_FIT: f64 = 1.4;
 
 /// What is held against each other.
 pub(super) struct Scorer<'a> {
@@ -138,17 +135,14 @@ impl<'a> Scorer<'a> {
         let mut predicted = vec![f64::NAN; self.data.len()];
         for (changes, data) in self.variants(set) {
             let values = model.replay(&changes);
-            self.read(model, &values, &data, &mut predicted);
+            read(model, &values, &self.data, &data, &mut predicted);
         }
         predicted
     }
 
-    pub fn read(&self, model: &Model, values: &Values, data: &[usize], into: &mut [f64]) {
-        for &datum in data {
-            if let Ok(reading) = model.readings[self.data[datum].entry] {
-                into[datum] = values.number(reading.number);
-            }
-        }
+    /// How far honest errors carry the values of drawings with these mistakes, together.
+    pub fn covariances(&self, set: &[&Candidate]) -> Covariances {
+        Covariances::new(self.model(set), &self.tolerance, &self.data, &self.variants(set))
     }
 
     /// The values as the candidates read them, with their roundings; none where a written value says nothing.
@@ -191,30 +185,5 @@ impl<'a> Scorer<'a> {
             best = best.min(cost);
         }
         best
-    }
-
-    /// About how far honest errors of a hand as good as the fit says let a value be off.
-    pub fn deviation(&self, datum: usize, fit: &Fit) -> f64 {
-        let hand = fit.hand.worst();
-        (hand * hand * self.quick[datum] + self.data[datum].variance()).sqrt()
-    }
-
-    /// Whether the values cannot tell two explanations apart: both fit them as well, and each value is about as far from what both predict.
-    pub fn are_alike(&self, a: &Fit, b: &Fit, sets: [&[&Candidate]; 2]) -> bool {
-        let [meant_a, meant_b] = sets.map(|set| self.meant(set));
-        let hand = a.hand.worst();
-        let same = |index: usize| match (&meant_a[index], &meant_b[index]) {
-            (Some(m), Some(n)) => {
-                let [p, q] = [a.predicted[index], b.predicted[index]];
-                let [r, s] = [m.off(p, 0.0) / m.rounding, n.off(q, 0.0) / n.rounding];
-                let deviation = hand * self.quick[index].sqrt() / m.rounding.max(n.rounding);
-                // Both may be off in any sense where none is written.
-                let same_sense = m.is_magnitude || (p * q > 0.0) == (m.value * n.value > 0.0);
-                same_sense && (r - s).abs() <= 0.5 * (1.0 + deviation)
-            }
-            (None, None) => true,
-            _ => false,
-        };
-        (a.cost - b.cost).abs() <= SAME_FIT && (0..self.data.len()).all(same)
     }
 }

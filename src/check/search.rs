@@ -1,13 +1,11 @@
 //! Looks for the mistakes that explain all values, right and wrong ones: one mistake first, then more together.
 
 use super::answer_key::AnswerKey;
-use super::diagnosis::Diagnosis;
 use super::entry::Entry;
 use super::fit::{Fit, Hands};
-use super::mistakes::{Candidate, Mistake, Site};
+use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
 use super::score::Scorer;
-use super::verdict::Judged;
 use crate::cores::{on_all_cores, on_each_core};
 use crate::position::poses;
 
@@ -36,24 +34,6 @@ pub(super) struct Tried {
     pub fit: Fit,
     /// The cost with that of the mistakes.
     pub cost: f64,
-}
-
-/// What explains the values of an own drawing.
-pub(super) fn diagnose(key: &AnswerKey<'_>, mu: [Option<f64>; 3], model: &Model, values: &[Judged]) -> Diagnosis {
-    let entries: Vec<Entry> = values.iter().map(|v| v.entry.clone()).collect();
-    let mut models = vec![model.clone()];
-    models.extend(other_modes(key, mu, &entries));
-    let site = Site { model, key, entries: &entries, other_modes: models.len() - 1 };
-    let candidates = site.candidates();
-    let scorer = Scorer::new(&models, &entries, key.tolerance);
-    let search = Search {
-        costs: costs(&candidates),
-        all: (0..candidates.len()).collect(),
-        candidates: &candidates,
-        scorer: &scorer,
-    };
-    let tried = search.run(key.depth);
-    search.diagnosis(tried, values)
 }
 
 /// The same construction in the other positions in which the links fit together.
@@ -108,6 +88,10 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
+    pub fn new(candidates: &'a [Candidate], scorer: &'a Scorer<'a>) -> Search<'a> {
+        Search { costs: costs(candidates), all: (0..candidates.len()).collect(), candidates, scorer }
+    }
+
     pub fn set(&self, indices: &[usize]) -> Vec<&'a Candidate> {
         indices.iter().map(|&i| &self.candidates[i]).collect()
     }
@@ -117,7 +101,7 @@ impl<'a> Search<'a> {
     }
 
     /// All explanations compared as a whole, the best first.
-    fn run(&self, depth: usize) -> Vec<Tried> {
+    pub fn run(&self, depth: usize) -> Vec<Tried> {
         let mut tried: Vec<Tried> = Vec::new();
         tried.extend(self.compared(vec![Vec::new()], 1));
         let mut beam: Vec<Vec<usize>> = vec![Vec::new()];

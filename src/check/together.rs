@@ -1,17 +1,16 @@
 //! Errors of joints that leave every link its shape, as a drawing program makes them.
 
-use super::model::Model;
-use crate::construction::{Does, Part};
+use crate::construction::{Construction, Does, Part, Values};
 use crate::geometry::{Vector, unit};
 use crate::mechanism::{GROUND, Mechanism, PointId};
 use nalgebra::DMatrix;
 
 /// The ways in which joints may be off together: the null space of what keeps the links' shapes: distances between points of one link, places of the ground.
-pub(super) fn ways_together(model: &Model, mechanism: &Mechanism) -> Vec<Vec<f64>> {
-    let operations = model.construction.operations.iter();
+pub(super) fn ways_together(construction: &Construction, exact: &Values, mechanism: &Mechanism) -> Vec<Vec<f64>> {
+    let operations = construction.operations.iter();
     let plots: Vec<(PointId, Vector)> = operations
         .filter_map(|operation| match (operation.part, &operation.does) {
-            (Part::Joint(point), Does::Plot { place, .. }) => Some((point, model.exact.place(*place))),
+            (Part::Joint(point), Does::Plot { place, .. }) => Some((point, exact.place(*place))),
             _ => None,
         })
         .collect();

@@ -1,11 +1,4 @@
-use super::answer_key::AnswerKey;
-use super::diagnosis::Diagnosis;
-use super::entry::{Entry, entries};
-use super::model::Model;
-use super::points::is_mirrored;
-use super::search::diagnose;
-use super::sheet::{CheckError, Measured};
-use crate::construction::PlanKind;
+use super::entry::Entry;
 
 /// How a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,77 +26,4 @@ pub struct Judged {
     pub tolerance: Option<f64>,
     /// Whether the tolerance is only a rough one.
     pub is_rough: bool,
-}
-
-/// All values with their verdicts, and what explains those that are off.
-#[derive(Clone, Debug)]
-pub struct Checked {
-    /// The values in the order of the construction.
-    pub values: Vec<Judged>,
-    /// The mistakes that explain them.
-    pub diagnosis: Diagnosis,
-    /// Plans whose places on paper are the mirror image of the right ones; lengths alone do not show it.
-    pub mirrored: Vec<PlanKind>,
-}
-
-impl Checked {
-    /// Whether no value is off, and no plan mirrored.
-    #[must_use]
-    pub fn is_passed(&self) -> bool {
-        self.mirrored.is_empty() && self.values.iter().all(|v| v.verdict != Verdict::Off)
-    }
-}
-
-/// So many bands a value may be off. Of 100 honest drawings at least 95 keep a single value within its band; that a whole
-/// drawing with dozens of values passes as surely, each may be off by two bands, 4.2 standard deviations.
-pub const BANDS: f64 = 2.0;
-
-/// The verdicts on what somebody has read from an own drawing, and the mistakes that explain the values.
-///
-/// # Errors
-/// Where the values are not understood.
-pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckError> {
-    let entries = entries(measured, key)?;
-    let model = Model::new(key, key.solution, measured.mu, &entries)?;
-    let bands = model.bands(&key.tolerance);
-    let judged = entries.iter().zip(&bands).zip(&model.readings);
-    let judged = judged.map(|((entry, band), reading)| {
-        let mut difference =
-            if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };
-        if entry.asked.kind() == crate::quantity::Kind::Angle {
-            difference -= 360.0 * libm::round(difference / 360.0);
-        }
-        // Segments and lengths have no sense of their own, whatever sign is written.
-        if reading.is_ok_and(|r| r.is_size()) {
-            difference = entry.value.abs() - entry.expected.abs();
-        }
-        let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
-        let is_given = reading.is_err_and(|why| why.is_given());
-        let off = difference.abs();
-        // A last digit may be rounded either way where the next is a five.
-        let verdict = if off <= 1.001 * entry.rounding {
-            Verdict::Right
-        } else {
-            match tolerance {
-                Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
-                None if !is_given => Verdict::Unjudged,
-                _ => Verdict::Off,
-            }
-        };
-        Judged {
-            entry: entry.clone(),
-            verdict,
-            difference,
-            tolerance,
-            is_rough: band.is_some_and(|band| band.is_rough),
-        }
-    });
-    let values: Vec<Judged> = judged.collect();
-    let diagnosis = diagnose(key, measured.mu, &model, &values);
-    let plans = key.solution.construction.plans();
-    let mirrored = plans.filter(|plan| {
-        let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
-        places.any(|points| is_mirrored(points, plan))
-    });
-    Ok(Checked { values, diagnosis, mirrored: mirrored.map(|plan| plan.kind).collect() })
 }

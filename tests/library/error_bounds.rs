@@ -2,6 +2,8 @@
 //!
 //! The truth is that of the positions given, with 256 bits, from the joint equations of all links (`examples/speed_vs_error`).
 
+use crate::support::survey::tried;
+
 use crate::speed_vs_error::families::Family;
 use crate::speed_vs_error::truth::{ROUNDING, Truth, error};
 use crate::support::files;
@@ -16,8 +18,10 @@ use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
 use std::thread;
 
-/// Mechanisms of each kind: few enough for every day in a debug build, a million in all in a release build.
-const CASES: u64 = if cfg!(debug_assertions) { 400 } else { 250_000 };
+/// Mechanisms of each kind: few enough for every day, or a million in all.
+fn count() -> u64 {
+    tried(2000, 250_000)
+}
 
 /// Stated bounds must stay below this many times the error, in the middle of all numbers.
 const WASTEFUL: f64 = 100.0;
@@ -109,6 +113,7 @@ impl Seen {
 
 /// Cases by number on all cores: each has its own seed, so that how they are shared out changes nothing.
 fn cases(case: impl Fn(u64, &mut Random, &mut Seen) + Sync) -> Seen {
+    let count = count();
     let cores = thread::available_parallelism().map_or(1, |n| n.get() as u64);
     let mut all = Seen::default();
     thread::scope(|scope| {
@@ -116,7 +121,7 @@ fn cases(case: impl Fn(u64, &mut Random, &mut Seen) + Sync) -> Seen {
             let case = &case;
             scope.spawn(move || {
                 let mut seen = Seen::default();
-                for number in (core..CASES).step_by(cores as usize) {
+                for number in (core..count).step_by(cores as usize) {
                     // Neighbouring seeds of splitmix64 are streams shifted by one.
                     let seed = Random(number).next();
                     case(number, &mut Random(seed), &mut seen);

@@ -1,19 +1,19 @@
 //! Mistakes put into drawings of random scenes, as `examples/mistakes.rs` does: the check names them first, and leaves clean drawings alone.
 
 use crate::examples::mistakes::{clean, row};
+use crate::support::survey::tried;
 use kinegon::check::Mistake;
 
-/// Drawings of each mistake; unoptimised code takes a second for each.
-const COUNT: usize = if cfg!(debug_assertions) { 1 } else { 40 };
-
-/// Of the catalogue each so manyth mistake is tried.
-const EACH: usize = if cfg!(debug_assertions) { 4 } else { 1 };
+/// Drawings of each mistake.
+fn drawings() -> usize {
+    tried(1, 40)
+}
 
 #[test]
 fn exact_drawings_show_their_mistake() {
     let (mut planted, mut named) = (0, 0);
-    for mistake in Mistake::all().step_by(EACH) {
-        let row = row(mistake, COUNT, [0.0; 2], 11);
+    for mistake in Mistake::all() {
+        let row = row(mistake, drawings(), [0.0; 2], 11);
         planted += row.planted;
         named += row.named;
     }
@@ -27,8 +27,8 @@ fn pencil_drawings_mostly_show_their_mistake() {
     let (mut planted, mut named) = (0, 0);
     // A pencil hides whether numbers are cut off.
     let seen = Mistake::all().filter(|m| *m != Mistake::Truncated);
-    for mistake in seen.skip(1).step_by(EACH) {
-        let row = row(mistake, COUNT, [0.3; 2], 12);
+    for mistake in seen.skip(1) {
+        let row = row(mistake, drawings(), [0.3; 2], 12);
         planted += row.planted;
         named += row.named;
     }
@@ -37,7 +37,7 @@ fn pencil_drawings_mostly_show_their_mistake() {
 
 #[test]
 fn clean_drawings_pass_and_are_told_of_no_mistake() {
-    let count = if cfg!(debug_assertions) { 6 } else { 400 };
+    let count = tried(20, 400);
     let [off, named] = clean(count, [0.3; 2], 13);
     assert!(100 * off <= count, "{off} of {count} not passed");
     assert!(100 * named <= count, "{named} of {count} told of a mistake");

@@ -6,6 +6,9 @@
 //! are not far enough apart. The Jacobian that says so, and gives the velocities, is made here from the joints of all links, apart from
 //! the library.
 
+use crate::support::survey::tried;
+use std::collections::BTreeMap;
+
 use crate::support::planted::{Planted, pattern};
 use crate::support::random::Random;
 use kinegon::construction::construct;
@@ -13,10 +16,11 @@ use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Order, motion};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
-use std::collections::BTreeMap;
 
 /// Groups of each class.
-const GROUPS: usize = if cfg!(debug_assertions) { 800 } else { 4000 };
+fn groups() -> usize {
+    tried(800, 4000)
+}
 
 /// The largest condition number of a planted position.
 const CONDITION: f64 = 1e4;
@@ -42,11 +46,12 @@ fn fourth_class() {
 
 fn plant(class: &str, seed: u64) {
     let mut random = Random(seed);
+    let groups = groups();
     let (mut tried, mut left_out, mut modes) = (0, 0, 0);
     let mut worst: f64 = 0.0;
     let mut kinds_seen: BTreeMap<String, usize> = BTreeMap::new();
     let mut failures = Vec::new();
-    while tried < GROUPS {
+    while tried < groups {
         let (kinds, joints) = pattern(&mut random, class);
         let mut planted = Planted::new(&mut random, &kinds, &joints);
         if tried % 2 == 1 {
@@ -55,7 +60,7 @@ fn plant(class: &str, seed: u64) {
         let condition = planted.condition();
         if condition.is_nan() || condition > CONDITION {
             left_out += 1;
-            assert!(left_out < 20 * GROUPS, "most groups can be planted");
+            assert!(left_out < 20 * groups, "most groups can be planted");
             continue;
         }
         tried += 1;

@@ -14,5 +14,6 @@ pub mod planted;
 pub mod program;
 pub mod random;
 pub mod stages;
+pub mod survey;
 pub mod tools;
 pub mod whole_way;

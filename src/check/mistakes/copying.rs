@@ -1,6 +1,8 @@
 //! Mistakes of writing down: they touch the written value, and what follows where the person goes on with it.
 
-use super::{Candidate, Mistake, Reinterpretation, Site};
+use super::candidate::{Candidate, Reinterpretation};
+use super::mistake::Mistake;
+use super::site::Site;
 use crate::check::entry::Entry;
 
 /// Entries that stand for something else, gone on with as they were written where `goes_on` and somebody could.

@@ -1,6 +1,8 @@
 //! Mistakes of lengths and segments: what is measured, and which length is taken.
 
-use super::{Candidate, Mistake, Site};
+use super::candidate::Candidate;
+use super::mistake::Mistake;
+use super::site::Site;
 use crate::check::model::Edit;
 use crate::construction::{Disturbance, Does, End, How, NumberId, NumberKind, PlaceId, Sheet};
 

@@ -1,126 +1,20 @@
 //! The catalogue of classical mistakes. Each entry is a line of data and one small function that edits the mistake into the construction
 //! at every place where it could be made; the replay lets it propagate.
 
+mod candidate;
 mod copying;
 mod lengths;
+mod mistake;
 mod rates;
 mod rays;
+mod site;
 mod vectors;
 
-use super::answer_key::AnswerKey;
-use super::datum::Datum;
-use super::entry::Entry;
-use super::model::{Edit, Model};
-use crate::construction::{Does, NumberId, NumberKind, Operation, PlaceId, Product};
 use crate::words::MistakeWords;
 
-/// A mistake of the catalogue.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Mistake {
-    /// A ray drawn parallel in place of perpendicular, or the other way round.
-    TurnedRay,
-    /// A cut line drawn along the guide in place of normal to it.
-    TurnedCutLine,
-    /// A ray drawn from the wrong plan point.
-    RayFromWrongPoint,
-    /// A special point taken from the wrong pair of lines.
-    WrongLines,
-    /// A vector laid off reversed.
-    ReversedVector,
-    /// A normal acceleration that points outward.
-    NormalOutward,
-    /// A normal part with ω in place of ω².
-    OmegaNotSquared,
-    /// A normal part with the diameter in place of the radius.
-    Diameter,
-    /// A normal part from the absolute velocity.
-    NormalFromAbsolute,
-    /// A normal part forgotten.
-    NormalForgotten,
-    /// The Coriolis part forgotten.
-    CoriolisForgotten,
-    /// The Coriolis part without its 2.
-    CoriolisWithoutTwo,
-    /// The Coriolis part turned the wrong way.
-    CoriolisTurned,
-    /// A Coriolis part where nothing slides.
-    CoriolisWhereNone,
-    /// The image of a link mirrored.
-    MirroredImage,
-    /// A segment measured from the wrong point.
-    WrongSegment,
-    /// A component taken for a length.
-    Component,
-    /// A wrong neighbouring length.
-    WrongLength,
-    /// A rate taken with the wrong sense.
-    WrongSense,
-    /// Revolutions per minute taken for radians per second, or the other way round.
-    RevolutionsForRadians,
-    /// Degrees taken for radians, or the other way round.
-    DegreesForRadians,
-    /// A segment taken with the wrong scale.
-    WrongScale,
-    /// The other assembly mode.
-    OtherMode,
-    /// Two numbers swapped.
-    Swapped,
-    /// Digits transposed.
-    DigitsTransposed,
-    /// A decimal slipped.
-    DecimalSlipped,
-    /// All values cut off in place of rounded.
-    Truncated,
-    /// The wrong unit written beside a value.
-    WrongUnit,
-    /// A value in another unit of length than the scene's, and no unit beside it.
-    OtherUnit,
-    /// A value off for a reason that the catalogue does not know, and gone on with.
-    Unknown,
-}
-
-/// A mistake at one place of a construction.
-#[derive(Clone, Debug)]
-pub struct Candidate {
-    /// Which mistake.
-    pub mistake: Mistake,
-    /// The number of the step at which it was made.
-    pub step: usize,
-    /// What the sentences about it name, in their order.
-    pub blanks: Vec<String>,
-    /// What is done otherwise, by operation.
-    pub(super) edits: Vec<(usize, Edit)>,
-    /// What written values are read as.
-    pub(super) reinterpreted: Vec<Reinterpretation>,
-    /// Numbers with which the person goes on as they were written: operation, number, value.
-    pub(super) goes_on: Vec<(usize, NumberId, f64)>,
-    /// Which construction is replayed: 0 for the right position, then those of other assembly modes.
-    pub(super) mode: usize,
-}
-
-impl Candidate {
-    /// Whether both are told in the same words.
-    pub(super) fn is_told_like(&self, other: &Candidate) -> bool {
-        self.mistake == other.mistake && self.blanks == other.blanks
-    }
-}
-
-/// What a written value stands for in a mistake.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Reinterpretation {
-    pub entry: usize,
-    /// The value meant; none where the written one says nothing.
-    pub value: Option<f64>,
-    /// Half a unit of its last digit.
-    pub rounding: f64,
-}
-
-impl Reinterpretation {
-    /// The value as it is meant; none where the written one says nothing.
-    pub fn read(&self, written: &Datum) -> Option<Datum> {
-        self.value.map(|value| Datum { value, rounding: self.rounding.max(f64::MIN_POSITIVE), ..*written })
-    }
-}
+pub use candidate::Candidate;
+pub use mistake::Mistake;
+pub(super) use site::Site;
 
 /// A line of the catalogue.
 pub(super) struct Listed {
@@ -199,15 +93,6 @@ impl Mistake {
     }
 }
 
-/// A construction in which mistakes are looked for.
-pub(super) struct Site<'a> {
-    pub model: &'a Model,
-    pub key: &'a AnswerKey<'a>,
-    pub entries: &'a [Entry],
-    /// How many other assembly modes there are.
-    pub other_modes: usize,
-}
-
 impl Site<'_> {
     /// All candidates of the catalogue.
     pub fn candidates(&self) -> Vec<Candidate> {
@@ -217,55 +102,5 @@ impl Site<'_> {
     /// The candidates of one mistake.
     pub fn of(&self, mistake: Mistake) -> Vec<Candidate> {
         (mistake.listed().find)(self)
-    }
-
-    fn operations(&self) -> impl Iterator<Item = (usize, &Operation)> {
-        self.model.construction.operations.iter().enumerate()
-    }
-
-    fn operation(&self, index: usize) -> &Operation {
-        &self.model.construction.operations[index]
-    }
-
-    fn candidate(&self, mistake: Mistake, operation: usize, edit: Edit, blanks: &[&str]) -> Candidate {
-        Candidate {
-            mistake,
-            step: self.model.steps[operation],
-            blanks: blanks.iter().map(|b| (*b).to_owned()).collect(),
-            edits: vec![(operation, edit)],
-            reinterpreted: Vec::new(),
-            goes_on: Vec::new(),
-            mode: 0,
-        }
-    }
-
-    fn number_name(&self, number: NumberId) -> &str {
-        &self.model.number_names[number.0]
-    }
-
-    fn number_kind(&self, number: NumberId) -> &NumberKind {
-        &self.model.construction.numbers[number.0]
-    }
-
-    fn place_name(&self, place: PlaceId) -> &str {
-        self.model.place_name(place)
-    }
-
-    /// The sums from which vectors' sizes are computed: the operation, its number, the sum, the names of the vector's ends.
-    fn sums(&self) -> Vec<(usize, NumberId, &[Product], [&str; 2])> {
-        let laid = self.operations().filter_map(|(_, operation)| match &operation.does {
-            Does::LayOff { place, from, size, .. } => {
-                let maker = self.model.makers[size.0]?;
-                match &self.operation(maker).does {
-                    Does::Compute { number, sum } => {
-                        Some((maker, *number, sum.as_slice(), [self.place_name(*from), self.place_name(*place)]))
-                    }
-                    _ => None,
-                }
-            }
-            _ => None,
-        });
-        // What is only read off has no name of its own.
-        laid.filter(|(.., ends)| !ends[1].is_empty()).collect()
     }
 }

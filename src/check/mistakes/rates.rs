@@ -1,6 +1,8 @@
 //! Mistakes of rates and scales.
 
-use super::{Candidate, Mistake, Reinterpretation, Site};
+use super::candidate::{Candidate, Reinterpretation};
+use super::mistake::Mistake;
+use super::site::Site;
 use crate::check::model::Edit;
 use crate::construction::{Does, NumberId, NumberKind, Rate, Sheet};
 use crate::quantity::{Kind, What};

@@ -1,6 +1,8 @@
 //! Mistakes of lines: rays, cut lines, special points, the whole position.
 
-use super::{Candidate, Mistake, Site};
+use super::candidate::Candidate;
+use super::mistake::Mistake;
+use super::site::Site;
 use crate::check::model::Edit;
 use crate::construction::{Action, Does, LineId, Operation, Part, Sheet};
 

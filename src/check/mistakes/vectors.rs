@@ -1,6 +1,8 @@
 //! Mistakes of vectors that are laid off: their sense, their size, what belongs to them.
 
-use super::{Candidate, Mistake, Site};
+use super::candidate::Candidate;
+use super::mistake::Mistake;
+use super::site::Site;
 use crate::check::model::Edit;
 use crate::construction::{
     Along, Does, NumberId, NumberKind, PlaceId, Product, ProductKind, Reference, Sheet, image_name,

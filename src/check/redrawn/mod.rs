@@ -3,11 +3,12 @@
 mod sheets;
 
 use super::answer_key::AnswerKey;
+use super::checked::Checked;
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
 use super::report::{Page, sentences};
 use super::sheet::{CheckError, Measured};
-use super::verdict::{Checked, Verdict};
+use super::verdict::Verdict;
 use crate::construction::{Action, Sheet};
 use crate::drawing::{Overlay, OwnValue, WrongStep};
 use crate::quantity::{Asked, What};

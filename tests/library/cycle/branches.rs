@@ -5,6 +5,7 @@ use super::{TURN, followed, path, posed, scenes};
 use crate::support::exact::exceeds;
 use crate::support::planted::{Planted, pattern};
 use crate::support::random::Random;
+use crate::support::survey::tried;
 use kinegon::cycle::{Event, Happening, Path};
 use kinegon::geometry::{degrees_of, span};
 use kinegon::mechanism::{Mechanism, Role};
@@ -12,13 +13,17 @@ use kinegon::position::{Pose, poses};
 use kinegon::scene::Near;
 
 /// Mechanisms of each class.
-const MECHANISMS: usize = if cfg!(debug_assertions) { 12 } else { 400 };
+fn enough() -> usize {
+    tried(60, 400)
+}
 
 /// The largest condition number of a planted position.
 const CONDITION: f64 = 1e3;
 
 /// The drive's step in turns, or sizes of the mechanism.
-const STEP: f64 = if cfg!(debug_assertions) { 1.0 } else { 0.5 } / 360.0;
+fn step() -> f64 {
+    tried(1.0, 0.5) / 360.0
+}
 
 /// The nearest mode counts as the next position where the next but one is this many times as far.
 const CLEARLY: f64 = 5.0;
@@ -82,7 +87,7 @@ impl Seen {
         let mut before: Option<Pose> = None;
         let wide = path.high() - path.low();
         let unit = if path.drive.is_angle() { TURN } else { size };
-        let steps = (wide / unit / STEP) as usize;
+        let steps = (wide / unit / step()) as usize;
         for value in (0..steps).map(|k| path.low() + wide * k as f64 / steps as f64) {
             let Some(position) = walker.position(value) else {
                 self.problems.push(format!("no position at {value}"));
@@ -165,7 +170,7 @@ fn follow(class: &str, seed: u64) {
     let mut random = Random(seed);
     let mut seen = Seen::default();
     let mut mechanisms = 0;
-    while mechanisms < MECHANISMS {
+    while mechanisms < enough() {
         let (kinds, joints) = pattern(&mut random, class);
         let planted = Planted::new(&mut random, &kinds, &joints);
         let condition = planted.condition();
@@ -198,7 +203,7 @@ fn follow(class: &str, seed: u64) {
     let count = seen.problems.len();
     seen.problems.truncate(12);
     assert!(count == 0, "{count}:\n{}", seen.problems.join("\n"));
-    assert!(unclear * 20 < positions && turns.min(limits) > MECHANISMS / 4);
+    assert!(unclear * 20 < positions && turns.min(limits) > enough() / 4);
 }
 
 #[test]

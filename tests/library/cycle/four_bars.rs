@@ -4,14 +4,19 @@
 use super::{TURN, U, path, posed};
 use crate::support::exact::Exact;
 use crate::support::random::Random;
+use crate::support::survey::tried;
 use kinegon::cycle::Happening;
 use kinegon::quantity::State;
 
 /// Four-bars of each kind.
-const BARS: usize = if cfg!(debug_assertions) { 5 } else { 50 };
+fn bars() -> usize {
+    tried(10, 50)
+}
 
 /// Positions on a path that are compared.
-const POSITIONS: u32 = if cfg!(debug_assertions) { 300 } else { 3000 };
+fn positions() -> u32 {
+    tried(300, 3000)
+}
 
 /// The largest error of a position in units of rounding over the sine of the transmission angle; the worst seen is 4.3.
 const BOUND: f64 = 20.0;
@@ -100,8 +105,8 @@ fn followed(bar: &FourBar, start: f64, hand: f64) -> (Vec<(f64, Happening)>, f64
     let joint = mechanism.point("C").expect("a point of the scene");
     let size = bar.ground + bar.crank + bar.coupler + bar.rocker;
     let mut worst: f64 = 0.0;
-    for k in 1..POSITIONS {
-        let angle = low + (high - low) * f64::from(k) / f64::from(POSITIONS);
+    for k in 1..positions() {
+        let angle = low + (high - low) * f64::from(k) / f64::from(positions());
         let position = walker.position(angle);
         let got = position.unwrap_or_else(|| panic!("{bar:?}: nothing at {angle}")).place(joint);
         let (place, sine) = bar.joint(angle, hand).expect("the closed form has it too");
@@ -117,7 +122,7 @@ fn a_crank_that_turns_fully_stays_on_its_branch() {
     let mut random = Random(0xf4);
     let mut worst: f64 = 0.0;
     for exponent in 1..=9 {
-        for _ in 0..BARS {
+        for _ in 0..bars() {
             let bar = random_bar(&mut random, libm::exp10(-f64::from(exponent)));
             let start = 360.0 * random.unit();
             for hand in [1.0, -1.0] {
@@ -136,7 +141,7 @@ fn a_crank_that_turns_fully_stays_on_its_branch() {
 fn very_unequal_links_stay_on_their_branch() {
     let mut random = Random(0x4f);
     let mut worst: f64 = 0.0;
-    for _ in 0..3 * BARS {
+    for _ in 0..3 * bars() {
         let short = libm::exp10(-4.0 * random.unit());
         let long = 1.0 + random.unit();
         let rest = long + short * random.within(0.9);
@@ -170,7 +175,7 @@ fn limits_are_those_of_the_diagonal() {
     let mut random = Random(0x1f);
     let (mut worst, mut seen) = (0.0_f64, 0);
     for exponent in 1..=8 {
-        for _ in 0..BARS {
+        for _ in 0..bars() {
             let bar = random_bar(&mut random, -libm::exp10(-f64::from(exponent)));
             let limits = bar.limits();
             for hand in [1.0, -1.0] {
@@ -193,5 +198,5 @@ fn limits_are_those_of_the_diagonal() {
         }
     }
     println!("{seen} limits, largest error {worst:.1e} turns");
-    assert_eq!(seen, 32 * BARS);
+    assert_eq!(seen, 32 * bars());
 }

@@ -11,6 +11,7 @@ use crate::support::groups::Names;
 use crate::support::images::dissimilarity;
 use crate::support::later;
 use crate::support::stages::solved;
+use crate::support::survey::tried;
 use kinegon::format::ResultFile;
 use kinegon::mechanism::StructureError;
 use kinegon::{Error, Solution};
@@ -31,7 +32,7 @@ fn config() -> ProptestConfig {
         rng_algorithm: RngAlgorithm::ChaCha,
         rng_seed: RngSeed::Fixed(60),
         failure_persistence: None,
-        ..ProptestConfig::with_cases(if cfg!(debug_assertions) { 48 } else { 256 })
+        ..ProptestConfig::with_cases(tried(48, 256))
     }
 }
 

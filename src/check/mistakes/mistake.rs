@@ -1,0 +1,64 @@
+/// A mistake of the catalogue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Mistake {
+    /// A ray drawn parallel in place of perpendicular, or the other way round.
+    TurnedRay,
+    /// A cut line drawn along the guide in place of normal to it.
+    TurnedCutLine,
+    /// A ray drawn from the wrong plan point.
+    RayFromWrongPoint,
+    /// A special point taken from the wrong pair of lines.
+    WrongLines,
+    /// A vector laid off reversed.
+    ReversedVector,
+    /// A normal acceleration that points outward.
+    NormalOutward,
+    /// A normal part with ω in place of ω².
+    OmegaNotSquared,
+    /// A normal part with the diameter in place of the radius.
+    Diameter,
+    /// A normal part from the absolute velocity.
+    NormalFromAbsolute,
+    /// A normal part forgotten.
+    NormalForgotten,
+    /// The Coriolis part forgotten.
+    CoriolisForgotten,
+    /// The Coriolis part without its 2.
+    CoriolisWithoutTwo,
+    /// The Coriolis part turned the wrong way.
+    CoriolisTurned,
+    /// A Coriolis part where nothing slides.
+    CoriolisWhereNone,
+    /// The image of a link mirrored.
+    MirroredImage,
+    /// A segment measured from the wrong point.
+    WrongSegment,
+    /// A component taken for a length.
+    Component,
+    /// A wrong neighbouring length.
+    WrongLength,
+    /// A rate taken with the wrong sense.
+    WrongSense,
+    /// Revolutions per minute taken for radians per second, or the other way round.
+    RevolutionsForRadians,
+    /// Degrees taken for radians, or the other way round.
+    DegreesForRadians,
+    /// A segment taken with the wrong scale.
+    WrongScale,
+    /// The other assembly mode.
+    OtherMode,
+    /// Two numbers swapped.
+    Swapped,
+    /// Digits transposed.
+    DigitsTransposed,
+    /// A decimal slipped.
+    DecimalSlipped,
+    /// All values cut off in place of rounded.
+    Truncated,
+    /// The wrong unit written beside a value.
+    WrongUnit,
+    /// A value in another unit of length than the scene's, and no unit beside it.
+    OtherUnit,
+    /// A value off for a reason that the catalogue does not know, and gone on with.
+    Unknown,
+}
