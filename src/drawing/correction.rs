@@ -12,7 +12,7 @@ use super::table::Table;
 use super::text::RichText;
 use super::view::Extent;
 use crate::construction::Solution;
-use crate::scene::Panel as PanelName;
+use crate::scene::PanelName;
 use kurbo::Rect;
 
 /// The parts of a page that words beside the panels may take.

@@ -8,7 +8,7 @@ use super::sheet::Drawing;
 use super::worksheet::Worksheet;
 use crate::construction::Solution;
 use crate::quantity::Asked;
-use crate::scene::Panel as PanelName;
+use crate::scene::PanelName;
 
 /// The sheet of an exercise: the scheme without special points, but with room for them; below it `sentences`, in markup; beside it a table with
 /// a row for each of `asked` and boxes for its millimetres and its value, and a ruler. `None` where the scheme does not fit beside them at the

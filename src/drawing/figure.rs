@@ -18,7 +18,7 @@ use super::worksheet::Worksheet;
 use crate::construction::{Solution, shown_text};
 use crate::mechanism::Class;
 use crate::quantity::{Kind, Scales};
-use crate::scene::Panel as PanelName;
+use crate::scene::PanelName;
 use crate::words::{Language, Wording};
 
 impl Solution {

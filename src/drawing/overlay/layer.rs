@@ -10,7 +10,7 @@ use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Emphasis, Mark, Pen};
 use crate::drawing::text::RichText;
 use crate::drawing::view::{View, towards};
-use crate::scene::Panel as PanelName;
+use crate::scene::PanelName;
 use crate::words::NumberStyle;
 use kurbo::{Point, Vec2};
 

@@ -2,7 +2,7 @@
 
 use crate::drawing::view::Extent;
 use crate::geometry;
-use crate::scene::Panel as PanelName;
+use crate::scene::PanelName;
 
 /// A panel grows for the student's points up to so many times the size of its own content: where its scale follows its size, and where the scale is
 /// given.

@@ -16,7 +16,7 @@ use crate::construction::{Action, Construction, NumberedStep, Plan, Ray, Solutio
 use crate::geometry;
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
 use crate::position::Pose;
-use crate::scene::{Figure, Panel as PanelName, Scene};
+use crate::scene::{Figure, PanelName, Scene};
 use crate::words::Wording;
 use kurbo::Point;
 
