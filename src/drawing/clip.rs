@@ -47,8 +47,8 @@ pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
     }
 }
 
-/// The part of the line through `p` along `d` that lies in `area`, from the first to the last crossing of its border; `None` where
-/// it misses.
+/// The part of the line through `p` along `d` that lies in `area`, from the first to the last crossing of its border;
+/// `None` where it misses.
 fn line_in(area: Rect, p: Point, d: Vec2) -> Option<(Point, Point)> {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for (start, step, near, far) in [(p.x, d.x, area.x0, area.x1), (p.y, d.y, area.y0, area.y1)] {

@@ -31,7 +31,8 @@ pub fn exercise_scale(solution: &Solution, asked: &[Asked], sentences: &[String]
     layout.panels.first().map(|placed| placed.mu)
 }
 
-/// The figure that a scene asks for with other `sentences` below its scales, in markup, and with the table of a work sheet.
+/// The figure that a scene asks for with other `sentences` below its scales, in markup, and with the table of a work
+/// sheet.
 #[must_use]
 pub fn key_sheet(solution: &Solution, sentences: &[String]) -> Drawing {
     let scheme = Scheme::new(solution);

@@ -4,8 +4,9 @@
 //! of marks in drawing order with every text measured and every label placed. The formats write
 //! that list and decide nothing.
 
-// In reading order: `figure`, its `layout` and panels; then the display list: `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its
-// `text`, where `labels` go.
+// In reading order: `figure` lists `panel`s and `item`s, `compose` makes a sheet of them with a `layout`; `scheme` and
+// `plan_panel` draw on a `canvas`. `exercise`, `correction` and `curves` make other lists. Then the display list:
+// `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its `text`, where `labels` go.
 mod arrow;
 mod blank;
 mod canvas;

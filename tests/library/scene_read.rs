@@ -1,7 +1,8 @@
 //! What a scene says is what the `Scene` holds.
 
 use kinegon::scene::{
-    Along, At, Form, LengthUnit, MAX_BYTES, On, Page, PageSize, PanelName, Scene, SceneError, Shape, SliderDrive, TimeUnit,
+    Along, At, Form, LengthUnit, MAX_BYTES, On, Page, PageSize, PanelName, Scene, SceneError, Shape, SliderDrive,
+    TimeUnit,
 };
 
 const FIGURE_2: &str = r#"{ "$schema": "scene.schema.json", "kinegon": 1, "note": "from the paper",

@@ -64,7 +64,8 @@ impl Layer for OwnLayer<'_> {
         }
     }
 
-    /// Makes the marks of the panel pale but for the student's and those of wrong steps, and lets none of them wait for its step.
+    /// Makes the marks of the panel pale but for the student's and those of wrong steps, and lets none of them wait for
+    /// its step.
     fn retouch(&self, marks: &mut Vec<Mark>) {
         marks.retain_mut(|mark| {
             let is_wrong = self.overlay.steps.iter().any(|wrong| self.is_of(mark, wrong));
@@ -142,7 +143,8 @@ impl<'a> OwnLayer<'a> {
         canvas.since(0);
     }
 
-    /// A point outside its panel: how far it lies beyond the edge, where a line that leads to it leaves the panel, else at an arrow towards it.
+    /// A point outside its panel: how far it lies beyond the edge, where a line that leads to it leaves the panel, else
+    /// at an arrow towards it.
     fn beyond(&self, canvas: &mut Canvas<'_>, view: &View, point: &OwnPoint, label: &str) {
         const ARROW: f64 = 9.0;
         let room = canvas.room().inset(-2.0);

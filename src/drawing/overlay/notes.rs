@@ -174,7 +174,8 @@ impl Overlay {
     }
 }
 
-/// A line of the key from the left end of its baseline: as it should be, the student's, where it went wrong. Where it ends.
+/// A line of the key from the left end of its baseline: as it should be, the student's, where it went wrong. Where it
+/// ends.
 fn key(drawing: &mut Drawing, from: Point, sample: usize, words: &str) -> f64 {
     let middle = from.y - 1.3;
     let ends = [from.x, from.x + SAMPLE].map(|x| Point::new(x, middle));

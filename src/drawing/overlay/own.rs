@@ -4,8 +4,8 @@ use crate::drawing::view::Extent;
 use crate::geometry;
 use crate::scene::PanelName;
 
-/// A panel grows for the student's points up to so many times the size of its own content: where its scale follows its size, and where the scale is
-/// given.
+/// A panel grows for the student's points up to so many times the size of its own content: where its scale follows its
+/// size, and where the scale is given.
 const REACH: [f64; 2] = [1.6, 4.0];
 /// What a student's drawing has elsewhere than the right one, and what is to be said of it.
 #[derive(Clone, Debug, Default)]
@@ -74,7 +74,8 @@ pub struct WrongStep {
     pub panel: PanelName,
     /// What is written there.
     pub label: String,
-    /// Of a step that solves for several rates the link whose rate is wrong; an empty name for a slide, which has no mark.
+    /// Of a step that solves for several rates the link whose rate is wrong; an empty name for a slide, which has no
+    /// mark.
     pub link: Option<String>,
 }
 
@@ -88,7 +89,8 @@ pub struct OwnValue {
 }
 
 impl Overlay {
-    /// A panel's extent with the student's points where that does not make everything else small, at a scale that is given or not.
+    /// A panel's extent with the student's points where that does not make everything else small, at a scale that is
+    /// given or not.
     pub(in crate::drawing) fn extended(&self, panel: PanelName, own: Extent, is_given: bool) -> Extent {
         let reach = REACH[usize::from(is_given)];
         let points = self.points.iter().filter(|p| p.panel == panel);

@@ -140,7 +140,8 @@ impl<'a> Scheme<'a> {
         Some((self.pose.point(special.cuts[ray.side].start()?), special.place.finite()?))
     }
 
-    /// The markup by which a point is shown, on the mechanism or within a plan: as the scene renames it, else in the figure's notation.
+    /// The markup by which a point is shown, on the mechanism or within a plan: as the scene renames it, else in the
+    /// figure's notation.
     pub(super) fn shown(&self, name: &str, plan: Option<&Plan>) -> String {
         if let Some(renamed) = self.figure.labels.get(name) {
             return renamed.clone();
