@@ -156,7 +156,7 @@ fn foot(drawing: &mut Drawing, course: &Course<'_>, curves: &[Curve], y: f64, dr
         x -= 7.0;
     };
     if curves.iter().any(|c| !c.dead.is_empty()) {
-        explain(Pen::Joint, graph::DEAD, course.words.language.dead_position());
+        explain(Pen::Joint, graph::DEAD, course.words.language.dead_centre());
     }
     if curves.iter().any(|c| !c.extremes.is_empty()) {
         explain(Pen::Pole, graph::DOT, course.words.language.extremes());

@@ -19,7 +19,7 @@ use kurbo::{Point, Rect, Vec2};
 
 /// Radius of the dot at a greatest or least value.
 pub(super) const DOT: f64 = 0.75;
-/// Radius of the circle at a dead position.
+/// Radius of the circle at a dead centre.
 pub(super) const DEAD: f64 = 0.8;
 /// So many of a curve's names are shown.
 const MOST_NAMES: usize = 4;
@@ -240,7 +240,7 @@ fn line(
     chains
 }
 
-/// Draws the marks of a curve's dead positions and extremes.
+/// Draws the marks of a curve's dead centres and extremes.
 fn dots(canvas: &mut Canvas<'_>, (curve, look): &(&Curve, usize), place: impl Fn(f64, f64) -> Point) {
     for (index, at) in curve.dead.iter().enumerate() {
         let name = format!("dead-{}-{index}", curve.asked[0].name());
