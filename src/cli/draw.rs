@@ -9,7 +9,7 @@ use crate::cycle::{Animation, Drive};
 use crate::drawing::{Drawing, frames};
 use crate::format::{WebPage, html};
 use crate::motion::Order;
-use crate::scene::{Figure, Panel, Scene};
+use crate::scene::{Figure, PanelName, Scene};
 use crate::words::{Medium, NumberStyle, Wording};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -160,5 +160,5 @@ fn shown(drive: &Drive, value: f64, words: &Wording) -> String {
 
 /// Accelerations only for a figure that shows them.
 fn needed(scene: &Scene) -> Order {
-    if scene.figure.panels.contains(&Panel::Acceleration) { Order::Acceleration } else { Order::Velocity }
+    if scene.figure.panels.contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
 }

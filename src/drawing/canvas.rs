@@ -1,17 +1,11 @@
-use super::clip::{clipped, holds, is_within};
+use super::clip::{clipped, clipped_segment, holds, is_within};
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
 use super::shape::{Shape, around};
 use super::sheet::{Drawing, Mark, Pen};
-use super::text::RichText;
+use super::text::{LABEL, RichText};
 use indexmap::IndexMap;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
-
-/// Size of labels: mm of one em. Small letters of the bundled font are 0.429 em high: 2 mm. What stands high or low beside a letter is
-/// smaller.
-pub(super) const LABEL: f64 = 4.7;
-/// Size of captions; no words of a figure are smaller.
-pub(super) const CAPTION: f64 = 4.7;
 
 /// A panel being drawn: what is drawn is remembered as an obstacle, labels are placed when all is drawn.
 pub(super) struct Canvas<'a> {
@@ -21,7 +15,7 @@ pub(super) struct Canvas<'a> {
     obstacles: Obstacles,
     requests: Vec<(Wanted, u16)>,
     frame: Rect,
-    /// How many marks the drawing had before.
+    /// How many marks the drawing has that are not of the content.
     before: usize,
     /// With which step that which is drawn now comes.
     since: u16,
@@ -63,6 +57,16 @@ impl<'a> Canvas<'a> {
             closed: Vec::new(),
             is_overlaid: false,
         }
+    }
+
+    /// The panel with its border.
+    pub(super) fn frame(&self) -> Rect {
+        self.frame
+    }
+
+    /// Lets stand what has been drawn so far: it is not cut off at the panel's edge, and no part of the content.
+    pub(super) fn settle(&mut self) {
+        self.before = self.drawing.marks.len();
     }
 
     /// The panel without its border.
@@ -155,7 +159,7 @@ impl<'a> Canvas<'a> {
         lines + self.obstacles.boxes.iter().filter(touches).count()
     }
 
-    /// What has been drawn so far.
+    /// What has been drawn of the content so far.
     pub(super) fn marks(&self) -> &[Mark] {
         &self.drawing.marks[self.before..]
     }
@@ -163,16 +167,14 @@ impl<'a> Canvas<'a> {
     /// Whether nothing has been drawn within a circle, and none that shows a crowded place reaches into it.
     pub(super) fn is_free(&self, centre: Point, radius: f64) -> bool {
         let far = radius * radius;
-        let lines = self.obstacles.lines.iter();
-        let mut lines = lines.map(|&(a, b)| Line::new(a, b).nearest(centre, 1e-3).distance_sq);
-        let mut boxes = self.obstacles.boxes.iter().map(|area| {
+        let is_off_line = |&(a, b): &(Point, Point)| Line::new(a, b).nearest(centre, 1e-3).distance_sq > far;
+        let is_off_box = |area: &Rect| {
             let nearest = Point::new(centre.x.clamp(area.x0, area.x1), centre.y.clamp(area.y0, area.y1));
-            (nearest - centre).hypot2()
-        });
-        let mut closed = self.closed.iter();
-        lines.all(|distance| distance > far)
-            && boxes.all(|distance| distance > far)
-            && closed.all(|(other, own)| (*other - centre).hypot() > own + radius)
+            (nearest - centre).hypot2() > far
+        };
+        self.obstacles.lines.iter().all(is_off_line)
+            && self.obstacles.boxes.iter().all(is_off_box)
+            && self.closed.iter().all(|(other, own)| (*other - centre).hypot() > own + radius)
     }
 
     /// Keeps labels off a box.
@@ -192,6 +194,11 @@ impl<'a> Canvas<'a> {
     ) -> &mut Wanted {
         let markup = self.renamed.get(name).map_or(standard, String::as_str);
         let request = LabelRequest { text: RichText::math(markup), size: LABEL, anchor, clearance, prefer, priority };
+        self.ask(name, request)
+    }
+
+    /// Asks for a label of the usual look; `name` is the end of its mark's id.
+    pub(super) fn ask(&mut self, name: &str, request: LabelRequest) -> &mut Wanted {
         self.want(Wanted { request, name: format!("label-{name}"), pen: Pen::Label, number: None, optional: false })
     }
 
@@ -211,7 +218,7 @@ impl<'a> Canvas<'a> {
             prefer: None,
             priority: 3,
         };
-        self.want(Wanted { request, name: format!("label-{name}"), pen: Pen::Label, number: None, optional: false });
+        self.ask(name, request);
     }
 
     /// The text that a name is shown by.
@@ -224,10 +231,7 @@ impl<'a> Canvas<'a> {
     pub(super) fn finish(mut self) {
         let mut requests = std::mem::take(&mut self.requests);
         requests.retain(|(wanted, _)| holds(self.frame, wanted.request.anchor));
-        let shown = |anchor: Point| {
-            let mut circles = self.closed.iter();
-            circles.any(|(centre, radius)| (anchor - *centre).hypot() < *radius)
-        };
+        let shown = |anchor: Point| self.closed.iter().any(|(centre, radius)| (anchor - *centre).hypot() < *radius);
         let (within, outside): (Vec<_>, Vec<_>) =
             requests.into_iter().partition(|(wanted, _)| shown(wanted.request.anchor));
         self.place(within);
@@ -311,35 +315,4 @@ fn ascii(name: &str) -> String {
         }
     }
     id
-}
-
-/// The part of the line through `p` along `d` that lies in `area`, from the first to the last crossing of its border; `None` where
-/// it misses.
-fn line_in(area: Rect, p: Point, d: Vec2) -> Option<(Point, Point)> {
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    for (start, step, near, far) in [(p.x, d.x, area.x0, area.x1), (p.y, d.y, area.y0, area.y1)] {
-        if step == 0.0 {
-            if start < near || start > far {
-                return None;
-            }
-        } else {
-            let (a, b) = ((near - start) / step, (far - start) / step);
-            low = low.max(a.min(b));
-            high = high.min(a.max(b));
-        }
-    }
-    (low < high && low.is_finite() && high.is_finite()).then(|| (p + d * low, p + d * high))
-}
-
-/// The part of the segment between two points that lies in `area`.
-pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
-    let d = b - a;
-    let (p, q) = line_in(area, a, d)?;
-    let size = d.hypot2();
-    if size == 0.0 {
-        return None;
-    }
-    let share = |x: Point| ((x - a).dot(d) / size).clamp(0.0, 1.0);
-    let (from, to) = (share(p), share(q));
-    (from < to).then(|| (a + d * from, a + d * to))
 }

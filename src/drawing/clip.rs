@@ -1,8 +1,7 @@
 //! Shapes cut off at the edge of a panel.
 
-use super::canvas::clipped_segment;
 use super::shape::Shape;
-use kurbo::{Point, Rect};
+use kurbo::{Point, Rect, Vec2};
 
 /// Whether a shape lies in `area`.
 pub(super) fn is_within(area: Rect, shape: &Shape) -> bool {
@@ -31,10 +30,7 @@ pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
             Some((a, b)) => vec![Shape::Line(a, b)],
             None => Vec::new(),
         },
-        Shape::Polyline(points) => {
-            let parts = points.windows(2).filter_map(|ends| line(&ends[0], &ends[1]));
-            parts.collect()
-        }
+        Shape::Polyline(points) => points.windows(2).filter_map(|ends| line(&ends[0], &ends[1])).collect(),
         Shape::Polygon(corners) => {
             let corners = inside(area, corners);
             let some = corners.len() > 2;
@@ -49,6 +45,37 @@ pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
             holds(area, middle).then_some(shape).into_iter().collect()
         }
     }
+}
+
+/// The part of the line through `p` along `d` that lies in `area`, from the first to the last crossing of its border;
+/// `None` where it misses.
+fn line_in(area: Rect, p: Point, d: Vec2) -> Option<(Point, Point)> {
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    for (start, step, near, far) in [(p.x, d.x, area.x0, area.x1), (p.y, d.y, area.y0, area.y1)] {
+        if step == 0.0 {
+            if start < near || start > far {
+                return None;
+            }
+        } else {
+            let (a, b) = ((near - start) / step, (far - start) / step);
+            low = low.max(a.min(b));
+            high = high.min(a.max(b));
+        }
+    }
+    (low < high && low.is_finite() && high.is_finite()).then(|| (p + d * low, p + d * high))
+}
+
+/// The part of the segment between two points that lies in `area`.
+pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
+    let d = b - a;
+    let (p, q) = line_in(area, a, d)?;
+    let size = d.hypot2();
+    if size == 0.0 {
+        return None;
+    }
+    let share = |x: Point| ((x - a).dot(d) / size).clamp(0.0, 1.0);
+    let (from, to) = (share(p), share(q));
+    (from < to).then(|| (a + d * from, a + d * to))
 }
 
 /// The part of a polygon in a box, edge by edge (Sutherland and Hodgman 1974).

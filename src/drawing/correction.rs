@@ -1,40 +1,29 @@
 //! The sheets of a student's drawing: the overlay on the right figure, and where the words about it and the table of values find room.
 
-use super::figure::{Sheet, Shown, compose, draw_title, extents};
-use super::layout::{Aside, Layout, MARGIN, TITLE};
-use super::legend;
-use super::overlay::Overlay;
+use super::compose::{Composition, draw_title};
+use super::figure::{composition, content, extents, hints, panels};
+use super::layout::{Layout, MARGIN, TITLE};
+use super::lines;
+use super::overlay::{Notes, Overlay, OwnLayer, WordsPlace};
 use super::scheme::Scheme;
-use super::shape::Shape;
+use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Pen};
-use super::table::{Cells, Table};
+use super::table::Table;
+use super::text::RichText;
 use super::view::Extent;
 use crate::construction::Solution;
-use crate::scene::{Panel, Scene};
+use crate::scene::PanelName;
 use kurbo::Rect;
 
 /// The parts of a page that words beside the panels may take.
 const BESIDE: [f64; 5] = [0.23, 0.235, 0.24, 0.25, 0.28];
-/// White above the words of a column.
-const TOP: f64 = 2.0;
 /// Between words and the table below them.
 const GAP: f64 = 4.0;
 
-/// Where the words stand.
-#[derive(Clone, Copy, PartialEq)]
-enum Place {
-    /// Below the panels.
-    Below,
-    /// In a column to the right of the panels.
-    Beside,
-    /// On the sheet of the table, where the figure needs all of its own.
-    Apart,
-}
-
 /// A way to divide the sheet.
-struct Way {
-    place: Place,
-    extents: Vec<(Panel, Extent)>,
+struct Way<'a> {
+    place: WordsPlace,
+    sheet: Composition<'a>,
     layout: Layout,
 }
 
@@ -45,110 +34,75 @@ struct Way {
 /// sheets of its own. What lies outside a panel is cut off there and named at its edge.
 #[must_use]
 pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
-    let (scene, scheme) = (&solution.scene, Scheme::new(solution));
-    let words = &scheme.words;
-    let page = scene.figure.page.size_mm();
-    let way = best_way(scene, &scheme, overlay);
-    let (table, rows) = overlay.table();
-    let mut sheet = Sheet { layout: way.layout, worksheet: None };
-    let mut shared = None;
-    if way.place == Place::Below {
-        let lines = lines_below(overlay, page);
-        let both = Sheet::divided(scene, &scheme, &way.extents, lines, &|room| table.asides(room));
-        shared = both.table.filter(|area| table.fits(*area));
-        shared = shared.filter(|_| both.worth >= sheet.layout.worth);
-        if shared.is_some() {
-            sheet.layout = both;
+    let scheme = Scheme::new(solution);
+    let Way { place, mut sheet, layout } = best_way(&scheme, overlay);
+    let table = overlay.table();
+    if place == WordsPlace::Below {
+        sheet.items.push(Box::new(table.clone()));
+        let both = sheet.layout();
+        let fits = both.aside.is_some_and(|area| table.fits(area));
+        if fits && both.worth >= layout.worth {
+            return vec![sheet.draw(&both)];
         }
+        sheet.items.pop();
     }
-    let shown = Shown::Overlay(overlay);
-    let mut drawing = compose(scene, &scheme, &sheet, &way.extents, shown);
-    drawing.steps = Vec::new();
-    let mut below = sheet.layout.legend;
-    below.y0 += sheet.layout.scales;
-    match (way.place, sheet.layout.table) {
-        (Place::Beside, Some(area)) => {
-            drawing.draw(Pen::Frame, Shape::Polygon(legend::corners(area)));
-            let area = Rect { y0: area.y0 + TOP, ..area };
-            let from = overlay.draw_key(&mut drawing, area, words);
-            let lines = overlay.lines(area.width() - 2.0 * legend::PAD, true);
-            legend::draw_lines_in(&mut drawing, area, from, lines);
-        }
-        (Place::Apart, _) => drop(overlay.draw_key(&mut drawing, below, words)),
-        _ => {
-            let from = overlay.draw_key(&mut drawing, below, words);
-            let lines = overlay.lines(legend::words_width(page), false);
-            legend::draw_lines_in(&mut drawing, below, from, lines);
-        }
-    }
-    let mut sheets = Vec::new();
-    match shared {
-        Some(area) => drop(table.draw(&mut drawing, area, &rows)),
-        None => {
-            let said = (way.place == Place::Apart).then_some(overlay);
-            sheets = tables(&drawing, said, &table, &rows);
-        }
-    }
-    sheets.insert(0, drawing);
-    sheets
+    let figure = sheet.draw(&layout);
+    let said = (place == WordsPlace::Apart).then_some(overlay);
+    let tables = tables(&figure, said, table);
+    std::iter::once(figure).chain(tables).collect()
 }
 
-/// Room for the key and the words below the panels, in mm.
-fn lines_below(overlay: &Overlay, page: [f64; 2]) -> f64 {
-    let words = overlay.lines(legend::words_width(page), false);
-    legend::height_of_lines(overlay.key_lines(false) + words.len())
+/// The right figure under the student's drawing, and the words in their place.
+fn sheet<'a>(
+    scheme: &'a Scheme<'a>,
+    overlay: &'a Overlay,
+    extents: &[(PanelName, Extent)],
+    notes: Notes<'a>,
+) -> Composition<'a> {
+    let own = |panel| Box::new(OwnLayer { overlay, scheme, panel });
+    let panels = panels(scheme, extents, |panel| vec![hints(scheme, panel), content(scheme, panel), own(panel)]);
+    let mut sheet = composition(scheme, panels, None, vec![Box::new(notes)]);
+    if let Some(name) = &overlay.name {
+        sheet.title = format!("{} – {name}", sheet.title);
+    }
+    sheet.steps = Vec::new();
+    sheet
 }
 
 /// The way in which most panels show all that they should, of these the one in which the student's points lie on the sheet, the words beside the figure,
 /// its contents large.
-fn best_way(scene: &Scene, scheme: &Scheme<'_>, overlay: &Overlay) -> Way {
-    let page = scene.figure.page.size_mm();
-    let own = extents(scheme);
-    let height_beside = |column: f64| {
-        let narrow = overlay.lines(column - 2.0 * legend::PAD, true).len();
-        TOP + legend::height_of_lines(overlay.key_lines(true) + narrow)
+fn best_way<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Way<'a> {
+    let page = scheme.figure.page.size_mm();
+    let notes = |place| Notes { overlay, words: scheme.words, page, place };
+    let way = |extents: &[(PanelName, Extent)], place: WordsPlace| {
+        let sheet = sheet(scheme, overlay, extents, notes(place));
+        Way { place, layout: sheet.layout(), sheet }
     };
-    let ways_for = |extents: Vec<(Panel, Extent)>| {
-        let way = |place: Place, column: f64| {
-            let (below, aside) = match place {
-                Place::Below => (lines_below(overlay, page), Aside::Nothing),
-                Place::Beside => (0.0, Aside::Right(column)),
-                Place::Apart => {
-                    let key = legend::height_of_lines(overlay.key_lines(false));
-                    (key, Aside::Nothing)
-                }
-            };
-            let layout = Sheet::divided(scene, scheme, &extents, below, &|_| vec![aside]);
-            Way { place, extents: extents.clone(), layout }
-        };
-        let mut words = way(Place::Below, 0.0);
-        let beside = BESIDE.iter().filter_map(|part| {
-            let column = part * page[0];
-            let beside = way(Place::Beside, column);
-            let area = beside.layout.table?;
-            (area.height() >= height_beside(column)).then_some(beside)
-        });
-        for beside in beside {
-            if beside.layout.worth > words.layout.worth {
+    let ways_for = |extents: &[(PanelName, Extent)]| {
+        let mut words = way(extents, WordsPlace::Below);
+        for part in BESIDE {
+            let beside = way(extents, WordsPlace::Beside(part * page[0]));
+            let fits = beside.layout.aside.is_some_and(|column| notes(beside.place).fit(column));
+            if fits && beside.layout.worth > words.layout.worth {
                 words = beside;
             }
         }
-        [words, way(Place::Apart, 0.0)]
+        [words, way(extents, WordsPlace::Apart)]
     };
     // Whether all panels have room, and how many show all of their contents.
     let shows = |way: &Way| [way.layout.worth[0], way.layout.worth[1]];
+    let own = extents(scheme);
     let mut best: Option<Way> = None;
     // All panels with the student's points first, then without those of one, of two, of all.
     let mut kept: Vec<u32> = (0..1 << own.len()).collect();
     kept.sort_by_key(|panels| std::cmp::Reverse(panels.count_ones()));
     for panels in kept {
         let extents = own.iter().enumerate().map(|(index, &(panel, extent))| {
-            let is_given = scene.figure.mu(panel).is_some();
-            let with_points = || overlay.extended(panel, extent, is_given);
+            let is_given = scheme.figure.mu(panel).is_some();
             let is_kept = panels & (1 << index) != 0;
-            (panel, if is_kept { with_points() } else { extent })
+            (panel, if is_kept { overlay.extended(panel, extent, is_given) } else { extent })
         });
-        for way in ways_for(extents.collect()) {
+        for way in ways_for(&extents.collect::<Vec<_>>()) {
             if best.as_ref().is_none_or(|best| shows(&way) > shows(best)) {
                 best = Some(way);
             }
@@ -159,38 +113,29 @@ fn best_way(scene: &Scene, scheme: &Scheme<'_>, overlay: &Overlay) -> Way {
 
 /// Sheets with the title, the words that the figure has no room for, and the table, as many as its rows need; upright, as lists are, where its rows
 /// are not too wide.
-fn tables<const N: usize>(
-    figure: &Drawing,
-    said: Option<&Overlay>,
-    table: &Table<N>,
-    rows: &[Cells<N>],
-) -> Vec<Drawing> {
+fn tables<const N: usize>(figure: &Drawing, said: Option<&Overlay>, mut table: Table<N>) -> Vec<Drawing> {
     let narrow = figure.width.min(figure.height);
     let [width, height] = match table.column() <= narrow - 2.0 * MARGIN {
         true => [narrow, figure.width.max(figure.height)],
         false => [figure.width, figure.height],
     };
-    let whole = Rect::new(MARGIN, MARGIN, width - MARGIN, height - MARGIN);
-    let mut area = whole;
-    area.y0 += TITLE;
-    let lines = said.map(|said| said.lines(legend::words_width([width, height]), false));
-    let mut lines = lines.unwrap_or_default();
-    let mut rows = rows;
+    let area = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN);
+    let said = said.map(|said| said.lines(lines::width([width, height]), false));
+    let mut said: Vec<RichText> = said.unwrap_or_default();
     let mut sheets = Vec::new();
-    while !rows.is_empty() {
+    while !table.rows.is_empty() {
         let mut drawing = Drawing { width, height, marks: Vec::new(), panels: Vec::new(), ..figure.clone() };
-        draw_title(&mut drawing, whole);
+        draw_title(&mut drawing);
         let mut own = area;
-        if !lines.is_empty() {
-            let room = Rect { y1: own.y0 + legend::height_of_lines(lines.len()), ..own };
-            drawing.draw(Pen::Frame, Shape::Polygon(legend::corners(room)));
-            legend::draw_lines_in(&mut drawing, room, 0, std::mem::take(&mut lines));
+        if !said.is_empty() {
+            let room = Rect { y1: own.y0 + lines::height(said.len()), ..own };
+            drawing.draw(Pen::Frame, Shape::Polygon(corners(room)));
+            lines::draw(&mut drawing, room, 0, &std::mem::take(&mut said));
             own.y0 = room.y1 + GAP;
         }
-        let (first, later) = rows.split_at(table.most(own).clamp(1, rows.len()));
-        let table = Table { rows: first.len(), ..table.clone() };
-        table.draw(&mut drawing, table.needed(own), first);
-        rows = later;
+        let later = table.rows.split_off(table.most(own).clamp(1, table.rows.len()));
+        table.draw_in(&mut drawing, table.needed(own));
+        table.rows = later;
         sheets.push(drawing);
     }
     sheets

@@ -1,82 +1,55 @@
 //! The sheets of an exercise: the student's with the scheme true to scale, what is given, and boxes for what is to be found; the teacher's key.
 
-use super::figure::{Sheet, Shown, compose, extents};
-use super::legend;
+use super::compose::Composition;
+use super::figure::{composition, content, extents, panels};
+use super::lines::Lines;
 use super::scheme::Scheme;
 use super::sheet::Drawing;
-use super::text::RichText;
-use super::view::Extent;
 use super::worksheet::Worksheet;
 use crate::construction::Solution;
 use crate::quantity::Asked;
-use crate::scene::{Panel, Scene};
+use crate::scene::PanelName;
 
 /// The sheet of an exercise: the scheme without special points, but with room for them; below it `sentences`, in markup; beside it a table with
 /// a row for each of `asked` and boxes for its millimetres and its value, and a ruler. `None` where the scheme does not fit beside them at the
 /// scale that the scene gives.
 #[must_use]
 pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<Drawing> {
-    let alone = alone(solution);
-    let scheme = Scheme::new(&alone);
-    let laid = Laid::out(&alone.scene, &scheme, sentences, |_| Worksheet::blank(&scheme, alone.scene.units, asked));
-    let placed = laid.sheet.layout.panels.first()?;
-    let size = laid.extents.first()?.1.size() / placed.mu;
+    let scheme = Scheme::new(solution);
+    let sheet = students(&scheme, asked, sentences);
+    let layout = sheet.layout();
+    let placed = layout.panels.first()?;
+    let size = scheme.extent().size() / placed.mu;
     let fits = size.x <= placed.area.width() && size.y <= placed.area.height();
-    fits.then(|| compose(&alone.scene, &scheme, &laid.sheet, &laid.extents, Shown::Words(&laid.lines)).after_step(0))
-}
-
-/// The figure that a scene asks for with other `sentences` below its scales, in markup.
-#[must_use]
-pub fn key_sheet(solution: &Solution, sentences: &[String]) -> Drawing {
-    let (scene, scheme) = (&solution.scene, Scheme::new(solution));
-    let table = |extents: &[(Panel, Extent)]| {
-        let page = scene.figure.page.size_mm();
-        Worksheet::new(&scheme, scene.units, extents, page)
-    };
-    let laid = Laid::out(scene, &scheme, sentences, table);
-    compose(scene, &scheme, &laid.sheet, &laid.extents, Shown::Words(&laid.lines))
+    fits.then(|| sheet.draw(&layout).after_step(0))
 }
 
 /// The scale at which the scheme fits on the sheet of an exercise, from the same as [`exercise_sheet`]; that of the scene where it gives one.
 #[must_use]
 pub fn exercise_scale(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<f64> {
-    let alone = alone(solution);
-    let scheme = Scheme::new(&alone);
-    let laid = Laid::out(&alone.scene, &scheme, sentences, |_| Worksheet::blank(&scheme, alone.scene.units, asked));
-    laid.sheet.layout.panels.first().map(|placed| placed.mu)
+    let layout = students(&Scheme::new(solution), asked, sentences).layout();
+    layout.panels.first().map(|placed| placed.mu)
 }
 
-/// The solution with nothing but the scheme in its figure.
-fn alone(solution: &Solution) -> Solution {
-    let mut alone = solution.clone();
-    alone.scene.figure.panels = vec![Panel::Scheme];
-    alone
+/// The figure that a scene asks for with other `sentences` below its scales, in markup, and with the table of a work
+/// sheet.
+#[must_use]
+pub fn key_sheet(solution: &Solution, sentences: &[String]) -> Drawing {
+    let scheme = Scheme::new(solution);
+    let panels = panels(&scheme, &extents(&scheme), |panel| vec![content(&scheme, panel)]);
+    let table = Worksheet::new(&scheme, &panels);
+    let sentences = Lines::of(sentences, scheme.figure.page.size_mm());
+    let sheet = composition(&scheme, panels, Some(table), vec![Box::new(sentences)]);
+    sheet.draw(&sheet.layout())
 }
 
-/// A sheet of an exercise, divided up.
-struct Laid {
-    sheet: Sheet,
-    extents: Vec<(Panel, Extent)>,
-    lines: Vec<RichText>,
-}
-
-impl Laid {
-    fn out(
-        scene: &Scene,
-        scheme: &Scheme<'_>,
-        sentences: &[String],
-        table: impl FnOnce(&[(Panel, Extent)]) -> Worksheet,
-    ) -> Laid {
-        let extents = extents(scheme);
-        let [width, _] = scene.figure.page.size_mm();
-        let lines = sentences.iter().flat_map(|s| legend::lines(s, width));
-        let lines: Vec<RichText> = lines.collect();
-        let table = table(&extents);
-        let below = legend::height_of_lines(lines.len());
-        let layout = Sheet::divided(scene, scheme, &extents, below, &|room| table.asides(room));
-        let sheet = Sheet { layout, worksheet: Some(table) };
-        Laid { sheet, extents, lines }
-    }
+/// The student's sheet, which has nothing but the scheme.
+fn students<'a>(scheme: &'a Scheme<'a>, asked: &[Asked], sentences: &[String]) -> Composition<'a> {
+    let alone = [(PanelName::Scheme, scheme.extent())];
+    let panels = panels(scheme, &alone, |panel| vec![content(scheme, panel)]);
+    let table = Worksheet::blank(scheme, asked);
+    let sentences = Lines::of(sentences, scheme.figure.page.size_mm());
+    composition(scheme, panels, Some(table), vec![Box::new(sentences)])
 }
 
 /// Whether the scheme has its special points at their places, none beyond reach.

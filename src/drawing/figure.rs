@@ -1,31 +1,32 @@
-use super::canvas::{CAPTION, Canvas};
-use super::layout::{Aside, Layout, Placed, Wanted, layout};
-use super::legend;
-use super::overlay::Overlay;
+//! The figure of a scene: its panels and their layers, finished, with all steps, and moving.
+
+use super::canvas::Canvas;
+use super::compose::Composition;
+use super::layout::{Item, Needs, Placed};
+use super::legend::{self, Legend};
+use super::line::Line;
+use super::lines::Lines;
+use super::panel::{Frame, Layer, Layers, Panel, numbered};
 use super::plan_panel;
 use super::scheme::Scheme;
-use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
-use super::style::Style;
-use super::text::{PlacedText, RichText};
+use super::text::RichText;
 use super::view::{Extent, View, fitting_scale};
-use super::words;
+use super::words::StepWords;
 use super::worksheet::Worksheet;
 use crate::construction::{Solution, shown_text};
-use crate::mechanism::{Class, Mechanism};
-use crate::quantity::Scales;
-use crate::scene::{Panel, Scene};
+use crate::mechanism::Class;
+use crate::quantity::{Kind, Scales};
+use crate::scene::PanelName;
 use crate::words::{Language, Wording};
-use kurbo::{Point, Rect};
 
 impl Solution {
     /// The figure that the scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
     #[must_use]
     pub fn figure(&self) -> Drawing {
         let scheme = Scheme::new(self);
-        let extents = extents(&scheme);
-        let sheet = Sheet::new(&self.scene, &scheme, &extents, false);
-        compose(&self.scene, &scheme, &sheet, &extents, Shown::Figure)
+        let sheet = finished(&scheme, &extents(&scheme));
+        sheet.draw(&sheet.layout())
     }
 
     /// The same figure with every step of the construction in it: [`Drawing::after_step`] gives the sheet as it stands after one of them,
@@ -35,21 +36,21 @@ impl Solution {
     #[must_use]
     pub fn stepwise_figure(&self) -> Drawing {
         let scheme = Scheme::new(self);
-        let extents = extents(&scheme);
-        let sheet = Sheet::new(&self.scene, &scheme, &extents, true);
-        compose(&self.scene, &scheme, &sheet, &extents, Shown::Steps)
+        let sheet = stepwise(&scheme, &extents(&scheme), self.scene.figure.worksheet);
+        sheet.draw(&sheet.layout())
     }
 
     /// The scales of the figure; a plan without a panel has the scale that the scene gives, or none.
     #[must_use]
     pub fn scales(&self) -> Scales {
         let scheme = Scheme::new(self);
-        let sheet = Sheet::new(&self.scene, &scheme, &extents(&scheme), false);
-        let of = |panel: Panel| {
-            let placed = sheet.layout.panels.iter().find(|p| p.panel == panel);
-            self.scene.figure.mu(panel).or(placed.map(|p| p.mu))
-        };
-        Scales { length: of(Panel::Scheme), velocity: of(Panel::Velocity), acceleration: of(Panel::Acceleration) }
+        let layout = finished(&scheme, &extents(&scheme)).layout();
+        let of = |panel: PanelName| self.scene.figure.mu(panel).or(layout.mu(kind(panel)));
+        Scales {
+            length: of(PanelName::Scheme),
+            velocity: of(PanelName::Velocity),
+            acceleration: of(PanelName::Acceleration),
+        }
     }
 
     /// What the figure leaves out because it does not fit at a scale that the scene gives: a sentence for each such panel, with a scale that
@@ -62,43 +63,33 @@ impl Solution {
         }
         let scheme = Scheme::new(self);
         let extents = extents(&scheme);
-        let sheet = Sheet::new(&self.scene, &scheme, &extents, false);
-        let panels = sheet.layout.panels.iter().zip(&extents);
-        panels.filter_map(|(placed, (_, extent))| overflow_warning(placed, extent)).collect()
+        let layout = finished(&scheme, &extents).layout();
+        extents
+            .iter()
+            .zip(&layout.panels)
+            .filter_map(|((panel, extent), placed)| overflow_warning(*panel, extent, placed))
+            .collect()
     }
 }
 
 /// What is said of a panel whose content is larger than it.
-fn overflow_warning(placed: &Placed, extent: &Extent) -> Option<String> {
+fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Option<String> {
     // Within the panel, even if not within the white around its content.
     let (size, frame) = (extent.size() / placed.mu, placed.frame);
     if size.x <= frame.width() && size.y <= frame.height() {
         return None;
     }
-    let key = match placed.panel {
-        Panel::Scheme => "mu_l",
-        Panel::Velocity => "mu_v",
-        Panel::Acceleration => "mu_a",
+    let key = match panel {
+        PanelName::Scheme => "mu_l",
+        PanelName::Velocity => "mu_v",
+        PanelName::Acceleration => "mu_a",
     };
     let words = Wording::default();
-    let panel = name(words.language, placed.panel).to_lowercase();
+    let panel = name(words.language, panel).to_lowercase();
     let [fitting, given] = [fitting_scale(extent, placed.area), placed.mu].map(|mu| words.write(mu, legend::SCALE));
     Some(format!(
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
     ))
-}
-
-/// What a figure shows.
-#[derive(Clone, Copy)]
-pub(super) enum Shown<'a> {
-    /// The finished figure.
-    Figure,
-    /// The same with other words below its scales.
-    Words(&'a [RichText]),
-    /// The same with all its steps.
-    Steps,
-    /// The same under a student's drawing.
-    Overlay(&'a Overlay),
 }
 
 /// The stepwise figures of one mechanism in several positions, all with the same panels and scales, so that they can be shown one
@@ -111,257 +102,149 @@ pub(super) enum Shown<'a> {
 pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
     let schemes: Vec<Scheme<'_>> =
         positions.iter().map(|solution| Scheme { insets: false, ..Scheme::new(solution) }).collect();
-    let Some(scene) = positions.get(own).map(|solution| &solution.scene) else {
+    let Some(first) = schemes.get(own) else {
         return Vec::new();
     };
-    let first = &schemes[own];
-    let extents: Vec<(Panel, Extent)> = extents(first)
+    let extents: Vec<(PanelName, Extent)> = extents(first)
         .into_iter()
         .map(|(panel, extent)| {
             let others = schemes.iter().filter_map(|scheme| match panel {
-                Panel::Scheme => Some(scheme.extent_of_joints()),
-                Panel::Velocity => Some(plan_panel::extent_of_images(&scheme.construction.velocity)),
-                Panel::Acceleration => {
-                    let plan = scheme.construction.acceleration.as_ref()?;
-                    Some(plan_panel::extent_of_images(plan))
-                }
+                PanelName::Scheme => Some(scheme.extent_of_joints()),
+                plan => scheme.plan(plan).map(plan_panel::extent_of_images),
             });
             (panel, extent.with_most(others))
         })
         .collect();
-    let most = schemes.iter().map(|scheme| scheme.agreement().len());
-    let lines = most.max().unwrap_or_default();
-    let below = words_below(lines, true);
-    let sheet =
-        Sheet { layout: Sheet::divided(scene, first, &extents, below, &|_| vec![Aside::Nothing]), worksheet: None };
-    let draw = |scheme: &Scheme<'_>| compose(scene, scheme, &sheet, &extents, Shown::Steps);
-    schemes.iter().map(draw).collect()
+    let sheets: Vec<Composition<'_>> = schemes.iter().map(|scheme| stepwise(scheme, &extents, false)).collect();
+    let below = sheets.iter().map(Composition::below).fold(0.0, f64::max);
+    let layout = sheets[own].layout_above(below);
+    sheets.iter().map(|sheet| sheet.draw(&layout)).collect()
 }
 
-/// The sheet with its panels, its scales, and what is said below them.
-pub(super) fn compose(
-    scene: &Scene,
-    scheme: &Scheme<'_>,
-    sheet: &Sheet,
-    extents: &[(Panel, Extent)],
-    shown: Shown<'_>,
-) -> Drawing {
-    let layout = &sheet.layout;
-    let (mechanism, construction) = (scheme.mechanism, scheme.construction);
-    let [width, height] = scene.figure.page.size_mm();
-    let mut drawing = Drawing::new(width, height);
-    drawing.style = Style::named(scene.figure.style);
-    let language = scheme.words.language;
-    let title = scene.title.as_deref().unwrap_or(language.title());
-    drawing.title = match shown {
-        Shown::Overlay(Overlay { name: Some(name), .. }) => format!("{title} – {name}"),
-        _ => title.to_owned(),
-    };
-    drawing.language = language.code;
-    drawing.description = description(language, mechanism, layout);
-    draw_title(&mut drawing, layout.title);
-    for (index, placed) in layout.panels.iter().enumerate() {
-        let own = extents.iter().find(|(panel, _)| *panel == placed.panel);
-        if let Some((_, extent)) = own {
-            let view = View::new(placed.mu, extent, placed.area);
-            panel(&mut drawing, index, placed, &view, scheme, shown);
-        }
-    }
-    let words = &scheme.words;
-    if let (Some(worksheet), Some(area)) = (&sheet.worksheet, layout.table) {
-        worksheet.draw(&mut drawing, area, &layout.panels, words);
-    }
-    legend::draw(&mut drawing, layout, words, scene.units);
-    let teller = scheme.teller();
-    let steps = construction.numbered_steps();
-    drawing.steps = steps.map(|step| shown_text(&teller.caption(&step), step.plan, words)).collect();
-    match shown {
-        Shown::Figure => {
-            legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
-        }
-        Shown::Steps => {
-            words::draw(&mut drawing, layout, scene.units, scheme);
-            // After the last step.
-            let from = drawing.marks.len();
-            legend::draw_lines(&mut drawing, layout, scheme.agreement().to_vec());
-            for mark in &mut drawing.marks[from..] {
-                (mark.since, mark.passing) = (drawing.steps.len() as u16 + 1, true);
-            }
-        }
-        Shown::Words(lines) => legend::draw_lines(&mut drawing, layout, lines.to_vec()),
-        Shown::Overlay(_) => {}
-    }
-    drawing
+/// The finished figure.
+fn finished<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)]) -> Composition<'a> {
+    let panels = panels(scheme, extents, |panel| vec![content(scheme, panel)]);
+    let table = scheme.figure.worksheet.then(|| Worksheet::new(scheme, &panels));
+    composition(scheme, panels, table, vec![Box::new(agreement(scheme))])
 }
 
-/// The title above the panels, smaller where it would not fit.
-pub(super) fn draw_title(drawing: &mut Drawing, room: Rect) {
-    let title = RichText::verbatim(&drawing.title);
-    let size = TITLE_SIZE * (room.width() / title.width(TITLE_SIZE)).min(1.0);
-    let heading = PlacedText::new(title, size, Point::new(room.x0, room.y0 + 5.6));
-    drawing.draw(Pen::Heading, Shape::Text(heading));
+/// The figure with all its steps.
+fn stepwise<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], worksheet: bool) -> Composition<'a> {
+    let panels = panels(scheme, extents, |panel| vec![hints(scheme, panel), content(scheme, panel)]);
+    let table = worksheet.then(|| Worksheet::new(scheme, &panels));
+    let after = scheme.construction.numbered_steps().count() as u16 + 1;
+    let agreement = Lines { step: Some(after), ..agreement(scheme) };
+    composition(scheme, panels, table, vec![Box::new(StepWords(scheme)), Box::new(agreement)])
+}
+
+/// How the construction and the loop equations agree.
+fn agreement(scheme: &Scheme<'_>) -> Lines {
+    let sentence = legend::agreement(&scheme.words, scheme.construction);
+    Lines::of([&sentence], scheme.figure.page.size_mm())
+}
+
+/// A sheet with these panels, a table beside them, their scales, and what stands below.
+pub(super) fn composition<'a>(
+    scheme: &'a Scheme<'a>,
+    panels: Vec<Panel<'a>>,
+    table: Option<Worksheet>,
+    below: Vec<Box<dyn Item + 'a>>,
+) -> Composition<'a> {
+    let (scene, words) = (scheme.scene, scheme.words);
+    let table = table.map(|table| Box::new(table) as Box<dyn Item>);
+    let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units });
+    let (teller, steps) = (scheme.teller(), scheme.construction.numbered_steps());
+    Composition {
+        scene,
+        words,
+        title: scene.title.as_deref().unwrap_or(words.language.title()).to_owned(),
+        description: description(scheme, &panels),
+        steps: steps.map(|step| shown_text(&teller.caption(&step), step.plan, &words)).collect(),
+        panels,
+        items: table.into_iter().chain([legend]).chain(below).collect(),
+    }
 }
 
 /// The panels that have something to show, and how much.
-pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(Panel, Extent)> {
-    let panels = scheme.figure.panels.iter();
-    let extents = panels.filter_map(|&panel| {
-        let extent = match panel {
-            Panel::Scheme => scheme.extent(),
-            Panel::Velocity => plan_panel::extent(&scheme.construction.velocity),
-            Panel::Acceleration => plan_panel::extent(scheme.construction.acceleration.as_ref()?),
-        };
-        Some((panel, extent))
-    });
-    extents.collect()
-}
-
-/// The sheet of a figure, divided up, and the table of a work sheet.
-pub(super) struct Sheet {
-    pub layout: Layout,
-    pub worksheet: Option<Worksheet>,
-}
-
-impl Sheet {
-    /// The sheet for these panels, with room for the words of steps or without.
-    fn new(scene: &Scene, scheme: &Scheme<'_>, extents: &[(Panel, Extent)], by_steps: bool) -> Self {
-        let page = scene.figure.page.size_mm();
-        let table = || Worksheet::new(scheme, scene.units, extents, page);
-        let worksheet = scene.figure.worksheet.then(table);
-        let below = words_below(scheme.agreement().len(), by_steps);
-        let asides = |room| match &worksheet {
-            Some(table) => table.asides(room),
-            None => vec![Aside::Nothing],
-        };
-        Self { layout: Self::divided(scene, scheme, extents, below, &asides), worksheet }
-    }
-
-    /// The sheet with so much room below the scales. They stand in as few rows as hold them.
-    pub(super) fn divided(
-        scene: &Scene,
-        scheme: &Scheme<'_>,
-        extents: &[(Panel, Extent)],
-        below: f64,
-        asides: &dyn Fn(Rect) -> Vec<Aside>,
-    ) -> Layout {
-        let wanted = extents.iter().map(|&(panel, extent)| Wanted {
-            panel,
-            extent,
-            heading: heading(scheme, 0, panel).width(HEADING_SIZE) + 2.0 * BEFORE_HEADING,
-            mu: scene.figure.mu(panel),
-        });
-        let wanted: Vec<Wanted> = wanted.collect();
-        let page = scene.figure.page.size_mm();
-        let in_columns = |columns: usize| {
-            let heights = [legend::height(wanted.len(), columns), below];
-            layout(page, &wanted, heights, columns, asides)
-        };
-        let mut layout = in_columns(MOST_COLUMNS);
-        for columns in (1..MOST_COLUMNS).rev() {
-            if legend::fits(&layout, &scheme.words, scene.units) {
-                break;
-            }
-            layout = in_columns(columns);
-        }
-        layout
-    }
-}
-
-/// Columns of scales in the legend at most.
-const MOST_COLUMNS: usize = 3;
-
-/// Room that is needed below the scales, for so many lines and for the words of steps.
-fn words_below(lines: usize, by_steps: bool) -> f64 {
-    let least = if by_steps { words::HEIGHT } else { 0.0 };
-    legend::height_of_lines(lines).max(least)
-}
-
-fn panel(drawing: &mut Drawing, index: usize, placed: &Placed, view: &View, scheme: &Scheme<'_>, shown: Shown<'_>) {
-    let frame = Shape::Polygon(legend::corners(placed.frame));
-    drawing.draw(Pen::Frame, frame);
-    let name = name(scheme.words.language, placed.panel);
-    drawing.panels.push((name.to_owned(), placed.frame));
-    let start = Point::new(placed.frame.x0 + BEFORE_HEADING, placed.frame.y0 + 6.0);
-    let heading = PlacedText::new(heading(scheme, index, placed.panel), HEADING_SIZE, start);
-    let from = drawing.marks.len();
-    let mut canvas = Canvas::new(drawing, placed.panel.as_str(), placed.frame, &scheme.figure.labels);
-    canvas.draw(Pen::Heading, Shape::Text(heading));
-    let student = match shown {
-        Shown::Overlay(overlay) => Some(overlay),
-        _ => None,
+pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(PanelName, Extent)> {
+    let extent = |&panel: &PanelName| match panel {
+        PanelName::Scheme => Some((panel, scheme.extent())),
+        plan => scheme.plan(plan).map(|plan| (panel, plan_panel::extent(plan))),
     };
-    if let Some(overlay) = student {
-        overlay.announce(&mut canvas, view, scheme, placed.panel);
-    }
-    let with_hints = !matches!(shown, Shown::Figure | Shown::Words(_));
-    let plan = match placed.panel {
-        Panel::Scheme => {
-            if with_hints {
-                scheme.hints(&mut canvas, view);
-            }
-            scheme.draw(&mut canvas, view);
-            None
-        }
-        Panel::Velocity => Some(&scheme.construction.velocity),
-        Panel::Acceleration => scheme.construction.acceleration.as_ref(),
-    };
-    if let Some(plan) = plan {
-        if with_hints {
-            plan_panel::hints(&mut canvas, view, scheme, plan);
-        }
-        plan_panel::draw(&mut canvas, view, scheme, plan);
-    }
-    if let Some(overlay) = student {
-        overlay.draw(&mut canvas, view, scheme, placed.panel);
-    }
-    canvas.finish();
-    if let Some(overlay) = student {
-        overlay.emphasise(&mut drawing.marks, from, scheme);
-    }
+    scheme.figure.panels.iter().filter_map(extent).collect()
 }
 
-/// Size of the title.
-const TITLE_SIZE: f64 = 5.2;
-/// Size of panels' headings, and the white before them.
-const HEADING_SIZE: f64 = 1.05 * CAPTION;
-const BEFORE_HEADING: f64 = 2.5;
+/// Panels of these extents, with what `layers` gives each of them in its frame.
+pub(super) fn panels<'a>(
+    scheme: &Scheme<'a>,
+    extents: &[(PanelName, Extent)],
+    layers: impl Fn(PanelName) -> Layers<'a>,
+) -> Vec<Panel<'a>> {
+    let panel = |(index, &(panel, extent)): (usize, &(PanelName, Extent))| {
+        let name = name(scheme.words.language, panel);
+        let frame = |index| Frame::new(Line::new(vec![RichText::plain(&numbered(index, name))]), Pen::Heading);
+        let lowest: Box<dyn Layer> = Box::new(frame(index));
+        Panel {
+            name: name.to_owned(),
+            prefix: panel.as_str(),
+            // As wide as the first panel's heading: a place does not depend on the letter.
+            needs: Needs { kind: kind(panel), extent, heading: frame(0).width(), mu: scheme.figure.mu(panel) },
+            layers: std::iter::once(lowest).chain(layers(panel)).collect(),
+        }
+    };
+    extents.iter().enumerate().map(panel).collect()
+}
 
-fn name(language: &Language, panel: Panel) -> &str {
+/// The layer of the scheme or a plan itself.
+pub(super) fn content<'a>(scheme: &'a Scheme<'a>, panel: PanelName) -> Box<dyn Layer + 'a> {
+    Box::new(move |canvas: &mut Canvas<'_>, view: &View| match (panel, scheme.plan(panel)) {
+        (PanelName::Scheme, _) => scheme.draw(canvas, view),
+        (_, Some(plan)) => plan_panel::draw(canvas, view, scheme, plan),
+        (_, None) => {}
+    })
+}
+
+/// The layer of what each step is about.
+pub(super) fn hints<'a>(scheme: &'a Scheme<'a>, panel: PanelName) -> Box<dyn Layer + 'a> {
+    Box::new(move |canvas: &mut Canvas<'_>, view: &View| match (panel, scheme.plan(panel)) {
+        (PanelName::Scheme, _) => scheme.hints(canvas, view),
+        (_, Some(plan)) => plan_panel::hints(canvas, view, scheme, plan),
+        (_, None) => {}
+    })
+}
+
+/// The kind of quantity that a millimetre of a panel stands for.
+fn kind(panel: PanelName) -> Kind {
     match panel {
-        Panel::Scheme => language.scheme(),
-        Panel::Velocity => language.velocity_plan(),
-        Panel::Acceleration => language.acceleration_plan(),
+        PanelName::Scheme => Kind::Length,
+        PanelName::Velocity => Kind::Velocity,
+        PanelName::Acceleration => Kind::Acceleration,
     }
 }
 
-/// What stands above the panel of this number.
-fn heading(scheme: &Scheme<'_>, index: usize, panel: Panel) -> RichText {
-    let letter = char::from(b'a' + index as u8);
-    let name = name(scheme.words.language, panel);
-    RichText::plain(&format!("({letter}) {name}"))
+fn name(language: &Language, panel: PanelName) -> &str {
+    match panel {
+        PanelName::Scheme => language.scheme(),
+        PanelName::Velocity => language.velocity_plan(),
+        PanelName::Acceleration => language.acceleration_plan(),
+    }
 }
 
 /// The figure in a sentence, for those who cannot see it.
-fn description(language: &Language, mechanism: &Mechanism, layout: &Layout) -> String {
-    let panels: Vec<&str> = layout
-        .panels
-        .iter()
-        .map(|p| match p.panel {
-            Panel::Scheme => language.described_scheme(),
-            Panel::Velocity => language.described_velocity_plan(),
-            Panel::Acceleration => language.described_acceleration_plan(),
-        })
-        .collect();
-    let groups: Vec<String> = mechanism
-        .groups
-        .iter()
-        .map(|g| {
-            let class = match g.class {
-                Class::Higher => language.higher(),
-                other => other.numeral(),
-            };
-            language.described_group(class, &g.link_names(mechanism))
-        })
-        .collect();
-    language.description(&panels.join(", "), &groups.join("; "))
+fn description(scheme: &Scheme<'_>, panels: &[Panel<'_>]) -> String {
+    let language = scheme.words.language;
+    let described = |panel: &Panel<'_>| match panel.needs.kind {
+        Kind::Velocity => language.described_velocity_plan(),
+        Kind::Acceleration => language.described_acceleration_plan(),
+        _ => language.described_scheme(),
+    };
+    let panels: Vec<&str> = panels.iter().map(described).collect();
+    let groups = scheme.mechanism.groups.iter().map(|group| {
+        let class = match group.class {
+            Class::Higher => language.higher(),
+            other => other.numeral(),
+        };
+        language.described_group(class, &group.link_names(scheme.mechanism))
+    });
+    language.description(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "))
 }

@@ -1,9 +1,9 @@
 //! What is too small to be seen, shown larger in a circle beside the plan.
 
-use super::canvas::{CAPTION, Canvas};
+use super::canvas::Canvas;
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
-use super::text::{PlacedText, RichText};
+use super::text::{CAPTION, PlacedText, RichText};
 use crate::words::{NumberStyle, Wording};
 use kurbo::{Point, Rect, Vec2};
 use std::f64::consts::PI;
@@ -67,8 +67,7 @@ impl Inset {
 
     /// Draws the circles and, larger, all that the canvas shows of the crowd.
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, words: &Wording) {
-        let lasting = canvas.marks().iter().filter(|mark| !mark.passing);
-        let marks: Vec<Mark> = lasting.cloned().collect();
+        let marks: Vec<Mark> = canvas.marks().iter().filter(|mark| !mark.passing).cloned().collect();
         for mark in &marks {
             for shape in self.enlarged(&mark.shape) {
                 canvas.since(mark.since);
@@ -92,9 +91,8 @@ impl Inset {
         let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
         canvas.draw(Pen::Frame, line);
         let text = RichText::plain(&format!("{} : 1", words.write(self.factor, NumberStyle::shortest())));
-        let size = CAPTION;
-        let below = Vec2::new(-0.5 * text.width(size), self.radius - 1.4);
-        let text = PlacedText::new(text, size, self.centre + below);
+        let below = Vec2::new(-0.5 * text.width(CAPTION), self.radius - 1.4);
+        let text = PlacedText::new(text, CAPTION, self.centre + below);
         canvas.draw(Pen::Label, Shape::Text(text));
     }
 
@@ -104,8 +102,7 @@ impl Inset {
         let lines = |points: &[Point], closed: bool| {
             let ends = points.iter().zip(points.iter().cycle().skip(1));
             let count = points.len().saturating_sub(usize::from(!closed));
-            let parts = ends.take(count).filter_map(|(a, b)| line(*a, *b));
-            parts.map(|(a, b)| Shape::Line(a, b)).collect()
+            ends.take(count).filter_map(|(a, b)| line(*a, *b)).map(|(a, b)| Shape::Line(a, b)).collect()
         };
         match shape {
             Shape::Line(a, b) => lines(&[*a, *b], false),
@@ -178,8 +175,8 @@ fn free_place(canvas: &Canvas<'_>, near: Point, radius: f64) -> Option<Point> {
         let count = ((to - from) / STEP) as usize;
         (0..=count).map(move |k| from + STEP * k as f64)
     };
-    let all = places(room.x0, room.x1).flat_map(|x| places(room.y0, room.y1).map(move |y| Point::new(x, y)));
-    let mut all: Vec<Point> = all.collect();
+    let mut all: Vec<Point> =
+        places(room.x0, room.x1).flat_map(|x| places(room.y0, room.y1).map(move |y| Point::new(x, y))).collect();
     let distance = |p: &Point| (*p - near).hypot2();
     all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     all.into_iter().find(|p| canvas.is_free(*p, radius + APART))

@@ -1,5 +1,6 @@
+use super::sheet::Drawing;
 use super::view::{Extent, fitting_scale, next_scale};
-use crate::scene::Panel;
+use crate::quantity::Kind;
 use kurbo::Rect;
 
 /// Blank paper around everything, in mm.
@@ -17,21 +18,23 @@ const ROUNDING: f64 = 1e-6;
 /// No panel's content gets less than this, in mm, either way.
 const LEAST: f64 = 20.0;
 
-/// What a panel is to show.
+/// How much room a panel wants.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wanted {
-    pub panel: Panel,
+pub(super) struct Needs {
+    /// The kind of quantity that a millimetre stands for.
+    pub kind: Kind,
+    /// What must find room.
     pub extent: Extent,
     /// Width that its heading needs.
     pub heading: f64,
-    /// The scale that the scene asks for.
+    /// The scale that is asked for.
     pub mu: Option<f64>,
 }
 
 /// A panel's place and scale.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
-    pub panel: Panel,
+    pub kind: Kind,
     pub frame: Rect,
     /// Where its content goes.
     pub area: Rect,
@@ -41,24 +44,51 @@ pub(super) struct Placed {
 /// Paper that is kept free of panels, for a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Aside {
-    Nothing,
     /// This high, between panels and legend.
     Below(f64),
     /// This wide, to the right of the panels.
     Right(f64),
 }
 
+/// Something on a sheet beside or below its panels.
+pub(super) trait Item {
+    /// Height that it needs below the scales, in mm.
+    fn height(&self) -> f64 {
+        0.0
+    }
+
+    /// The parts of the panels' room that it may take, if it stands beside them.
+    fn asides(&self, _room: Rect) -> Vec<Aside> {
+        Vec::new()
+    }
+
+    /// Draws it.
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout);
+}
+
 /// The sheet divided up.
 pub(super) struct Layout {
-    pub title: Rect,
     pub legend: Rect,
     /// Height of the legend's upper part, which the scales take, and in how many columns they stand.
     pub scales: f64,
     pub columns: usize,
-    pub table: Option<Rect>,
+    /// Paper that is kept free of panels.
+    pub aside: Option<Rect>,
     pub panels: Vec<Placed>,
     /// How good it is, what counts first before the rest.
     pub worth: [f64; 3],
+}
+
+impl Layout {
+    /// The legend's lower part.
+    pub(super) fn below(&self) -> Rect {
+        Rect { y0: self.legend.y0 + self.scales, ..self.legend }
+    }
+
+    /// The scale of the panel in which lengths stand for this kind of quantity.
+    pub(super) fn mu(&self, kind: Kind) -> Option<f64> {
+        self.panels.iter().find(|placed| placed.kind == kind).map(|placed| placed.mu)
+    }
 }
 
 /// The room above a legend of some height, for panels and a table.
@@ -67,7 +97,7 @@ pub(super) fn room([width, height]: [f64; 2], legend: f64) -> Rect {
     Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, bottom)
 }
 
-/// A way to divide a sheet: the table's area and the panels.
+/// A way to divide a sheet: what is kept aside, and the panels.
 type Way = (Option<Rect>, Vec<Placed>);
 
 /// Divides a sheet so that the panels' contents come out largest at round scales.
@@ -77,32 +107,34 @@ type Way = (Option<Rect>, Vec<Placed>);
 /// sizes multiplied. The legend has a part for the scales and one `below` it.
 pub(super) fn layout(
     page: [f64; 2],
-    wanted: &[Wanted],
+    needs: &[Needs],
     [scales, below]: [f64; 2],
     columns: usize,
     asides: impl Fn(Rect) -> Vec<Aside>,
 ) -> Layout {
     let whole = room(page, scales + below);
+    let asides: Vec<Aside> = asides(whole);
+    let rooms = match asides.is_empty() {
+        true => vec![(whole, None)],
+        false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
+    };
     let mut best: Option<([f64; 3], Way)> = None;
-    for aside in asides(whole) {
-        let (room, table) = cut_off(whole, aside);
-        for frames in arrangements(room, wanted) {
-            let placed = wanted.iter().zip(frames).map(|(w, f)| place(w, f));
-            let placed: Vec<Placed> = placed.collect();
-            let worth = worth(wanted, &placed);
+    for (room, aside) in rooms {
+        for frames in arrangements(room, needs) {
+            let placed: Vec<Placed> = needs.iter().zip(frames).map(|(own, frame)| place(own, frame)).collect();
+            let worth = worth(needs, &placed);
             if best.as_ref().is_none_or(|(most, _)| worth > *most) {
-                best = Some((worth, (table, placed)));
+                best = Some((worth, (aside, placed)));
             }
         }
     }
-    let (worth, (table, panels)) = best.unwrap_or_default();
+    let (worth, (aside, panels)) = best.unwrap_or_default();
     let [_, height] = page;
     Layout {
-        title: Rect::new(whole.x0, MARGIN, whole.x1, whole.y0),
         legend: Rect::new(whole.x0, whole.y1 + GAP, whole.x1, height - MARGIN),
         scales,
         columns,
-        table,
+        aside,
         panels,
         worth,
     }
@@ -110,29 +142,28 @@ pub(super) fn layout(
 
 /// What is left of a room, and what is kept aside.
 fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
-    let (mut left, mut table) = (room, room);
+    let (mut left, mut kept) = (room, room);
     match aside {
-        Aside::Nothing => return (room, None),
         Aside::Below(height) => {
-            table.y0 = room.y1 - height;
-            left.y1 = table.y0 - GAP;
+            kept.y0 = room.y1 - height;
+            left.y1 = kept.y0 - GAP;
         }
         Aside::Right(width) => {
-            table.x0 = room.x1 - width;
-            left.x1 = table.x0 - GAP;
+            kept.x0 = room.x1 - width;
+            left.x1 = kept.x0 - GAP;
         }
     }
-    (left, Some(table))
+    (left, Some(kept))
 }
 
 /// How good an arrangement is, by what counts first: no panel is a mere strip, contents fit, and they come out large.
-fn worth(wanted: &[Wanted], placed: &[Placed]) -> [f64; 3] {
-    let all = || wanted.iter().zip(placed);
+fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 3] {
+    let all = || needs.iter().zip(placed);
     // How large a content comes out on paper.
-    let drawn = |(w, p): (&Wanted, &Placed)| w.extent.size() / p.mu;
+    let drawn = |(w, p): (&Needs, &Placed)| w.extent.size() / p.mu;
     let roomy =
-        |(w, p): (&Wanted, &Placed)| p.area.width().min(p.area.height()) >= LEAST && p.frame.width() >= w.heading;
-    let fits = |pair: (&Wanted, &Placed)| {
+        |(w, p): (&Needs, &Placed)| p.area.width().min(p.area.height()) >= LEAST && p.frame.width() >= w.heading;
+    let fits = |pair: (&Needs, &Placed)| {
         let (size, area) = (drawn(pair), pair.1.area.inflate(ROUNDING, ROUNDING));
         size.x <= area.width() && size.y <= area.height()
     };
@@ -145,17 +176,17 @@ fn worth(wanted: &[Wanted], placed: &[Placed]) -> [f64; 3] {
     ]
 }
 
-fn place(wanted: &Wanted, frame: Rect) -> Placed {
+fn place(needs: &Needs, frame: Rect) -> Placed {
     let mut area = frame.inset(-PADDING);
     area.y0 += HEADING - 2.0;
-    Placed { panel: wanted.panel, frame, area, mu: wanted.mu.unwrap_or_else(|| fitting_scale(&wanted.extent, area)) }
+    Placed { kind: needs.kind, frame, area, mu: needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, area)) }
 }
 
 /// Ways to divide `room` among one, two or three panels.
-fn arrangements(room: Rect, wanted: &[Wanted]) -> Vec<Vec<Rect>> {
+fn arrangements(room: Rect, needs: &[Needs]) -> Vec<Vec<Rect>> {
     let mut ways = Vec::new();
-    match wanted {
-        [] | [_] => ways.push(vec![room; wanted.len()]),
+    match needs {
+        [] | [_] => ways.push(vec![room; needs.len()]),
         [a, b] => {
             for down in [false, true] {
                 for (a, b) in splits(room, down, &[*a], &[*b]) {
@@ -179,9 +210,9 @@ fn arrangements(room: Rect, wanted: &[Wanted]) -> Vec<Vec<Rect>> {
 }
 
 /// Ways to cut `room` in two: in the middle, and where the content on either side just fits at a round scale.
-fn splits(room: Rect, down: bool, first: &[Wanted], second: &[Wanted]) -> Vec<(Rect, Rect)> {
+fn splits(room: Rect, down: bool, first: &[Needs], second: &[Needs]) -> Vec<(Rect, Rect)> {
     let whole = if down { room.height() } else { room.width() } - GAP;
-    let needs = |w: &Wanted| {
+    let widths = |w: &Needs| {
         let size = w.extent.size();
         let (size, extra) = if down { (size.y, HEADING - 2.0) } else { (size.x, 0.0) };
         let least = if down { 0.0 } else { w.heading };
@@ -197,8 +228,8 @@ fn splits(room: Rect, down: bool, first: &[Wanted], second: &[Wanted]) -> Vec<(R
         })
     };
     let mut cuts = vec![0.5 * whole];
-    cuts.extend(first.iter().flat_map(needs));
-    cuts.extend(second.iter().flat_map(needs).map(|need| whole - need));
+    cuts.extend(first.iter().flat_map(widths));
+    cuts.extend(second.iter().flat_map(widths).map(|need| whole - need));
     cuts.retain(|cut| (0.2..=0.8).contains(&(cut / whole)));
     let cut_at = |cut: f64| {
         let (mut a, mut b) = (room, room);

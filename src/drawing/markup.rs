@@ -3,7 +3,6 @@
 use kurbo::{Point, Rect};
 
 use super::fonts::{self, Extent};
-use super::text::{Run, Script};
 
 // Proportions of scripts, in em of what they hang on; near those of TeX for a serif of this
 // x-height.
@@ -17,6 +16,36 @@ const SUPERSCRIPT_RISE: f64 = 0.38;
 const SCRIPT_GAP: f64 = 0.03;
 /// Scripts of scripts of scripts are as deep as any label goes; beyond, markup is taken literally.
 const DEEPEST: usize = 3;
+
+/// A stretch of a text in one face, size and height. Lengths are in em of the whole text, y down.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The letters; neither starts nor ends with a space, nor has two in a row, because viewers
+    /// drop such spaces.
+    pub content: String,
+    /// Whether the face is the slanted one.
+    pub italic: bool,
+    /// Size of the run over that of the text: 1 on the baseline, less in subscripts and
+    /// superscripts.
+    pub scale: f64,
+    /// Left end of the run, from that of the text.
+    pub x: f64,
+    /// Baseline of the run, from that of the text; positive in subscripts.
+    pub y: f64,
+    /// From which script to which script one goes down from the baseline to the run; empty on the baseline.
+    pub scripts: Vec<Script>,
+    /// Whether a space stands before the run.
+    pub spaced: bool,
+}
+
+/// Where letters stand beside those that they hang on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Script {
+    /// Below them.
+    Sub,
+    /// Above them.
+    Super,
+}
 
 /// How letters are set.
 #[derive(Clone, Copy, PartialEq)]

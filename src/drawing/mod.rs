@@ -4,12 +4,14 @@
 //! of marks in drawing order with every text measured and every label placed. The formats write
 //! that list and decide nothing.
 
-// In reading order: `figure`, its `layout` and panels; then the display list: `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its
-// `text`, where `labels` go.
+// In reading order: `figure` lists `panel`s and `item`s, `compose` makes a sheet of them with a `layout`; `scheme` and
+// `plan_panel` draw on a `canvas`. `exercise`, `correction` and `curves` make other lists. Then the display list:
+// `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its `text`, where `labels` go.
 mod arrow;
 mod blank;
 mod canvas;
 mod clip;
+mod compose;
 mod correction;
 mod curves;
 mod exercise;
@@ -19,10 +21,14 @@ mod inset;
 mod labels;
 mod layout;
 mod legend;
+mod line;
+mod lines;
 mod look;
 mod markup;
 mod names;
 mod overlay;
+mod panel;
+mod pen;
 mod plan_panel;
 mod scheme;
 mod shape;
@@ -43,11 +49,13 @@ pub use figure::frames;
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look};
+pub use markup::{Run, Script};
 pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
+pub use pen::Pen;
 pub use shape::Shape;
-pub use sheet::{Drawing, Emphasis, Mark, Pen};
+pub use sheet::{Drawing, Emphasis, Mark};
 pub use style::Style;
-pub use text::{Anchor, PlacedRun, PlacedText, RichText, Run, Script};
+pub use text::{Anchor, PlacedRun, PlacedText, RichText};
 pub use view::{Extent, View, fitting_scale, next_scale};
 
 /// A point of the sheet: millimetres from its upper left corner, y down.

@@ -1,5 +1,4 @@
-use super::scheme::Scheme;
-use crate::construction::{Construction, Plan, Special, display, image_name, point_on};
+use crate::construction::{Construction, Special, display, image_name, point_on};
 use crate::mechanism::Mechanism;
 use indexmap::IndexMap;
 
@@ -39,20 +38,6 @@ impl Names {
     /// The markup of a name.
     pub(super) fn markup(&self, name: &str) -> String {
         self.0.get(name).cloned().unwrap_or_else(|| display(name))
-    }
-}
-
-impl Scheme<'_> {
-    /// The markup by which a point is shown, on the mechanism or within a plan: as the scene renames it, else in the figure's notation.
-    pub(super) fn shown(&self, name: &str, plan: Option<&Plan>) -> String {
-        if let Some(renamed) = self.figure.labels.get(name) {
-            return renamed.clone();
-        }
-        let written = self.names.markup(name);
-        match plan {
-            Some(plan) => plan.shown(name, written, self.words.notation),
-            None => written,
-        }
     }
 }
 

@@ -180,3 +180,8 @@ pub(super) fn around(points: &[Point]) -> Rect {
     };
     points.iter().fold(Rect::from_points(first, first), |all, &point| all.union_pt(point))
 }
+
+/// The corners of a box, in turn.
+pub(super) fn corners(r: Rect) -> Vec<Point> {
+    vec![Point::new(r.x0, r.y0), Point::new(r.x1, r.y0), Point::new(r.x1, r.y1), Point::new(r.x0, r.y1)]
+}

@@ -23,8 +23,7 @@ pub(super) struct PlanStages {
 impl Stages {
     pub(super) fn new(construction: &Construction) -> Self {
         let mut before = construction.scheme.len();
-        let special = (1..).zip(&construction.scheme);
-        let special = special.filter_map(|(number, step)| match &step.action {
+        let special = (1..).zip(&construction.scheme).filter_map(|(number, step)| match &step.action {
             Action::SpecialPoint { point, .. } => Some((point.clone(), number)),
             _ => None,
         });

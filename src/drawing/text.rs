@@ -3,7 +3,13 @@ use std::ops::Range;
 use kurbo::{BezPath, Point, Rect, Vec2};
 
 use super::fonts;
-use super::markup::{Setter, Style};
+use super::markup::{Run, Setter, Style};
+
+/// Size of labels: mm of one em. Small letters of the bundled font are 0.429 em high: 2 mm. What stands high or low beside a letter is
+/// smaller.
+pub(super) const LABEL: f64 = 4.7;
+/// Size of captions; no words of a figure are smaller.
+pub(super) const CAPTION: f64 = 4.7;
 
 /// A line of text with subscripts and superscripts, measured.
 ///
@@ -16,36 +22,6 @@ pub struct RichText {
     runs: Vec<Run>,
     advance: f64,
     ink: Rect,
-}
-
-/// A stretch of a text in one face, size and height. Lengths are in em of the whole text, y down.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Run {
-    /// The letters; neither starts nor ends with a space, nor has two in a row, because viewers
-    /// drop such spaces.
-    pub content: String,
-    /// Whether the face is the slanted one.
-    pub italic: bool,
-    /// Size of the run over that of the text: 1 on the baseline, less in subscripts and
-    /// superscripts.
-    pub scale: f64,
-    /// Left end of the run, from that of the text.
-    pub x: f64,
-    /// Baseline of the run, from that of the text; positive in subscripts.
-    pub y: f64,
-    /// From which script to which script one goes down from the baseline to the run; empty on the baseline.
-    pub scripts: Vec<Script>,
-    /// Whether a space stands before the run.
-    pub spaced: bool,
-}
-
-/// Where letters stand beside those that they hang on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Script {
-    /// Below them.
-    Sub,
-    /// Above them.
-    Super,
 }
 
 impl RichText {

@@ -63,6 +63,12 @@ impl View {
         self.centre + self.along(p - self.origin)
     }
 
+    /// Units per millimetre.
+    #[must_use]
+    pub fn mu(&self) -> f64 {
+        self.mu
+    }
+
     /// A difference of places on the sheet.
     #[must_use]
     pub fn along(&self, v: geometry::Vector) -> Vec2 {

@@ -5,7 +5,7 @@ use super::vary::{OnGuide, length_step, varied};
 use crate::construction::Construction;
 use crate::geometry::Random;
 use crate::quantity::Quantity;
-use crate::scene::{Figure, Page, PageSize, Panel, SceneError};
+use crate::scene::{Figure, Page, PageSize, PanelName, SceneError};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -75,7 +75,7 @@ impl Exercises {
         let base: Value = base.expect("a scene is JSON");
         let is_page_open = page.is_none() && base["figure"]["page"].is_null();
         let figure = Figure {
-            panels: vec![Panel::Scheme, Panel::Velocity, Panel::Acceleration],
+            panels: vec![PanelName::Scheme, PanelName::Velocity, PanelName::Acceleration],
             step: None,
             special_points: true,
             construction: true,

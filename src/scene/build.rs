@@ -132,9 +132,9 @@ impl Builder {
     /// Says what the figure shows, and how large. Without it there are all three panels on A4.
     ///
     /// ```
-    /// # use kinegon::scene::{Builder, Figure, LengthUnit, Panel, TimeUnit};
+    /// # use kinegon::scene::{Builder, Figure, LengthUnit, PanelName, TimeUnit};
     /// # let builder = Builder::new(LengthUnit::Mm, TimeUnit::S);
-    /// let panels = vec![Panel::Scheme, Panel::Velocity];
+    /// let panels = vec![PanelName::Scheme, PanelName::Velocity];
     /// let builder = builder.figure(Figure { panels, mu_v: Some(10.0), ..Figure::default() });
     /// ```
     pub fn figure(mut self, figure: Figure) -> Builder {

@@ -20,7 +20,7 @@ use super::wrong::Wrong;
 pub struct Figure {
     /// The panels, in order; left out: all three.
     #[schemars(length(min = 1), extend("uniqueItems" = true))]
-    pub panels: Vec<Panel>,
+    pub panels: Vec<PanelName>,
     /// Scale of the scheme: units of length per millimetre of paper.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub mu_l: Option<f64>,
@@ -72,7 +72,7 @@ impl Default for Figure {
     /// All three panels with everything on them, on A4 landscape, at scales that fit.
     fn default() -> Self {
         Figure {
-            panels: Panel::ALL.to_vec(),
+            panels: PanelName::ALL.to_vec(),
             mu_l: None,
             mu_v: None,
             mu_a: None,
@@ -93,11 +93,11 @@ impl Default for Figure {
 impl Figure {
     /// The scale that is given for a panel, in units per millimetre of paper.
     #[must_use]
-    pub fn mu(&self, panel: Panel) -> Option<f64> {
+    pub fn mu(&self, panel: PanelName) -> Option<f64> {
         match panel {
-            Panel::Scheme => self.mu_l,
-            Panel::Velocity => self.mu_v,
-            Panel::Acceleration => self.mu_a,
+            PanelName::Scheme => self.mu_l,
+            PanelName::Velocity => self.mu_v,
+            PanelName::Acceleration => self.mu_a,
         }
     }
 
@@ -148,7 +148,8 @@ impl Figure {
 
 choice! {
     /// A part of the figure.
-    Panel {
+    #[schemars(rename = "Panel")]
+    PanelName {
         /// The mechanism itself.
         Scheme = "scheme",
         /// The velocity plan.

@@ -49,7 +49,7 @@ pub use build::Builder;
 pub use build_parts::{Guide, NewLink, Push, Turn};
 pub use drive::{Drive, SliderDrive};
 pub use error::{Place, SceneError};
-pub use figure::{DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, Panel, StyleName};
+pub use figure::{DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, StyleName};
 pub use form::Form;
 pub use link::Link;
 pub use motion::{LinkMotion, PointMotion};

@@ -82,6 +82,16 @@ fn close(got: f64, truth: f64, relative: f64, what: &str) {
 }
 
 #[test]
+fn a_long_title_stays_on_the_sheet() {
+    let scene =
+        SLIDER_CRANK.replace(r#""kinegon": 1,"#, &format!(r#""kinegon": 1, "title": "{}","#, "crank ".repeat(40)));
+    let drawing = drawn(&scene, None, "omega(2)");
+    let title = drawing.marks.iter().find(|mark| mark.pen == Pen::Heading).expect("it has a title");
+    let sheet = Rect::new(0.0, 0.0, drawing.width, drawing.height);
+    assert_eq!(title.shape.bounds().union(sheet), sheet);
+}
+
+#[test]
 fn extremes_of_a_slider_crank_are_the_closed_forms() {
     let (r, l, omega) = (50.0, 150.0, 100.0);
     let want = "x(C) omega(2) a_r(3/ground) v(C) v_r(3/ground)";

@@ -3,7 +3,7 @@
 use crate::support::files;
 use kinegon::scene::{
     Builder, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink, NotationName, Page, PageSize,
-    Panel, PointMotion, Push, Scene, StyleName, TimeUnit, Turn, polar,
+    PanelName, PointMotion, Push, Scene, StyleName, TimeUnit, Turn, polar,
 };
 
 /// The scene in a file of the repository.
@@ -207,7 +207,7 @@ fn every_other_key() {
         .near("E", [1.0, 2.0])
         .near_angle("2", 12.5)
         .figure(Figure {
-            panels: vec![Panel::Velocity, Panel::Scheme],
+            panels: vec![PanelName::Velocity, PanelName::Scheme],
             mu_l: Some(1.0),
             mu_v: Some(2.5),
             mu_a: Some(0.1),

@@ -8,7 +8,7 @@ use kinegon::Solution;
 use kinegon::check::{self, Checked, Measured, Mistake, PointsOf, Student};
 use kinegon::construction::PlanKind;
 use kinegon::drawing::{Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay};
-use kinegon::scene::{PageSize, Panel};
+use kinegon::scene::{PageSize, PanelName};
 
 fn solution(scene: &str) -> Solution {
     solved(&files::read(scene)).expect("a good scene")
@@ -148,7 +148,7 @@ fn a_turned_ray_ends_where_geometry_says() {
     let mu = answer_key(&solution, 1).scales.velocity.expect("a panel");
     let Drawings { sheets, own, .. } = drawn(solution, &measured, 1);
     let mut found = own.points.iter();
-    let found = found.find(|p| p.panel == Panel::Velocity && p.name == "c");
+    let found = found.find(|p| p.panel == PanelName::Velocity && p.name == "c");
     let at = found.expect("c is elsewhere").at;
     let apart = libm::hypot(at.x - want[0], at.y - want[1]);
     assert!(apart < 1e-6, "{at:?} for {want:?}");
@@ -202,7 +202,7 @@ fn points_from_paper_lie_over_the_right_ones() {
     assert_eq!(exact.own.points.len(), 6);
     for point in &exact.own.points {
         let kind = match point.panel {
-            Panel::Velocity => PlanKind::Velocity,
+            PanelName::Velocity => PlanKind::Velocity,
             _ => PlanKind::Acceleration,
         };
         let apart = (point.at.coords - right(&base, kind, &point.name)).norm();
@@ -219,7 +219,7 @@ fn points_from_paper_lie_over_the_right_ones() {
     let measured = points(&base, moved);
     let mu = measured.mu[1].expect("a scale");
     let wrong = drawn(solution(FOUR_BAR), &measured, 1);
-    for point in wrong.own.points.iter().filter(|p| p.panel == Panel::Velocity) {
+    for point in wrong.own.points.iter().filter(|p| p.panel == PanelName::Velocity) {
         let apart = (point.at.coords - right(&base, PlanKind::Velocity, &point.name)) / mu;
         let is_c = point.name == "c";
         assert_eq!(point.is_named, is_c, "{point:?}");
@@ -246,7 +246,7 @@ fn a_measured_component_is_drawn_and_slips_of_writing_are_not() {
     assert!((from - b).norm() < 1e-9 && to.y == from.y);
     assert!((to.x - s3.x).abs() < 1e-9);
     assert_eq!(line.label.as_deref(), Some("248.1 mm"));
-    assert_eq!(line.panel, Panel::Scheme);
+    assert_eq!(line.panel, PanelName::Scheme);
     assert!(own.points.is_empty());
     // On paper: its length to scale, its right counterpart under it, the words of all four steps.
     let Shape::Line(p, q) = mark(&sheets[0], "scheme-student-line-1").shape else {

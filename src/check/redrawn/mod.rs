@@ -13,7 +13,7 @@ use super::verdict::Verdict;
 use crate::construction::{Action, Sheet};
 use crate::drawing::{Overlay, OwnValue, WrongStep};
 use crate::quantity::{Asked, What};
-use crate::scene::Panel;
+use crate::scene::PanelName;
 use crate::words::{Language, Medium, NumberStyle, Wording};
 use sheets::Sheets;
 
@@ -141,7 +141,7 @@ fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -
         };
         wrong.push(WrongStep {
             step: own.number,
-            panel: if solves { Panel::Scheme } else { panel(own.sheet()) },
+            panel: if solves { PanelName::Scheme } else { panel(own.sheet()) },
             label: language.check_step(&own.number.to_string()),
             link: solves.then(|| link.to_owned()),
         });
@@ -150,10 +150,10 @@ fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -
 }
 
 /// The panel on which a sheet is drawn.
-fn panel(sheet: Sheet) -> Panel {
+fn panel(sheet: Sheet) -> PanelName {
     match sheet {
-        Sheet::Scheme => Panel::Scheme,
-        Sheet::Velocity => Panel::Velocity,
-        Sheet::Acceleration => Panel::Acceleration,
+        Sheet::Scheme => PanelName::Scheme,
+        Sheet::Velocity => PanelName::Velocity,
+        Sheet::Acceleration => PanelName::Acceleration,
     }
 }

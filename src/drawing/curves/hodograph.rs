@@ -1,17 +1,20 @@
 //! Ways of vectors' tips: a panel for each vector, true to scale in both directions, with the vector at the scene's own position.
 
+use super::axis::significant;
+use super::course::Course;
+use super::error::CurvesError;
 use super::lines::{clipped_chain, simplified};
-use super::words::{self, Line};
-use super::{CurvesError, Sheet};
-use crate::cycle::{Curves, Happening, Hodograph, Hodographs};
-use crate::drawing::canvas::{CAPTION, Canvas, LABEL, Wanted};
+use crate::cycle::{Event, Happening, Hodograph, Hodographs};
+use crate::drawing::canvas::Canvas;
+use crate::drawing::clip::holds;
 use crate::drawing::labels::LabelRequest;
-use crate::drawing::layout::{HEADING, MARGIN, TITLE};
-use crate::drawing::legend::{Entry, corners};
+use crate::drawing::layout::{HEADING, MARGIN, Needs, Placed, TITLE};
+use crate::drawing::legend::Entry;
+use crate::drawing::line::Line;
+use crate::drawing::panel::{Frame, Layer, Panel, numbered};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
-use crate::drawing::style::Style;
-use crate::drawing::text::RichText;
+use crate::drawing::text::{CAPTION, LABEL, RichText};
 use crate::drawing::view::{Extent, View, fitting_scale};
 use crate::geometry;
 use crate::quantity::Kind;
@@ -43,61 +46,56 @@ const STROKE: f64 = 2.4;
 /// # Errors
 /// They are too many for a sheet.
 pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesError> {
-    let wanted = all.hodographs.len();
-    let room = PREFIXES.len();
+    let (wanted, room) = (all.hodographs.len(), PREFIXES.len());
     if wanted > room {
         return Err(CurvesError::Panels { wanted, room });
     }
-    let bare = Curves { path: all.path, range: all.range, curves: Vec::new(), events: all.events.clone() };
-    let sheet = Sheet { scene, words: Wording::of(&scene.figure), curves: &bare, numbers: Vec::new() };
+    let words = Wording::of(&scene.figure);
+    let course = Course { scene, words, path: all.path, range: all.range, events: &all.events };
+    let panels: Vec<Panel<'_>> =
+        all.hodographs.iter().enumerate().map(|(index, one)| panel(&course, index, one)).collect();
     let [width, height] = scene.figure.page.size_mm();
-    let mut drawing = Drawing::new(width, height);
-    drawing.style = Style::named(scene.figure.style);
-    sheet.title(&mut drawing, [MARGIN, width - MARGIN]);
-    let line = words::drive(&sheet);
-    let half = 0.5 * line.width(CAPTION);
+    let mut drawing = course.titled(width - MARGIN);
+    let line = course.drive();
     let middle = Point::new(0.5 * width, height - MARGIN - 1.8);
-    let center = middle + Vec2::new(-half - 2.2, -1.3);
+    let center = middle + Vec2::new(-0.5 * line.width(CAPTION) - 2.2, -1.3);
     drawing.draw(Pen::Pole, Shape::Circle { center, radius: DOT });
-    line.centred(&mut drawing, middle, CAPTION);
+    line.centred(&mut drawing, middle);
     let whole = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN - FOOT);
-    let mut said = Vec::new();
-    for (index, (frame, one)) in frames(&sheet, whole, &all.hodographs).into_iter().zip(&all.hodographs).enumerate() {
-        let panel = Panel { sheet: &sheet, index, frame, one };
-        panel.draw(&mut drawing);
-        said.push(sheet.words.language.hodograph(one.asked.name()));
+    for (panel, placed) in panels.iter().zip(places(&course, whole, &panels)) {
+        panel.draw(&mut drawing, &placed, &scene.figure.labels);
     }
+    let said: Vec<String> = all.hodographs.iter().map(|one| words.language.hodograph(one.asked.name())).collect();
     drawing.description = format!("{}.", said.join("; "));
     Ok(drawing)
 }
 
-/// The panels, in as many columns as let the ways come out largest.
-fn frames(sheet: &Sheet, whole: Rect, all: &[Hodograph]) -> Vec<Rect> {
-    let in_columns = |columns: usize| -> Vec<Rect> {
-        let rows = all.len().div_ceil(columns);
+/// The panels' places, in as many columns as let the ways come out largest.
+fn places(course: &Course<'_>, whole: Rect, panels: &[Panel<'_>]) -> Vec<Placed> {
+    let in_columns = |columns: usize| -> Vec<Placed> {
+        let rows = panels.len().div_ceil(columns);
         let width = (whole.width() + GAP) / columns as f64;
         let height = (whole.height() + GAP) / rows as f64;
-        let frame = |index: usize| {
+        let place = |(index, panel): (usize, &Panel<'_>)| {
             let (row, column) = ((index / columns) as f64, (index % columns) as f64);
             let corner = Point::new(whole.x0 + width * column, whole.y0 + height * row);
-            Rect::from_origin_size(corner, (width - GAP, height - GAP))
+            let frame = Rect::from_origin_size(corner, (width - GAP, height - GAP));
+            let mut area = frame.inset(-PADDING);
+            area.y0 += HEADING - 4.0;
+            area.y1 -= SCALE - 4.0;
+            let Needs { kind, extent, .. } = panel.needs;
+            Placed { kind, frame, area, mu: fitting_scale(&extent, area) }
         };
-        (0..all.len()).map(frame).collect()
+        panels.iter().enumerate().map(place).collect()
     };
     // First that every panel is wide enough for its scale, then how large the ways come out; of equals more columns.
-    let worth = |frames: &Vec<Rect>| {
-        let drawn = frames.iter().zip(all).map(|(frame, one)| {
-            let extent = extent(one);
-            let mu = fitting_scale(&extent, area(*frame));
-            let scale = scale(sheet, one, mu).width() + 2.0 * BESIDE_SCALE;
-            (scale <= frame.width(), extent.size().norm() / mu)
-        });
-        let drawn: Vec<(bool, f64)> = drawn.collect();
-        let fits = drawn.iter().all(|(fits, _)| *fits);
-        let size: f64 = drawn.iter().map(|(_, size)| size).product();
-        (fits, size)
+    let worth = |places: &Vec<Placed>| {
+        let width = |placed: &Placed| scale(course, placed.kind, placed.mu).width() + 2.0 * BESIDE_SCALE;
+        let fits = places.iter().all(|placed| width(placed) <= placed.frame.width());
+        let sizes = places.iter().zip(panels).map(|(placed, panel)| panel.needs.extent.size().norm() / placed.mu);
+        (fits, sizes.product::<f64>())
     };
-    let ways = (1..=all.len().max(1)).map(in_columns);
+    let ways = (1..=panels.len().max(1)).map(in_columns);
     let best = ways.max_by(|a, b| {
         let (a, b) = (worth(a), worth(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
@@ -106,61 +104,58 @@ fn frames(sheet: &Sheet, whole: Rect, all: &[Hodograph]) -> Vec<Rect> {
 }
 
 /// The scale of a panel, with its bar.
-fn scale(sheet: &Sheet, one: &Hodograph, mu: f64) -> Entry {
-    let symbol = match one.asked.kind() {
-        Kind::Acceleration => "μ_a",
-        _ => "μ_v",
+fn scale(course: &Course<'_>, kind: Kind, mu: f64) -> Entry {
+    Entry::new(kind, mu, &course.words, course.scene.units)
+}
+
+/// The panel of a vector: its frame, its scale, the way of its tip.
+fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a Hodograph) -> Panel<'a> {
+    let symbol = course.symbol(&one.asked).trim_matches('|').to_owned();
+    let sentence = |symbol: &str| numbered(index, &course.words.language.hodograph(symbol));
+    let frame = Frame::new(Line::around(sentence, RichText::math(&symbol)), Pen::Caption);
+    let kind = one.asked.kind();
+    let scale = move |canvas: &mut Canvas<'_>, view: &View| {
+        let entry = scale(course, kind, view.mu());
+        let frame = canvas.frame();
+        let foot = Point::new(frame.x0 + BESIDE_SCALE, frame.y1 - 2.8);
+        entry.draw(canvas.drawing, foot);
+        canvas.keep_off(Rect::new(frame.x0, foot.y - 4.4, foot.x + entry.width(), frame.y1));
+        canvas.settle();
     };
-    let unit = one.asked.kind().unit(sheet.scene.units);
-    Entry::new(symbol, &unit, mu, &sheet.words)
+    Panel {
+        name: one.asked.name().to_owned(),
+        prefix: PREFIXES[index],
+        needs: Needs {
+            kind,
+            extent: Extent::of(one.window.map(geometry::Point::from)),
+            heading: frame.width(),
+            mu: None,
+        },
+        layers: vec![Box::new(frame), Box::new(scale), Box::new(Way { course, index, one, symbol })],
+    }
 }
 
-/// Where the way goes in a panel.
-fn area(frame: Rect) -> Rect {
-    let mut area = frame.inset(-PADDING);
-    area.y0 += HEADING - 4.0;
-    area.y1 -= SCALE - 4.0;
-    area
-}
-
-fn extent(one: &Hodograph) -> Extent {
-    Extent::of(one.window.map(geometry::Point::from))
-}
-
-struct Panel<'a> {
-    sheet: &'a Sheet<'a>,
+/// The way of a vector's tip.
+struct Way<'a> {
+    course: &'a Course<'a>,
     index: usize,
-    frame: Rect,
     one: &'a Hodograph,
+    /// How the vector is written.
+    symbol: String,
 }
 
-impl Panel<'_> {
-    fn draw(&self, drawing: &mut Drawing) {
-        let (frame, one) = (self.frame, self.one);
-        let area = area(frame);
-        let extent = extent(one);
-        let mu = fitting_scale(&extent, area);
-        let view = View::new(mu, &extent, area);
+impl Layer for Way<'_> {
+    fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
+        let one = self.one;
         let at = |v: geometry::Vector| view.at(geometry::Point::from(v));
         let pole = at(nalgebra::zero());
-        drawing.draw(Pen::Frame, Shape::Polygon(corners(frame)));
-        let symbol = self.symbol();
-        drawing.panels.push((one.asked.name().to_owned(), frame));
-        let head = self.heading(&symbol).starting(drawing, Point::new(frame.x0 + 2.5, frame.y0 + 6.0), 1.05 * CAPTION);
-        let own_pen = match one.asked.kind() {
-            Kind::Acceleration => Pen::Acceleration,
-            _ => Pen::Velocity,
+        let notation = self.course.words.notation;
+        let (own_pen, pole_name) = match one.asked.kind() {
+            Kind::Acceleration => (Pen::Acceleration, notation.acceleration_pole),
+            _ => (Pen::Velocity, notation.velocity_pole),
         };
-        let entry = scale(self.sheet, one, mu);
-        let foot = Point::new(frame.x0 + BESIDE_SCALE, frame.y1 - 2.8);
-        entry.draw(drawing, foot);
-        let renamed = &self.sheet.scene.figure.labels;
-        let mut canvas = Canvas::new(drawing, PREFIXES[self.index], frame, renamed);
-        canvas.keep_off(head);
         // Lines keep off the scale.
-        let mut room = canvas.room();
-        room.y1 = frame.y1 - SCALE;
-        canvas.keep_off(Rect::new(frame.x0, foot.y - 4.4, foot.x + entry.width(), frame.y1));
+        let room = Rect { y1: canvas.frame().y1 - SCALE, ..canvas.room() };
         for (a, b) in [
             (Point::new(room.x0, pole.y), Point::new(room.x1, pole.y)),
             (Point::new(pole.x, room.y0), Point::new(pole.x, room.y1)),
@@ -174,59 +169,28 @@ impl Panel<'_> {
         }
         for (part, chain) in chains.iter().enumerate() {
             let line = Shape::Polyline(simplified(chain));
-            let mark = canvas.draw_named(&format!("way-{part}"), Pen::Curve, line);
-            mark.number = Some(self.index);
+            canvas.draw_named(&format!("way-{part}"), Pen::Curve, line).number = Some(self.index);
         }
-        self.limits(&mut canvas, &chains);
+        self.limits(canvas, &chains);
         if let Some(tip) = one.own.map(at)
             && (tip - pole).hypot() > 1e-3
         {
             canvas.draw_named("own", own_pen, Shape::Arrow { from: pole, to: tip });
-            let beside = pole.lerp(tip, 0.6);
             let along = (tip - pole).normalize();
             let prefer = Vec2::new(along.y, -along.x);
-            self.label(&mut canvas, "own", RichText::math(&symbol), beside, 0.9, Some(prefer), 2);
+            canvas.ask("own", label(RichText::math(&self.symbol), pole.lerp(tip, 0.6), 0.9, Some(prefer), 2));
         }
-        self.marks(&mut canvas, one.marks.iter().map(|(value, tip)| (*value, at(*tip))), pole);
-        let notation = self.sheet.words.notation;
-        let name = match one.asked.kind() {
-            Kind::Acceleration => notation.acceleration_pole,
-            _ => notation.velocity_pole,
-        };
+        self.marks(canvas, one.marks.iter().map(|(value, tip)| (*value, at(*tip))), pole);
         canvas.draw_named("pole", Pen::Pole, Shape::Circle { center: pole, radius: 0.9 });
-        self.label(&mut canvas, "pole", RichText::math(name), pole, 1.5, None, 3);
-        canvas.finish();
+        canvas.ask("pole", label(RichText::math(pole_name), pole, 1.5, None, 3));
     }
+}
 
-    /// How the vector is written.
-    fn symbol(&self) -> String {
-        let sheet = self.sheet;
-        let mechanism = sheet.curves.path.mechanism;
-        let symbol = self.one.asked.symbol(mechanism, sheet.words.notation, &|name| sheet.shown(name));
-        symbol.trim_matches('|').to_owned()
-    }
+fn label(text: RichText, anchor: Point, clearance: f64, prefer: Option<Vec2>, priority: u8) -> LabelRequest {
+    LabelRequest { text, size: LABEL, anchor, clearance, prefer, priority }
+}
 
-    fn heading(&self, symbol: &str) -> Line {
-        let letter = char::from(b'a' + self.index as u8);
-        let sentence = self.sheet.words.language.hodograph(words::SYMBOL);
-        Line::around(&format!("({letter}) {sentence}"), RichText::math(symbol))
-    }
-
-    #[expect(clippy::too_many_arguments, reason = "the parts of a label")]
-    fn label(
-        &self,
-        canvas: &mut Canvas<'_>,
-        name: &str,
-        text: RichText,
-        anchor: Point,
-        clearance: f64,
-        prefer: Option<Vec2>,
-        priority: u8,
-    ) {
-        let request = LabelRequest { text, size: LABEL, anchor, clearance, prefer, priority };
-        canvas.want(Wanted { request, name: format!("label-{name}"), pen: Pen::Label, number: None, optional: false });
-    }
-
+impl Way<'_> {
     /// Dots at round values of the drive, with their numbers; tips in one place share them.
     fn marks(&self, canvas: &mut Canvas<'_>, marks: impl Iterator<Item = (f64, Point)>, pole: Point) {
         let mut places: Vec<(Point, Vec<f64>)> = Vec::new();
@@ -238,30 +202,26 @@ impl Panel<'_> {
             }
         }
         for (center, values) in places {
-            if !crate::drawing::clip::holds(canvas.bounds(), center) {
+            if !holds(canvas.bounds(), center) {
                 continue;
             }
-            let name = super::significant(6).write(values[0], DecimalMark::Point);
+            let name = significant(6).write(values[0], DecimalMark::Point);
             let dot = Shape::Circle { center, radius: DOT };
             let mark = canvas.draw_named(&format!("tip-{name}"), Pen::Curve, dot);
             mark.number = Some(self.index);
-            let numbers: Vec<String> = values.iter().map(|v| self.sheet.number(*v, 6)).collect();
+            let numbers: Vec<String> = values.iter().map(|v| self.course.number(*v, 6)).collect();
             let away = center - pole;
             let prefer = (away.hypot() > 1.0).then(|| away.normalize());
             let text = RichText::plain(&numbers.join("; "));
-            self.label(canvas, &format!("tip-{name}"), text, center, DOT + 0.6, prefer, 1);
+            canvas.ask(&format!("tip-{name}"), label(text, center, DOT + 0.6, prefer, 1));
         }
     }
 
     /// Strokes across the way where it ends in a limit position, or runs off to one.
     fn limits(&self, canvas: &mut Canvas<'_>, chains: &[Vec<Point>]) {
-        let [low, high] = self.sheet.curves.range;
-        let events = self.sheet.curves.events.iter();
-        let ends = events.filter(|event| {
-            let what = &event.what;
-            matches!(what, Happening::Limit { .. } | Happening::Singular { .. })
-        });
-        for event in ends {
+        let [low, high] = self.course.range;
+        let is_end = |event: &&Event| matches!(event.what, Happening::Limit { .. } | Happening::Singular { .. });
+        for event in self.course.events.iter().filter(is_end) {
             let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * (high - low);
             let end = if near(event.at, low) {
                 chains.first().map(|chain| (chain[0], chain[1]))
@@ -278,11 +238,9 @@ impl Panel<'_> {
             }
             let across = Vec2::new(-way.y, way.x).normalize() * STROKE;
             canvas.draw(Pen::Zero, Shape::Line(end - across, end + across));
-            let unit = if self.sheet.curves.path.drive.is_angle() { "°" } else { "" };
-            let word = self.sheet.words.language.limit();
-            let words = format!("{word} {}{unit}", self.sheet.number(event.at, 5));
+            let words = format!("{} {}", self.course.words.language.limit(), self.course.drive_value(event.at));
             let name = format!("limit-{}", if near(event.at, low) { "low" } else { "high" });
-            self.label(canvas, &name, RichText::plain(&words), end, STROKE, None, 2);
+            canvas.ask(&name, label(RichText::plain(&words), end, STROKE, None, 2));
         }
     }
 }

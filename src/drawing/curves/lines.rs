@@ -1,4 +1,4 @@
-use crate::drawing::canvas::clipped_segment;
+use crate::drawing::clip::clipped_segment;
 use kurbo::{Point, Rect};
 
 /// How far the drawn line may be from the samples, in mm.
@@ -37,8 +37,7 @@ pub(super) fn simplified(points: &[Point]) -> Vec<Point> {
             open.extend([(from, middle), (middle, to)]);
         }
     }
-    let kept = points.iter().zip(keep).filter(|(_, keep)| *keep);
-    kept.map(|(point, _)| *point).collect()
+    points.iter().zip(keep).filter(|(_, keep)| *keep).map(|(point, _)| *point).collect()
 }
 
 /// The distance of a point from the straight line between two others.

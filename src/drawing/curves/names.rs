@@ -1,5 +1,5 @@
 use super::lines::distance;
-use crate::drawing::canvas::clipped_segment;
+use crate::drawing::clip::clipped_segment;
 use kurbo::{Point, Rect, Size, Vec2};
 
 /// White between a curve and its name, in mm.

@@ -9,56 +9,18 @@
 //! Label Placement" (ACM Trans. Graphics 14(3), 1995), compare such searches; this one uses no
 //! chance and visits everything in order, so the same labels always get the same places.
 
-use kurbo::{Point, Rect, Vec2};
+use kurbo::Point;
 
 mod boxes;
 mod moves;
 mod places;
+mod request;
 mod search;
 
-use super::text::{Anchor, PlacedText, RichText};
+use super::text::{Anchor, PlacedText};
 use places::Place;
+pub use request::{LabelRequest, Obstacles, PlacedLabel};
 use search::Search;
-
-/// A label that wants a place.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LabelRequest {
-    /// What it says.
-    pub text: RichText,
-    /// Its size: mm of one em.
-    pub size: f64,
-    /// The point that it names.
-    pub anchor: Point,
-    /// How far its ink must stay from the anchor, in mm: the radius of a joint and a gap.
-    pub clearance: f64,
-    /// The direction from the anchor that it likes best, y down; none for wherever there is most
-    /// room.
-    pub prefer: Option<Vec2>,
-    /// Greater goes first where room is short.
-    pub priority: u8,
-}
-
-/// What labels must or should keep off.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Obstacles {
-    /// Joints, arrowheads, boxes: never touched.
-    pub boxes: Vec<Rect>,
-    /// Lines: crossing one costs by the length inside the label's box.
-    pub lines: Vec<(Point, Point)>,
-    /// The panel: no label leaves it.
-    pub bounds: Rect,
-}
-
-/// A label at its place.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlacedLabel {
-    /// The text on the sheet.
-    pub text: PlacedText,
-    /// A thin line from near the anchor to near the text, where the text had to stand apart.
-    pub leader: Option<(Point, Point)>,
-    /// Whether the panel holds no free place, so that this label touches something.
-    pub crowded: bool,
-}
 
 /// The places of the labels, in the order of the requests.
 ///
@@ -71,8 +33,8 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
     search.make_room();
     search.improve();
     search.look_everywhere();
-    let found = search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen]));
-    let found: Vec<Option<Place>> = found.collect();
+    let found: Vec<Option<Place>> =
+        search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen])).collect();
     let placed = requests.iter().zip(found).enumerate().map(|(index, (request, found))| {
         let crowded = found.is_none();
         let place = found.unwrap_or_else(|| search.least_bad(index));
@@ -88,6 +50,8 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
 mod tests {
     use super::boxes::{gap, touch};
     use super::*;
+    use crate::drawing::text::RichText;
+    use kurbo::{Rect, Vec2};
 
     /// Numbers between 0 and 1 from a seed (Steele, Lea and Flood, "Fast Splittable Pseudorandom
     /// Number Generators", 2014).

@@ -2,9 +2,9 @@
 
 use kurbo::{Rect, Vec2};
 
-use super::LabelRequest;
 use super::boxes::{gap, touch};
 use super::places::{OBSTACLE_GAP, Place, SIDES};
+use super::request::LabelRequest;
 use super::search::Search;
 
 /// Least gain in mm that makes a label move, so that rounding cannot make two labels swap for ever.

@@ -2,8 +2,8 @@
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::LabelRequest;
 use super::boxes::{Clipped, cross, touch, unit};
+use super::request::LabelRequest;
 
 /// Distances beyond the clearance, in mm, at which a label still clearly belongs to its anchor.
 pub(super) const NEAR: [f64; 4] = [0.0, 0.6, 1.3, 2.2];

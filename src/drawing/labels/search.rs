@@ -4,7 +4,7 @@ use kurbo::Rect;
 
 use super::boxes::{Clipped, gap, inside, touch};
 use super::places::{FAR, LABEL_GAP, LINE_GAP, Label, NEAR, OBSTACLE_GAP, Place, SIDES};
-use super::{LabelRequest, Obstacles};
+use super::request::{LabelRequest, Obstacles};
 
 // Costs, in mm of distance from the anchor.
 /// Of a millimetre of line inside the box.

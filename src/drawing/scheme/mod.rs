@@ -9,21 +9,18 @@ mod sliders;
 mod special;
 
 use super::canvas::Canvas;
-use super::legend;
 use super::names::Names;
 use super::shape::Shape;
 use super::sheet::Pen;
 use super::stages::Stages;
-use super::text::RichText;
 use super::view::{Extent, View};
-use crate::construction::{Action, Construction, NumberedStep, Ray, Solution, Teller};
+use crate::construction::{Action, Construction, NumberedStep, Plan, Ray, Solution, Teller};
 use crate::geometry;
 use crate::mechanism::{BodyId, GROUND, Mark, Mechanism, PointId, Role};
 use crate::position::Pose;
-use crate::scene::Figure;
+use crate::scene::{Figure, PanelName, Scene};
 use crate::words::Wording;
 use kurbo::Point;
-use std::cell::OnceCell;
 use std::f64::consts::PI;
 
 /// Radius of a joint's circle in mm.
@@ -32,6 +29,7 @@ const JOINT: f64 = 1.15;
 /// What the scheme shows.
 pub(super) struct Scheme<'a> {
     pub solution: &'a Solution,
+    pub scene: &'a Scene,
     pub figure: &'a Figure,
     pub mechanism: &'a Mechanism,
     pub pose: &'a Pose,
@@ -41,8 +39,6 @@ pub(super) struct Scheme<'a> {
     /// Whether crowded places of plans are shown larger beside them; in motion such circles would come and go.
     pub insets: bool,
     pub words: Wording,
-    /// How the construction and the loop equations agree, in lines; once somebody has asked.
-    pub agreement: OnceCell<Vec<RichText>>,
 }
 
 impl<'a> Scheme<'a> {
@@ -51,6 +47,7 @@ impl<'a> Scheme<'a> {
         let Solution { scene, mechanism, pose, construction, .. } = solution;
         Self {
             solution,
+            scene,
             figure: &scene.figure,
             mechanism,
             pose,
@@ -59,16 +56,7 @@ impl<'a> Scheme<'a> {
             stages: Stages::new(construction),
             insets: true,
             words: solution.wording(),
-            agreement: OnceCell::new(),
         }
-    }
-
-    /// How the construction and the loop equations agree, in lines for the figure's page.
-    pub(super) fn agreement(&self) -> &[RichText] {
-        self.agreement.get_or_init(|| {
-            let [width, _] = self.figure.page.size_mm();
-            legend::agreement(&self.words, self.construction, width)
-        })
     }
 
     /// Tells steps in the figure's words.
@@ -186,6 +174,28 @@ impl<'a> Scheme<'a> {
     fn line_of(&self, ray: &Ray) -> Option<(geometry::Point, geometry::Point)> {
         let special = self.construction.special(ray.special);
         Some((self.pose.point(special.cuts[ray.side].start()?), special.place.finite()?))
+    }
+
+    /// The markup by which a point is shown, on the mechanism or within a plan: as the scene renames it, else in the
+    /// figure's notation.
+    pub(super) fn shown(&self, name: &str, plan: Option<&Plan>) -> String {
+        if let Some(renamed) = self.figure.labels.get(name) {
+            return renamed.clone();
+        }
+        let written = self.names.markup(name);
+        match plan {
+            Some(plan) => plan.shown(name, written, self.words.notation),
+            None => written,
+        }
+    }
+
+    /// The plan that a panel shows; none for the scheme.
+    pub(super) fn plan(&self, panel: PanelName) -> Option<&Plan> {
+        match panel {
+            PanelName::Scheme => None,
+            PanelName::Velocity => Some(&self.construction.velocity),
+            PanelName::Acceleration => self.construction.acceleration.as_ref(),
+        }
     }
 
     /// The number of a link among all, by which a style picks its colour; none for the ground and for blocks without name.

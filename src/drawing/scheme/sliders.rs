@@ -1,7 +1,8 @@
 //! Guides and the blocks on them.
 
-use super::super::canvas::{Canvas, clipped_segment};
-use super::super::shape::Shape;
+use super::super::canvas::Canvas;
+use super::super::clip::clipped_segment;
+use super::super::shape::{Shape, corners};
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
 use super::ground::{HATCH, hatch, strokes};
@@ -124,14 +125,8 @@ impl Scheme<'_> {
         let across = Vec2::new(-along.y, along.x);
         let on_sheet = |p: Point| at + along * p.x + across * p.y;
         let area = Rect::from_center_size(Point::ORIGIN, (2.0 * half.x, 2.0 * half.y));
-        let corners = vec![
-            Point::new(area.x0, area.y0),
-            Point::new(area.x1, area.y0),
-            Point::new(area.x1, area.y1),
-            Point::new(area.x0, area.y1),
-        ];
         let name = format!("slider-{}", self.mechanism.body(slider.link).name);
-        let corners = corners.into_iter().map(on_sheet).collect();
+        let corners = corners(area).into_iter().map(on_sheet).collect();
         let block = canvas.draw_named(&name, Pen::Slider, Shape::Polygon(corners));
         block.number = self.number(slider.link);
         let others = self.mechanism.links().map(|(link, _)| link);

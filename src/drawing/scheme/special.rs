@@ -1,6 +1,7 @@
 //! Special points and the cut lines that cross there.
 
-use super::super::canvas::{Canvas, clipped_segment};
+use super::super::canvas::Canvas;
+use super::super::clip::clipped_segment;
 use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet, towards};

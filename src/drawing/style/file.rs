@@ -1,9 +1,8 @@
 //! The style file, version 1, as it is written: the contract, key by key.
 
-use super::super::look::{Cap, Colour};
-use super::super::sheet::Pen;
+use super::super::look::{Cap, Colour, Dash};
+use super::super::pen::Pen;
 use super::paint::{DashList, Dashes, Millimetres, Paint};
-use super::{Style, Table};
 use crate::scene::StyleName;
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -11,7 +10,6 @@ use serde::de::{Error, IntoDeserializer, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::Value as Json;
 use std::fmt;
-use std::sync::Arc;
 
 /// How a figure looks: colours, widths and dashes of its pens. What is left out is as in the style that this one is based on.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -105,8 +103,8 @@ impl PenFile {
 }
 
 impl StyleFile {
-    /// The style: this file where it says something, the table elsewhere.
-    pub(super) fn over(self, mut table: Table) -> Style {
+    /// What a style is: this file where it says something, the table elsewhere.
+    pub(super) fn over(self, mut table: Table) -> Table {
         table.background = self.background.unwrap_or(table.background);
         table.ink = self.ink.unwrap_or(table.ink);
         table.accent = self.accent.unwrap_or(table.accent);
@@ -121,8 +119,22 @@ impl StyleFile {
             let place = &mut table.pens[pen as usize];
             *place = own.or(std::mem::take(place));
         }
-        Style(Arc::new(table))
+        table
     }
+}
+
+/// A style file with everything that it is based on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Table {
+    pub background: Colour,
+    pub ink: Colour,
+    pub accent: Colour,
+    pub links: Vec<Colour>,
+    pub tints: Vec<Colour>,
+    pub curves: Vec<Colour>,
+    pub curve_dashes: Vec<Dash>,
+    /// By pen.
+    pub pens: Vec<PenFile>,
 }
 
 fn version(_: &mut SchemaGenerator) -> Schema {

@@ -6,9 +6,9 @@ mod file;
 mod paint;
 
 use super::look::{Colour, Dash, Look};
-use super::sheet::Pen;
+use super::pen::Pen;
 use crate::scene::{FileKind, SceneError, StyleName, read_as, schema_of};
-use file::{PenFile, StyleFile};
+use file::{StyleFile, Table};
 use paint::{Dashes, Paint};
 use std::sync::{Arc, LazyLock};
 
@@ -17,20 +17,6 @@ const STYLE: FileKind = FileKind { what: "style", key: "kinegon_style", version:
 /// How the marks of a drawing look. Copies share one table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style(Arc<Table>);
-
-/// A style file with everything that it is based on.
-#[derive(Clone, Debug, Default, PartialEq)]
-struct Table {
-    background: Colour,
-    ink: Colour,
-    accent: Colour,
-    links: Vec<Colour>,
-    tints: Vec<Colour>,
-    curves: Vec<Colour>,
-    curve_dashes: Vec<Dash>,
-    /// By pen.
-    pens: Vec<PenFile>,
-}
 
 impl Default for Style {
     /// The style `paper`.
@@ -152,13 +138,13 @@ impl Style {
 
 /// The style that the others are based on, in the end.
 fn whole(text: &str) -> Style {
-    own(text).over(Table::default())
+    Style(Arc::new(own(text).over(Table::default())))
 }
 
 /// A style that is based on another.
 fn based(file: StyleFile) -> Style {
     let base = Style::named(file.based_on.unwrap_or_default());
-    file.over((*base.0).clone())
+    Style(Arc::new(file.over((*base.0).clone())))
 }
 
 /// A style file of the program, which needs no check when it runs: a test reads it strictly.

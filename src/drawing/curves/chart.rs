@@ -1,0 +1,201 @@
+//! The sheet of curves: a graph for each kind of quantity, one above the other over the drive's axis.
+
+use super::axis::Axis;
+use super::course::Course;
+use super::error::{CurvesError, MOST_CURVES};
+use super::graph::{self, BESIDE, Graph};
+use super::looks::looks;
+use crate::cycle::{Curve, Curves};
+use crate::drawing::labels::{LabelRequest, Obstacles, place};
+use crate::drawing::layout::{HEADING, MARGIN, Placed, TITLE};
+use crate::drawing::shape::Shape;
+use crate::drawing::sheet::{Drawing, Pen};
+use crate::drawing::text::{Anchor, CAPTION, PlacedText, RichText};
+use crate::quantity::Kind;
+use crate::scene::Scene;
+use crate::words::{Language, Wording};
+use kurbo::{Point, Rect, Vec2};
+
+/// Height of the row above the panels in which vertical lines are named.
+const BAND: f64 = 6.6;
+/// Room below the panels: numbers of the drive's axis, what it shows, what the marks are.
+const FOOT: f64 = 14.5;
+/// Between a panel and the heading of the next.
+const GAP: f64 = 2.0;
+/// No panel's area is lower than this.
+const LOWEST: f64 = 27.0;
+/// Nor higher than this part of its width.
+const SLENDER: f64 = 0.62;
+/// Least distance of round values on the drive's axis, in mm.
+const APART: f64 = 16.0;
+/// The part of the range that is added beyond a limit, so that its line stands off the panel's border.
+const BEYOND: f64 = 0.02;
+
+/// The figure of some curves, on the scene's page.
+///
+/// # Errors
+/// They are too many for a sheet.
+pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
+    let Curves { path, range, events, curves: all } = curves;
+    let course = Course { scene, words: Wording::of(&scene.figure), path, range: *range, events };
+    let graphs = graphs(&course, curves)?;
+    let numbers = graphs.iter().map(Graph::widest_number).fold(0.0, f64::max);
+    let [width, _] = scene.figure.page.size_mm();
+    let across = [MARGIN + numbers + BESIDE, width - MARGIN - 0.5];
+    let drive = drive_axis(&course, across);
+    let mut drawing = course.titled(across[1]);
+    for (index, graph) in graphs.iter().enumerate() {
+        let frame = Rect::new(across[0], graph.rows[1], across[1], graph.rows[2]);
+        // Across and down it has scales of its own.
+        let placed = Placed { kind: graph.kind, frame, area: frame, mu: f64::NAN };
+        graph.panel(index, &course, &drive).draw(&mut drawing, &placed, &scene.figure.labels);
+    }
+    if let (Some(first), Some(last)) = (graphs.first(), graphs.last()) {
+        name_verticals(&mut drawing, &course, first.rows[1], &drive);
+        foot(&mut drawing, &course, all, last.rows[2], &drive);
+    }
+    drawing.description = description(&course, &graphs);
+    Ok(drawing)
+}
+
+/// A graph for each kind of quantity, with its place down the sheet.
+fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>, CurvesError> {
+    let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
+    for (index, curve) in curves.curves.iter().enumerate() {
+        match kinds.iter_mut().find(|(kind, _)| *kind == curve.kind()) {
+            Some((_, members)) => members.push(index),
+            None => kinds.push((curve.kind(), vec![index])),
+        }
+    }
+    if let Some((_, members)) = kinds.iter().find(|(_, members)| members.len() > MOST_CURVES) {
+        return Err(CurvesError::Crowd { wanted: members.len() });
+    }
+    let [width, height] = course.scene.figure.page.size_mm();
+    let top = MARGIN + TITLE + BAND;
+    let bottom = height - MARGIN - FOOT;
+    let room = ((bottom - top + GAP) / (HEADING + LOWEST + GAP)) as usize;
+    if kinds.len() > room {
+        return Err(CurvesError::Panels { wanted: kinds.len(), room });
+    }
+    let each = (bottom - top + GAP) / kinds.len() as f64 - HEADING - GAP;
+    let each = each.min(SLENDER * (width - 2.0 * MARGIN));
+    let looks = looks(curves, &kinds);
+    // The first panel's heading stands above the row of the vertical lines' names.
+    let mut y = top - BAND;
+    let mut graphs = Vec::new();
+    for (index, (kind, members)) in kinds.into_iter().enumerate() {
+        let head = HEADING + if index == 0 { BAND } else { 0.0 };
+        let rows = [y, y + head, y + head + each];
+        let own = members.into_iter().map(|member| (&curves.curves[member], looks[member]));
+        graphs.push(Graph::new(course.words, kind, own.collect(), rows));
+        y = rows[2] + GAP;
+    }
+    Ok(graphs)
+}
+
+/// The axis of the drive's values.
+fn drive_axis(course: &Course<'_>, across: [f64; 2]) -> Axis {
+    let [low, high] = course.range;
+    let margin = BEYOND * (high - low);
+    let beside = |at: f64| course.verticals().iter().any(|(pen, x)| *pen == Pen::Limit && (x - at).abs() < margin);
+    let end = |at: f64, beyond: f64| if beside(at) { at + beyond } else { at };
+    let ends = [end(low, -margin), end(high, margin)];
+    Axis::new(course.words, ends, across, APART, course.path.drive.is_angle())
+}
+
+/// Names the vertical lines above the first panel, as far as there is room.
+fn name_verticals(drawing: &mut Drawing, course: &Course<'_>, y: f64, drive: &Axis) {
+    let language = course.words.language;
+    let request = |(pen, value): (Pen, f64)| {
+        let word = match pen {
+            Pen::Limit => language.limit(),
+            Pen::Change => language.change(),
+            _ => language.scene(),
+        };
+        LabelRequest {
+            text: RichText::plain(&format!("{word} {}", course.drive_value(value))),
+            size: CAPTION,
+            anchor: Point::new(drive.at(value), y),
+            clearance: 0.7,
+            prefer: Some(Vec2::new(0.0, -1.0)),
+            priority: 1,
+        }
+    };
+    let requests: Vec<LabelRequest> = course.verticals().into_iter().map(request).collect();
+    // One row of letters, all on one line.
+    let row = Rect::new(MARGIN, y - 0.7 - CAPTION, drawing.width - MARGIN, y);
+    let obstacles = Obstacles { boxes: Vec::new(), lines: Vec::new(), bounds: row };
+    for label in place(&requests, &obstacles) {
+        if !label.crowded {
+            let mut text = label.text;
+            text.origin.y = y - 1.4;
+            drawing.draw(Pen::Caption, Shape::Text(text));
+        }
+    }
+}
+
+/// The numbers of the drive's axis, what it shows, and what the marks are.
+fn foot(drawing: &mut Drawing, course: &Course<'_>, curves: &[Curve], y: f64, drive: &Axis) {
+    for tick in &drive.ticks {
+        let text = RichText::plain(&drive.tick(*tick));
+        let x = drive.at(*tick) - 0.5 * text.width(CAPTION);
+        let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 3.2)).anchored(Anchor::Middle);
+        drawing.draw(Pen::Caption, Shape::Text(text));
+    }
+    let baseline = y + FOOT - 1.8;
+    // From right to left.
+    let mut x = drive.places[1];
+    let mut explain = |pen: Pen, radius: f64, what: &str| {
+        let text = RichText::plain(what);
+        x -= text.width(CAPTION);
+        drawing.caption(text, Point::new(x, baseline));
+        let center = Point::new(x - 1.8, baseline - 1.3);
+        drawing.draw(pen, Shape::Circle { center, radius });
+        x -= 7.0;
+    };
+    if curves.iter().any(|c| !c.dead.is_empty()) {
+        explain(Pen::Joint, graph::DEAD, course.words.language.dead_centre());
+    }
+    if curves.iter().any(|c| !c.extremes.is_empty()) {
+        explain(Pen::Pole, graph::DOT, course.words.language.extremes());
+    }
+    // In the middle, or as far to the left as the marks' words ask.
+    let line = course.drive();
+    let half = 0.5 * line.width(CAPTION);
+    let centre = 0.5 * (drive.places[0] + drive.places[1]);
+    let centre = centre.min(x - half).max(MARGIN + half);
+    line.centred(drawing, Point::new(centre, baseline));
+}
+
+/// The figure in sentences, for those who cannot see it.
+fn description(course: &Course<'_>, graphs: &[Graph<'_>]) -> String {
+    let (units, language, drive) = (course.scene.units, course.words.language, &course.path.drive);
+    let amount = |value: f64| course.words.number(drive.amount(value));
+    let [from, to] = course.range.map(amount);
+    let mut text = language.over(&drive.quantity(), &from, &to);
+    for graph in graphs {
+        let unit = graph.kind.unit(units);
+        let value = |value: f64| format!("{} {unit}", course.number(value, 6));
+        for (curve, _) in &graph.curves {
+            let names = curve.asked.iter().map(|asked| asked.name()).collect::<Vec<_>>().join(" = ");
+            if let Some(constant) = curve.constant {
+                let sentence = language.is_constant(&names, &value(constant));
+                text.push_str(&format!(" {sentence};"));
+                continue;
+            }
+            let extreme = |greatest: bool, sentence: fn(&Language, &str, &str) -> String, none: &str| {
+                let mut extremes = curve.extremes.iter();
+                match extremes.find(|e| e.greatest == greatest) {
+                    Some(e) => sentence(language, &value(e.value), &amount((e.at * 1e4).round() / 1e4)),
+                    None => none.to_owned(),
+                }
+            };
+            let least = extreme(false, Language::least, language.no_least());
+            let greatest = extreme(true, Language::greatest, language.no_greatest());
+            text.push_str(&format!(" {names}, {least}, {greatest};"));
+        }
+    }
+    text.pop();
+    text.push('.');
+    text
+}

@@ -1,0 +1,115 @@
+use super::axis::significant;
+use crate::cycle::{Event, Happening, Path};
+use crate::drawing::compose::{TITLE_LINE, TITLE_SIZE, titled};
+use crate::drawing::layout::MARGIN;
+use crate::drawing::line::Line;
+use crate::drawing::sheet::{Drawing, Pen};
+use crate::drawing::text::{CAPTION, RichText};
+use crate::mechanism::{Role, SliderId};
+use crate::quantity::{Asked, Kind};
+use crate::scene::Scene;
+use crate::words::Wording;
+use kurbo::Point;
+
+/// A stretch of a motion, and how it is spoken of.
+pub(super) struct Course<'a> {
+    pub scene: &'a Scene,
+    pub words: Wording,
+    pub path: &'a Path<'a>,
+    /// Lowest and highest value of the drive.
+    pub range: [f64; 2],
+    pub events: &'a [Event],
+}
+
+impl Course<'_> {
+    /// A sheet with what it is called, and how the drives run, as far as there is room up to `right`.
+    pub fn titled(&self, right: f64) -> Drawing {
+        let title = self.scene.title.as_deref().unwrap_or(self.words.language.curves());
+        let mut drawing = titled(self.scene, &self.words, title.to_owned());
+        let free = right - RichText::verbatim(title).width(TITLE_SIZE) - MARGIN - 6.0;
+        let speeds = self.speeds();
+        if speeds.width(CAPTION) <= free {
+            speeds.ending(&mut drawing, Point::new(right, TITLE_LINE));
+        }
+        drawing
+    }
+
+    /// The text that a name is shown by.
+    pub fn shown(&self, name: &str) -> String {
+        let renamed = self.scene.figure.labels.get(name);
+        renamed.map_or_else(|| crate::construction::display(name), Clone::clone)
+    }
+
+    /// The symbol of a quantity.
+    pub fn symbol(&self, asked: &Asked) -> String {
+        asked.symbol(self.path.mechanism, self.words.notation, &|name| self.shown(name))
+    }
+
+    /// The values of the drive that are marked by vertical lines.
+    pub fn verticals(&self) -> Vec<(Pen, f64)> {
+        let events = self.events.iter().filter_map(|event| match event.what {
+            Happening::Limit { .. } | Happening::Singular { .. } => Some((Pen::Limit, event.at)),
+            Happening::Change { .. } => Some((Pen::Change, event.at)),
+            _ => None,
+        });
+        let [low, high] = self.range;
+        let start = self.path.start();
+        let stand = (low..=high).contains(&start).then_some((Pen::Stand, start));
+        stand.into_iter().chain(events).collect()
+    }
+
+    /// A number with that many digits.
+    pub fn number(&self, value: f64, count: usize) -> String {
+        self.words.write(value, significant(count))
+    }
+
+    /// A value of the drive.
+    pub fn drive_value(&self, value: f64) -> String {
+        let unit = if self.path.drive.is_angle() { "°" } else { "" };
+        format!("{}{unit}", self.number(value, 5))
+    }
+
+    /// What the drive's values are.
+    pub fn drive(&self) -> Line {
+        let link = self.shown(&self.path.drive.name);
+        let language = self.words.language;
+        if self.path.drive.is_angle() {
+            Line::around(|symbol| language.drive_angle(symbol), RichText::math(&format!("φ_{{{link}}}")))
+        } else {
+            Line::new(vec![RichText::plain(&language.drive_position(&link, self.scene.units.length.as_str()))])
+        }
+    }
+
+    /// How the drives run.
+    fn speeds(&self) -> Line {
+        let (mechanism, units) = (self.path.mechanism, self.scene.units);
+        let mut parts: Vec<[String; 2]> = Vec::new();
+        let mut add = |symbol: String, value: f64, kind: Kind| {
+            let value = format!("= {} {}", self.number(value, 4), kind.unit(units));
+            parts.push([symbol, value]);
+        };
+        for (_, body) in mechanism.links() {
+            let name = self.shown(&body.name);
+            if let Role::Driver { omega, alpha, .. } = body.role {
+                add(format!("ω_{{{name}}}"), omega, Kind::AngularVelocity);
+                if alpha != 0.0 {
+                    add(format!("α_{{{name}}}"), alpha, Kind::AngularAcceleration);
+                }
+            }
+        }
+        for (index, slider) in mechanism.sliders.iter().enumerate() {
+            let Some(drive) = slider.drive else { continue };
+            let name = self.shown(&mechanism.push_name(SliderId(index)));
+            add(format!("v_{{{name}}}"), drive.speed, Kind::Velocity);
+            if drive.acceleration != 0.0 {
+                add(format!("a_{{{name}}}"), drive.acceleration, Kind::Acceleration);
+            }
+        }
+        let count = parts.len();
+        let texts = parts.iter().enumerate().flat_map(|(index, [symbol, value])| {
+            let comma = if index + 1 < count { "," } else { "" };
+            [RichText::math(symbol), RichText::plain(&(value.clone() + comma))]
+        });
+        Line::new(texts.collect())
+    }
+}

@@ -1,0 +1,267 @@
+use super::axis::Axis;
+use super::course::Course;
+use super::lines::{clipped_chain, simplified};
+use super::names::{CLEARANCE, Surroundings, name_place};
+use crate::cycle::Curve;
+use crate::drawing::canvas::{Canvas, Wanted};
+use crate::drawing::labels::LabelRequest;
+use crate::drawing::layout::Needs;
+use crate::drawing::line::Line;
+use crate::drawing::panel::{Frame, Panel, numbered};
+use crate::drawing::shape::Shape;
+use crate::drawing::sheet::{Drawing, Pen};
+use crate::drawing::text::{CAPTION, LABEL, PlacedText, RichText};
+use crate::drawing::view::{Extent, View};
+use crate::geometry;
+use crate::quantity::Kind;
+use crate::words::{Language, Wording, power_of_ten};
+use kurbo::{Point, Rect, Vec2};
+
+/// Radius of the dot at a greatest or least value.
+pub(super) const DOT: f64 = 0.75;
+/// Radius of the circle at a dead centre.
+pub(super) const DEAD: f64 = 0.8;
+/// So many of a curve's names are shown.
+const MOST_NAMES: usize = 4;
+/// Room above the highest and below the lowest value, for the values beside the dots: in mm, and at most this part of the panel.
+const BORDER: f64 = 6.2;
+const MOST_BORDER: f64 = 0.17;
+/// Least distance of round values: in mm, and at least this part of the panel.
+const APART: f64 = 7.5;
+const LEAST_APART: f64 = 0.1;
+
+/// White between numbers and their axis.
+pub(super) const BESIDE: f64 = 1.6;
+
+/// The curves of one kind of quantities over the drive's axis.
+pub(super) struct Graph<'a> {
+    pub kind: Kind,
+    /// Its curves, each with the number of its look.
+    pub curves: Vec<(&'a Curve, usize)>,
+    /// Top of its heading, top and bottom of its area.
+    pub rows: [f64; 3],
+    axis: Axis,
+}
+
+impl<'a> Graph<'a> {
+    pub(super) fn new(words: Wording, kind: Kind, curves: Vec<(&'a Curve, usize)>, rows: [f64; 3]) -> Graph<'a> {
+        let zero = kind.is_rate().then_some(0.0);
+        let shown = curves.iter().flat_map(|(curve, _)| curve.window).chain(zero);
+        let [mut low, mut high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], y| [a.min(y), b.max(y)]);
+        if low == high {
+            // A lone constant.
+            let room = if low == 0.0 { 1.0 } else { 0.5 * low.abs() };
+            (low, high) = (low - room, high + room);
+        }
+        let height = rows[2] - rows[1];
+        let border = BORDER.min(MOST_BORDER * height);
+        let more = (high - low) * border / (height - 2.0 * border);
+        let ends = [low - more, high + more];
+        let apart = APART.max(LEAST_APART * height);
+        let axis = Axis::new(words, ends, [rows[2], rows[1]], apart, kind == Kind::Angle);
+        Graph { kind, curves, rows, axis }
+    }
+
+    /// Width of the widest number beside its axis, in mm.
+    pub(super) fn widest_number(&self) -> f64 {
+        let width = |tick: &f64| RichText::plain(&self.axis.tick(*tick)).width(CAPTION);
+        self.axis.ticks.iter().map(width).fold(0.0, f64::max)
+    }
+
+    /// Its marks' ids begin with this.
+    fn prefix(&self) -> &'static str {
+        match self.kind {
+            Kind::Angle => "angle",
+            Kind::AngularVelocity => "omega",
+            Kind::AngularAcceleration => "alpha",
+            Kind::Position => "position",
+            Kind::Length => "length",
+            Kind::Velocity => "velocity",
+            Kind::Acceleration => "acceleration",
+        }
+    }
+
+    /// The panel: its grid, its frame, its curves.
+    pub(super) fn panel<'s>(&'s self, index: usize, course: &'s Course<'_>, drive: &'s Axis) -> Panel<'s> {
+        let language = course.words.language;
+        let unit = self.kind.unit(course.scene.units);
+        let unit = match self.axis.power {
+            0 => unit,
+            power => format!("{} {unit}", power_of_ten(power)),
+        };
+        let name = name(language, self.kind);
+        let heading = numbered(index, &language.in_unit(name, &unit));
+        let frame = Frame {
+            heading: Line::new(vec![RichText::plain(&heading)]),
+            pen: Pen::Heading,
+            at: Vec2::new(0.0, self.rows[0] + 5.2 - self.rows[1]),
+        };
+        let grid = |canvas: &mut Canvas<'_>, _: &View| self.grid(canvas.drawing, canvas.frame(), drive);
+        let content = |canvas: &mut Canvas<'_>, _: &View| self.content(canvas, course, drive);
+        let corner = |end: usize| geometry::Point::new(drive.ends[end], self.axis.ends[end]);
+        Panel {
+            name: name.to_owned(),
+            prefix: self.prefix(),
+            needs: Needs { kind: self.kind, extent: Extent::of([corner(0), corner(1)]), heading: 0.0, mu: None },
+            layers: vec![Box::new(grid), Box::new(frame), Box::new(content)],
+        }
+    }
+
+    /// Lines at round values, and their numbers.
+    fn grid(&self, drawing: &mut Drawing, frame: Rect, drive: &Axis) {
+        let inside = |at: f64, [a, b]: [f64; 2]| (at - a).abs() > 0.1 && (at - b).abs() > 0.1;
+        for tick in &self.axis.ticks {
+            let y = self.axis.at(*tick);
+            let (a, b) = (Point::new(frame.x0, y), Point::new(frame.x1, y));
+            if inside(y, self.axis.places) {
+                drawing.draw(Pen::Grid, Shape::Line(a, b));
+            }
+            let text = RichText::plain(&self.axis.tick(*tick));
+            let end = Point::new(frame.x0 - BESIDE, y + 0.33 * CAPTION);
+            let text = PlacedText::ending_at(text, CAPTION, end);
+            drawing.draw(Pen::Caption, Shape::Text(text));
+        }
+        for tick in &drive.ticks {
+            let x = drive.at(*tick);
+            let (a, b) = (Point::new(x, frame.y0), Point::new(x, frame.y1));
+            if inside(x, drive.places) {
+                drawing.draw(Pen::Grid, Shape::Line(a, b));
+            }
+        }
+    }
+
+    /// Lines at zero and at marked values of the drive, the curves, their values and names.
+    fn content(&self, canvas: &mut Canvas<'_>, course: &Course<'_>, drive: &Axis) {
+        let frame = canvas.frame();
+        let place = |at: f64, value: f64| Point::new(drive.at(at), self.axis.at(value));
+        let mut straight = Vec::new();
+        if self.axis.ends[0] < 0.0 && self.axis.ends[1] > 0.0 {
+            let y = self.axis.at(0.0);
+            straight.push((Pen::Zero, Point::new(frame.x0, y), Point::new(frame.x1, y)));
+        }
+        for (pen, value) in course.verticals() {
+            let x = drive.at(value);
+            straight.push((pen, Point::new(x, frame.y0), Point::new(x, frame.y1)));
+        }
+        for (pen, a, b) in &straight {
+            canvas.draw(*pen, Shape::Line(*a, *b));
+        }
+        let lines: Vec<Vec<Vec<Point>>> = self.curves.iter().map(|own| line(canvas, own, place)).collect();
+        for own in &self.curves {
+            dots(canvas, own, place);
+        }
+        // Names keep off the values, which stand where they like best.
+        let mut taken = Vec::new();
+        for own in &self.curves {
+            self.values(canvas, own, &mut taken, place);
+        }
+        let straight: Vec<(Point, Point)> = straight.iter().map(|(_, a, b)| (*a, *b)).collect();
+        let around = Surroundings { frame, curves: &lines, lines: &straight };
+        for (index, (curve, look)) in self.curves.iter().enumerate() {
+            let text = RichText::math(&self.name(course, canvas, curve));
+            let size = text.ink_box(LABEL).size();
+            let Some((anchor, toward, area)) = name_place(index, size, &around, &taken) else {
+                continue;
+            };
+            taken.push(area);
+            let request =
+                LabelRequest { text, size: LABEL, anchor, clearance: CLEARANCE, prefer: Some(toward), priority: 3 };
+            let wanted = canvas.ask(curve.asked[0].name(), request);
+            (wanted.pen, wanted.number) = (Pen::Curve, Some(*look));
+        }
+    }
+
+    /// The values of the extremes, each once however often it is reached.
+    fn values(
+        &self,
+        canvas: &mut Canvas<'_>,
+        (curve, look): &(&Curve, usize),
+        taken: &mut Vec<Rect>,
+        place: impl Fn(f64, f64) -> Point,
+    ) {
+        let dots = curve.extremes.iter().map(|e| place(e.at, e.value));
+        taken.extend(dots.map(|dot| Rect::from_center_size(dot, (2.0 * DOT, 2.0 * DOT))));
+        for greatest in [false, true] {
+            let Some(first) = curve.extremes.iter().find(|e| e.greatest == greatest) else {
+                continue;
+            };
+            let up = if greatest { -1.0 } else { 1.0 };
+            let request = LabelRequest {
+                text: RichText::plain(&self.axis.value(first.value)),
+                size: CAPTION,
+                anchor: place(first.at, first.value),
+                clearance: DOT + 0.5,
+                prefer: Some(Vec2::new(0.0, up)),
+                priority: 2,
+            };
+            let size = request.text.ink_box(request.size).size();
+            let middle = Vec2::new(0.0, up * (request.clearance + 0.5 * size.height));
+            taken.push(Rect::from_center_size(request.anchor + middle, size));
+            let word = if greatest { "greatest" } else { "least" };
+            let name = format!("{word}-{}", curve.asked[0].name());
+            canvas.want(Wanted { request, name, pen: Pen::Curve, number: Some(*look), optional: true });
+        }
+    }
+
+    /// What a curve is called, as in `ω_2 = ω_3`; with its value where that does not change.
+    fn name(&self, course: &Course<'_>, canvas: &Canvas<'_>, curve: &Curve) -> String {
+        let mut parts: Vec<String> = Vec::new();
+        for asked in &curve.asked {
+            let symbol = canvas.shown(asked.name(), &course.symbol(asked));
+            if !parts.contains(&symbol) {
+                parts.push(symbol);
+            }
+        }
+        if parts.len() > MOST_NAMES {
+            parts.truncate(MOST_NAMES);
+            parts.push("…".to_owned());
+        }
+        parts.extend(curve.constant.map(|value| self.axis.value(value)));
+        parts.join(" = ")
+    }
+}
+
+/// Draws a curve; its lines on the sheet.
+fn line(
+    canvas: &mut Canvas<'_>,
+    (curve, look): &(&Curve, usize),
+    place: impl Fn(f64, f64) -> Point,
+) -> Vec<Vec<Point>> {
+    let frame = canvas.frame();
+    let chains = curve.pieces.iter().flat_map(|piece| {
+        let points: Vec<Point> = piece.iter().map(|[x, y]| place(*x, *y)).collect();
+        clipped_chain(frame, &points)
+    });
+    let chains: Vec<Vec<Point>> = chains.map(|chain| simplified(&chain)).collect();
+    for (part, chain) in chains.iter().enumerate() {
+        let name = format!("curve-{}-{part}", curve.asked[0].name());
+        canvas.draw_named(&name, Pen::Curve, Shape::Polyline(chain.clone())).number = Some(*look);
+    }
+    chains
+}
+
+/// Draws the marks of a curve's dead centres and extremes.
+fn dots(canvas: &mut Canvas<'_>, (curve, look): &(&Curve, usize), place: impl Fn(f64, f64) -> Point) {
+    for (index, at) in curve.dead.iter().enumerate() {
+        let name = format!("dead-{}-{index}", curve.asked[0].name());
+        let circle = Shape::Circle { center: place(*at, 0.0), radius: DEAD };
+        canvas.draw_named(&name, Pen::Dead, circle).number = Some(*look);
+    }
+    for extreme in &curve.extremes {
+        let dot = Shape::Circle { center: place(extreme.at, extreme.value), radius: DOT };
+        canvas.draw(Pen::Curve, dot).number = Some(*look);
+    }
+}
+
+/// What a panel shows.
+fn name(language: &Language, kind: Kind) -> &str {
+    match kind {
+        Kind::Angle => language.angle(),
+        Kind::AngularVelocity => language.angular_velocity(),
+        Kind::AngularAcceleration => language.angular_acceleration(),
+        Kind::Position => language.position(),
+        Kind::Length => language.length(),
+        Kind::Velocity => language.velocity(),
+        Kind::Acceleration => language.acceleration(),
+    }
+}

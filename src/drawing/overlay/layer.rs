@@ -1,0 +1,224 @@
+//! What a panel has of a student's drawing: lines, crosses with names, numbers of steps.
+
+use super::own::{Overlay, OwnKind, OwnLine, OwnPoint, WrongStep};
+use crate::drawing::canvas::Canvas;
+use crate::drawing::clip::{clipped_segment, holds};
+use crate::drawing::panel::Layer;
+use crate::drawing::plan_panel::is_hidden;
+use crate::drawing::scheme::Scheme;
+use crate::drawing::shape::Shape;
+use crate::drawing::sheet::{Emphasis, Mark, Pen};
+use crate::drawing::text::RichText;
+use crate::drawing::view::{View, towards};
+use crate::scene::PanelName;
+use crate::words::NumberStyle;
+use kurbo::{Point, Vec2};
+
+/// Points closer than this on paper, in mm, share a name.
+const SHARED: f64 = 0.35;
+/// Half the width of a cross that marks a point, in mm.
+const CROSS: f64 = 1.1;
+
+/// The layer of a student's drawing in a panel of the right figure.
+pub(in crate::drawing) struct OwnLayer<'a> {
+    pub overlay: &'a Overlay,
+    pub scheme: &'a Scheme<'a>,
+    pub panel: PanelName,
+}
+
+impl Layer for OwnLayer<'_> {
+    fn announce(&self, canvas: &mut Canvas<'_>, view: &View) {
+        canvas.overlay();
+        for line in self.lines() {
+            canvas.expect(&Shape::Line(view.at(line.ends[0]), view.at(line.ends[1])));
+        }
+        for point in self.points() {
+            canvas.expect(&Shape::Circle { center: view.at(point.at), radius: CROSS });
+        }
+    }
+
+    fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
+        for wrong in self.overlay.steps.iter().filter(|wrong| wrong.panel == self.panel) {
+            self.name_step(canvas, wrong);
+        }
+        for (line, number) in self.lines().zip(1..) {
+            self.line(canvas, view, line, number);
+        }
+        let mut places: Vec<(Point, Vec<String>, &OwnPoint)> = Vec::new();
+        for point in self.points() {
+            let at = view.at(point.at);
+            let label = format!("{}^*", self.scheme.shown(&point.name, self.scheme.plan(self.panel)));
+            let label = point.is_named.then_some(label);
+            match places.iter_mut().find(|(place, ..)| (*place - at).hypot() < SHARED) {
+                Some((_, labels, _)) => labels.extend(label),
+                None => places.push((at, Vec::from_iter(label), point)),
+            }
+        }
+        for (center, labels, point) in places {
+            let label = labels.join(", ");
+            if holds(canvas.room(), center) {
+                self.point(canvas, center, point, &label);
+            } else {
+                self.beyond(canvas, view, point, &label);
+            }
+        }
+    }
+
+    /// Makes the marks of the panel pale but for the student's and those of wrong steps, and lets none of them wait for
+    /// its step.
+    fn retouch(&self, marks: &mut Vec<Mark>) {
+        marks.retain_mut(|mark| {
+            let is_wrong = self.overlay.steps.iter().any(|wrong| self.is_of(mark, wrong));
+            let stays = is_wrong || !mark.passing;
+            (mark.since, mark.passing) = (0, false);
+            mark.emphasis = match mark.pen {
+                Pen::Student | Pen::StudentPoint | Pen::Frame => Emphasis::Plain,
+                _ if is_wrong => Emphasis::New,
+                _ => Emphasis::Earlier,
+            };
+            stays
+        });
+    }
+}
+
+impl<'a> OwnLayer<'a> {
+    fn line(&self, canvas: &mut Canvas<'_>, view: &View, line: &OwnLine, number: usize) {
+        let room = canvas.room();
+        let [from, to] = line.ends.map(|place| view.at(place));
+        let Some((a, b)) = clipped_segment(room, from, to) else {
+            return;
+        };
+        let (pen, shape) = match line.kind {
+            OwnKind::Vector if holds(room, to) => (Pen::Student, Shape::Arrow { from: a, to }),
+            OwnKind::Line | OwnKind::Vector => (Pen::Student, Shape::Line(a, b)),
+            OwnKind::Helper => (Pen::Construction, Shape::Line(a, b)),
+        };
+        let name = format!("student-line-{number}");
+        canvas.draw_named(&name, pen, shape);
+        if let Some(label) = &line.label {
+            let wanted = canvas.label(&name, label, a.midpoint(b), 1.5, None, 2);
+            wanted.request.text = RichText::plain(label);
+            wanted.pen = Pen::StudentPoint;
+        }
+    }
+
+    fn point(&self, canvas: &mut Canvas<'_>, center: Point, point: &OwnPoint, label: &str) {
+        for arm in cross(center) {
+            canvas.draw(Pen::StudentPoint, arm);
+        }
+        canvas.keep_off(Shape::Circle { center, radius: CROSS }.bounds());
+        if !label.is_empty() {
+            let name = format!("student-{}", point.name);
+            let wanted = canvas.label(&name, label, center, CROSS + 0.7, None, 2);
+            wanted.pen = Pen::StudentPoint;
+        }
+    }
+
+    /// Writes the number of a step beside what it draws or measures.
+    fn name_step(&self, canvas: &mut Canvas<'_>, wrong: &WrongStep) {
+        let own = canvas.marks().iter().filter(|m| self.is_of(m, wrong));
+        let size = |mark: &Mark| {
+            let area = mark.shape.bounds();
+            // A special point says more than its lines.
+            let is_point = mark.pen == Pen::Special && matches!(mark.shape, Shape::Circle { .. });
+            (is_point, area.width() + area.height())
+        };
+        let largest = own.max_by(|a, b| {
+            let ((a, p), (b, q)) = (size(a), size(b));
+            a.cmp(&b).then(p.total_cmp(&q))
+        });
+        let Some(mark) = largest else { return };
+        let (anchor, clearance, prefer) = match &mark.shape {
+            Shape::Line(a, b) | Shape::Arrow { from: a, to: b } => {
+                let (anchor, prefer) = beside(canvas, *a, *b);
+                (anchor, 1.6, prefer)
+            }
+            Shape::ArcArrow { center, radius, .. } => (*center, radius + 0.8, None),
+            other => (other.bounds().center(), 2.0, None),
+        };
+        canvas.since(wrong.step as u16);
+        let name = format!("step-{}", wrong.step);
+        let request = canvas.label(&name, &wrong.label, anchor, clearance, prefer, 3);
+        request.request.text = RichText::plain(&wrong.label);
+        canvas.since(0);
+    }
+
+    /// A point outside its panel: how far it lies beyond the edge, where a line that leads to it leaves the panel, else
+    /// at an arrow towards it.
+    fn beyond(&self, canvas: &mut Canvas<'_>, view: &View, point: &OwnPoint, label: &str) {
+        const ARROW: f64 = 9.0;
+        let room = canvas.room().inset(-2.0);
+        let target = view.at(point.at);
+        let leads = self.lines().filter(|l| l.leads_to == point.name && l.ends[1] == point.at);
+        let seen = leads.filter_map(|l| clipped_segment(room, view.at(l.ends[0]), target));
+        let left = |(_, edge): &(Point, Point)| (target - *edge).hypot();
+        let seen = seen.min_by(|a, b| left(a).total_cmp(&left(b)));
+        let from = seen.or_else(|| clipped_segment(room, room.center(), target));
+        let Some((start, edge)) = from else {
+            return;
+        };
+        let way = towards(start, edge, Vec2::new(1.0, 0.0));
+        let tail = edge - way * ARROW;
+        let name = format!("student-{}", point.name);
+        if seen.is_none() {
+            let shape = Shape::Arrow { from: tail, to: edge };
+            canvas.draw_named(&name, Pen::StudentPoint, shape);
+        }
+        let words = self.scheme.words;
+        let mm = words.write((target - edge).hypot(), NumberStyle::decimals(0));
+        let words = words.language.check_beyond(label, &mm);
+        let wanted = canvas.label(&name, &words, tail, 1.0, None, 3);
+        wanted.request.text = RichText::plain(&words);
+        wanted.pen = Pen::StudentPoint;
+    }
+
+    fn points(&self) -> impl Iterator<Item = &'a OwnPoint> {
+        self.overlay.points.iter().filter(|own| own.panel == self.panel && self.shows(&own.name))
+    }
+
+    fn lines(&self) -> impl Iterator<Item = &'a OwnLine> {
+        self.overlay.lines.iter().filter(|own| own.panel == self.panel && self.shows(&own.leads_to))
+    }
+
+    /// Whether the right figure shows a point of that name too.
+    fn shows(&self, name: &str) -> bool {
+        let scheme = self.scheme;
+        match scheme.plan(self.panel) {
+            None => scheme.mechanism.point(name).is_some() || scheme.special().any(|special| special.name == name),
+            Some(plan) => plan.points.contains_key(name) && !is_hidden(scheme.figure, plan, name),
+        }
+    }
+
+    /// Whether a mark comes with a step, and is of the link that the step went wrong with.
+    fn is_of(&self, mark: &Mark, wrong: &WrongStep) -> bool {
+        let link = |name: &String| {
+            let id = self.scheme.mechanism.link(name);
+            id.is_some() && mark.number == id.and_then(|id| self.scheme.number(id))
+        };
+        // The magnification of what is shown larger belongs to no step.
+        let is_scale = mark.pen == Pen::Label && mark.id.is_none();
+        usize::from(mark.since) == wrong.step && !is_scale && wrong.link.as_ref().is_none_or(link)
+    }
+}
+
+/// The two strokes of a cross.
+pub(super) fn cross(center: Point) -> [Shape; 2] {
+    [1.0, -1.0].map(|sign| {
+        let arm = Vec2::new(CROSS, sign * CROSS);
+        Shape::Line(center - arm, center + arm)
+    })
+}
+
+/// A place of a line, and a side of it, where a name has room.
+fn beside(canvas: &Canvas<'_>, from: Point, to: Point) -> (Point, Option<Vec2>) {
+    const FREE: f64 = 2.6;
+    let way = towards(from, to, Vec2::new(1.0, 0.0));
+    let normal = Vec2::new(way.y, -way.x);
+    let places = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8].map(|share| from.lerp(to, share));
+    let mut sides = places.into_iter().flat_map(|p| [(p, normal), (p, -normal)]);
+    let free = sides.find(|(p, side)| canvas.is_free(*p + *side * (FREE + 1.4), FREE));
+    match free {
+        Some((place, side)) => (place, Some(side)),
+        None => (from.midpoint(to), None),
+    }
+}

@@ -1,0 +1,198 @@
+//! What is said of a student's drawing: a key of its lines, sentences, a table of the values.
+
+use super::layer::cross;
+use super::own::{Overlay, OwnValue};
+use crate::drawing::layout::{Aside, Item, Layout};
+use crate::drawing::lines::{self, PAD};
+use crate::drawing::shape::{Shape, corners};
+use crate::drawing::sheet::{Drawing, Emphasis, Pen};
+use crate::drawing::table::{Cells, Table};
+use crate::drawing::text::{CAPTION, RichText};
+use crate::words::Wording;
+use kurbo::{Point, Rect};
+
+/// Between a sample in the key and its words, and behind these, in mm.
+const KEY: [f64; 2] = [1.6, 9.0];
+/// Length of a sample in the key.
+const SAMPLE: f64 = 11.0;
+/// White above the words of a column.
+const TOP: f64 = 2.0;
+
+/// Where the words about a drawing stand.
+#[derive(Clone, Copy, PartialEq)]
+pub(in crate::drawing) enum WordsPlace {
+    /// Below the panels.
+    Below,
+    /// In a column of this width to the right of the panels.
+    Beside(f64),
+    /// On the sheet of the table, where the figure needs all of its own but for the key.
+    Apart,
+}
+
+/// The key and the words on the figure's sheet.
+pub(in crate::drawing) struct Notes<'a> {
+    pub overlay: &'a Overlay,
+    pub words: Wording,
+    /// Size of the sheet.
+    pub page: [f64; 2],
+    pub place: WordsPlace,
+}
+
+impl Notes<'_> {
+    /// Whether an area is high enough for them.
+    pub(in crate::drawing) fn fit(&self, area: Rect) -> bool {
+        area.height() >= TOP + self.needed()
+    }
+
+    /// Height that key and words need.
+    fn needed(&self) -> f64 {
+        lines::height(self.key_lines() + self.lines().len())
+    }
+
+    fn lines(&self) -> Vec<RichText> {
+        match self.place {
+            WordsPlace::Below => self.overlay.lines(lines::width(self.page), false),
+            WordsPlace::Beside(width) => self.overlay.lines(width - 2.0 * PAD, true),
+            WordsPlace::Apart => Vec::new(),
+        }
+    }
+
+    fn is_column(&self) -> bool {
+        matches!(self.place, WordsPlace::Beside(_))
+    }
+
+    /// The samples that the key needs, by their places in it.
+    fn key(&self) -> impl Iterator<Item = usize> {
+        let Overlay { points, lines, steps, .. } = self.overlay;
+        let own = !(points.is_empty() && lines.is_empty());
+        let wrong = !steps.is_empty();
+        let there = [own || wrong, own, wrong];
+        (0..there.len()).filter(move |&sample| there[sample])
+    }
+
+    /// How many lines the key takes above the words, in a column or in a row.
+    fn key_lines(&self) -> usize {
+        let samples = self.key().count();
+        if self.is_column() { samples } else { samples.min(1) }
+    }
+
+    /// Draws the key at the upper edge of an area.
+    fn draw_key(&self, drawing: &mut Drawing, area: Rect) {
+        let mut at = lines::baseline(area, 0);
+        for (line, sample) in (1..).zip(self.key()) {
+            let language = self.words.language;
+            let words = [language.check_key_right(), language.check_key_own(), language.check_key_wrong()][sample];
+            let end = key(drawing, at, sample, words);
+            at = match self.is_column() {
+                true => lines::baseline(area, line),
+                false => Point::new(end + KEY[1], at.y),
+            };
+        }
+    }
+}
+
+impl Item for Notes<'_> {
+    fn height(&self) -> f64 {
+        if self.is_column() { 0.0 } else { self.needed() }
+    }
+
+    fn asides(&self, _: Rect) -> Vec<Aside> {
+        match self.place {
+            WordsPlace::Beside(width) => vec![Aside::Right(width)],
+            _ => Vec::new(),
+        }
+    }
+
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let area = match layout.aside {
+            Some(column) if self.is_column() => {
+                drawing.draw(Pen::Frame, Shape::Polygon(corners(column)));
+                Rect { y0: column.y0 + TOP, ..column }
+            }
+            _ => layout.below(),
+        };
+        self.draw_key(drawing, area);
+        lines::draw(drawing, area, self.key_lines(), &self.lines());
+    }
+}
+
+impl Overlay {
+    /// The table of values.
+    pub(in crate::drawing) fn table(&self) -> Table<6> {
+        let set = |texts: &[String; 6]| texts.each_ref().map(|text| RichText::plain(&typeset(text)));
+        let row = |(value, number): (&OwnValue, usize)| Cells {
+            texts: set(&value.cells),
+            id: Some(format!("value-{number}")),
+            since: 0,
+            stands_out: value.is_off,
+            boxes: [false; 6],
+        };
+        let rows = self.values.iter().zip(1..).map(row).collect();
+        let names = ["name", "own", "expected", "mm", "percent", "verdict"];
+        Table::new(set(&self.head), [false, true, true, true, true, false], names, rows)
+    }
+
+    /// The words in lines of at most this width, in a column with an empty line before each paragraph.
+    pub(in crate::drawing) fn lines(&self, width: f64, is_column: bool) -> Vec<RichText> {
+        let lines = self.words.iter().flat_map(|text| {
+            let blank = is_column.then(|| RichText::plain(""));
+            blank.into_iter().chain(RichText::lines(&typeset(text), CAPTION, width))
+        });
+        lines.collect()
+    }
+}
+
+/// A line of the key from the left end of its baseline: as it should be, the student's, where it went wrong. Where it
+/// ends.
+fn key(drawing: &mut Drawing, from: Point, sample: usize, words: &str) -> f64 {
+    let middle = from.y - 1.3;
+    let ends = [from.x, from.x + SAMPLE].map(|x| Point::new(x, middle));
+    let line = Shape::Line(ends[0], ends[1]);
+    match sample {
+        0 => drawing.draw(Pen::Velocity, line).emphasis = Emphasis::Earlier,
+        1 => {
+            drawing.draw(Pen::Student, line);
+            for arm in cross(ends[0].midpoint(ends[1])) {
+                drawing.draw(Pen::StudentPoint, arm);
+            }
+        }
+        _ => {
+            drawing.draw(Pen::Hint, line.clone());
+            drawing.draw(Pen::Velocity, line).emphasis = Emphasis::New;
+        }
+    }
+    let text = RichText::plain(words);
+    let start = from.x + SAMPLE + KEY[0];
+    let end = start + text.width(CAPTION);
+    drawing.caption(text, Point::new(start, from.y));
+    end
+}
+
+/// Names in sentences, `v_r(3/2)` and `n_b3`, as markup: all that follows an underscore stands low.
+fn typeset(text: &str) -> String {
+    let Some((before, after)) = text.split_once('_') else {
+        return text.to_owned();
+    };
+    let is_low = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+    // ² and ³ count as letters there, but stand high.
+    let end = after.find(|c: char| !is_low(c) || matches!(c, '²' | '³'));
+    let (low, rest) = after.split_at(end.unwrap_or(after.len()));
+    format!("{before}_{{{}}}{}", typeset(low), typeset(rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn underscores_become_low_letters() {
+        for (text, markup) in [
+            ("v_r(3/2) and n_b3.", "v_{r}(3/2) and n_{b3}."),
+            ("ω_2² L_BS3", "ω_{2}² L_{BS3}"),
+            ("n_b_rodC", "n_{b_{rodC}}"),
+            ("vplan(b,s3)", "vplan(b,s3)"),
+        ] {
+            assert_eq!(typeset(text), markup);
+        }
+    }
+}
