@@ -1,10 +1,10 @@
 use super::start::{stands, start};
 use super::{CycleError, Position};
-use crate::geometry::{MANY, Many, OneByOne, Registers, Row};
+use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
 use crate::kernel::{Block, InputKind, Kernel, Single};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
-use pulp::{Arch, Simd, WithSimd};
+use fearless_simd::{Level, dispatch};
 
 /// Mechanisms of one kind side by side: the same links, joints and drives in the same order, each with lengths and drives of its own.
 ///
@@ -19,7 +19,7 @@ pub struct Variants<'a> {
     drives: Vec<Vec<f64>>,
     /// By mechanism: whether it stands where its drives were put last.
     closed: Vec<bool>,
-    registers: Arch,
+    registers: Level,
 }
 
 impl<'a> Variants<'a> {
@@ -66,7 +66,7 @@ impl<'a> Variants<'a> {
             drives: kernels.iter().zip(poses).map(stands).collect(),
             closed: vec![false; count],
             kernels,
-            registers: Arch::new(),
+            registers: Level::new(),
         };
         variants.compute();
         Ok(variants)
@@ -129,7 +129,7 @@ impl<'a> Variants<'a> {
                 }
             }
         }
-        self.registers.dispatch(Together { kernel, block })
+        dispatch!(self.registers, simd => positions_and_rates(Registers(simd), kernel, block))
     }
 
     /// A mechanism where it stands, with its rates; `None` if it could not get to where its drives have been put.
@@ -156,22 +156,12 @@ fn copy<A: Row, B: Row>(from: &Block<A>, here: usize, to: &mut Block<B>, there: 
     }
 }
 
-/// Positions and rates of a block, for the registers that the processor turns out to have.
-struct Together<'b> {
-    kernel: &'b Kernel,
-    block: &'b mut Block<Many>,
-}
-
-impl WithSimd for Together<'_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> bool {
-        let lanes = Registers(simd);
-        let found = self.kernel.assemble(lanes, self.block, 0.0);
-        if found.closed {
-            self.kernel.rates(lanes, self.block);
-        }
-        found.closed
+/// Positions and rates of a block; whether its loops have closed.
+#[inline(always)]
+fn positions_and_rates<L: Lanes>(lanes: L, kernel: &Kernel, block: &mut Block<Many>) -> bool {
+    let found = kernel.assemble(lanes, block, 0.0);
+    if found.closed {
+        kernel.rates(lanes, block);
     }
+    found.closed
 }

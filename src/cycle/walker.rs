@@ -1,7 +1,7 @@
 use super::{Path, Position};
 use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
 use crate::kernel::{Block, Kernel, Single};
-use pulp::{Arch, Simd, WithSimd};
+use fearless_simd::{Level, dispatch};
 
 /// How near a change point there is nothing to read, in parts of a turn: rounding leaves about u / distance³ of second rates.
 const BLANK: f64 = 1e-4;
@@ -13,12 +13,12 @@ pub struct Walker<'a, R: Row = [f64; 1]> {
     kernel: &'a Kernel,
     block: Block<R>,
     segment: usize,
-    registers: Arch,
+    registers: Level,
 }
 
 impl<'a, R: Row> Walker<'a, R> {
     pub(super) fn new(path: &'a Path<'a>, kernel: &'a Kernel) -> Self {
-        Self { path, kernel, block: Block::new(kernel), segment: 0, registers: Arch::new() }
+        Self { path, kernel, block: Block::new(kernel), segment: 0, registers: Level::new() }
     }
 
     /// Finds the segment that holds a value.
@@ -161,7 +161,16 @@ impl Walker<'_, Many> {
 
     #[inline]
     fn dispatch(&mut self, values: &Many, task: Task) -> bool {
-        self.registers.dispatch(Together { walker: self, values, task })
+        dispatch!(self.registers, simd => self.together(Registers(simd), values, task))
+    }
+
+    #[inline(always)]
+    fn together<L: Lanes>(&mut self, lanes: L, values: &Many, task: Task) -> bool {
+        let found = task == Task::Rates || self.assemble(lanes, values);
+        if found && task != Task::Positions {
+            self.scene_rates(lanes);
+        }
+        found
     }
 }
 
@@ -171,25 +180,4 @@ enum Task {
     Positions,
     Rates,
     Motions,
-}
-
-/// A calculation for the registers that the processor turns out to have.
-struct Together<'w, 'a> {
-    walker: &'w mut Walker<'a, Many>,
-    values: &'w Many,
-    task: Task,
-}
-
-impl WithSimd for Together<'_, '_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> bool {
-        let lanes = Registers(simd);
-        let found = self.task == Task::Rates || self.walker.assemble(lanes, self.values);
-        if found && self.task != Task::Positions {
-            self.walker.scene_rates(lanes);
-        }
-        found
-    }
 }

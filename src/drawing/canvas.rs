@@ -3,15 +3,9 @@ use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
 use super::shape::{Shape, around};
 use super::sheet::{Drawing, Mark, Pen};
-use super::text::RichText;
+use super::text::{LABEL, RichText};
 use indexmap::IndexMap;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
-
-/// Size of labels: mm of one em. Small letters of the bundled font are 0.429 em high: 2 mm. What stands high or low beside a letter is
-/// smaller.
-pub(super) const LABEL: f64 = 4.7;
-/// Size of captions; no words of a figure are smaller.
-pub(super) const CAPTION: f64 = 4.7;
 
 /// A panel being drawn: what is drawn is remembered as an obstacle, labels are placed when all is drawn.
 pub(super) struct Canvas<'a> {

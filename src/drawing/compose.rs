@@ -1,7 +1,6 @@
 //! How every sheet is composed: a title, panels in their places, items beside and below them.
 
-use super::item::Item;
-use super::layout::{Aside, Layout, MARGIN, Needs, layout};
+use super::layout::{Aside, Item, Layout, MARGIN, Needs, layout};
 use super::legend;
 use super::panel::Panel;
 use super::shape::Shape;

@@ -4,7 +4,7 @@ use super::compose::{Composition, draw_title};
 use super::figure::{composition, content, extents, hints, panels};
 use super::layout::{Layout, MARGIN, TITLE};
 use super::lines;
-use super::overlay::{Notes, Overlay, OwnLayer, Values, WordsPlace};
+use super::overlay::{Notes, Overlay, OwnLayer, WordsPlace};
 use super::scheme::Scheme;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Pen};
@@ -36,11 +36,11 @@ struct Way<'a> {
 pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
     let scheme = Scheme::new(solution);
     let Way { place, mut sheet, layout } = best_way(&scheme, overlay);
-    let values = Values::new(overlay);
+    let table = overlay.table();
     if place == WordsPlace::Below {
-        sheet.items.push(Box::new(Values::new(overlay)));
+        sheet.items.push(Box::new(table.clone()));
         let both = sheet.layout();
-        let fits = both.aside.is_some_and(|area| values.table.fits(area));
+        let fits = both.aside.is_some_and(|area| table.fits(area));
         if fits && both.worth >= layout.worth {
             return vec![sheet.draw(&both)];
         }
@@ -48,7 +48,7 @@ pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
     }
     let figure = sheet.draw(&layout);
     let said = (place == WordsPlace::Apart).then_some(overlay);
-    let tables = tables(&figure, said, &values);
+    let tables = tables(&figure, said, table);
     std::iter::once(figure).chain(tables).collect()
 }
 
@@ -113,8 +113,7 @@ fn best_way<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Way<'a> {
 
 /// Sheets with the title, the words that the figure has no room for, and the table, as many as its rows need; upright, as lists are, where its rows
 /// are not too wide.
-fn tables(figure: &Drawing, said: Option<&Overlay>, values: &Values) -> Vec<Drawing> {
-    let table = &values.table;
+fn tables<const N: usize>(figure: &Drawing, said: Option<&Overlay>, mut table: Table<N>) -> Vec<Drawing> {
     let narrow = figure.width.min(figure.height);
     let [width, height] = match table.column() <= narrow - 2.0 * MARGIN {
         true => [narrow, figure.width.max(figure.height)],
@@ -123,9 +122,8 @@ fn tables(figure: &Drawing, said: Option<&Overlay>, values: &Values) -> Vec<Draw
     let area = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN);
     let said = said.map(|said| said.lines(lines::width([width, height]), false));
     let mut said: Vec<RichText> = said.unwrap_or_default();
-    let mut rows = values.rows.as_slice();
     let mut sheets = Vec::new();
-    while !rows.is_empty() {
+    while !table.rows.is_empty() {
         let mut drawing = Drawing { width, height, marks: Vec::new(), panels: Vec::new(), ..figure.clone() };
         draw_title(&mut drawing);
         let mut own = area;
@@ -135,10 +133,9 @@ fn tables(figure: &Drawing, said: Option<&Overlay>, values: &Values) -> Vec<Draw
             lines::draw(&mut drawing, room, 0, &std::mem::take(&mut said));
             own.y0 = room.y1 + GAP;
         }
-        let (first, later) = rows.split_at(table.most(own).clamp(1, rows.len()));
-        let table = Table { rows: first.len(), ..table.clone() };
-        table.draw(&mut drawing, table.needed(own), first);
-        rows = later;
+        let later = table.rows.split_off(table.most(own).clamp(1, table.rows.len()));
+        table.draw_in(&mut drawing, table.needed(own));
+        table.rows = later;
         sheets.push(drawing);
     }
     sheets

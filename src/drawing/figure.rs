@@ -2,8 +2,7 @@
 
 use super::canvas::Canvas;
 use super::compose::Composition;
-use super::item::Item;
-use super::layout::{Needs, Placed};
+use super::layout::{Item, Needs, Placed};
 use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;

@@ -1,9 +1,9 @@
 //! What is too small to be seen, shown larger in a circle beside the plan.
 
-use super::canvas::{CAPTION, Canvas};
+use super::canvas::Canvas;
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
-use super::text::{PlacedText, RichText};
+use super::text::{CAPTION, PlacedText, RichText};
 use crate::words::{NumberStyle, Wording};
 use kurbo::{Point, Rect, Vec2};
 use std::f64::consts::PI;
@@ -91,9 +91,8 @@ impl Inset {
         let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
         canvas.draw(Pen::Frame, line);
         let text = RichText::plain(&format!("{} : 1", words.write(self.factor, NumberStyle::shortest())));
-        let size = CAPTION;
-        let below = Vec2::new(-0.5 * text.width(size), self.radius - 1.4);
-        let text = PlacedText::new(text, size, self.centre + below);
+        let below = Vec2::new(-0.5 * text.width(CAPTION), self.radius - 1.4);
+        let text = PlacedText::new(text, CAPTION, self.centre + below);
         canvas.draw(Pen::Label, Shape::Text(text));
     }
 

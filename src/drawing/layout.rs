@@ -1,3 +1,4 @@
+use super::sheet::Drawing;
 use super::view::{Extent, fitting_scale, next_scale};
 use crate::quantity::Kind;
 use kurbo::Rect;
@@ -47,6 +48,22 @@ pub(super) enum Aside {
     Below(f64),
     /// This wide, to the right of the panels.
     Right(f64),
+}
+
+/// Something on a sheet beside or below its panels.
+pub(super) trait Item {
+    /// Height that it needs below the scales, in mm.
+    fn height(&self) -> f64 {
+        0.0
+    }
+
+    /// The parts of the panels' room that it may take, if it stands beside them.
+    fn asides(&self, _room: Rect) -> Vec<Aside> {
+        Vec::new()
+    }
+
+    /// Draws it.
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout);
 }
 
 /// The sheet divided up.

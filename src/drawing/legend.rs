@@ -1,10 +1,8 @@
-use super::canvas::CAPTION;
-use super::item::Item;
-use super::layout::Layout;
+use super::layout::{Item, Layout};
 use super::lines::{EDGE, PAD};
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Pen};
-use super::text::{PlacedText, RichText};
+use super::text::{CAPTION, RichText};
 use crate::construction::Construction;
 use crate::quantity::Kind;
 use crate::scene::Units;
@@ -69,8 +67,7 @@ impl Entry {
     /// Draws it from the left end of its baseline.
     pub(super) fn draw(&self, drawing: &mut Drawing, from: Point) {
         let mut put = |text: &RichText, x: f64| {
-            let text = PlacedText::new(text.clone(), CAPTION, Point::new(from.x + x, from.y));
-            drawing.draw(Pen::Caption, Shape::Text(text));
+            drawing.caption(text.clone(), Point::new(from.x + x, from.y));
         };
         let [bar, value, _] = self.places();
         put(&self.symbol, 0.0);

@@ -1,7 +1,6 @@
-use super::canvas::CAPTION;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
-use super::text::{PlacedText, RichText};
+use super::text::{CAPTION, PlacedText, RichText};
 use kurbo::{Point, Rect};
 
 /// A line of text in which symbols are slanted and words are upright.

@@ -1,11 +1,8 @@
 //! Lines of words: below the scales, or in an area of their own.
 
-use super::canvas::CAPTION;
-use super::item::Item;
-use super::layout::{Layout, MARGIN};
-use super::shape::Shape;
-use super::sheet::{Drawing, Pen};
-use super::text::{PlacedText, RichText};
+use super::layout::{Item, Layout, MARGIN};
+use super::sheet::Drawing;
+use super::text::{CAPTION, RichText};
 use kurbo::{Point, Rect};
 
 /// White left and right of words and of scales.
@@ -59,8 +56,7 @@ pub(super) fn height(lines: usize) -> f64 {
 /// Writes lines from the upper edge of an area, below as many others.
 pub(super) fn draw(drawing: &mut Drawing, area: Rect, before: usize, lines: &[RichText]) {
     for (line, number) in lines.iter().zip(before..) {
-        let text = PlacedText::new(line.clone(), CAPTION, baseline(area, number));
-        drawing.draw(Pen::Caption, Shape::Text(text));
+        drawing.caption(line.clone(), baseline(area, number));
     }
 }
 

@@ -18,7 +18,6 @@ mod exercise;
 mod figure;
 mod fonts;
 mod inset;
-mod item;
 mod labels;
 mod layout;
 mod legend;

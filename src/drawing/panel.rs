@@ -1,10 +1,11 @@
 //! Panels: boxes of a sheet, each with a stack of layers.
 
-use super::canvas::{CAPTION, Canvas};
+use super::canvas::Canvas;
 use super::layout::{Needs, Placed};
 use super::line::Line;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
+use super::text::CAPTION;
 use super::view::View;
 use indexmap::IndexMap;
 use kurbo::Vec2;

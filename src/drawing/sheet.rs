@@ -1,9 +1,10 @@
-use kurbo::Rect;
+use kurbo::{Point, Rect};
 
 use super::look::Look;
 pub use super::pen::Pen;
 use super::shape::{Shape, overlap};
 use super::style::Style;
+use super::text::{CAPTION, PlacedText, RichText};
 
 /// A sheet of paper and everything drawn on it; later marks cover earlier ones.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,6 +49,11 @@ impl Drawing {
     /// Draws a nameless mark on top of the others.
     pub fn draw(&mut self, pen: Pen, shape: Shape) -> &mut Mark {
         self.add(Mark::new(pen, shape))
+    }
+
+    /// Writes a caption from the left end of its baseline.
+    pub(super) fn caption(&mut self, text: RichText, from: Point) {
+        self.draw(Pen::Caption, Shape::Text(PlacedText::new(text, CAPTION, from)));
     }
 
     /// Draws a mark that slide programs and scripts can find by `id`.

@@ -1,10 +1,9 @@
 //! A table on a sheet: rows of cells under a head, in as many columns beside each other as the area holds.
 
-use super::canvas::CAPTION;
-use super::layout::Aside;
+use super::layout::{Aside, Item, Layout};
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Emphasis, Mark, Pen};
-use super::text::{PlacedText, RichText};
+use super::text::{CAPTION, PlacedText, RichText};
 use kurbo::{Point, Rect};
 
 /// Height of a row, in mm.
@@ -33,13 +32,13 @@ pub(super) struct Table<const N: usize> {
     pub names: [&'static str; N],
     /// Width of each cell, in mm.
     pub widths: [f64; N],
-    /// How many rows it has.
-    pub rows: usize,
+    pub rows: Vec<Cells<N>>,
     /// What is kept free below the last column: width and height in mm, and how many rows that takes.
     pub foot: ([f64; 2], usize),
 }
 
 /// A row's cells.
+#[derive(Clone)]
 pub(super) struct Cells<const N: usize> {
     pub texts: [RichText; N],
     /// The beginning of their marks' ids.
@@ -60,39 +59,8 @@ struct Grid {
     small: f64,
 }
 
-impl<const N: usize> Table<N> {
-    /// Makes the cells wide enough for these texts.
-    pub(super) fn widen(&mut self, texts: [&RichText; N]) {
-        for (width, text) in self.widths.iter_mut().zip(texts) {
-            *width = width.max(text.width(CAPTION));
-        }
-    }
-
-    /// Width of a row with white on both sides.
-    pub(super) fn column(&self) -> f64 {
-        let cells: f64 = self.widths.iter().sum();
-        let row = cells + GUTTER * (N - 1) as f64;
-        row.max(self.foot.0[0]) + 2.0 * PAD
-    }
-
-    /// How many columns of rows a width holds, at least one.
-    fn columns(&self, width: f64) -> usize {
-        let fitting = ((width + 1e-6) / self.column()) as usize;
-        fitting.clamp(1, self.rows.max(1))
-    }
-
-    /// How many rows each of some columns has, where the foot stands below the last one's.
-    fn depth(&self, columns: usize) -> usize {
-        let foot = self.foot.1;
-        (self.rows + foot).div_ceil(columns).max(foot)
-    }
-
-    fn height(&self, columns: usize) -> f64 {
-        HEAD + ROW * self.depth(columns) as f64 + 2.0 * PAD
-    }
-
-    /// The parts of a room that it may take: below everything, or to the right.
-    pub(super) fn asides(&self, room: Rect) -> Vec<Aside> {
+impl<const N: usize> Item for Table<N> {
+    fn asides(&self, room: Rect) -> Vec<Aside> {
         let below = self.height(self.columns(room.width()));
         let mut asides = vec![Aside::Below(below.min(MOST * room.height()))];
         let mut columns = 1;
@@ -106,6 +74,44 @@ impl<const N: usize> Table<N> {
         asides
     }
 
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        if let Some(area) = layout.aside {
+            self.draw_in(drawing, area);
+        }
+    }
+}
+
+impl<const N: usize> Table<N> {
+    /// A table whose cells are wide enough for all texts.
+    pub(super) fn new(head: [RichText; N], ending: [bool; N], names: [&'static str; N], rows: Vec<Cells<N>>) -> Self {
+        let texts = || std::iter::once(&head).chain(rows.iter().map(|row| &row.texts));
+        let widest = |cell: usize| texts().map(|texts| texts[cell].width(CAPTION)).fold(0.0, f64::max);
+        Self { widths: std::array::from_fn(widest), head, ending, names, rows, foot: ([0.0; 2], 0) }
+    }
+
+    /// Width of a row with white on both sides.
+    pub(super) fn column(&self) -> f64 {
+        let cells: f64 = self.widths.iter().sum();
+        let row = cells + GUTTER * (N - 1) as f64;
+        row.max(self.foot.0[0]) + 2.0 * PAD
+    }
+
+    /// How many columns of rows a width holds, at least one.
+    fn columns(&self, width: f64) -> usize {
+        let fitting = ((width + 1e-6) / self.column()) as usize;
+        fitting.clamp(1, self.rows.len().max(1))
+    }
+
+    /// How many rows each of some columns has, where the foot stands below the last one's.
+    fn depth(&self, columns: usize) -> usize {
+        let foot = self.foot.1;
+        (self.rows.len() + foot).div_ceil(columns).max(foot)
+    }
+
+    fn height(&self, columns: usize) -> f64 {
+        HEAD + ROW * self.depth(columns) as f64 + 2.0 * PAD
+    }
+
     /// How the rows stand in an area: as large as they fit; only far more rows than a sheet has room for are set smaller.
     fn grid(&self, area: Rect) -> Grid {
         let mut small = 1.0;
@@ -117,12 +123,12 @@ impl<const N: usize> Table<N> {
             };
             let depth = rows_in(area.height());
             let last = rows_in(area.height() - self.foot.0[1]).min(depth);
-            let fits = depth * (columns - 1) + last >= self.rows;
+            let fits = depth * (columns - 1) + last >= self.rows.len();
             if fits || small < SMALLEST {
                 // The last column has what the others leave, but no column is filled more than need be.
-                let even = (self.rows + depth - last).div_ceil(columns);
+                let even = (self.rows.len() + depth - last).div_ceil(columns);
                 let depth = even.min(depth);
-                return Grid { columns, depth, last: self.rows.saturating_sub(depth * (columns - 1)), small };
+                return Grid { columns, depth, last: self.rows.len().saturating_sub(depth * (columns - 1)), small };
             }
             small *= 0.97;
         }
@@ -147,11 +153,11 @@ impl<const N: usize> Table<N> {
     }
 
     /// Draws the table in its area. Where the foot's lower left corner is.
-    pub(super) fn draw(&self, drawing: &mut Drawing, area: Rect, rows: &[Cells<N>]) -> Point {
+    pub(super) fn draw_in(&self, drawing: &mut Drawing, area: Rect) -> Point {
         drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
         let Grid { columns, depth, last, small } = self.grid(area);
         let pitch = area.width() / columns as f64;
-        let mut left = rows;
+        let mut left = self.rows.as_slice();
         for column in 0..columns {
             let x = area.x0 + pitch * column as f64;
             if column > 0 {

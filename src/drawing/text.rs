@@ -5,6 +5,12 @@ use kurbo::{BezPath, Point, Rect, Vec2};
 use super::fonts;
 use super::markup::{Run, Setter, Style};
 
+/// Size of labels: mm of one em. Small letters of the bundled font are 0.429 em high: 2 mm. What stands high or low beside a letter is
+/// smaller.
+pub(super) const LABEL: f64 = 4.7;
+/// Size of captions; no words of a figure are smaller.
+pub(super) const CAPTION: f64 = 4.7;
+
 /// A line of text with subscripts and superscripts, measured.
 ///
 /// Markup: `_x` or `_{...}` sets a subscript, `^x` or `^{...}` a superscript; one after the other

@@ -1,15 +1,13 @@
 //! What is said of each step below the panels: what to do, the equation, what comes out.
 
-use super::canvas::CAPTION;
-use super::item::Item;
-use super::layout::Layout;
+use super::layout::{Item, Layout};
 use super::legend::SCALE;
 use super::lines::PAD;
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
-use super::text::{PlacedText, RichText};
+use super::text::{CAPTION, PlacedText, RichText};
 use crate::construction::{
     Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Plan, PlanKind, Relation, rate_symbol,
 };
@@ -74,48 +72,38 @@ struct Writer<'a> {
     number: u16,
 }
 
-/// A piece of a line, set in one way.
-enum Piece {
-    Words(String),
-    Math(String),
-}
-
 impl Writer<'_> {
     fn put(&mut self, pen: Pen, shape: Shape) {
         self.drawing.marks.push(Mark { since: self.number, passing: true, ..Mark::new(pen, shape) });
     }
 
+    fn write(&mut self, pen: Pen, text: RichText, size: f64, from: Point) {
+        self.put(pen, Shape::Text(PlacedText::new(text, size, from)));
+    }
+
     /// Sets pieces one after another; smaller where they would not fit.
-    fn line(&mut self, pieces: &[Piece], size: f64, from: Point, room: f64) -> f64 {
-        let set = |piece: &Piece| match piece {
-            Piece::Words(words) => RichText::plain(words),
-            Piece::Math(markup) => RichText::math(markup),
-        };
-        let texts: Vec<RichText> = pieces.iter().map(set).collect();
+    fn line(&mut self, texts: &[RichText], size: f64, from: Point, room: f64) -> f64 {
         // A slanted letter may lean beyond its width.
         let advance = |text: &RichText, size: f64| text.width(size).max(text.ink_box(size).x1);
         let width: f64 = texts.iter().map(|text| advance(text, size)).sum();
         let size = size * (room / width).min(1.0);
         let mut x = from.x;
         for text in texts {
-            let after = x + advance(&text, size);
             if !text.is_empty() {
-                let placed = PlacedText::new(text, size, Point::new(x, from.y));
-                self.put(Pen::Caption, Shape::Text(placed));
+                self.write(Pen::Caption, text.clone(), size, Point::new(x, from.y));
             }
-            x = after;
+            x += advance(text, size);
         }
         x
     }
 
-    /// A text of one kind with names between backticks.
-    fn pieces(&self, text: &str, plan: Option<&Plan>, kind: impl Fn(String) -> Piece) -> Vec<Piece> {
-        let pieces = text.split('`').enumerate();
-        let pieces = pieces.map(|(index, piece)| match index % 2 {
-            0 => kind(piece.to_owned()),
-            _ => Piece::Math(self.scheme.shown(piece, plan)),
-        });
-        pieces.collect()
+    /// A text set in one way, with names between backticks.
+    fn pieces(&self, text: &str, plan: Option<&Plan>, set: fn(&str) -> RichText) -> Vec<RichText> {
+        let piece = |(index, piece): (usize, &str)| match index % 2 {
+            0 => set(piece),
+            _ => RichText::math(&self.scheme.shown(piece, plan)),
+        };
+        text.split('`').enumerate().map(piece).collect()
     }
 
     /// Which step it is, and what to do.
@@ -123,12 +111,9 @@ impl Writer<'_> {
         let number = RichText::plain(&format!("{} / {count}", self.number));
         let from = Point::new(self.area.x0, self.area.y0 + FIRST);
         let after = from.x + number.width(SIZE) + 4.0;
-        let placed = PlacedText::new(number, SIZE, from);
-        self.put(Pen::Heading, Shape::Text(placed));
-        let caption = self.scheme.teller().caption(step);
-        let pieces = self.pieces(&caption, step.plan, Piece::Words);
-        let room = self.area.x1 - after;
-        self.line(&pieces, SIZE, Point::new(after, from.y), room);
+        self.write(Pen::Heading, number, SIZE, from);
+        let caption = self.pieces(&self.scheme.teller().caption(step), step.plan, RichText::plain);
+        self.line(&caption, SIZE, Point::new(after, from.y), self.area.x1 - after);
     }
 
     /// Equation and values of a step.
@@ -136,7 +121,6 @@ impl Writer<'_> {
         let plan = step.plan;
         let from = Point::new(self.area.x0, self.area.y0 + SECOND);
         let kind = plan.map(|p| p.kind);
-        let segment = |from: &str, to: &str| plan.and_then(|p| p.segment(from, to));
         let formula = self.scheme.teller().formula(step);
         let action = &step.step.action;
         let end = match action {
@@ -151,36 +135,27 @@ impl Writer<'_> {
             }
             _ => self.equation(&formula, plan, None, from),
         };
-        let value = match action {
-            Action::Measure { value, .. } => Some(self.size(*value, kind)),
-            Action::MeasureLength { value, .. } => Some(self.size(*value, None)),
-            Action::LayOff(arrow) => segment(&arrow.from, &arrow.to).map(|v| self.vector(v, kind)),
-            Action::Cross { point, .. } => {
-                kind.and_then(|kind| segment(kind.pole(), point)).map(|v| self.vector(v, kind))
-            }
+        let ends = match action {
+            Action::LayOff(arrow) => Some([arrow.from.as_str(), arrow.to.as_str()]),
+            Action::Cross { point, .. } => kind.map(|kind| [kind.pole(), point.as_str()]),
             _ => None,
         };
-        let Some(value) = value else { return };
-        let (from, to) = match action {
-            Action::LayOff(arrow) => (arrow.from.as_str(), arrow.to.as_str()),
-            Action::Cross { point, .. } => (kind.map_or("", PlanKind::pole), point.as_str()),
-            _ => ("", ""),
+        let vector = ends.and_then(|[from, to]| plan?.segment(from, to));
+        let value = match (action, vector) {
+            (Action::Measure { value, .. }, _) => self.size(*value, kind),
+            (Action::MeasureLength { value, .. }, _) => self.size(*value, None),
+            (_, Some(vector)) => self.vector(vector, kind),
+            _ => return,
         };
-        let mut pieces = Vec::new();
-        if !from.is_empty() {
-            for name in [from, to] {
-                pieces.push(Piece::Math(self.scheme.shown(name, plan)));
-                pieces.push(Piece::Words(" ".to_owned()));
-            }
-        }
-        pieces.push(Piece::Words(format!("= {value}")));
-        let x = match (end > self.area.x0, from.is_empty()) {
+        let name = |name: &str| [RichText::math(&self.scheme.shown(name, plan)), RichText::plain(" ")];
+        let mut texts: Vec<RichText> = ends.into_iter().flatten().flat_map(name).collect();
+        texts.push(RichText::plain(&format!("= {value}")));
+        let x = match (end > self.area.x0, ends) {
             (false, _) => end,
-            (true, true) => end + 1.2,
-            (true, false) => end + 8.0,
+            (true, None) => end + 1.2,
+            (true, Some(_)) => end + 8.0,
         };
-        let y = self.area.y0 + SECOND;
-        self.line(&pieces, EQUATION, Point::new(x, y), self.area.x1 - x);
+        self.line(&texts, EQUATION, Point::new(x, from.y), self.area.x1 - x);
     }
 
     /// The equations that are solved, two in a line, and what comes out.
@@ -192,20 +167,17 @@ impl Writer<'_> {
             let (row, column) = ((index / 2) as f64, (index % 2) as f64);
             let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 1.6 + step.min(6.0) * row);
             let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
-            let equation = self.scheme.teller().equation(kind, equation);
-            let pieces = self.pieces(&equation, plan, Piece::Math);
-            self.line(&pieces, EQUATION, from, half - 4.0);
+            let equation = self.pieces(&self.scheme.teller().equation(kind, equation), plan, RichText::math);
+            self.line(&equation, EQUATION, from, half - 4.0);
         }
-        let mut pieces = Vec::new();
-        for (index, (name, value)) in unknowns.iter().enumerate() {
+        let found = unknowns.iter().enumerate().flat_map(|(index, (name, value))| {
             let (symbol, unit) = self.rate(name);
-            let between = if index > 0 { ",   " } else { "" };
-            pieces.push(Piece::Words(between.to_owned()));
-            pieces.push(Piece::Math(symbol));
-            pieces.push(Piece::Words(format!(" = {} {unit}", self.significant(*value))));
-        }
+            let value = RichText::plain(&format!(" = {} {unit}", self.significant(*value)));
+            [RichText::plain(if index > 0 { ",   " } else { "" }), RichText::math(&symbol), value]
+        });
+        let found: Vec<RichText> = found.collect();
         let from = Point::new(self.area.x0, self.area.y0 + LAST);
-        self.line(&pieces, EQUATION, from, self.area.width());
+        self.line(&found, EQUATION, from, self.area.width());
     }
 
     /// Symbol and unit of a rate by its quantity name.
@@ -225,13 +197,13 @@ impl Writer<'_> {
         let language = self.scheme.words.language;
         let mut x = from.x;
         for term in &equation.terms {
-            let kind = match term.known {
-                Known::Words => Some(Piece::Words as fn(String) -> Piece),
-                Known::Sign => Some(Piece::Math as fn(String) -> Piece),
+            let set: Option<fn(&str) -> RichText> = match term.known {
+                Known::Words => Some(RichText::plain),
+                Known::Sign => Some(RichText::math),
                 _ => None,
             };
-            if let Some(kind) = kind {
-                let pieces = self.pieces(&term.markup, plan, kind);
+            if let Some(set) = set {
+                let pieces = self.pieces(&term.markup, plan, set);
                 x = self.line(&pieces, EQUATION, Point::new(x, from.y), self.area.x1 - x);
                 continue;
             }
@@ -253,8 +225,7 @@ impl Writer<'_> {
             let width = own.max(below + if below > 0.0 { 1.6 } else { 0.0 });
             let middle = x + 0.5 * width;
             let start = middle - 0.5 * own;
-            let placed = PlacedText::new(text, EQUATION, Point::new(start, from.y));
-            self.put(Pen::Caption, Shape::Text(placed));
+            self.write(Pen::Caption, text, EQUATION, Point::new(start, from.y));
             let lines = match term.known {
                 Known::Sign | Known::Words | Known::Nothing => 0,
                 Known::Direction => 1,
@@ -267,8 +238,7 @@ impl Writer<'_> {
             }
             if !name.is_empty() {
                 let at = Point::new(middle - 0.5 * below, from.y + BELOW);
-                let placed = PlacedText::new(name, SMALL, at);
-                self.put(Pen::Caption, Shape::Text(placed));
+                self.write(Pen::Caption, name, SMALL, at);
             }
             x += width;
         }

@@ -1,5 +1,5 @@
 use super::{Number, Pair};
-use pulp::Simd;
+use fearless_simd::{Simd, SimdBase, SimdFloat};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
 
@@ -158,60 +158,56 @@ pub struct Register<S: Simd> {
 impl<S: Simd> Lanes for Registers<S> {
     type Number = Register<S>;
 
-    const COUNT: usize = S::F64_LANES;
+    const COUNT: usize = S::f64s::LEN;
 
     #[inline(always)]
     fn splat(self, number: f64) -> Register<S> {
-        let numbers = self.0.splat_f64s(number);
-        Register { simd: self.0, numbers }
+        Register { simd: self.0, numbers: S::f64s::splat(self.0, number) }
     }
 
     #[inline(always)]
     fn load<R: Row>(self, row: &R, k: usize) -> Register<S> {
-        let (portions, _) = S::as_simd_f64s(row.as_ref());
-        Register { simd: self.0, numbers: portions[k] }
+        let portion = &row.as_ref()[k * Self::COUNT..(k + 1) * Self::COUNT];
+        Register { simd: self.0, numbers: S::f64s::from_slice(self.0, portion) }
     }
 
     #[inline(always)]
     fn store<R: Row>(self, row: &mut R, k: usize, register: Register<S>) {
-        let (portions, _) = S::as_mut_simd_f64s(row.as_mut());
-        portions[k] = register.numbers;
+        register.numbers.store_slice(&mut row.as_mut()[k * Self::COUNT..(k + 1) * Self::COUNT]);
     }
 
     #[inline(always)]
     fn sum(self, register: Register<S>) -> f64 {
-        self.0.reduce_sum_f64s(register.numbers)
+        register.numbers.reduce_sum()
     }
 
     #[inline(always)]
     fn largest(self, register: Register<S>) -> f64 {
-        self.0.reduce_max_f64s(register.numbers)
+        register.numbers.reduce_max_precise()
     }
 }
 
 macro_rules! by_register {
-    ($($operator:ident $method:ident $instruction:ident),*) => {$(
+    ($($operator:ident $method:ident),*) => {$(
         impl<S: Simd> $operator for Register<S> {
             type Output = Self;
 
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                let numbers = self.simd.$instruction(self.numbers, other.numbers);
-                Register { numbers, ..self }
+                Register { numbers: self.numbers.$method(other.numbers), ..self }
             }
         }
     )*};
 }
 
-by_register!(Add add add_f64s, Sub sub sub_f64s, Mul mul mul_f64s, Div div div_f64s);
+by_register!(Add add, Sub sub, Mul mul, Div div);
 
 impl<S: Simd> Neg for Register<S> {
     type Output = Self;
 
     #[inline(always)]
     fn neg(self) -> Self {
-        let numbers = self.simd.neg_f64s(self.numbers);
-        Register { numbers, ..self }
+        Register { numbers: -self.numbers, ..self }
     }
 }
 
@@ -223,26 +219,21 @@ impl<S: Simd> Number for Register<S> {
 
     #[inline(always)]
     fn plus_product(self, a: Self, b: Self) -> Self {
-        let numbers = self.simd.mul_add_e_f64s(a.numbers, b.numbers, self.numbers);
-        Register { numbers, ..self }
+        Register { numbers: a.numbers.mul_add(b.numbers, self.numbers), ..self }
     }
 
     #[inline(always)]
     fn minus_product(self, a: Self, b: Self) -> Self {
-        let simd = self.simd;
-        let numbers = simd.negate_mul_add_e_f64s(a.numbers, b.numbers, self.numbers);
-        Register { numbers, ..self }
+        Register { numbers: (-a.numbers).mul_add(b.numbers, self.numbers), ..self }
     }
 
     #[inline(always)]
     fn sqrt(self) -> Self {
-        let numbers = self.simd.sqrt_f64s(self.numbers);
-        Register { numbers, ..self }
+        Register { numbers: self.numbers.sqrt(), ..self }
     }
 
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
-        let numbers = self.simd.max_f64s(self.numbers, other.numbers);
-        Register { numbers, ..self }
+        Register { numbers: self.numbers.max(other.numbers), ..self }
     }
 }

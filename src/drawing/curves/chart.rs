@@ -6,12 +6,11 @@ use super::error::{CurvesError, MOST_CURVES};
 use super::graph::{self, BESIDE, Graph};
 use super::looks::looks;
 use crate::cycle::{Curve, Curves};
-use crate::drawing::canvas::CAPTION;
 use crate::drawing::labels::{LabelRequest, Obstacles, place};
 use crate::drawing::layout::{HEADING, MARGIN, Placed, TITLE};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
-use crate::drawing::text::{Anchor, PlacedText, RichText};
+use crate::drawing::text::{Anchor, CAPTION, PlacedText, RichText};
 use crate::quantity::Kind;
 use crate::scene::Scene;
 use crate::words::{Language, Wording};
@@ -149,8 +148,7 @@ fn foot(drawing: &mut Drawing, course: &Course<'_>, curves: &[Curve], y: f64, dr
     let mut explain = |pen: Pen, radius: f64, what: &str| {
         let text = RichText::plain(what);
         x -= text.width(CAPTION);
-        let text = PlacedText::new(text, CAPTION, Point::new(x, baseline));
-        drawing.draw(Pen::Caption, Shape::Text(text));
+        drawing.caption(text, Point::new(x, baseline));
         let center = Point::new(x - 1.8, baseline - 1.3);
         drawing.draw(pen, Shape::Circle { center, radius });
         x -= 7.0;

@@ -1,11 +1,10 @@
 use super::axis::significant;
 use crate::cycle::{Event, Happening, Path};
-use crate::drawing::canvas::CAPTION;
 use crate::drawing::compose::{TITLE_LINE, TITLE_SIZE, titled};
 use crate::drawing::layout::MARGIN;
 use crate::drawing::line::Line;
 use crate::drawing::sheet::{Drawing, Pen};
-use crate::drawing::text::RichText;
+use crate::drawing::text::{CAPTION, RichText};
 use crate::mechanism::{Role, SliderId};
 use crate::quantity::{Asked, Kind};
 use crate::scene::Scene;

@@ -6,5 +6,5 @@ mod notes;
 mod own;
 
 pub(super) use layer::OwnLayer;
-pub(super) use notes::{Notes, Values, WordsPlace};
+pub(super) use notes::{Notes, WordsPlace};
 pub use own::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};

@@ -1,15 +1,13 @@
 //! What is said of a student's drawing: a key of its lines, sentences, a table of the values.
 
 use super::layer::cross;
-use super::own::Overlay;
-use crate::drawing::canvas::CAPTION;
-use crate::drawing::item::Item;
-use crate::drawing::layout::{Aside, Layout};
+use super::own::{Overlay, OwnValue};
+use crate::drawing::layout::{Aside, Item, Layout};
 use crate::drawing::lines::{self, PAD};
 use crate::drawing::shape::{Shape, corners};
 use crate::drawing::sheet::{Drawing, Emphasis, Pen};
 use crate::drawing::table::{Cells, Table};
-use crate::drawing::text::{PlacedText, RichText};
+use crate::drawing::text::{CAPTION, RichText};
 use crate::words::Wording;
 use kurbo::{Point, Rect};
 
@@ -118,52 +116,22 @@ impl Item for Notes<'_> {
     }
 }
 
-/// The table of values.
-pub(in crate::drawing) struct Values {
-    pub table: Table<6>,
-    pub rows: Vec<Cells<6>>,
-}
-
-impl Values {
-    pub(in crate::drawing) fn new(overlay: &Overlay) -> Values {
-        let set = |text: &String| RichText::plain(&typeset(text));
-        let head = overlay.head.each_ref().map(set);
-        let rows = overlay.values.iter().zip(1..).map(|(value, number)| Cells {
-            texts: value.cells.each_ref().map(set),
+impl Overlay {
+    /// The table of values.
+    pub(in crate::drawing) fn table(&self) -> Table<6> {
+        let set = |texts: &[String; 6]| texts.each_ref().map(|text| RichText::plain(&typeset(text)));
+        let row = |(value, number): (&OwnValue, usize)| Cells {
+            texts: set(&value.cells),
             id: Some(format!("value-{number}")),
             since: 0,
             stands_out: value.is_off,
             boxes: [false; 6],
-        });
-        let rows: Vec<Cells<6>> = rows.collect();
-        let mut table = Table {
-            widths: head.each_ref().map(|text| text.width(CAPTION)),
-            ending: [false, true, true, true, true, false],
-            names: ["name", "own", "expected", "mm", "percent", "verdict"],
-            rows: rows.len(),
-            foot: ([0.0; 2], 0),
-            head,
         };
-        for row in &rows {
-            table.widen(row.texts.each_ref());
-        }
-        Values { table, rows }
-    }
-}
-
-impl Item for Values {
-    fn asides(&self, room: Rect) -> Vec<Aside> {
-        self.table.asides(room)
+        let rows = self.values.iter().zip(1..).map(row).collect();
+        let names = ["name", "own", "expected", "mm", "percent", "verdict"];
+        Table::new(set(&self.head), [false, true, true, true, true, false], names, rows)
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        if let Some(area) = layout.aside {
-            self.table.draw(drawing, area, &self.rows);
-        }
-    }
-}
-
-impl Overlay {
     /// The words in lines of at most this width, in a column with an empty line before each paragraph.
     pub(in crate::drawing) fn lines(&self, width: f64, is_column: bool) -> Vec<RichText> {
         let lines = self.words.iter().flat_map(|text| {
@@ -196,8 +164,7 @@ fn key(drawing: &mut Drawing, from: Point, sample: usize, words: &str) -> f64 {
     let text = RichText::plain(words);
     let start = from.x + SAMPLE + KEY[0];
     let end = start + text.width(CAPTION);
-    let text = PlacedText::new(text, CAPTION, Point::new(start, from.y));
-    drawing.draw(Pen::Caption, Shape::Text(text));
+    drawing.caption(text, Point::new(start, from.y));
     end
 }
 
