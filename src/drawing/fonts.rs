@@ -8,7 +8,7 @@ use skrifa::metrics::GlyphMetrics;
 use skrifa::outline::{DrawSettings, OutlinePen};
 use skrifa::prelude::{LocationRef, Size};
 use skrifa::raw::tables::gpos::{PairPos, PositionSubtables};
-use skrifa::raw::tables::gsub::{Ligature, LigatureSubstFormat1, SubstitutionSubtables};
+use skrifa::raw::tables::gsub::SubstitutionSubtables;
 use skrifa::raw::tables::layout::FeatureList;
 use skrifa::raw::{ReadError, TableProvider};
 use skrifa::{FontRef, GlyphId, MetadataProvider, OutlineGlyphCollection, Tag};
@@ -49,10 +49,26 @@ pub(super) struct Face {
     indices: Vec<Option<GlyphId>>,
     /// The outlines drawn so far, by number.
     outlines: Vec<OnceLock<BezPath>>,
-    /// Kerning lookups by script, in the order in which they apply; the first subtable that answers
-    /// ends its lookup.
-    kerning: [Vec<Vec<PairPos<'static>>>; 3],
-    ligatures: Vec<LigatureSubstFormat1<'static>>,
+    /// Kerning by script: what all tables say is added up, for each lookup of these fonts has one table.
+    kerning: [Vec<Kerning>; 3],
+    ligatures: Vec<Ligature>,
+}
+
+/// How glyphs stand closer or wider, by classes of glyphs (OpenType GPOS, pair adjustment format 2).
+struct Kerning {
+    /// Class of each glyph as the left one, none where there is no rule for it.
+    left: Vec<Option<u16>>,
+    /// Class of each glyph as the right one.
+    right: Vec<u16>,
+    /// By how much the right one is moved, in em: a row for each class of the left one.
+    moves: Vec<Vec<f64>>,
+}
+
+/// Glyphs that melt into one.
+struct Ligature {
+    first: GlyphId,
+    following: Vec<GlyphId>,
+    glyph: GlyphId,
 }
 
 /// The scripts whose letters are kerned by rules of their own.
@@ -208,26 +224,24 @@ impl Face {
     }
 
     fn kern(&self, script: Script, left: GlyphId, right: GlyphId) -> f64 {
-        let units: i32 = self.kerning[script as usize]
-            .iter()
-            .filter_map(|lookup| lookup.iter().find_map(|subtable| pair(subtable, left, right)))
-            .sum();
-        f64::from(units) / self.em
+        let moved = |kerning: &Kerning| {
+            let row = kerning.moves.get(usize::from((*kerning.left.get(left.to_u32() as usize)?)?))?;
+            row.get(usize::from(*kerning.right.get(right.to_u32() as usize)?)).copied()
+        };
+        self.kerning[script as usize].iter().filter_map(moved).sum()
     }
 
     /// The glyph that a glyph and the letters after it melt into, as f and i do, and how many
     /// letters those are.
     fn ligature(&self, first: GlyphId, next: &Chars<'_>) -> Option<(GlyphId, usize)> {
-        let melts = |ligature: &Ligature<'_>| {
+        let melts = |ligature: &&Ligature| {
             let mut letters = next.clone();
-            let mut parts = ligature.component_glyph_ids().iter();
-            parts.all(|part| letters.next().and_then(|letter| self.index(letter)) == Some(part.get().into()))
+            let mut following = ligature.following.iter();
+            ligature.first == first
+                && following.all(|part| letters.next().and_then(|letter| self.index(letter)) == Some(*part))
         };
-        self.ligatures.iter().find_map(|table| {
-            let set = table.ligature_sets().get(table.coverage().ok()?.get(first)?.into()).ok()?;
-            let found = set.ligatures().iter().flatten().find(melts)?;
-            Some((found.ligature_glyph().into(), found.component_glyph_ids().len()))
-        })
+        let found = self.ligatures.iter().find(melts)?;
+        Some((found.glyph, found.following.len()))
     }
 }
 
@@ -284,8 +298,8 @@ fn script_of(letter: char) -> Option<Script> {
     }
 }
 
-/// The kerning lookups of a script (OpenType GPOS, lookup type 2).
-fn kerning(font: &FontRef<'static>, script: Tag) -> Result<Vec<Vec<PairPos<'static>>>, ReadError> {
+/// The kerning of a script.
+fn kerning(font: &FontRef<'static>, script: Tag) -> Result<Vec<Kerning>, ReadError> {
     let table = font.gpos()?;
     let scripts = table.script_list()?;
     let Some(script) = scripts.script_records().iter().find(|record| record.script_tag() == script) else {
@@ -297,24 +311,65 @@ fn kerning(font: &FontRef<'static>, script: Tag) -> Result<Vec<Vec<PairPos<'stat
     let features: Vec<u16> = language.feature_indices().iter().map(|index| index.get()).collect();
     let mut found = Vec::new();
     for index in lookups(&table.feature_list()?, Tag::new(b"kern"), |feature| features.contains(&feature))? {
-        if let PositionSubtables::Pair(pairs) = table.lookup_list()?.lookups().get(index.into())?.subtables()? {
-            found.push(pairs.iter().collect::<Result<_, _>>()?);
+        if let PositionSubtables::Pair(subtables) = table.lookup_list()?.lookups().get(index.into())?.subtables()? {
+            for subtable in subtables.iter() {
+                found.push(Kerning::read(font, &subtable?)?);
+            }
         }
     }
     Ok(found)
 }
 
+impl Kerning {
+    fn read(font: &FontRef<'static>, subtable: &PairPos<'static>) -> Result<Self, ReadError> {
+        let PairPos::Format2(subtable) = subtable else {
+            return Err(ReadError::InvalidFormat(subtable.pos_format().into()));
+        };
+        let glyphs = usize::from(font.maxp()?.num_glyphs());
+        let em = f64::from(font.head()?.units_per_em());
+        let (mut left, mut right) = (vec![None; glyphs], vec![0; glyphs]);
+        for glyph in subtable.coverage()?.iter() {
+            left[glyph.to_u32() as usize] = Some(0);
+        }
+        for (glyph, class) in subtable.class_def1()?.iter() {
+            left[glyph.to_u32() as usize] = left[glyph.to_u32() as usize].and(Some(class));
+        }
+        for (glyph, class) in subtable.class_def2()?.iter() {
+            right[glyph.to_u32() as usize] = class;
+        }
+        let mut moves = Vec::new();
+        for row in subtable.class1_records().iter() {
+            let moved = row?.class2_records.iter().map(|record| Ok(record?.value_record1.x_advance().unwrap_or(0)));
+            let moved: Result<Vec<i16>, ReadError> = moved.collect();
+            moves.push(moved?.into_iter().map(|units| f64::from(units) / em).collect());
+        }
+        Ok(Self { left, right, moves })
+    }
+}
+
 /// The standard ligatures of the face (OpenType GSUB, lookup type 4); they are the same for all
 /// scripts of the bundled fonts.
-fn ligatures(font: &FontRef<'static>) -> Result<Vec<LigatureSubstFormat1<'static>>, ReadError> {
+fn ligatures(font: &FontRef<'static>) -> Result<Vec<Ligature>, ReadError> {
     let table = font.gsub()?;
     let mut found = Vec::new();
     for index in lookups(&table.feature_list()?, Tag::new(b"liga"), |_| true)? {
-        if let SubstitutionSubtables::Ligature(ligatures) =
+        let SubstitutionSubtables::Ligature(subtables) =
             table.lookup_list()?.lookups().get(index.into())?.subtables()?
-        {
-            for ligature in ligatures.iter() {
-                found.push(ligature?);
+        else {
+            continue;
+        };
+        for subtable in subtables.iter() {
+            let subtable = subtable?;
+            for (first, set) in subtable.coverage()?.iter().zip(subtable.ligature_sets().iter()) {
+                for ligature in set?.ligatures().iter() {
+                    let ligature = ligature?;
+                    let following = ligature.component_glyph_ids().iter().map(|glyph| glyph.get().into());
+                    found.push(Ligature {
+                        first: first.into(),
+                        following: following.collect(),
+                        glyph: ligature.ligature_glyph().into(),
+                    });
+                }
             }
         }
     }
@@ -331,24 +386,4 @@ fn lookups(features: &FeatureList<'_>, tag: Tag, asked: impl Fn(u16) -> bool) ->
         }
     }
     Ok(found)
-}
-
-/// By how much a subtable moves the second of two glyphs, in font units; none where it has no rule
-/// for them.
-fn pair(table: &PairPos<'static>, left: GlyphId, right: GlyphId) -> Option<i32> {
-    let first = match table {
-        PairPos::Format1(pairs) => {
-            let covered = pairs.coverage().ok()?.get(left)?;
-            let set = pairs.pair_sets().get(covered.into()).ok()?;
-            let mut records = set.pair_value_records().iter().flatten();
-            records.find(|record| GlyphId::from(record.second_glyph()) == right)?.value_record1
-        }
-        PairPos::Format2(classes) => {
-            classes.coverage().ok()?.get(left)?;
-            let [left, right] = [classes.class_def1().ok()?.get(left), classes.class_def2().ok()?.get(right)];
-            let row = classes.class1_records().get(left.into()).ok()?;
-            row.class2_records.get(right.into()).ok()?.value_record1
-        }
-    };
-    Some(first.x_advance().unwrap_or(0).into())
 }
