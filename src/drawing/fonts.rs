@@ -3,9 +3,15 @@ use std::str::Chars;
 use std::sync::OnceLock;
 
 use kurbo::{BezPath, Point, Rect, Shape};
-use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
-use ttf_parser::gsub::{Ligature, LigatureSubstitution, SubstitutionSubtable};
-use ttf_parser::{GlyphId, OutlineBuilder, Tag};
+use skrifa::charmap::Charmap;
+use skrifa::metrics::GlyphMetrics;
+use skrifa::outline::{DrawSettings, OutlinePen};
+use skrifa::prelude::{LocationRef, Size};
+use skrifa::raw::tables::gpos::{PairPos, PositionSubtables};
+use skrifa::raw::tables::gsub::SubstitutionSubtables;
+use skrifa::raw::tables::layout::FeatureList;
+use skrifa::raw::{ReadError, TableProvider};
+use skrifa::{FontRef, GlyphId, MetadataProvider, OutlineGlyphCollection, Tag};
 
 /// The upright face: Libertinus Serif Regular, subset, SIL Open Font License 1.1 (see
 /// `fonts/OFL-1.1.txt`).
@@ -32,7 +38,9 @@ const COMMON: u32 = 0x80;
 
 /// A face of the bundled fonts, ready to measure.
 pub(super) struct Face {
-    face: ttf_parser::Face<'static>,
+    letters: Charmap<'static>,
+    metrics: GlyphMetrics<'static>,
+    shapes: OutlineGlyphCollection<'static>,
     em: f64,
     /// The glyphs measured so far, by number: reading an outline takes far longer than looking it
     /// up.
@@ -41,10 +49,26 @@ pub(super) struct Face {
     indices: Vec<Option<GlyphId>>,
     /// The outlines drawn so far, by number.
     outlines: Vec<OnceLock<BezPath>>,
-    /// Kerning lookups by script, in the order in which they apply; the first subtable that answers
-    /// ends its lookup.
-    kerning: [Vec<Vec<PairAdjustment<'static>>>; 3],
-    ligatures: Vec<LigatureSubstitution<'static>>,
+    /// Kerning by script: what all tables say is added up, for each lookup of these fonts has one table.
+    kerning: [Vec<Kerning>; 3],
+    ligatures: Vec<Ligature>,
+}
+
+/// How glyphs stand closer or wider, by classes of glyphs (OpenType GPOS, pair adjustment format 2).
+struct Kerning {
+    /// Class of each glyph as the left one, none where there is no rule for it.
+    left: Vec<Option<u16>>,
+    /// Class of each glyph as the right one.
+    right: Vec<u16>,
+    /// By how much the right one is moved, in em: a row for each class of the left one.
+    moves: Vec<Vec<f64>>,
+}
+
+/// Glyphs that melt into one.
+struct Ligature {
+    first: GlyphId,
+    following: Vec<GlyphId>,
+    glyph: GlyphId,
 }
 
 /// The scripts whose letters are kerned by rules of their own.
@@ -68,18 +92,21 @@ pub(super) fn face(italic: bool) -> &'static Face {
 
 impl Face {
     fn parse(data: &'static [u8]) -> Self {
-        let face = ttf_parser::Face::parse(data, 0).expect("the bundled fonts are sound");
-        let kerning = [b"latn", b"grek", b"cyrl"].map(|script| kerning(&face, Tag::from_bytes(script)));
-        let glyphs = usize::from(face.number_of_glyphs());
-        let common = (0..COMMON).map(|code| face.glyph_index(char::from_u32(code)?));
+        let sound = "the bundled fonts are sound";
+        let font = FontRef::new(data).expect(sound);
+        let metrics = font.glyph_metrics(Size::unscaled(), LocationRef::default());
+        let letters = font.charmap();
+        let glyphs = metrics.glyph_count() as usize;
         Self {
-            indices: common.collect(),
-            em: f64::from(face.units_per_em()),
+            indices: (0..COMMON).map(|code| letters.map(code)).collect(),
+            em: f64::from(font.head().expect(sound).units_per_em()),
             glyphs: vec![OnceLock::new(); glyphs],
             outlines: vec![OnceLock::new(); glyphs],
-            kerning,
-            ligatures: ligatures(&face),
-            face,
+            kerning: [b"latn", b"grek", b"cyrl"].map(|script| kerning(&font, Tag::new(script)).expect(sound)),
+            ligatures: ligatures(&font).expect(sound),
+            shapes: font.outline_glyphs(),
+            letters,
+            metrics,
         }
     }
 
@@ -91,7 +118,7 @@ impl Face {
     fn index(&self, letter: char) -> Option<GlyphId> {
         match self.indices.get(letter as usize) {
             Some(known) => *known,
-            None => self.face.glyph_index(letter),
+            None => self.letters.map(letter),
         }
     }
 
@@ -119,7 +146,8 @@ impl Face {
     /// and the place of its left end in em. Returns how far the text moves the pen.
     pub(super) fn glyphs(&self, text: &str, mut show: impl FnMut(u16, Range<usize>, f64)) -> f64 {
         self.set(text, |glyph, letters, pen| {
-            show(glyph.map_or(0, |glyph| glyph.0), letters, pen);
+            // Numbers of glyphs in a font have 16 bits.
+            show(glyph.map_or(0, |glyph| glyph.to_u32() as u16), letters, pen);
         })
     }
 
@@ -162,19 +190,17 @@ impl Face {
     }
 
     fn extent(&self, glyph: Option<GlyphId>) -> Extent {
-        let known = glyph.and_then(|glyph| Some((glyph, self.glyphs.get(usize::from(glyph.0))?)));
+        let known = glyph.and_then(|glyph| Some((glyph, self.glyphs.get(glyph.to_u32() as usize)?)));
         known.map_or(UNKNOWN, |(glyph, known)| *known.get_or_init(|| self.measure_glyph(glyph)))
     }
 
     fn outline_of(&'static self, glyph: Option<GlyphId>) -> &'static BezPath {
         static EMPTY_BOX: OnceLock<BezPath> = OnceLock::new();
-        let known = glyph.and_then(|glyph| Some((glyph, self.outlines.get(usize::from(glyph.0))?)));
+        let known = glyph.and_then(|glyph| Some((glyph, self.outlines.get(glyph.to_u32() as usize)?)));
         match known {
             Some((glyph, known)) => known.get_or_init(|| {
-                let (path, em) = (BezPath::new(), self.em);
-                let mut pen = OutlinePen { path, em };
-                // None for a glyph without ink: the path stays empty.
-                let _ink = self.face.outline_glyph(glyph, &mut pen);
+                let mut pen = EmPen { path: BezPath::new(), em: self.em };
+                self.draw(glyph, &mut pen);
                 pen.path
             }),
             None => EMPTY_BOX.get_or_init(empty_box),
@@ -182,36 +208,40 @@ impl Face {
     }
 
     fn measure_glyph(&self, glyph: GlyphId) -> Extent {
-        let advance = f64::from(self.face.glyph_hor_advance(glyph).unwrap_or(0)) / self.em;
-        let ink = self.face.glyph_bounding_box(glyph).map(|ink| {
-            let [left, low, right, high] =
-                [ink.x_min, ink.y_min, ink.x_max, ink.y_max].map(|side| f64::from(side) / self.em);
-            Rect::new(left, -high, right, -low)
-        });
+        let advance = f64::from(self.metrics.advance_width(glyph).unwrap_or(0.0)) / self.em;
+        let mut pen = EmPen { path: BezPath::new(), em: self.em };
+        self.draw(glyph, &mut pen);
+        let ink = (!pen.path.is_empty()).then(|| pen.path.control_box());
         Extent { advance, ink }
     }
 
+    /// Draws the outline of a glyph; nothing for one without ink.
+    fn draw(&self, glyph: GlyphId, pen: &mut EmPen) {
+        if let Some(shape) = self.shapes.get(glyph) {
+            let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
+            shape.draw(settings, pen).expect("outlines of the bundled fonts are sound");
+        }
+    }
+
     fn kern(&self, script: Script, left: GlyphId, right: GlyphId) -> f64 {
-        let units: i32 = self.kerning[script as usize]
-            .iter()
-            .filter_map(|lookup| lookup.iter().find_map(|subtable| pair(subtable, left, right)))
-            .sum();
-        f64::from(units) / self.em
+        let moved = |kerning: &Kerning| {
+            let row = kerning.moves.get(usize::from((*kerning.left.get(left.to_u32() as usize)?)?))?;
+            row.get(usize::from(*kerning.right.get(right.to_u32() as usize)?)).copied()
+        };
+        self.kerning[script as usize].iter().filter_map(moved).sum()
     }
 
     /// The glyph that a glyph and the letters after it melt into, as f and i do, and how many
     /// letters those are.
     fn ligature(&self, first: GlyphId, next: &Chars<'_>) -> Option<(GlyphId, usize)> {
-        let melts = |ligature: &Ligature<'_>| {
+        let melts = |ligature: &&Ligature| {
             let mut letters = next.clone();
-            let mut parts = ligature.components.into_iter();
-            parts.all(|part| letters.next().and_then(|letter| self.index(letter)) == Some(part))
+            let mut following = ligature.following.iter();
+            ligature.first == first
+                && following.all(|part| letters.next().and_then(|letter| self.index(letter)) == Some(*part))
         };
-        self.ligatures.iter().find_map(|table| {
-            let set = table.ligature_sets.get(table.coverage.get(first)?)?;
-            let found = set.into_iter().find(melts)?;
-            Some((found.glyph, usize::from(found.components.len())))
-        })
+        let found = self.ligatures.iter().find(melts)?;
+        Some((found.glyph, found.following.len()))
     }
 }
 
@@ -225,18 +255,18 @@ fn empty_box() -> BezPath {
 }
 
 /// Takes down an outline in em, y down.
-struct OutlinePen {
+struct EmPen {
     path: BezPath,
     em: f64,
 }
 
-impl OutlinePen {
+impl EmPen {
     fn at(&self, x: f32, y: f32) -> Point {
         Point::new(f64::from(x) / self.em, -f64::from(y) / self.em)
     }
 }
 
-impl OutlineBuilder for OutlinePen {
+impl OutlinePen for EmPen {
     fn move_to(&mut self, x: f32, y: f32) {
         self.path.move_to(self.at(x, y));
     }
@@ -268,58 +298,92 @@ fn script_of(letter: char) -> Option<Script> {
     }
 }
 
-/// The kerning lookups of a script (OpenType GPOS, lookup type 2).
-fn kerning(face: &ttf_parser::Face<'static>, script: Tag) -> Vec<Vec<PairAdjustment<'static>>> {
-    let Some(table) = face.tables().gpos else {
-        return Vec::new();
+/// The kerning of a script.
+fn kerning(font: &FontRef<'static>, script: Tag) -> Result<Vec<Kerning>, ReadError> {
+    let table = font.gpos()?;
+    let scripts = table.script_list()?;
+    let Some(script) = scripts.script_records().iter().find(|record| record.script_tag() == script) else {
+        return Ok(Vec::new());
     };
-    let Some(language) = table.scripts.find(script).and_then(|script| script.default_language) else {
-        return Vec::new();
+    let Some(language) = script.script(scripts.offset_data())?.default_lang_sys().transpose()? else {
+        return Ok(Vec::new());
     };
-    let features = language.feature_indices.into_iter().filter_map(|index| table.features.get(index));
-    features
-        .filter(|feature| feature.tag == Tag::from_bytes(b"kern"))
-        .flat_map(|feature| feature.lookup_indices)
-        .filter_map(|index| table.lookups.get(index))
-        .map(|lookup| {
-            let subtables = lookup.subtables.into_iter::<PositioningSubtable<'static>>();
-            subtables
-                .filter_map(|subtable| match subtable {
-                    PositioningSubtable::Pair(pair) => Some(pair),
-                    _ => None,
-                })
-                .collect()
-        })
-        .collect()
+    let features: Vec<u16> = language.feature_indices().iter().map(|index| index.get()).collect();
+    let mut found = Vec::new();
+    for index in lookups(&table.feature_list()?, Tag::new(b"kern"), |feature| features.contains(&feature))? {
+        if let PositionSubtables::Pair(subtables) = table.lookup_list()?.lookups().get(index.into())?.subtables()? {
+            for subtable in subtables.iter() {
+                found.push(Kerning::read(font, &subtable?)?);
+            }
+        }
+    }
+    Ok(found)
+}
+
+impl Kerning {
+    fn read(font: &FontRef<'static>, subtable: &PairPos<'static>) -> Result<Self, ReadError> {
+        let PairPos::Format2(subtable) = subtable else {
+            return Err(ReadError::InvalidFormat(subtable.pos_format().into()));
+        };
+        let glyphs = usize::from(font.maxp()?.num_glyphs());
+        let em = f64::from(font.head()?.units_per_em());
+        let (mut left, mut right) = (vec![None; glyphs], vec![0; glyphs]);
+        for glyph in subtable.coverage()?.iter() {
+            left[glyph.to_u32() as usize] = Some(0);
+        }
+        for (glyph, class) in subtable.class_def1()?.iter() {
+            left[glyph.to_u32() as usize] = left[glyph.to_u32() as usize].and(Some(class));
+        }
+        for (glyph, class) in subtable.class_def2()?.iter() {
+            right[glyph.to_u32() as usize] = class;
+        }
+        let mut moves = Vec::new();
+        for row in subtable.class1_records().iter() {
+            let moved = row?.class2_records.iter().map(|record| Ok(record?.value_record1.x_advance().unwrap_or(0)));
+            let moved: Result<Vec<i16>, ReadError> = moved.collect();
+            moves.push(moved?.into_iter().map(|units| f64::from(units) / em).collect());
+        }
+        Ok(Self { left, right, moves })
+    }
 }
 
 /// The standard ligatures of the face (OpenType GSUB, lookup type 4); they are the same for all
 /// scripts of the bundled fonts.
-fn ligatures(face: &ttf_parser::Face<'static>) -> Vec<LigatureSubstitution<'static>> {
-    let Some(table) = face.tables().gsub else {
-        return Vec::new();
-    };
-    table
-        .features
-        .into_iter()
-        .filter(|feature| feature.tag == Tag::from_bytes(b"liga"))
-        .flat_map(|feature| feature.lookup_indices)
-        .filter_map(|index| table.lookups.get(index))
-        .flat_map(|lookup| lookup.subtables.into_iter::<SubstitutionSubtable<'static>>())
-        .filter_map(|subtable| match subtable {
-            SubstitutionSubtable::Ligature(ligature) => Some(ligature),
-            _ => None,
-        })
-        .collect()
+fn ligatures(font: &FontRef<'static>) -> Result<Vec<Ligature>, ReadError> {
+    let table = font.gsub()?;
+    let mut found = Vec::new();
+    for index in lookups(&table.feature_list()?, Tag::new(b"liga"), |_| true)? {
+        let SubstitutionSubtables::Ligature(subtables) =
+            table.lookup_list()?.lookups().get(index.into())?.subtables()?
+        else {
+            continue;
+        };
+        for subtable in subtables.iter() {
+            let subtable = subtable?;
+            for (first, set) in subtable.coverage()?.iter().zip(subtable.ligature_sets().iter()) {
+                for ligature in set?.ligatures().iter() {
+                    let ligature = ligature?;
+                    let following = ligature.component_glyph_ids().iter().map(|glyph| glyph.get().into());
+                    found.push(Ligature {
+                        first: first.into(),
+                        following: following.collect(),
+                        glyph: ligature.ligature_glyph().into(),
+                    });
+                }
+            }
+        }
+    }
+    Ok(found)
 }
 
-/// By how much a subtable moves the second of two glyphs, in font units; none where it has no rule
-/// for them.
-fn pair(table: &PairAdjustment<'static>, left: GlyphId, right: GlyphId) -> Option<i32> {
-    let covered = table.coverage().get(left)?;
-    let (first, _) = match table {
-        PairAdjustment::Format1 { sets, .. } => sets.get(covered)?.get(right)?,
-        PairAdjustment::Format2 { classes, matrix, .. } => matrix.get((classes.0.get(left), classes.1.get(right)))?,
-    };
-    Some(i32::from(first.x_advance))
+/// The numbers of the lookups of a feature, of those features that are asked for by their numbers.
+fn lookups(features: &FeatureList<'_>, tag: Tag, asked: impl Fn(u16) -> bool) -> Result<Vec<u16>, ReadError> {
+    let mut found = Vec::new();
+    for (number, record) in (0..).zip(features.feature_records()) {
+        if record.feature_tag() == tag && asked(number) {
+            let feature = record.feature(features.offset_data())?;
+            found.extend(feature.lookup_list_indices().iter().map(|index| index.get()));
+        }
+    }
+    Ok(found)
 }
