@@ -1,13 +1,13 @@
-/// What a student's values are held against: the solved scene, and what may be expected of a hand.
+/// What a student's values are compared with: the solved scene, and the accuracy expected of a hand.
 #[derive(Clone, Copy, Debug)]
 pub struct AnswerKey<'a> {
-    /// The scene as it should be drawn, with accelerations.
+    /// The right solution of the scene, with accelerations.
     pub solution: &'a Solution,
     /// The scales of the scene's figure.
     pub scales: Scales,
-    /// How good a hand may be expected to be.
+    /// Limits of the errors of an honest hand.
     pub tolerance: Tolerance,
-    /// How many mistakes at once are looked for.
+    /// Largest number of mistakes that are looked for together.
     pub depth: usize,
 }
 use crate::construction::{Solution, Tolerance};

@@ -8,7 +8,7 @@ use super::sheet::{CheckError, Measured};
 use super::verdict::{Judged, Verdict};
 use crate::construction::PlanKind;
 
-/// All values with their verdicts, and what explains those that are off.
+/// All values with their verdicts, and the mistakes that explain those that are off.
 #[derive(Clone, Debug)]
 pub struct Checked {
     /// The values in the order of the construction.
@@ -27,14 +27,14 @@ impl Checked {
     }
 }
 
-/// So many bands a value may be off. Of 100 honest drawings at least 95 keep a single value within its band; that a whole
-/// drawing with dozens of values passes as surely, each may be off by two bands, 4.2 standard deviations.
+/// Tolerance of a value, in bands. Of 100 honest drawings at least 95 keep a single value within its band; so that a
+/// whole drawing of dozens of values passes as surely, each may be off by two bands, 4.2 standard deviations.
 pub const BANDS: f64 = 2.0;
 
-/// The verdicts on what somebody has read from an own drawing, and the mistakes that explain the values.
+/// The verdicts on the values that somebody has read from a drawing, and the mistakes that explain the values.
 ///
 /// # Errors
-/// Where the values are not understood.
+/// A value is not understood.
 pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckError> {
     let entries = entries(measured, key)?;
     let model = Model::new(key, key.solution, measured.mu, &entries)?;
@@ -46,14 +46,14 @@ pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckE
         if entry.asked.kind() == crate::quantity::Kind::Angle {
             difference -= 360.0 * libm::round(difference / 360.0);
         }
-        // Segments and lengths have no sense of their own, whatever sign is written.
+        // Segments and lengths have no sign, whatever sign is written.
         if reading.is_ok_and(|r| r.is_size()) {
             difference = entry.value.abs() - entry.expected.abs();
         }
         let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
         let is_given = reading.is_err_and(|why| why.is_given());
         let off = difference.abs();
-        // A last digit may be rounded either way where the next is a five.
+        // The factor 1.001 lets a last digit be rounded either way where the next is a five.
         let verdict = if off <= 1.001 * entry.rounding {
             Verdict::Right
         } else {

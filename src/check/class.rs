@@ -1,4 +1,4 @@
-//! What a teacher sees of a whole class: a row for each drawing, and what went wrong most often.
+//! The report on a whole class for its teacher: a row for each drawing, and the commonest mistakes.
 
 use super::checked::Checked;
 use super::explanation::Finding;
@@ -18,7 +18,7 @@ pub struct ClassResult {
     pub kinegon_class: u64,
     /// The files in the order of their names.
     pub rows: Vec<ClassRow>,
-    /// How many are how, and what went wrong most often.
+    /// Counts of the files, and the commonest first mistakes.
     pub summary: ClassSummary,
 }
 
@@ -78,7 +78,7 @@ pub struct ClassMistake {
     pub mistake: &'static str,
 }
 
-/// Letters of a name or a message that are shown.
+/// Most characters of a name or a message in a row.
 const SHOWN: usize = 300;
 
 impl ClassRow {
@@ -91,10 +91,7 @@ impl ClassRow {
         words: &Wording,
         scheme: Option<&MarkScheme>,
     ) -> ClassRow {
-        let count = |verdict| {
-            let values = checked.values.iter();
-            values.filter(|v| v.verdict == verdict).count()
-        };
+        let count = |verdict| checked.values.iter().filter(|v| v.verdict == verdict).count();
         let diagnosis = &checked.diagnosis;
         let findings = &diagnosis.best.findings;
         let mistake =
@@ -103,8 +100,7 @@ impl ClassRow {
             let [done, _] = sentences(&finding.candidate, words);
             done
         });
-        let unexplained = diagnosis.unexplained.iter();
-        let unexplained = unexplained.map(|&i| checked.values[i].entry.asked.name().to_owned());
+        let unexplained = diagnosis.unexplained.iter().map(|&i| checked.values[i].entry.asked.name().to_owned());
         ClassRow {
             file,
             name: name.map(shortened).filter(|name| !name.is_empty()),
@@ -131,7 +127,7 @@ impl ClassRow {
         ClassRow { file, name: None, passed: false, found: None, message: Some(shortened(message)) }
     }
 
-    /// The line with the names of the columns of a table, with those of marks or without.
+    /// The first line of the table: the names of its columns, with those of marks or without.
     #[must_use]
     pub fn csv_head(with_marks: bool) -> String {
         let marks = if with_marks { ",marks,marks_of" } else { "" };
@@ -147,9 +143,8 @@ impl ClassRow {
         let found = self.found.as_ref();
         let number = |of: fn(&ClassFound) -> usize| found.map_or_else(String::new, |found| of(found).to_string());
         let first = found.and_then(|f| f.first.as_ref());
-        let further = found.map_or(&[][..], |f| &f.further);
-        let further = further.iter();
-        let further = further.map(|m| format!("{} (step {})", m.mistake, m.step));
+        let further = found.map_or(&[][..], |f| &f.further).iter();
+        let further: Vec<String> = further.map(|m| format!("{} (step {})", m.mistake, m.step)).collect();
         let probability = found.and_then(|f| f.probability);
         let marks = found.and_then(|f| f.marks);
         let marks = |of: fn(&Awarded) -> f64| marks.map_or_else(String::new, |marks| Awarded::written(of(&marks)));
@@ -164,7 +159,7 @@ impl ClassRow {
             first.map_or_else(String::new, |m| m.step.to_string()),
             text(first.map(|m| m.mistake)),
             text(found.and_then(|f| f.done.as_deref())),
-            further.collect::<Vec<String>>().join("; "),
+            further.join("; "),
             probability.map_or_else(String::new, |p| format!("{p:.2}")),
             found.map_or_else(String::new, |f| f.unexplained.join("; ")),
         ];
@@ -180,12 +175,12 @@ impl ClassRow {
     }
 }
 
-/// A spreadsheet takes a cell that begins like a formula for one, and forms come from anybody.
+/// A cell's text with a quote before what a spreadsheet would take for a formula: forms come from anybody.
 fn spreadsheet_text(text: &str) -> String {
     if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("'{text}") } else { text.to_owned() }
 }
 
-/// A text on one line, not too long for a row.
+/// A text on one line, cut to [`SHOWN`] characters.
 fn shortened(text: &str) -> String {
     let words: Vec<&str> = text.split_whitespace().take(SHOWN).collect();
     let line = words.join(" ");
@@ -195,7 +190,7 @@ fn shortened(text: &str) -> String {
     }
 }
 
-/// How many drawings of a class are how, and which mistakes came first most often.
+/// Counts of a class's drawings, and the commonest first mistakes.
 #[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct ClassSummary {
     /// All files.
@@ -208,7 +203,7 @@ pub struct ClassSummary {
     pub broken: usize,
     /// First mistakes that were made more than once, the commonest first.
     pub commonest: Vec<Common>,
-    /// How often each mistake came first: by step, name and what was done.
+    /// How often each mistake came first, by its step, name and sentence.
     #[serde(skip)]
     firsts: BTreeMap<(usize, &'static str, String), usize>,
 }
@@ -226,7 +221,7 @@ pub struct Common {
     pub done: String,
 }
 
-/// So many of the commonest mistakes are told.
+/// Number of the commonest mistakes that are reported.
 const COMMONEST: usize = 5;
 
 impl ClassSummary {
@@ -248,20 +243,18 @@ impl ClassSummary {
         }
     }
 
-    /// Looks for the commonest of what was counted.
+    /// The summary with the commonest of the mistakes counted.
     #[must_use]
     pub fn finished(mut self) -> ClassSummary {
-        let counted = core::mem::take(&mut self.firsts).into_iter();
-        let more = counted.filter(|(_, count)| *count > 1);
-        let all = more.map(|((step, mistake, done), count)| Common { count, step, mistake, done });
-        self.commonest = all.collect();
-        // Those made equally often stay in the order of the construction.
+        let repeated = core::mem::take(&mut self.firsts).into_iter().filter(|(_, count)| *count > 1);
+        self.commonest = repeated.map(|((step, mistake, done), count)| Common { count, step, mistake, done }).collect();
+        // The sort is stable: mistakes made equally often stay in the order of the construction.
         self.commonest.sort_by_key(|c| core::cmp::Reverse(c.count));
         self.commonest.truncate(COMMONEST);
         self
     }
 
-    /// What is told of the class, a line each.
+    /// The summary in sentences, one a line.
     #[must_use]
     pub fn lines(&self, words: &Wording) -> Vec<String> {
         let language = words.language;

@@ -1,49 +1,52 @@
-//! How far honest errors carry all values together.
+//! The covariance of all values that the honest errors of a hand cause.
 
 use super::datum::Datum;
 use super::model::{Changes, GROUPS, Model, PLOTTED, TOGETHER};
 use crate::construction::{Change, NumberId, Tolerance, Values};
 
-/// How good a hand is, and how it computes.
+/// How accurate a hand is, and how it computes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Hand {
-    /// Its errors of each kind, in parts of the tolerance.
+    /// The size of its errors of each kind, in parts of the tolerance.
     pub errors: [f64; GROUPS],
-    /// With what it goes on.
+    /// Which digits of a number it uses later.
     pub habit: Habit,
 }
 
-/// With what somebody goes on who has written a number.
+/// Which digits of a written number somebody uses in later operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Habit {
-    /// Now with this, now with that.
+    /// Sometimes those that are written, sometimes all.
     Mixed,
-    /// With the number as it is written.
+    /// Those that are written.
     AsWritten,
-    /// With all digits of a calculator.
+    /// All digits of a calculator.
     AllDigits,
 }
 
 impl Hand {
-    /// The kind of its largest errors.
+    /// The size of its largest errors, in parts of the tolerance.
     pub fn worst(&self) -> f64 {
         self.errors.iter().copied().fold(0.0, f64::max)
     }
 }
 
-/// Symmetric matrices, one for each kind of errors, and that of roundings gone on with.
+/// Covariance matrices of the values: one for each kind of errors at the tolerance, and one for roundings of numbers
+/// used later.
 pub(super) struct Covariances {
     pub groups: [Vec<f64>; GROUPS],
     pub roundings: Vec<f64>,
-    /// By datum: whether something is computed or drawn with it.
+    /// By datum: whether later operations use it.
     pub used: Vec<bool>,
 }
 
-/// Part of a rounding's variance that is a value's own where what follows takes the value as it is written.
+/// Part of its rounding's variance that a value keeps for itself where later operations use it as written: the rounding
+/// then acts through [`Covariances::roundings`].
 const OWN_ROUNDING: f64 = 1e-4;
 
 impl Covariances {
-    /// Their sum for a hand as good as that, and which part of the variance of each value's rounding is its own.
+    /// Sets `into` to the covariance for a hand, and `own` to the part of each rounding's variance that stays with its
+    /// value.
     pub fn sum(&self, hand: &Hand, into: &mut [f64], own: &mut [f64]) {
         match hand.habit {
             Habit::AllDigits => into.fill(0.0),
@@ -54,14 +57,16 @@ impl Covariances {
             *own = if is_passed_on { OWN_ROUNDING } else { 1.0 };
         }
         for (group, s) in self.groups.iter().zip(hand.errors) {
-            for (sum, part) in into.iter_mut().zip(group).filter(|_| s != 0.0) {
-                *sum += s * s * part;
+            if s != 0.0 {
+                for (sum, part) in into.iter_mut().zip(group) {
+                    *sum += s * s * part;
+                }
             }
         }
     }
 }
 
-/// Adds a column times itself.
+/// Adds the product of a column and its transpose.
 fn add_outer(matrix: &mut [f64], column: &[f64]) {
     let count = column.len();
     for (i, a) in column.iter().enumerate().filter(|(_, a)| **a != 0.0) {
@@ -71,10 +76,11 @@ fn add_outer(matrix: &mut [f64], column: &[f64]) {
     }
 }
 
-/// Difference quotients are taken with this part of an error's limit: larger errors bend, the least ones drown in rounding.
+/// Step of difference quotients, in parts of an error's limit: larger steps are not linear, much smaller ones are lost
+/// in rounding.
 const STEP: f64 = 0.125;
 
-/// Reads data from values of a run into their places.
+/// Reads the data `which` from the values of a replay into their elements of `into`.
 pub(super) fn read(model: &Model, values: &Values, data: &[Datum], which: &[usize], into: &mut [f64]) {
     for &datum in which {
         if let Ok(reading) = model.readings[data[datum].entry] {
@@ -83,11 +89,11 @@ pub(super) fn read(model: &Model, values: &Values, data: &[Datum], which: &[usiz
     }
 }
 
-/// The runs that values are read from: changes put into the construction, and the data that are read there.
+/// The replays from which values are read: the changes of each, and the data read from it.
 pub(super) type Variants<'c> = [(Changes<'c>, Vec<usize>)];
 
 impl Covariances {
-    /// The covariances of the values of drawings with changes.
+    /// The covariances of the values in drawings with these changes.
     pub fn new(model: &Model, tolerance: &Tolerance, data: &[Datum], variants: &Variants<'_>) -> Covariances {
         let count = data.len();
         let bases: Vec<Values> = variants.iter().map(|(c, _)| model.replay(c)).collect();
@@ -110,27 +116,28 @@ impl Covariances {
                 model.replay_after(&mut scratch, base, operation, change, changes);
                 read(model, &scratch, data, which_data, &mut column);
             }
-            for ((own, exact), datum) in column.iter_mut().zip(&exact).zip(data) {
-                *own = datum.turned(*own - exact) * (deviation / STEP);
+            for ((value, exact), datum) in column.iter_mut().zip(&exact).zip(data) {
+                *value = datum.turned(*value - exact) * (deviation / STEP);
             }
             add_outer(&mut covariances.groups[group], &column);
             if group == PLOTTED {
                 plotted.push(column.clone());
             }
         }
-        for way in &model.together {
+        for motion in &model.together {
             column.fill(0.0);
-            for (part, own) in way.iter().zip(&plotted) {
-                for (sum, own) in column.iter_mut().zip(own) {
-                    *sum += part * own;
+            for (part, effect) in motion.iter().zip(&plotted) {
+                for (sum, effect) in column.iter_mut().zip(effect) {
+                    *sum += part * effect;
                 }
             }
             add_outer(&mut covariances.groups[TOGETHER], &column);
         }
         for (number, rounding, datum) in written_numbers(model, data) {
-            let Some(operation) = model.makers[number.0].filter(|_| model.used[number.0]) else {
+            if !model.used[number.0] {
                 continue;
-            };
+            }
+            let Some(operation) = model.makers[number.0] else { continue };
             if let Some(datum) = datum {
                 covariances.used[datum] = true;
             }
@@ -140,8 +147,8 @@ impl Covariances {
                 model.replay_after(&mut scratch, base, operation, change, changes);
                 read(model, &scratch, data, which_data, &mut column);
             }
-            for (own, exact) in column.iter_mut().zip(&exact) {
-                *own -= exact;
+            for (value, exact) in column.iter_mut().zip(&exact) {
+                *value -= exact;
             }
             add_outer(&mut covariances.roundings, &column);
         }
@@ -149,8 +156,8 @@ impl Covariances {
     }
 }
 
-/// The numbers with which people go on as they write them, with half a unit of their last digit: those that are read, each with its datum, and
-/// the sizes of vectors that are laid off, which are written to the decimals of their sheet.
+/// The numbers that people may use as written, each with half a unit of its last digit: those that are read, with their
+/// data, and the sizes of vectors that are laid off, which are written to the decimals of their sheet.
 fn written_numbers(model: &Model, data: &[Datum]) -> Vec<(NumberId, f64, Option<usize>)> {
     let read = data.iter().enumerate().filter_map(|(index, datum)| {
         let reading = model.readings[datum.entry].ok()?;

@@ -1,26 +1,28 @@
-/// A value as it enters the comparison.
+/// A value of the form as it is compared with a prediction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Datum {
-    /// The entry.
+    /// The index of its entry.
     pub entry: usize,
     pub value: f64,
+    /// Half a unit of its last digit.
     pub rounding: f64,
-    /// Whether its sense is unknown.
+    /// Whether its sign is unknown.
     pub is_magnitude: bool,
     pub is_angle: bool,
-    /// The plan in whose unit it is; none of rates of rotation and angles.
+    /// The plan in whose unit it is; `None` for lengths, angles and angular rates.
     pub sheet: Option<Sheet>,
     /// ln of the square of the range in which a value of this kind could lie.
     pub range: f64,
 }
 
 impl Datum {
-    /// The variance of its rounding: every error up to half a unit of the last digit is equally likely.
+    /// The variance of its rounding: errors are uniform up to half a unit of the last digit.
     pub fn variance(&self) -> f64 {
         self.rounding * self.rounding / 3.0
     }
 
-    /// How far it is from what is predicted; where no sense is known, in the sense in which it comes nearest to what is `expected` of that.
+    /// The value less the predicted one; where the sign is unknown, with the sign that brings this difference nearest
+    /// to `expected`.
     pub fn off(&self, predicted: f64, expected: f64) -> f64 {
         let off = self.turned(self.value - predicted);
         if !self.is_magnitude {
@@ -30,17 +32,18 @@ impl Datum {
         if (reversed - expected).abs() < (off - expected).abs() { reversed } else { off }
     }
 
-    /// A difference, of angles the shorter way round.
+    /// A difference of two such values; of angles the shorter way round.
     pub fn turned(&self, difference: f64) -> f64 {
         if self.is_angle { difference - 360.0 * libm::round(difference / 360.0) } else { difference }
     }
 }
 
-/// A sum of costs, −2 ln of likelihoods, each the square of a normal deviate and the logarithm of its variance.
+/// A sum of costs, −2 ln of likelihoods: of a normal deviate its square over its variance, plus the logarithm of the
+/// variance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cost {
     sum: f64,
-    /// The variances multiplied, their logarithm not yet in the sum: logarithms take longest of all.
+    /// The product of variances whose logarithm is not in the sum yet: one logarithm of many is the quickest.
     product: f64,
 }
 
@@ -51,7 +54,8 @@ impl Cost {
         self.sum += cost;
     }
 
-    /// Adds that of a deviate, if nothing is cheaper: `variance` counts in that of its rounding. Whether it is added.
+    /// Adds the cost of a deviate, or that of an unexplained value where it is less; whether it is the deviate's.
+    /// `square` is in variances of the deviate, `variance` in variances of the value's rounding.
     pub fn add_deviate(&mut self, square: f64, variance: f64, without: &Without) -> bool {
         let is_near = square <= UNEXPLAINED && variance <= without.widest;
         if !is_near && square + libm::log(variance) > without.cost {
@@ -72,19 +76,19 @@ impl Cost {
     }
 }
 
-/// What a value costs that nothing explains.
+/// The cost of an unexplained value.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Without {
     pub cost: f64,
-    /// The square of the range in which the value could lie, in variances of its rounding.
+    /// The square of the range in which the value could lie, over the variance of its rounding.
     widest: f64,
 }
 
-/// Cost of a value that nothing explains, beyond the range in which it could lie: one of some hundred.
+/// Cost of an unexplained value beyond that of the range in which it could lie: one value of some hundred is so.
 const UNEXPLAINED: f64 = 11.0;
 
 impl Datum {
-    /// What it costs if nothing explains it.
+    /// The cost of the value if nothing explains it.
     pub fn without(&self) -> Without {
         let cost = self.range - libm::log(self.variance());
         Without { cost: cost + UNEXPLAINED, widest: libm::exp(cost) }

@@ -1,4 +1,4 @@
-//! What the explanations that were tried come to.
+//! Chooses the best of the explanations that were tried, and weighs the others against it.
 
 use super::answer_key::AnswerKey;
 use super::entry::Entry;
@@ -9,7 +9,7 @@ use super::score::Scorer;
 use super::search::{MARGIN, Search, Tried, is_by_hand, other_modes};
 use super::verdict::{Judged, Verdict};
 
-/// What explains the values of an own drawing.
+/// The mistakes that explain the values of a drawing.
 pub(super) fn diagnose(key: &AnswerKey<'_>, mu: [Option<f64>; 3], model: &Model, values: &[Judged]) -> Diagnosis {
     let entries: Vec<Entry> = values.iter().map(|v| v.entry.clone()).collect();
     let mut models = vec![model.clone()];
@@ -22,17 +22,18 @@ pub(super) fn diagnose(key: &AnswerKey<'_>, mu: [Option<f64>; 3], model: &Model,
     search.diagnosis(tried, values)
 }
 
-/// By how much mistakes must explain the values of a hand drawing better than no mistake, where none is off beyond its tolerance: fifty times likelier.
+/// Least gain in −2 ln of the likelihood by which mistakes must explain a hand drawing better than no mistake, where no
+/// value is off beyond its tolerance: fifty times likelier.
 const DOUBT: f64 = 7.8;
 
-/// Explanations less sure than this are not told.
+/// Least probability of another explanation that is reported.
 const LEAST: f64 = 0.02;
 
-/// At most so many other explanations are told.
+/// Most other explanations that are reported.
 const OTHERS: usize = 4;
 
 impl Search<'_> {
-    /// The best explanation, the others that are worth telling, and what remains.
+    /// The best explanation, the others worth reporting, and the values that remain unexplained.
     pub fn diagnosis(&self, tried: Vec<Tried>, values: &[Judged]) -> Diagnosis {
         let Some(best) = tried.first() else {
             return Diagnosis {
@@ -41,19 +42,19 @@ impl Search<'_> {
                 unexplained: (0..values.len()).filter(|&i| values[i].verdict == Verdict::Off).collect(),
             };
         };
-        // Without mistakes where they hardly explain more.
-        let plain = tried.iter().position(|t| t.set.is_empty());
-        let plain = plain.filter(|&p| {
-            let mut data = tried[p].fit.outside.iter().zip(&self.scorer.data);
+        // No mistake is assumed where mistakes hardly explain more.
+        let is_enough = |t: &Tried| {
+            let mut data = t.fit.outside.iter().zip(&self.scorer.data);
             let leaves = data.any(|(out, d)| *out && values[d.entry].verdict == Verdict::Off);
-            let margin = if is_by_hand(&tried[p]) { DOUBT } else { MARGIN };
-            !leaves && tried[p].cost <= best.cost + margin
-        });
-        let chosen = plain.unwrap_or(0);
+            let margin = if is_by_hand(t) { DOUBT } else { MARGIN };
+            !leaves && t.cost <= best.cost + margin
+        };
+        let chosen = tried.iter().position(|t| t.set.is_empty()).filter(|&p| is_enough(&tried[p])).unwrap_or(0);
         let best = &tried[chosen];
         let weight = |t: &Tried| libm::exp(-0.5 * (t.cost - best.cost).max(-60.0));
         let total: f64 = tried.iter().map(weight).sum();
-        // Explanations that are told in the same words are one; those that leave out one of the best's mistakes say nothing else.
+        // Explanations in the same words count as one; one that only leaves out a mistake of the best is no other
+        // explanation.
         let is_told = |set: &[usize], other: &[usize]| {
             let told = |i: &usize| set.iter().any(|j| self.candidates[*i].is_told_like(&self.candidates[*j]));
             other.iter().all(told)
@@ -62,7 +63,7 @@ impl Search<'_> {
             let same = |t: &&Tried| t.set.len() == of.set.len() && is_told(&of.set, &t.set);
             tried.iter().filter(same).map(weight).sum::<f64>() / total
         };
-        let own_set = self.set(&best.set);
+        let best_set = self.set(&best.set);
         let mut others: Vec<&Tried> = Vec::new();
         for (index, other) in tried.iter().enumerate() {
             let is_new = !is_told(&best.set, &other.set) && !others.iter().any(|o| is_told(&o.set, &other.set));
@@ -72,12 +73,12 @@ impl Search<'_> {
         }
         let others = others.into_iter().filter_map(|other| {
             let is_alike = other.set.len() == best.set.len()
-                && self.scorer.are_alike(&best.fit, &other.fit, [&own_set, &self.set(&other.set)]);
+                && self.scorer.are_alike(&best.fit, &other.fit, [&best_set, &self.set(&other.set)]);
             let probability = probability(other);
             (is_alike || probability >= LEAST).then(|| self.explanation(other, probability, is_alike))
         });
         let others: Vec<Explanation> = others.take(OTHERS).collect();
-        // What a hand may be off by needs no explanation.
+        // A value within the errors of the fitted hand needs no explanation.
         let is_outside = |entry: usize| {
             let mut data = best.fit.outside.iter().zip(&self.scorer.data);
             data.find(|(_, datum)| datum.entry == entry).is_none_or(|(outside, _)| *outside)
@@ -87,17 +88,17 @@ impl Search<'_> {
         Diagnosis { best: self.explanation(best, probability(best), false), others, unexplained }
     }
 
-    /// The values that a mistake touches itself: written otherwise than meant, or read where it was made.
+    /// The values in which a mistake itself was made: those it makes to be written otherwise than meant, and those read
+    /// from the operation that it changes.
     fn written(&self, candidate: &Candidate) -> Vec<usize> {
         let model = &self.scorer.models[0];
-        let own = |entry: usize| {
+        let is_touched = |entry: usize| {
             let reading = model.readings[entry].ok();
             let maker = reading.and_then(|r| model.makers[r.number.0]);
-            let at_it = maker.is_some_and(|m| candidate.edits.iter().any(|(operation, _)| *operation == m));
-            at_it || candidate.reinterpreted.iter().any(|s| s.entry == entry)
+            let is_edited = maker.is_some_and(|m| candidate.edits.iter().any(|(operation, _)| *operation == m));
+            is_edited || candidate.reinterpreted.iter().any(|s| s.entry == entry)
         };
-        let entries = self.scorer.data.iter().map(|d| d.entry);
-        entries.filter(|&entry| own(entry)).collect()
+        self.scorer.data.iter().map(|d| d.entry).filter(|&entry| is_touched(entry)).collect()
     }
 
     fn explanation(&self, tried: &Tried, probability: f64, is_alike: bool) -> Explanation {

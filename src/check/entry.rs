@@ -6,14 +6,14 @@ use crate::construction::Sheet;
 use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
 use indexmap::IndexMap;
 
-/// A written value and what it stands for.
+/// A written value and the quantity it stands for.
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// The quantity, by the name that steps and results give it.
     pub asked: Asked,
-    /// Its digits as they were written; a computed one from places on paper has none.
+    /// Its digits as they were written; empty for a distance computed from places on paper.
     pub text: String,
-    /// Its value in the scene's units and senses.
+    /// Its value in the scene's units and sign conventions.
     pub value: f64,
     /// Half a unit of the last digit, in the same unit.
     pub rounding: f64,
@@ -21,17 +21,18 @@ pub struct Entry {
     pub precision: Precision,
     /// Whether it was written without a sign, so that only its magnitude counts.
     pub is_magnitude: bool,
-    /// By what the written number was multiplied for `value`.
+    /// `value` over the written number: unit, scale on paper and sense of rotation.
     pub factor: f64,
-    /// By what it would have been multiplied had no unit been written beside it.
+    /// The same factor if no unit had been written beside the number.
     pub factor_without_unit: f64,
     /// The unit that was written beside it.
     pub unit: Option<String>,
     /// Whether it is a length on paper.
     pub on_paper: bool,
-    /// Units of the scene per millimetre of the sheet where its length can be seen; none for rates and angles.
+    /// Scale of its sheet, in units of the scene per millimetre, where it is a length there; `None` for rates and
+    /// angles.
     pub per_mm: Option<f64>,
-    /// The sheet from which it comes.
+    /// The sheet from which it is read.
     pub sheet: Sheet,
     /// The number of the step that gives it.
     pub step: usize,
@@ -39,10 +40,11 @@ pub struct Entry {
     pub expected: f64,
 }
 
-/// What the values of a form stand for, in the order of the construction.
+/// The values of a form with their quantities, in the order of the construction.
 ///
 /// # Errors
-/// The first thing that is not understood: an unknown quantity, a wrong unit, a missing scale, contradictory entries, an empty form.
+/// The first thing that is not understood: an unknown quantity, a wrong unit, a missing scale, contradictory entries,
+/// an empty form.
 pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, CheckError> {
     for (mu, name) in measured.mu.iter().zip(["mu_l", "mu_v", "mu_a"]) {
         if mu.is_some_and(|mu| !(mu.is_finite() && mu > 0.0)) {
@@ -92,7 +94,7 @@ fn order(key: &AnswerKey<'_>) -> IndexMap<String, usize> {
     order
 }
 
-/// Finds how finely the values of each kind are written, and so how well each is known.
+/// Sets the precision and rounding of each entry from all values of its kind.
 fn find_precisions(entries: &mut [Entry]) {
     for index in 0..entries.len() {
         let entry = &entries[index];
@@ -159,8 +161,8 @@ impl Reader<'_> {
         })
     }
 
-    /// By what a written number is multiplied for the scene's units, and by what without the unit that stands beside it. `paper`: the
-    /// sheet on which it was measured in millimetres, if it was.
+    /// The factor from a written number to the scene's units, and the factor if the unit beside it were left out.
+    /// `paper`: the sheet on which it was measured in millimetres, if it was.
     fn factors(&self, given: &Given, name: &str, kind: Kind, paper: Option<Sheet>) -> Result<(f64, f64), CheckError> {
         let units = self.key.solution.scene.units;
         let Some(sheet) = paper else {
@@ -175,7 +177,7 @@ impl Reader<'_> {
             )
         })?;
         match &given.unit {
-            // Millimetres of paper say what they are.
+            // Beside millimetres of paper no unit may stand but mm.
             Some(unit) if unit.trim() != "mm" => Err(CheckError::new(
                 format!("`{name}` is in millimetres of paper, but `{unit}` stands beside it"),
                 "leave the unit out, or the `/mu`",
@@ -188,15 +190,10 @@ impl Reader<'_> {
     fn scales(&self) -> [Option<f64>; 3] {
         let usual = &self.key.scales;
         let usual = [usual.length, usual.velocity, usual.acceleration];
-        let both = self.measured.mu.iter().zip(usual);
-        let mut scales = [None; 3];
-        for (scale, (own, usual)) in scales.iter_mut().zip(both) {
-            *scale = own.or(usual);
-        }
-        scales
+        core::array::from_fn(|sheet| self.measured.mu[sheet].or(usual[sheet]))
     }
 
-    /// What a name stands for: the quantity, its exact value, its sheet, the number of its step.
+    /// The quantity that a name stands for, its exact value, its sheet and the number of its step.
     pub fn quantity(&self, name: &str) -> Result<(Asked, f64, Sheet, usize), CheckError> {
         let solution = self.key.solution;
         let wrong = |error: QuantityError| {
@@ -229,12 +226,11 @@ impl Reader<'_> {
             Quantity::Vector(v) => v.norm(),
         };
         let sheet = asked.sheet();
-        let step = self.order.get(asked.name()).copied();
-        let step = step.unwrap_or_else(|| self.step_of(&asked, sheet));
+        let step = self.order.get(asked.name()).copied().unwrap_or_else(|| self.step_of(&asked, sheet));
         Ok((asked, expected, sheet, step))
     }
 
-    /// The usual name where a segment or a length is named from its other end.
+    /// The steps' name of a segment or length whose ends are written in the other order; `None` for other names.
     fn reversed(&self, name: &str) -> Option<String> {
         if self.order.contains_key(name) {
             return None;
@@ -245,16 +241,15 @@ impl Reader<'_> {
         self.order.contains_key(&other).then_some(other)
     }
 
-    /// The step after which a quantity that no step names can be read.
+    /// The number of the step after which a quantity that no step names can be read.
     fn step_of(&self, asked: &Asked, sheet: Sheet) -> usize {
         let head = match sheet {
             Sheet::Acceleration => "aplan(",
             _ => "vplan(",
         };
         let subject = asked.subject().split(['/', ',']).next().unwrap_or("");
-        let own = format!(",{})", crate::construction::image_name(subject));
-        let mut steps = self.order.iter();
-        let found = steps.find(|(name, _)| name.starts_with(head) && name.ends_with(&own));
+        let tail = format!(",{})", crate::construction::image_name(subject));
+        let found = self.order.iter().find(|(name, _)| name.starts_with(head) && name.ends_with(&tail));
         let steps = self.key.solution.construction.numbered_steps();
         let last = steps.filter(|s| s.sheet() <= sheet).map(|s| s.number).max();
         match found {
@@ -265,10 +260,11 @@ impl Reader<'_> {
     }
 }
 
-/// The number of a form's cell.
+/// The number in a form's cell.
 fn number(text: &str) -> Result<f64, CheckError> {
     // Rust reads the words NaN and infinity as numbers too.
-    let number = text.parse::<f64>().ok().filter(|_| text.contains(|c: char| c.is_ascii_digit()));
+    let has_digits = text.contains(|c: char| c.is_ascii_digit());
+    let number = if has_digits { text.parse::<f64>().ok() } else { None };
     let number = number.ok_or_else(|| {
         CheckError::new(
             format!("`{text}` is no number"),

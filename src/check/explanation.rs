@@ -1,27 +1,27 @@
-//! What explains values.
+//! The mistakes that explain a drawing's values.
 
 use super::mistakes::Candidate;
 
-/// What explains the values.
+/// The best explanation of the values, and the others.
 #[derive(Clone, Debug)]
 pub struct Diagnosis {
-    /// The mistakes that explain them best, in the order of the construction; none where nothing is to be explained or nothing in the
-    /// catalogue does.
+    /// The mistakes that explain the values best; none where nothing is to be explained or no mistake of the catalogue
+    /// explains it.
     pub best: Explanation,
-    /// What explains them, too, less surely.
+    /// Other explanations, less probable.
     pub others: Vec<Explanation>,
-    /// The values, by their places in the list, that remain without an explanation.
+    /// Indices of the values that remain without an explanation.
     pub unexplained: Vec<usize>,
 }
 
-/// Mistakes that explain values together.
+/// Mistakes that together explain the values.
 #[derive(Clone, Debug)]
 pub struct Explanation {
     /// The mistakes, in the order of the construction.
     pub findings: Vec<Finding>,
-    /// How sure it is among all explanations that were tried, from 0 to 1.
+    /// Its probability among all explanations that were tried, from 0 to 1.
     pub probability: f64,
-    /// Whether it is here because the given values alone cannot tell it from the best one.
+    /// Whether the given values alone cannot tell it from the best one.
     pub is_alike: bool,
 }
 
@@ -30,8 +30,9 @@ pub struct Explanation {
 pub struct Finding {
     /// The mistake, and where it was made.
     pub candidate: Candidate,
-    /// Values, by their places in the list, that differ from the right ones because of it and are consistent with it.
+    /// Indices of the values that differ from the right ones because of the mistake and are consistent with it.
     pub follows: Vec<usize>,
-    /// Values that it touches itself: written otherwise than meant, or read where it was made.
+    /// Indices of the values in which the mistake itself was made: written otherwise than meant, or read from the wrong
+    /// operation.
     pub written: Vec<usize>,
 }

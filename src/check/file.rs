@@ -113,9 +113,8 @@ impl Measured {
     /// The first thing that is wrong with the text, with its place.
     pub fn read_json(text: &str) -> Result<Measured, SceneError> {
         let file: MeasuredFile = read_as(text, &MEASURED)?;
-        let values = file.values.into_iter();
-        let values = values.filter(|(_, value)| !value.text.trim().is_empty());
-        let given = values.map(|(name, value)| Given {
+        let filled = file.values.into_iter().filter(|(_, value)| !value.text.trim().is_empty());
+        let given = filled.map(|(name, value)| Given {
             place: format!("values.{name}"),
             text: value.text.trim().replace('−', "-"),
             unit: value.unit,

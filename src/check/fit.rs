@@ -1,4 +1,4 @@
-//! The whole comparison of values with a construction: all honest errors carry the values together.
+//! The complete comparison of values with a construction: with the covariance that honest errors give them.
 
 use super::covariance::{Covariances, Habit, Hand};
 use super::datum::{Cost, Datum};
@@ -6,16 +6,16 @@ use super::mistakes::Candidate;
 use super::model::{GROUPS, TOGETHER};
 use super::score::Scorer;
 
-/// How good a hand may be, in parts of the tolerance: from the pencil to a drawing program.
+/// Sizes of a hand's errors that are tried, in parts of the tolerance: from the pencil to a drawing program.
 const HANDS: [f64; 9] = [1.0, 0.5, 0.2, 0.05, 0.01, 2e-3, 4e-4, 8e-5, 1e-5];
 
-/// The errors of the velocity plan.
+/// The kind of errors of the velocity plan.
 const VELOCITY: usize = 2;
 
-/// Two explanations fit as well whose likelihoods differ by less than a factor of two.
+/// Difference in −2 ln of the likelihood below which two explanations fit equally well: a factor of two.
 const SAME_FIT: f64 = 1.4;
 
-/// Cost of a hand ten times better than the tolerance says, at one kind of acts.
+/// Cost of a hand whose errors of one kind are ten times smaller than the tolerance.
 const BETTER_HAND: f64 = 1.2;
 
 /// How well values fit.
@@ -23,11 +23,11 @@ const BETTER_HAND: f64 = 1.2;
 pub(super) struct Fit {
     /// The cost of the values, without that of the mistakes.
     pub cost: f64,
-    /// What the values should be with the mistakes made, by datum.
+    /// By datum: the value that a drawing with the mistakes should have.
     pub predicted: Vec<f64>,
-    /// Which values remain outside, by datum.
+    /// By datum: whether the value remains unexplained.
     pub outside: Vec<bool>,
-    /// How good the hand is.
+    /// The hand for which the values are likeliest.
     pub hand: Hand,
 }
 
@@ -38,11 +38,11 @@ pub(super) struct Hands<'a, 's> {
     meant: Vec<Option<Datum>>,
     predicted: Vec<f64>,
     walk: Walk,
-    /// Its cost.
+    /// The cost of the best hand.
     pub cost: f64,
     outside: Vec<bool>,
     hand: Hand,
-    /// How much better than the tolerance all its errors are: the place in [`HANDS`].
+    /// The best hand of equal errors of all kinds, as an index of [`HANDS`].
     level: usize,
 }
 
@@ -51,9 +51,9 @@ impl Hands<'_, '_> {
     fn consider(&mut self, hand: Hand) -> bool {
         self.walk.begin(&self.covariances, &hand);
         let cost = self.walk.run(self.scorer, &self.meant, &self.predicted, None);
-        // A kind of errors that there is not is no better hand.
-        let better = hand.errors.iter().filter(|s| **s > 0.0);
-        let cost = cost.total() - better.map(|s| BETTER_HAND * libm::log10(*s)).sum::<f64>();
+        // A kind of errors of size zero is left out: it is not a better hand.
+        let sizes = hand.errors.iter().filter(|s| **s > 0.0);
+        let cost = cost.total() - sizes.map(|s| BETTER_HAND * libm::log10(*s)).sum::<f64>();
         let is_better = cost < self.cost;
         if is_better {
             self.cost = cost;
@@ -63,7 +63,7 @@ impl Hands<'_, '_> {
         is_better
     }
 
-    /// Tries what the best hand so far may go on with.
+    /// Tries the other habits for the best hand so far.
     fn consider_habits(&mut self) {
         let hand = self.hand;
         for habit in [Habit::Mixed, Habit::AsWritten, Habit::AllDigits] {
@@ -73,7 +73,7 @@ impl Hands<'_, '_> {
         }
     }
 
-    /// Looks for the best whose errors are all alike.
+    /// Searches for the best hand whose errors of all kinds are of equal size.
     fn search_alike(&mut self) {
         for (index, &size) in HANDS.iter().enumerate() {
             let mut hand = Hand { errors: [size; GROUPS], habit: Habit::Mixed };
@@ -87,7 +87,7 @@ impl Hands<'_, '_> {
         self.consider_habits();
     }
 
-    /// Looks on, for drawings more exact than hands draw, with each kind of errors for itself.
+    /// Goes on searching with a size for each kind of errors; only for drawings more exact than a hand's.
     pub fn search_each(&mut self) {
         if self.level <= 1 {
             return;
@@ -117,13 +117,14 @@ impl From<Hands<'_, '_>> for Fit {
 }
 
 impl Scorer<'_> {
-    /// About how far honest errors of a hand as good as the fit says let a value be off.
+    /// The approximate standard deviation of a value drawn by the hand of the fit.
     pub fn deviation(&self, datum: usize, fit: &Fit) -> f64 {
         let hand = fit.hand.worst();
         (hand * hand * self.quick[datum] + self.data[datum].variance()).sqrt()
     }
 
-    /// Whether the values cannot tell two explanations apart: both fit them as well, and each value is about as far from what both predict.
+    /// Whether the values cannot tell two explanations apart: both fit equally well, and each value is about as far
+    /// from both predictions.
     pub fn are_alike(&self, a: &Fit, b: &Fit, sets: [&[&Candidate]; 2]) -> bool {
         let [meant_a, meant_b] = sets.map(|set| self.meant(set));
         let hand = a.hand.worst();
@@ -132,7 +133,7 @@ impl Scorer<'_> {
                 let [p, q] = [a.predicted[index], b.predicted[index]];
                 let [r, s] = [m.off(p, 0.0) / m.rounding, n.off(q, 0.0) / n.rounding];
                 let deviation = hand * self.quick[index].sqrt() / m.rounding.max(n.rounding);
-                // Both may be off in any sense where none is written.
+                // Where no sign is written, the explanations may differ in it.
                 let same_sense = m.is_magnitude || (p * q > 0.0) == (m.value * n.value > 0.0);
                 same_sense && (r - s).abs() <= 0.5 * (1.0 + deviation)
             }
@@ -142,7 +143,8 @@ impl Scorer<'_> {
         (a.cost - b.cost).abs() <= SAME_FIT && (0..self.data.len()).all(same)
     }
 
-    /// The whole comparison, with the covariances that the mistakes bring with them, of hands equally good at everything.
+    /// The complete comparison, with the covariances of a drawing with these mistakes, for hands with errors of one
+    /// size. `None` where a predicted value is not finite.
     pub fn compare(&self, set: &[&Candidate]) -> Option<Hands<'_, '_>> {
         let predicted = self.predicted(set);
         if predicted.iter().any(|p| !p.is_finite()) {
@@ -163,8 +165,8 @@ impl Scorer<'_> {
         Some(hands)
     }
 
-    /// The costs of slips of writing beside a set that has been compared already, for drawings so exact that a first look sees nothing: the covariances
-    /// stay, the hand may turn out better at one kind of acts.
+    /// The cost of each slip of writing made beside a set that has been compared already. For drawings so exact that a
+    /// first look does not show slips: the covariances stay, but the hand may turn out better at one kind of errors.
     pub fn slips(&self, set: &[&Candidate], fit: &Fit, slips: &[&Candidate]) -> Vec<f64> {
         let covariances = self.covariances(set);
         let meant = self.meant(set);
@@ -180,11 +182,14 @@ impl Scorer<'_> {
         let mut walk = Walk::new(self.data.len());
         for (index, datum) in self.data.iter().enumerate() {
             let touches = |slip: &Candidate| matches!(slip.reinterpreted.as_slice(), [one] if one.entry == datum.entry);
-            let own: Vec<usize> = (0..slips.len()).filter(|&s| touches(slips[s])).collect();
-            for hand in hands.iter().filter(|_| !own.is_empty()) {
+            let touching: Vec<usize> = (0..slips.len()).filter(|&s| touches(slips[s])).collect();
+            if touching.is_empty() {
+                continue;
+            }
+            for hand in &hands {
                 walk.begin(&covariances, hand);
                 let others = walk.run(self, &meant, &fit.predicted, Some(index));
-                for &slip in &own {
+                for &slip in &touching {
                     let meant = slips[slip].reinterpreted[0].read(datum);
                     let mut cost = others;
                     walk.add(self, &mut cost, index, meant.as_ref(), &fit.predicted);
@@ -192,7 +197,7 @@ impl Scorer<'_> {
                 }
             }
         }
-        // Two numbers in each other's place: where both could be, as far as a hand is off.
+        // Two swapped numbers: compared only where both could be right in each other's place.
         for (slip, cost) in slips.iter().zip(&mut costs) {
             if slip.reinterpreted.len() < 2 {
                 continue;
@@ -205,7 +210,10 @@ impl Scorer<'_> {
                 let near = |d: &Datum| d.off(*predicted, 0.0).abs() <= 4.0 * self.quick[index].sqrt();
                 !touched || datum.as_ref().is_none_or(near)
             });
-            for hand in hands.iter().filter(|_| could_be) {
+            if !could_be {
+                continue;
+            }
+            for hand in &hands {
                 walk.begin(&covariances, hand);
                 *cost = cost.min(walk.run(self, &meant, &fit.predicted, None).total());
             }
@@ -214,15 +222,15 @@ impl Scorer<'_> {
     }
 }
 
-/// A walk through the values in their order, each held against what the earlier ones let expect.
+/// A walk through the values in their order, each compared with its distribution given the earlier ones.
 struct Walk {
-    /// The covariance of the values, of which a walk leaves what those passed do not explain.
+    /// The covariance of the values; behind the walk, that of later values given the earlier ones.
     matrix: Vec<f64>,
-    /// By value: which part of its rounding's variance is its own.
+    /// By value: the part of its rounding's variance that stays with it.
     own: Vec<f64>,
-    /// How far the values passed let expect each to be off.
+    /// By value: its expected error given the earlier values.
     means: Vec<f64>,
-    /// Which values nothing explains.
+    /// By value: whether it is unexplained.
     outside: Vec<bool>,
 }
 
@@ -236,12 +244,12 @@ impl Walk {
         }
     }
 
-    /// Gets ready for a hand as good as that.
+    /// Prepares a walk for a hand.
     fn begin(&mut self, covariances: &Covariances, hand: &Hand) {
         covariances.sum(hand, &mut self.matrix, &mut self.own);
     }
 
-    /// The cost of all values, but for the one kept for last: for that it leaves what all others let expect.
+    /// The cost of all values but `last`, whose mean and variance given all others are left in the walk.
     fn run(&mut self, scorer: &Scorer<'_>, meant: &[Option<Datum>], predicted: &[f64], last: Option<usize>) -> Cost {
         let count = meant.len();
         self.means.fill(0.0);
@@ -252,7 +260,7 @@ impl Walk {
             let Some((variance, off)) = self.add(scorer, &mut cost, index, datum, predicted) else {
                 continue;
             };
-            // What it says of the later ones, by Gauss's elimination of its row.
+            // The later values given this one: Gaussian elimination of its row.
             let (passed, later) = self.matrix.split_at_mut((index + 1) * count);
             let (passed, row) = passed.split_at_mut(index * count);
             for (other, below) in (index + 1..count).zip(later.chunks_exact_mut(count)) {
@@ -271,7 +279,8 @@ impl Walk {
         cost
     }
 
-    /// Adds the cost of a value; its variance and how far it is off what is expected, where it is not outside.
+    /// Adds the cost of a value; returns its variance and the difference from its mean, or `None` where it is
+    /// unexplained.
     fn add(
         &mut self,
         scorer: &Scorer<'_>,
@@ -286,7 +295,7 @@ impl Walk {
             return None;
         };
         let rounding = datum.variance();
-        // Roundings are independent: less than a part of them never remains.
+        // Roundings are independent of each other, so at least a quarter of the own rounding's variance always remains.
         let others = self.matrix[index * self.means.len() + index];
         let own = self.own[index] * rounding;
         let variance = (others + own).max(0.25 * own);
@@ -297,8 +306,9 @@ impl Walk {
     }
 }
 
+/// Subtracts `part` times a row.
 fn eliminate(entries: &mut [f64], part: f64, row: &[f64]) {
-    for (entry, own) in entries.iter_mut().zip(row) {
-        *entry -= part * own;
+    for (entry, pivot) in entries.iter_mut().zip(row) {
+        *entry -= part * pivot;
     }
 }

@@ -1,4 +1,4 @@
-//! A marking scheme: how many marks each quantity is worth, and what values earn.
+//! A marking scheme: the marks that each quantity is worth, and those that checked values earn.
 
 use super::answer_key::AnswerKey;
 use super::checked::Checked;
@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 const MARKS: FileKind = FileKind { what: "marking scheme", key: "kinegon_marks", version: 1 };
 
-/// No quantity is worth more.
+/// Most marks that a quantity may be worth.
 const MOST: f64 = 1e6;
 
 /// How many marks the values of a form earn. A value that is right or within the tolerance earns the marks of its quantity; one that is
@@ -60,7 +60,7 @@ fn marks_by_name(_: &mut SchemaGenerator) -> Schema {
 }
 
 impl Marks {
-    /// A marking scheme as it is written; [`Marks::of`] holds it to a scene.
+    /// A marking scheme as it is written; [`Marks::of`] applies it to a scene.
     ///
     /// # Errors
     /// The first thing that is wrong with the text, with its place.
@@ -100,16 +100,16 @@ impl Marks {
             worth.extend(all.map(|name| (name, each)));
         }
         let mut given: IndexMap<String, &str> = IndexMap::new();
-        for (written, own) in &self.values {
+        for (written, value) in &self.values {
             let place = format!("values.{written}");
-            let own = marks(&place, *own)?;
+            let value = marks(&place, *value)?;
             let name = usual_name(written, key)?;
             if let Some(other) = given.insert(name.clone(), written) {
                 let message = format!("`{other}` is the same quantity and has its marks already");
                 let error = CheckError::new(message, "keep the one that you mean");
                 return Err(error.at(&place));
             }
-            worth.insert(name, own);
+            worth.insert(name, value);
         }
         if worth.values().sum::<f64>() == 0.0 {
             return Err(CheckError::new(
@@ -125,7 +125,7 @@ impl Marks {
     }
 }
 
-/// The name that steps and results give a quantity.
+/// The steps' and results' name of a quantity that a scheme names.
 fn usual_name(written: &str, key: &AnswerKey<'_>) -> Result<String, CheckError> {
     let alone = Measured {
         mu: [Some(1.0); 3],
@@ -141,7 +141,7 @@ fn usual_name(written: &str, key: &AnswerKey<'_>) -> Result<String, CheckError> 
     Ok(found.swap_remove(0).asked.name().to_owned())
 }
 
-/// What the quantities of a scene are worth.
+/// The marks that the quantities of a scene are worth.
 #[derive(Clone, Debug)]
 pub struct MarkScheme {
     /// Marks by the quantities' names.

@@ -1,13 +1,18 @@
-//! In: a scene with its plans, and a [`Measured`] sheet of the values that a student has read from an own drawing. Out: a [`Checked`] list of
-//! verdicts, each against the band of honest hand drawings of that very quantity, and the mistakes that explain the values best:
-//! the construction is replayed with one mistake put in, then with more, and every replay is held against all values, right and wrong ones.
+//! In: a scene with its plans, and a [`Measured`] sheet: the values that a student has read from a drawing. Out: a
+//! [`Checked`] list of verdicts, each against the band of honest hand drawings of that quantity, and the mistakes that
+//! explain the values best: the construction is replayed with one mistake, then with more, and every replay is compared
+//! with all values, right and wrong ones.
 //!
-//! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry` finds what each value stands
-//! for, `precision` how finely it is written, `points` what places on paper say; `verdict` judges each by itself. `model` predicts all values together with their common
-//! errors, `score`, `datum`, `covariance` and `fit` say how well values fit a prediction, `mistakes/` is the catalogue, `together` what a drawing program is off, `search` looks for what explains
-//! the values, `diagnosis` what that comes to, `report` and `result` tell it, `redrawn/` draws it again as it was
-//! probably drawn; `student` draws with mistakes on purpose;
-//! `marks` says what values earn, `class` what is told of many drawings. Nothing is read or printed here, and no plan is computed again.
+//! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry`
+//! finds the quantity of each value, `precision` how finely it is written, `points` the distances between given places;
+//! `checked` gives each value its `verdict`.
+//! `model` predicts all values together with their common errors, `together` the errors that a drawing program makes;
+//! `datum`,
+//! `covariance`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the catalogue, `search`
+//! tries its mistakes,
+//! `diagnosis` chooses the best `explanation`; `report` and `result` write it as text and JSON, `redrawn/` draws the
+//! student's sheets as they probably were; `student` draws with mistakes on purpose; `marks` gives the marks that
+//! values earn, `class` sums up many drawings. Nothing is read or printed here, and no plan is computed again.
 
 mod answer_key;
 mod checked;

@@ -1,4 +1,4 @@
-//! What a drawing gives for all values at once: exact, with mistakes put in, and how far honest errors carry them, together.
+//! The construction as a student carries it out: replayed exactly, with mistakes, or with errors of the hand.
 
 use super::answer_key::AnswerKey;
 use super::entry::Entry;
@@ -12,20 +12,23 @@ use crate::mechanism::Mechanism;
 use crate::quantity::{Asked, Band, Reading, Unread, read_by_hand};
 use smallvec::SmallVec;
 
-/// Kinds of errors whose sizes a hand may have apart: joints plotted, the rest of the scheme, the velocity plan, the acceleration plan,
-/// and joints off together, so that every link keeps its shape, as a drawing program leaves them.
+/// Number of kinds of errors; a hand has a size for each. The kinds: joints plotted, the rest of the scheme, the
+/// velocity plan, the acceleration plan, and displacements of all joints together that leave every link its shape, as
+/// with a drawing program.
 pub(super) const GROUPS: usize = 5;
 
-/// Of these the errors of joints plotted, each for itself.
+/// The kind of errors of joints plotted, each by itself.
 pub(super) const PLOTTED: usize = 0;
 
-/// Of these the errors of joints off together.
+/// The kind of errors of joints displaced together.
 pub(super) const TOGETHER: usize = 4;
 
 /// Why a value is not read from the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum NotRead {
+    /// The scene gives it.
     Given,
+    /// For any other reason.
     Otherwise,
 }
 
@@ -35,14 +38,14 @@ impl NotRead {
     }
 }
 
-/// The construction as it replays, with all that candidates for mistakes ask of it.
+/// The construction as a student carries it out, with the facts that mistakes are made from.
 #[derive(Clone, Debug)]
 pub(super) struct Model {
     pub construction: Construction,
-    /// By entry.
+    /// By entry: how it is read.
     pub readings: Vec<Result<Reading, NotRead>>,
     pub scales: SheetScales,
-    /// What comes out without any error.
+    /// The values of a drawing without errors.
     pub exact: Values,
     /// By operation: the number of its step.
     pub steps: Vec<usize>,
@@ -50,29 +53,30 @@ pub(super) struct Model {
     pub makers: Vec<Option<usize>>,
     /// By number: whether a later operation reads it.
     pub used: Vec<bool>,
-    /// By number: what it is called.
+    /// By number: its name.
     pub number_names: Vec<String>,
     /// By place: its sheet and its first name.
     pub place_names: Vec<Option<(Sheet, String)>>,
-    /// By place: the operation that makes it; none where no hand does.
+    /// By place: the operation that makes it; `None` where a hand makes none.
     pub place_makers: Vec<Option<usize>>,
-    /// Numbers that are computed for vectors, with their sheets.
+    /// Numbers that are computed as sizes of vectors, with their sheets.
     pub sizes: Vec<(NumberId, Sheet)>,
-    /// Ways in which the joints may be off together, links keeping their shapes: along x and y of each plotted place, in the order of the operations.
+    /// Displacements of all joints that keep the links' shapes: along x and y of each plotted place, in the order of
+    /// the operations.
     pub together: Vec<Vec<f64>>,
 }
 
 /// The edit that a mistake makes to one operation.
 #[derive(Clone, Debug)]
 pub(super) enum Edit {
-    /// This is done instead.
+    /// The operation does this instead.
     Instead(Does),
-    /// The number comes out so many times as large.
+    /// This number of the operation is multiplied by the factor.
     Times(NumberId, f64),
 }
 
 impl Edit {
-    /// It as a change of a run.
+    /// The edit as a change of a replay.
     pub fn change(&self) -> Change<'_> {
         match self {
             Edit::Instead(does) => Change::Instead(does),
@@ -81,7 +85,7 @@ impl Edit {
     }
 }
 
-/// Changes of the replay, in the order of the acts.
+/// Changes of a replay, in the order of the operations.
 pub(super) type Changes<'c> = SmallVec<[Disturbance<'c>; 4]>;
 
 impl Model {
@@ -95,12 +99,11 @@ impl Model {
         let asked: Vec<Asked> = entries.iter().map(|e| e.asked.clone()).collect();
         let (mut construction, readings) = read_by_hand(solution, &asked);
         given_first(&mut construction.operations);
-        let readings = readings.into_iter().map(|reading| {
-            reading.map_err(|why| match why {
-                Unread::Given => NotRead::Given,
-                _ => NotRead::Otherwise,
-            })
-        });
+        let why = |why| match why {
+            Unread::Given => NotRead::Given,
+            _ => NotRead::Otherwise,
+        };
+        let readings = readings.into_iter().map(|reading| reading.map_err(why)).collect();
         let usual = key.scales.all();
         let mut per_mm = [1.0; 3];
         for (sheet, scale) in per_mm.iter_mut().enumerate() {
@@ -115,7 +118,7 @@ impl Model {
         let scales = SheetScales { per_mm };
         let exact = construction.run(scales, &[]);
         let mut model = Model {
-            readings: readings.collect(),
+            readings,
             scales,
             exact,
             steps: Vec::new(),
@@ -128,7 +131,7 @@ impl Model {
             together: Vec::new(),
             construction,
         };
-        model.look_around(&solution.mechanism);
+        model.index(&solution.mechanism);
         model.together = ways_together(&model.construction, &model.exact, &solution.mechanism);
         Ok(model)
     }
@@ -137,15 +140,15 @@ impl Model {
     pub fn bands(&self, tolerance: &Tolerance) -> Vec<Option<Band>> {
         let there: Vec<Reading> = self.readings.iter().flatten().copied().collect();
         let mut bands = self.construction.bands(self.scales, tolerance, &there).into_iter();
-        let bands = self.readings.iter().map(|reading| {
+        let band = |reading: &Result<Reading, NotRead>| {
             let band = reading.ok().and_then(|_| bands.next())?;
             (band.value.is_finite() && band.band.is_finite()).then_some(band)
-        });
-        bands.collect()
+        };
+        self.readings.iter().map(band).collect()
     }
 
-    /// Finds what operations make and read.
-    fn look_around(&mut self, mechanism: &Mechanism) {
+    /// Fills the tables of what operations make and read, and of names.
+    fn index(&mut self, mechanism: &Mechanism) {
         let construction = &self.construction;
         let [places, _, numbers] = construction.counts();
         self.makers = vec![None; numbers];
@@ -160,7 +163,7 @@ impl Model {
             if let Some(PlaceId(place)) = operation.does.place() {
                 self.place_makers[place] = Some(index);
             }
-            // What belongs to no step belongs to the one before it.
+            // An operation without a step counts to the step before it.
             before = operation.step.map_or(before, |step| construction.step_number(step));
             self.steps.push(before);
         }
@@ -171,7 +174,7 @@ impl Model {
                 self.place_names[place].get_or_insert((sheet, name.to_owned()));
             }
         }
-        // What is computed for a vector belongs to the step that lays it off.
+        // The computation of a vector's size counts to the step that lays the vector off.
         for (index, operation) in construction.operations.iter().enumerate().rev() {
             if let Does::LayOff { size, .. } = operation.does
                 && let Some(maker) = self.makers[size.0]
@@ -183,14 +186,12 @@ impl Model {
         }
     }
 
-    /// All numbers that the entries read, after a replay with changes; NaN where an entry reads nothing.
+    /// By entry: the number that it reads from the values of a replay; NaN where it reads none.
     pub fn read(&self, values: &Values) -> Vec<f64> {
-        let readings = self.readings.iter();
-        let read = readings.map(|r| r.as_ref().map_or(f64::NAN, |r| values.number(r.number)));
-        read.collect()
+        self.readings.iter().map(|r| r.as_ref().map_or(f64::NAN, |r| values.number(r.number))).collect()
     }
 
-    /// A replay with changes.
+    /// The values of a replay with changes.
     pub fn replay(&self, changes: &[Disturbance<'_>]) -> Values {
         let mut values = self.exact.clone();
         let operations = &self.construction.operations;
@@ -199,7 +200,8 @@ impl Model {
         values
     }
 
-    /// A replay of what follows an operation, on values that hold everything before it.
+    /// Sets `values` to a replay with `changes` and the further change `own` of an operation. `before` is the replay
+    /// without `own`: only that operation and the later ones are carried out again.
     pub fn replay_after(
         &self,
         values: &mut Values,
@@ -220,7 +222,7 @@ impl Model {
 
     /// All elementary errors: operation, which of its errors, limit in mm or degrees, group.
     pub fn errors(&self, tolerance: &Tolerance) -> Vec<(usize, usize, f64, usize)> {
-        let errors = self.construction.operations.iter().enumerate().flat_map(|(index, operation)| {
+        let all = self.construction.operations.iter().enumerate().flat_map(|(index, operation)| {
             let group = match (operation.sheet, &operation.does) {
                 (Sheet::Scheme, Does::Plot { .. }) => 0,
                 (Sheet::Scheme, _) => 1,
@@ -230,25 +232,24 @@ impl Model {
             let errors = operation.does.errors().iter().enumerate();
             errors.map(move |(which, e)| (index, which, e.limit(tolerance), group))
         });
-        errors.collect()
+        all.collect()
     }
 
-    /// What a place is called.
+    /// The name of a place; empty if it has none.
     pub fn place_name(&self, place: PlaceId) -> &str {
-        let name = self.place_names[place.0].as_ref();
-        name.map_or("", |(_, name)| name.as_str())
+        self.place_names[place.0].as_ref().map_or("", |(_, name)| name.as_str())
     }
 
-    /// The named places of a sheet that are there before an operation, in the order in which they are made.
+    /// The named places of a sheet that earlier operations have made, in the order of their ids.
     pub fn places_before(&self, sheet: Sheet, operation: usize) -> Vec<PlaceId> {
-        let all = self.place_names.iter().enumerate();
-        let here = all.filter(|(_, name)| name.as_ref().is_some_and(|n| n.0 == sheet && !n.1.is_empty()));
-        let ids = here.map(|(id, _)| PlaceId(id));
-        ids.filter(|p| self.place_makers[p.0].is_some_and(|maker| maker < operation)).collect()
+        let is_named = |id: usize| self.place_names[id].as_ref().is_some_and(|n| n.0 == sheet && !n.1.is_empty());
+        let is_made = |id: usize| self.place_makers[id].is_some_and(|maker| maker < operation);
+        (0..self.place_names.len()).filter(|&id| is_named(id) && is_made(id)).map(PlaceId).collect()
     }
 }
 
-/// Moves what reads nothing to the front, and lines through joints behind it, so that mistakes may use them anywhere.
+/// Moves operations that need no others to the front, and lines through joints next, so that mistakes may use them
+/// anywhere.
 fn given_first(operations: &mut [Operation]) {
     let plotted: Vec<PlaceId> = operations
         .iter()

@@ -1,4 +1,4 @@
-//! Places of plan points on paper.
+//! Values from the places of plan points on paper.
 
 use super::entry::{Entry, Reader};
 use super::precision::Precision;
@@ -8,7 +8,8 @@ use crate::geometry::Vector;
 use indexmap::IndexMap;
 
 impl Reader<'_> {
-    /// Distances between the plan points whose places are given: of each from the pole, and those that the steps measure or lay off.
+    /// Adds the distances between plan points whose places are given: of each from the pole, and those that the steps
+    /// name. A distance that is written already keeps its value.
     pub fn add_points(&self, entries: &mut Vec<Entry>) -> Result<(), CheckError> {
         for points in &self.measured.points {
             let sheet = points.kind.sheet();
@@ -38,7 +39,7 @@ impl Reader<'_> {
                     continue;
                 }
                 let (asked, expected, sheet, step) = self.quantity(&name).map_err(|e| e.at(&at(b)))?;
-                // Images of points at rest are the pole itself.
+                // The image of a point at rest is the pole itself.
                 if expected == 0.0 {
                     continue;
                 }
@@ -66,7 +67,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The segments that places give: from the pole to each point, and those between points that a step names.
+    /// The segments between given places: from the pole to each point, and those between points that a step names.
     fn pairs<'p>(&self, plan: PlanKind, places: &'p IndexMap<String, [f64; 2]>) -> Vec<(&'p str, &'p str)> {
         let points = || places.keys().map(String::as_str).filter(|name| *name != plan.pole());
         let from_pole = points().map(|name| (plan.pole(), name));
@@ -75,7 +76,8 @@ impl Reader<'_> {
     }
 }
 
-/// Whether places show a plan mirrored: no turn brings them to the right ones, but one of their mirror image does.
+/// Whether the places are those of the mirrored plan: no rotation brings them near the right ones, but one of the
+/// mirror image does.
 pub(super) fn is_mirrored(points: &PointsOf, plan: &Plan) -> bool {
     let Some(pole) = points.pole().and_then(|p| points.places.get(p)) else {
         return false;
@@ -85,7 +87,7 @@ pub(super) fn is_mirrored(points: &PointsOf, plan: &Plan) -> bool {
         Some((right, Vector::new(at[0] - pole[0], at[1] - pole[1])))
     });
     let pairs: Vec<(Vector, Vector)> = pairs.collect();
-    // The turn that brings them nearest, as sums of complex products z̄ w, and z w of the mirror image (Umeyama 1991).
+    // The rotation of least squares, as the sum of complex products z̄ w, and z w for the mirror image (Umeyama 1991).
     let (mut turned, mut mirrored) = (Vector::zeros(), Vector::zeros());
     let (mut right, mut written) = (0.0, 0.0);
     for (z, w) in &pairs {
@@ -94,7 +96,7 @@ pub(super) fn is_mirrored(points: &PointsOf, plan: &Plan) -> bool {
         right += z.norm_squared();
         written += w.norm_squared();
     }
-    // What remains of the sum of squares, where sizes are brought to agree, too.
+    // The sum of squares that remains after the best rotation and scaling.
     let rest = |sum: Vector| written - sum.norm_squared() / right;
     right > 0.0 && rest(turned) > 0.01 * written && rest(mirrored) < 0.25 * rest(turned)
 }

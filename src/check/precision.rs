@@ -1,15 +1,15 @@
-/// To how many decimals and to how many significant digits somebody writes values of one kind.
+/// The decimals and the significant digits to which somebody writes values of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Precision {
-    /// Digits behind the point.
+    /// Digits after the decimal point.
     pub decimals: i32,
-    /// Digits from the first that is not zero.
+    /// Significant digits: all from the first that is not zero.
     pub digits: i32,
 }
 
 impl Precision {
-    /// That of numbers of a kind as they are written. Files drop zeros at the end, so the longest numbers show it; but not one that alone has
-    /// more decimals than all others: its point may have slipped.
+    /// The precision of written numbers of one kind. Files drop zeros at the end, so the longest numbers show it; but a
+    /// single number with more decimals than all others does not count: its point may have slipped.
     pub(super) fn of<'t>(texts: impl Iterator<Item = &'t str>) -> Precision {
         let plain = texts.filter(|t| !t.is_empty() && !t.contains(['e', 'E']));
         let (mut decimals, digits): (Vec<i32>, Vec<i32>) = plain.map(counts).unzip();
@@ -21,7 +21,7 @@ impl Precision {
         }
     }
 
-    /// Half a unit of the last digit to which a number is known that is written like this.
+    /// Half a unit of the last digit of a number written to this precision, dropped zeros included.
     pub(super) fn rounding(self, text: &str) -> f64 {
         let unit = |decimals: i32| 0.5 * libm::exp10(-f64::from(decimals));
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, ""));
@@ -41,8 +41,7 @@ impl Precision {
 /// Decimals and significant digits of a number as it is written.
 fn counts(text: &str) -> (i32, i32) {
     let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());
-    let digits = text.chars().filter(char::is_ascii_digit);
-    let digits = digits.skip_while(|c| *c == '0').count();
+    let digits = text.chars().filter(char::is_ascii_digit).skip_while(|c| *c == '0').count();
     (decimals as i32, digits as i32)
 }
 

@@ -9,7 +9,7 @@ use crate::construction::Teller;
 use crate::construction::{PlanKind, shown_text};
 use crate::words::{Language, Medium, NumberStyle, Wording};
 
-/// What is said to the student: verdicts in the order of the construction, then what probably happened.
+/// The report for the student: verdicts in the order of the construction, then the mistakes that were probably made.
 #[must_use]
 pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String {
     let report = ReportText::new(checked, key, words, Medium::Text);
@@ -24,11 +24,11 @@ pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String
     lines.join("\n") + "\n"
 }
 
-/// What is said of a mistake.
+/// The sentences about one mistake.
 pub(super) struct Told {
     /// At which step, and what was done.
     pub done: String,
-    /// What the step says to do.
+    /// The step's caption.
     pub caption: Option<String>,
     /// What it should be.
     pub should: String,
@@ -36,7 +36,7 @@ pub(super) struct Told {
     pub follows: Option<String>,
 }
 
-/// The sentences about checked values.
+/// Writes the sentences about checked values.
 pub(super) struct ReportText<'a> {
     pub checked: &'a Checked,
     key: &'a AnswerKey<'a>,
@@ -57,12 +57,9 @@ impl<'a> ReportText<'a> {
 }
 
 impl ReportText<'_> {
-    /// How many values are right, within the tolerance, off.
+    /// The sentence that counts the values that are right, within the tolerance, and off.
     pub(super) fn counts(&self) -> String {
-        let count = |verdict| {
-            let values = self.checked.values.iter();
-            values.filter(|v| v.verdict == verdict).count().to_string()
-        };
+        let count = |verdict| self.checked.values.iter().filter(|v| v.verdict == verdict).count().to_string();
         self.own.check_counts(&count(Verdict::Right), &count(Verdict::WithinTolerance), &count(Verdict::Off))
     }
 
@@ -71,7 +68,7 @@ impl ReportText<'_> {
         rows.extend(self.checked.values.iter().map(|value| self.row(value)));
         let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max();
         let widths: Vec<usize> = (0..8).map(|c| width(c).unwrap_or(0)).collect();
-        let lines = rows.iter().map(|row| {
+        let line = |row: &[String; 8]| {
             let mut line = String::new();
             for (column, cell) in row.iter().enumerate() {
                 let blanks = " ".repeat(widths[column] - cell.chars().count());
@@ -81,15 +78,15 @@ impl ReportText<'_> {
                 }
             }
             line.trim_end().to_owned()
-        });
-        lines.collect()
+        };
+        rows.iter().map(line).collect()
     }
 
     fn number(&self, value: f64, digits: usize) -> String {
         self.words.write(value, significant(digits).on(self.medium))
     }
 
-    /// A value in the columns of the table.
+    /// A value as a row of the table.
     pub(super) fn row(&self, value: &Judged) -> [String; 8] {
         let entry = &value.entry;
         let unit = entry.asked.kind().unit(self.key.solution.scene.units);
@@ -123,7 +120,7 @@ impl ReportText<'_> {
         ]
     }
 
-    /// Above the mistakes that were found, or what is said where there are none.
+    /// The heading of the mistakes that were found, or the sentence that there are none.
     pub(super) fn heading(&self) -> &'static str {
         let diagnosis = &self.checked.diagnosis;
         match diagnosis.best.findings.len() {
@@ -183,7 +180,7 @@ impl ReportText<'_> {
         lines
     }
 
-    /// What is said of plans that are mirrored.
+    /// The sentences about mirrored plans.
     pub(super) fn mirrored(&self) -> impl Iterator<Item = String> {
         let language = self.words.language;
         self.checked.mirrored.iter().map(|kind| {
@@ -195,7 +192,7 @@ impl ReportText<'_> {
         })
     }
 
-    /// The values without an explanation, where there are such.
+    /// The sentence about the unexplained values, if there are any.
     pub(super) fn unexplained(&self) -> Option<String> {
         let values = &self.checked.diagnosis.unexplained;
         (!values.is_empty()).then(|| self.own.check_unexplained(&self.names(values)))
@@ -213,13 +210,13 @@ impl ReportText<'_> {
         }
     }
 
-    /// What is said of a mistake.
+    /// The sentences about a mistake.
     pub(super) fn told(&self, finding: &Finding) -> Told {
         let Finding { candidate, follows, .. } = finding;
         let [done, should] = sentences(candidate, self.words);
         let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
-            // All values are touched by it.
+            // This mistake is in every value.
             _ if candidate.mistake == Mistake::Truncated => None,
             [] => Some(self.own.check_follows_none().to_owned()),
             some => Some(self.own.check_follows(&self.names(some))),
@@ -236,22 +233,22 @@ impl ReportText<'_> {
     }
 
     fn names(&self, values: &[usize]) -> String {
-        let names = values.iter().map(|&i| self.checked.values[i].entry.asked.name());
-        names.collect::<Vec<&str>>().join(", ")
+        let names: Vec<&str> = values.iter().map(|&i| self.checked.values[i].entry.asked.name()).collect();
+        names.join(", ")
     }
 }
 
-/// What was probably done in a mistake, and what it should be; numbers with the figure's decimal mark.
+/// What was probably done, and what should have been; numbers with the figure's decimal mark.
 pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
     words.mistake(candidate.mistake.words(), &candidate.blanks)
 }
 
-/// How values of a report are written.
+/// The style of values in a report.
 pub(crate) const fn significant(digits: usize) -> NumberStyle {
     NumberStyle::significant(digits).trimmed().in_full(-5, 12)
 }
 
-/// How differences are written.
+/// The style of differences in a report.
 const fn signed(decimals: usize) -> NumberStyle {
     NumberStyle::decimals(decimals).with_plus()
 }

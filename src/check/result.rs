@@ -103,8 +103,7 @@ fn is_false(flag: &bool) -> bool {
 #[must_use]
 pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, name: Option<String>) -> CheckResult {
     let names = |list: &[usize]| -> Vec<String> {
-        let names = list.iter().map(|&i| checked.values[i].entry.asked.name().to_owned());
-        names.collect()
+        list.iter().map(|&i| checked.values[i].entry.asked.name().to_owned()).collect()
     };
     let values = checked.values.iter().map(|value| {
         let entry = &value.entry;

@@ -1,10 +1,11 @@
-//! How well written values fit a construction with mistakes put in.
+//! How well written values fit a construction with mistakes.
 //!
-//! Honest errors of the hand, of all acts, carry the values together: to first order they are normally distributed with the covariance
-//! C = Σ s_g² J_g J_gᵀ, J the difference quotients of the values by each error times its standard deviation, s_g ≤ 1 how good the hand is at each
-//! kind of act. The values are gone through in the order of the construction, each held against what the earlier ones let expect (Cholesky's
-//! factorisation row by row). One that no error explains stands outside and says nothing about those that follow. Costs
-//! are −2 ln of likelihoods, each value's counted from the density of its rounding.
+//! Honest errors of the hand make the values correlated: to first order they are normally distributed with the
+//! covariance C = Σ s_g² J_g J_gᵀ. J_g are the difference quotients of the values by each error of kind g, times its
+//! standard deviation; s_g ≤ 1 is the size of the hand's errors of that kind in parts of the tolerance. The values are
+//! compared in the order of the construction, each with its distribution given the earlier ones (Cholesky factorisation
+//! row by row). A value that no error explains is left out of what later ones are compared with. Costs are −2 ln of
+//! likelihoods, for each value relative to the density of its rounding.
 
 use super::covariance::{Covariances, read};
 use super::datum::{Cost, Datum, Without};
@@ -14,17 +15,17 @@ use super::model::{Changes, Model, TOGETHER};
 use crate::construction::{Change, Disturbance, Sheet, Tolerance};
 use crate::quantity::{Kind, Sense};
 
-/// What is held against each other.
+/// The values, and the constructions with which they are compared.
 pub(super) struct Scorer<'a> {
     /// The right position first, then other assembly modes.
     pub models: &'a [Model],
     pub data: Vec<Datum>,
-    /// What each value costs that nothing explains.
+    /// By datum: its cost if nothing explains it.
     pub without: Vec<Without>,
     pub tolerance: Tolerance,
-    /// Variances of the values of a right drawing at the tolerance, for a first look.
+    /// By datum: its variance in a right drawing with errors at the tolerance, for a first look.
     pub quick: Vec<f64>,
-    /// The values of a right drawing.
+    /// By datum: its value in a right drawing.
     right: Vec<f64>,
 }
 
@@ -74,9 +75,8 @@ impl<'a> Scorer<'a> {
         scorer.without = scorer.data.iter().map(Datum::without).collect();
         let nominal = scorer.covariances(&[]);
         let count = scorer.data.len();
-        let own = &nominal.groups[..TOGETHER];
-        let diagonal = (0..count).map(|i| own.iter().map(|g| g[i * count + i]).sum());
-        scorer.quick = diagonal.collect();
+        let by_hand = &nominal.groups[..TOGETHER];
+        scorer.quick = (0..count).map(|i| by_hand.iter().map(|g| g[i * count + i]).sum()).collect();
         scorer.right = scorer.predicted(&[]);
         scorer
     }
@@ -86,7 +86,8 @@ impl<'a> Scorer<'a> {
         &self.models[mode]
     }
 
-    /// What the candidates change; without what one of them goes on with, where its own values are asked for.
+    /// The changes that the candidates make. `without`: the candidate whose wrong numbers are not passed on, for the
+    /// replay from which its own values are read.
     pub fn changes<'c>(&self, set: &[&'c Candidate], without: Option<usize>) -> Changes<'c> {
         let mut changes = Changes::new();
         for (index, candidate) in set.iter().enumerate() {
@@ -106,13 +107,13 @@ impl<'a> Scorer<'a> {
         changes
     }
 
-    /// Which candidate goes on with a written value of a datum.
+    /// The candidate that passes a datum's written value on to later operations.
     fn owner(&self, set: &[&Candidate], datum: usize) -> Option<usize> {
         let entry = self.data[datum].entry;
         set.iter().position(|c| !c.goes_on.is_empty() && c.reinterpreted.iter().any(|s| s.entry == entry))
     }
 
-    /// The replays that a set needs: the changes, and the data that are read there.
+    /// The replays that a set of candidates needs: the changes of each, and the data read from it.
     pub fn variants<'c>(&self, set: &[&'c Candidate]) -> Vec<(Changes<'c>, Vec<usize>)> {
         let all = 0..self.data.len();
         if set.iter().all(|c| c.goes_on.is_empty()) {
@@ -121,15 +122,15 @@ impl<'a> Scorer<'a> {
         let owners: Vec<Option<usize>> = all.clone().map(|d| self.owner(set, d)).collect();
         let mut variants = Vec::new();
         for owner in core::iter::once(None).chain((0..set.len()).map(Some)) {
-            let own: Vec<usize> = all.clone().filter(|&d| owners[d] == owner).collect();
-            if !own.is_empty() {
-                variants.push((self.changes(set, owner), own));
+            let owned: Vec<usize> = all.clone().filter(|&d| owners[d] == owner).collect();
+            if !owned.is_empty() {
+                variants.push((self.changes(set, owner), owned));
             }
         }
         variants
     }
 
-    /// What the values should be with the candidates' mistakes made.
+    /// By datum: the value that a drawing with the candidates' mistakes should have.
     pub fn predicted(&self, set: &[&Candidate]) -> Vec<f64> {
         let model = self.model(set);
         let mut predicted = vec![f64::NAN; self.data.len()];
@@ -140,24 +141,25 @@ impl<'a> Scorer<'a> {
         predicted
     }
 
-    /// How far honest errors carry the values of drawings with these mistakes, together.
+    /// The covariances of the values of drawings with the candidates' mistakes.
     pub fn covariances(&self, set: &[&Candidate]) -> Covariances {
         Covariances::new(self.model(set), &self.tolerance, &self.data, &self.variants(set))
     }
 
-    /// The values as the candidates read them, with their roundings; none where a written value says nothing.
+    /// By datum: the value meant if the candidates' mistakes were made; `None` where the written value tells nothing
+    /// about it.
     pub fn meant(&self, set: &[&Candidate]) -> Vec<Option<Datum>> {
         let mut meant: Vec<Option<Datum>> = self.data.iter().copied().map(Some).collect();
-        for stand in set.iter().flat_map(|c| &c.reinterpreted) {
-            let found = self.data.iter().position(|d| d.entry == stand.entry);
+        for reinterpreted in set.iter().flat_map(|c| &c.reinterpreted) {
+            let found = self.data.iter().position(|d| d.entry == reinterpreted.entry);
             if let Some(datum) = found {
-                meant[datum] = stand.read(&self.data[datum]);
+                meant[datum] = reinterpreted.read(&self.data[datum]);
             }
         }
         meant
     }
 
-    /// A first look: the values one by one, as if their errors had nothing to do with each other.
+    /// The cost at a first look: the values one by one, as if their errors were independent.
     pub fn first_look(&self, set: &[&Candidate]) -> f64 {
         let predicted = self.predicted(set);
         if predicted.iter().any(|p| !p.is_finite()) {
@@ -174,7 +176,7 @@ impl<'a> Scorer<'a> {
                     continue;
                 };
                 let rounding = datum.variance();
-                // Errors grow about as the value does.
+                // Errors are assumed to grow in proportion to the value.
                 let grown = (predicted[index] / self.right[index]).abs();
                 let grown = if grown.is_finite() { grown.clamp(1.0, 1000.0) } else { 1.0 };
                 let variance = hand * hand * grown * grown * self.quick[index] + rounding;

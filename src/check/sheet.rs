@@ -1,14 +1,14 @@
 use crate::construction::PlanKind;
 use indexmap::IndexMap;
 
-/// The values that somebody has read from an own drawing, as they were written down.
+/// The values that somebody has read from a drawing, as they were written down.
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
-    /// Whose they are.
+    /// The student's name.
     pub name: Option<String>,
-    /// The scales of the own sheets, in units of the scene per millimetre: of the scheme, the velocity plan and the acceleration plan.
+    /// The scales of the student's scheme, velocity plan and acceleration plan, in units of the scene per millimetre.
     pub mu: [Option<f64>; 3],
-    /// Which sense of rotation counts as positive; where it is not said, a number without a sign is a magnitude.
+    /// Which sense of rotation counts as positive; if `None`, a number without a sign is a magnitude.
     pub positive: Option<Positive>,
     /// Whether all lengths and segments are in millimetres of paper.
     pub in_mm: bool,
@@ -27,11 +27,11 @@ pub struct Given {
     pub text: String,
     /// Its unit where one is written.
     pub unit: Option<String>,
-    /// Where it stands, for messages: `values.omega(2)`, `line 7`.
+    /// Its place in the file, for messages: `values.omega(2)`, `line 7`.
     pub place: String,
 }
 
-/// Places of a plan's points on a sheet of paper in millimetres, x right, y up, from any origin; the sheet may be turned.
+/// Places of a plan's points on paper in millimetres, x right, y up; the origin and the sheet's rotation are arbitrary.
 #[derive(Clone, Debug)]
 pub struct PointsOf {
     /// Which plan.
@@ -41,7 +41,7 @@ pub struct PointsOf {
 }
 
 impl PointsOf {
-    /// The name under which the pole stands there.
+    /// The name that the pole has among the places.
     #[must_use]
     pub fn pole(&self) -> Option<&'static str> {
         let mut written = ["π", "pi", "p'", "p"].into_iter();
@@ -52,9 +52,9 @@ impl PointsOf {
 /// Which sense of rotation counts as positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Positive {
-    /// As the program counts.
+    /// As in scenes and results.
     CounterClockwise,
-    /// The other sense.
+    /// Opposite to scenes and results.
     Clockwise,
 }
 
@@ -62,7 +62,7 @@ pub enum Positive {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{place}{message}")]
 pub struct CheckError {
-    /// Where it stands, with a colon behind it; may be empty.
+    /// The place in the file, followed by a colon; may be empty.
     pub place: String,
     /// What is wrong.
     pub message: String,
@@ -71,12 +71,12 @@ pub struct CheckError {
 }
 
 impl CheckError {
-    /// A finding about the whole.
+    /// An error about the form as a whole.
     pub(super) fn new(message: impl Into<String>, hint: impl Into<String>) -> CheckError {
         CheckError { place: String::new(), message: message.into(), hint: Some(hint.into()) }
     }
 
-    /// The same with the place where it stands.
+    /// The error with its place in the file.
     pub(super) fn at(mut self, place: &str) -> CheckError {
         self.place = format!("{place}: ");
         self

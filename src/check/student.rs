@@ -1,4 +1,4 @@
-//! Drawings with mistakes put in on purpose: to try the check, and for exercises in finding mistakes.
+//! Drawings with mistakes made on purpose: for tests of the check, and for exercises in finding mistakes.
 
 use super::answer_key::AnswerKey;
 use super::entry::entries;
@@ -9,7 +9,7 @@ use super::template::form_names;
 use crate::construction::{Change, Disturbance};
 use crate::quantity::Kind;
 
-/// Somebody who draws a scene and fills in the whole form.
+/// A simulated student who draws a scene and fills in the whole form.
 pub struct Student<'a> {
     key: &'a AnswerKey<'a>,
     models: Vec<Model>,
@@ -19,13 +19,13 @@ pub struct Student<'a> {
 }
 
 impl<'a> Student<'a> {
-    /// One who draws at the scales of the scene's figure.
+    /// A student who draws at the scales of the scene's figure.
     ///
     /// # Errors
-    /// Where the figure lacks a sheet.
+    /// The figure lacks a sheet.
     pub fn new(key: &'a AnswerKey<'a>) -> Result<Student<'a>, CheckError> {
         let (mu, names) = (key.scales.all(), form_names(&key.solution.construction));
-        // Written without digits, the form says what there is to read.
+        // A form filled with zeros gives the entries of all quantities.
         let blank = |name: &String| Given { name: name.clone(), text: "0".to_owned(), unit: None, place: name.clone() };
         let form = Measured { mu, values: names.iter().map(blank).collect(), ..Measured::default() };
         let entries = entries(&form, key)?;
@@ -35,7 +35,8 @@ impl<'a> Student<'a> {
         Ok(Student { key, models, mu, names, entries })
     }
 
-    /// All ways to make a mistake of drawing, measuring or computing. Slips of writing need something written first.
+    /// All places where a mistake of drawing, measuring or computing can be made; none for slips of writing, which need
+    /// a written value first.
     #[must_use]
     pub fn ways(&self, mistake: Mistake) -> Vec<Candidate> {
         let site =
@@ -45,11 +46,12 @@ impl<'a> Student<'a> {
         all
     }
 
-    /// The drawing with these mistakes made, lengths written to a tenth of a millimetre of paper, rates to four digits. Whoever takes a wrong scale
-    /// writes values in place of millimetres.
+    /// The filled form of a drawing with these mistakes: lengths to a tenth of a millimetre of paper, rates to four
+    /// digits. With a wrong scale among the mistakes lengths are written as values, not in millimetres.
     ///
-    /// `noise` gives numbers between −1 and 1: each act is off by so many times the limits `mm` and `degrees`. `goes_on` are values, by their
-    /// places in the form, that the student takes for others from then on.
+    /// `hand` are the limits of errors in millimetres and degrees; `noise` gives numbers between −1 and 1, by which
+    /// each error's limit is multiplied. `goes_on` are wrong values that later operations use, each with its index in
+    /// the form.
     pub fn draw(
         &self,
         mistakes: &[&Candidate],
@@ -81,21 +83,21 @@ impl<'a> Student<'a> {
         all.sort_by_key(|d| d.operation);
         let read = model.read(&model.replay(&all));
         let cuts_off = mistakes.iter().any(|c| c.mistake == Mistake::Truncated);
-        // Whoever mistakes a scale has turned millimetres into values.
+        // A wrong scale shows only in values converted from millimetres.
         let in_units = mistakes.iter().any(|c| c.mistake == Mistake::WrongScale);
         let values = self.entries.iter().zip(read).zip(&model.readings);
         let values = values.filter_map(|((entry, value), reading)| {
             let reading = reading.ok()?;
-            let senseless = reading.is_size();
-            let value = if senseless { value.abs() } else { value };
+            let is_unsigned = reading.is_size();
+            let value = if is_unsigned { value.abs() } else { value };
             let (text, on_paper) = match (entry.per_mm, entry.asked.kind()) {
-                (Some(mu), _) if senseless && !in_units => (digits(value / mu, 1, cuts_off), true),
+                (Some(mu), _) if is_unsigned && !in_units => (digits(value / mu, 1, cuts_off), true),
                 (_, Kind::Angle) => (digits(value, 1, cuts_off), false),
                 _ => (four_digits(value, cuts_off), false),
             };
             value.is_finite().then(|| Given {
                 name: format!("{}{}", entry.asked.name(), if on_paper { "/mu" } else { "" }),
-                text: signed(text, senseless),
+                text: signed(text, is_unsigned),
                 unit: None,
                 place: entry.asked.name().to_owned(),
             })
@@ -109,8 +111,8 @@ impl<'a> Student<'a> {
         &self.names
     }
 
-    /// The place in the form of a quantity that was written, and whether something is computed or drawn with its value. Of
-    /// several names for one number the first counts.
+    /// The index in the form of a written quantity, and whether later operations use its value. Of several names for
+    /// one number the first counts.
     #[must_use]
     pub fn place(&self, given: &Given) -> Option<(usize, bool)> {
         let name = given.name.trim_end_matches("/mu");
@@ -121,14 +123,14 @@ impl<'a> Student<'a> {
         Some((first, self.models[0].used[number.0]))
     }
 
-    /// The unit that the scene has for a written value; none for millimetres of paper.
+    /// The scene's unit of a written value; `None` for millimetres of paper.
     #[must_use]
     pub fn unit(&self, given: &Given) -> Option<String> {
         let entry = self.entries.iter().find(|e| e.asked.name() == given.name)?;
         Some(entry.asked.kind().unit(self.key.solution.scene.units))
     }
 
-    /// By what a written number is multiplied for the value in the scene's units.
+    /// The factor from a written number to the value in the scene's units.
     #[must_use]
     pub fn factor(&self, given: &Given) -> Option<f64> {
         let form = Measured { mu: self.mu, values: vec![given.clone()], ..Measured::default() };
@@ -136,12 +138,12 @@ impl<'a> Student<'a> {
     }
 }
 
-/// Rates keep their sign; a plus says that it is one.
-fn signed(text: String, senseless: bool) -> String {
-    if senseless || text.starts_with('-') { text } else { format!("+{text}") }
+/// A signed number with its plus or minus; a size without.
+fn signed(text: String, is_unsigned: bool) -> String {
+    if is_unsigned || text.starts_with('-') { text } else { format!("+{text}") }
 }
 
-/// A number with so many decimals, rounded or cut off.
+/// A number with `decimals` decimals, rounded or cut off.
 fn digits(value: f64, decimals: i32, cuts_off: bool) -> String {
     let unit = libm::exp10(f64::from(-decimals));
     let value = if cuts_off { libm::trunc(value / unit) * unit } else { value };

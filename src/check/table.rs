@@ -1,17 +1,18 @@
-//! The form of measured values as a table: `quantity,value,unit` a line, with commas or semicolons.
+//! The form of measured values as a table: lines `quantity,value,unit`, with commas or semicolons.
 
 use super::sheet::{CheckError, Given, Measured, PointsOf, Positive};
 use crate::construction::PlanKind;
 use indexmap::IndexMap;
 
 impl Measured {
-    /// The values of a table; blanks are left out. Beside quantities it may say `name`, `mu_l`, `mu_v`, `mu_a`, `positive` and `in`.
-    /// A line `velocity:b,114,-2.7` gives the place of a plan point on paper.
+    /// The values of a table; blanks are left out. Beside quantities it may have lines `name`, `mu_l`, `mu_v`, `mu_a`,
+    /// `positive` and
+    /// `in`. A line `velocity:b,114,-2.7` gives the place of a plan point on paper, in millimetres.
     ///
-    /// Where cells are parted by semicolons, numbers may have decimal commas.
+    /// In a table with semicolons numbers may have decimal commas.
     ///
     /// # Errors
-    /// Says in which line what is wrong.
+    /// The first line that is wrong, and why.
     pub fn read_csv(text: &str) -> Result<Measured, CheckError> {
         let text = text.trim_start_matches('\u{feff}');
         let by_semicolon = text.lines().next().is_some_and(|line| line.contains(';'));
@@ -57,12 +58,11 @@ impl Measured {
 
     /// Adds the place of a plan point on paper, in millimetres.
     fn add_place(&mut self, kind: PlanKind, point: &str, at: [f64; 2]) {
-        let own = self.points.iter().position(|p| p.kind == kind);
-        let own = own.unwrap_or_else(|| {
+        let plan = self.points.iter().position(|p| p.kind == kind).unwrap_or_else(|| {
             self.points.push(PointsOf { kind, places: IndexMap::new() });
             self.points.len() - 1
         });
-        self.points[own].places.insert(point.to_owned(), at);
+        self.points[plan].places.insert(point.to_owned(), at);
     }
 
     fn line(&mut self, name: &str, value: String, third: &str, place: &str) -> Result<(), CheckError> {
@@ -106,7 +106,7 @@ impl Measured {
     }
 }
 
-/// The plan and the point of a line that gives a place: `velocity:b`.
+/// The plan and the point that the name of a place means, as `velocity:b`; `None` for other names.
 fn plan_point(name: &str) -> Option<(PlanKind, &str)> {
     let (plan, point) = name.split_once(':')?;
     let kind = match plan.trim() {
@@ -133,7 +133,7 @@ fn coordinate(text: &str) -> Result<f64, CheckError> {
     })
 }
 
-/// A name with a comma that has no quotes comes in two cells: `L(B` and `S3)`.
+/// The cells of a line, with names joined that a comma has split: without quotes, `L(B,S3)` comes as `L(B` and `S3)`.
 fn rejoined(cells: &[&str]) -> Vec<String> {
     let mut joined: Vec<String> = Vec::new();
     for cell in cells {

@@ -1,11 +1,11 @@
-//! An empty form with every quantity of the steps, in the order of the construction.
+//! Empty forms: every quantity of the steps, in the order of the construction.
 
 use crate::construction::Construction;
 use crate::quantity::Scales;
 use indexmap::IndexMap;
 use serde::Serialize;
 
-/// The names of all quantities of the steps, once each: what a form asks for.
+/// The names of all quantities of the steps, once each: those that a form asks for.
 #[must_use]
 pub fn form_names(construction: &Construction) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
@@ -17,7 +17,7 @@ pub fn form_names(construction: &Construction) -> Vec<String> {
     names
 }
 
-/// The form as JSON: values to be written between the quotes, or as numbers in their place.
+/// The form as JSON: values are to be written between the quotes, or as numbers in place of them.
 #[derive(Debug, Serialize)]
 struct Form {
     kinegon_measured: u64,

@@ -1,11 +1,12 @@
-//! Errors of joints that leave every link its shape, as a drawing program makes them.
+//! Joint errors of a drawing program: displacements of all joints together that leave every link its shape.
 
 use crate::construction::{Construction, Does, Part, Values};
 use crate::geometry::{Vector, unit};
 use crate::mechanism::{GROUND, Mechanism, PointId};
 use nalgebra::DMatrix;
 
-/// The ways in which joints may be off together: the null space of what keeps the links' shapes: distances between points of one link, places of the ground.
+/// A basis of the joint displacements that keep the links' shapes: the null space of the constraints, which are the
+/// distances between points of one link and the places of the ground's points.
 pub(super) fn ways_together(construction: &Construction, exact: &Values, mechanism: &Mechanism) -> Vec<Vec<f64>> {
     let operations = construction.operations.iter();
     let plots: Vec<(PointId, Vector)> = operations
@@ -15,31 +16,29 @@ pub(super) fn ways_together(construction: &Construction, exact: &Values, mechani
         })
         .collect();
     let count = 2 * plots.len();
-    // The sum of squares of what changes shapes: its kernel is what does not.
+    // AᵀA of the constraint matrix A: both have the same null space.
     let mut squares = DMatrix::<f64>::zeros(count, count);
-    let mut hold = |row: &[(usize, f64)]| {
+    let mut constrain = |row: &[(usize, f64)]| {
         for &(i, a) in row {
             for &(j, b) in row {
                 squares[(i, j)] += a * b;
             }
         }
     };
-    for (i, (own, at)) in plots.iter().enumerate() {
-        if mechanism.body(GROUND).points.contains(own) {
-            hold(&[(2 * i, 1.0)]);
-            hold(&[(2 * i + 1, 1.0)]);
+    for (i, (point, at)) in plots.iter().enumerate() {
+        if mechanism.body(GROUND).points.contains(point) {
+            constrain(&[(2 * i, 1.0)]);
+            constrain(&[(2 * i + 1, 1.0)]);
         }
         for (j, (other, there)) in plots.iter().enumerate().take(i) {
-            let mut bodies = mechanism.bodies.iter();
-            let is_rigid = bodies.any(|b| b.points.contains(own) && b.points.contains(other));
-            if let Some(u) = unit(at - there).filter(|_| is_rigid) {
-                hold(&[(2 * i, u.x), (2 * i + 1, u.y), (2 * j, -u.x), (2 * j + 1, -u.y)]);
+            let is_rigid = mechanism.bodies.iter().any(|b| b.points.contains(point) && b.points.contains(other));
+            if is_rigid && let Some(u) = unit(at - there) {
+                constrain(&[(2 * i, u.x), (2 * i + 1, u.y), (2 * j, -u.x), (2 * j + 1, -u.y)]);
             }
         }
     }
     let eigen = squares.symmetric_eigen();
     let largest = eigen.eigenvalues.amax();
-    let kernel = eigen.eigenvalues.iter().enumerate();
-    let kernel = kernel.filter(|(_, value)| value.abs() <= 1e-10 * largest);
-    kernel.map(|(k, _)| eigen.eigenvectors.column(k).iter().copied().collect()).collect()
+    let null_space = eigen.eigenvalues.iter().enumerate().filter(|(_, value)| value.abs() <= 1e-10 * largest);
+    null_space.map(|(k, _)| eigen.eigenvectors.column(k).iter().copied().collect()).collect()
 }

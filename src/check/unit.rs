@@ -4,7 +4,7 @@ use super::sheet::CheckError;
 use crate::quantity::Kind;
 use crate::scene::{LengthUnit, TimeUnit, Units};
 
-/// By what a value in the unit `text` is multiplied to come out in the unit in which the scene has such quantities.
+/// The factor from the unit `text` to the scene's unit of quantities of this kind.
 pub(super) fn factor(text: &str, kind: Kind, units: Units) -> Result<f64, CheckError> {
     let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
     let compact = compact.replace("^2", "²").replace("**2", "²");
@@ -51,18 +51,18 @@ pub(super) fn factor(text: &str, kind: Kind, units: Units) -> Result<f64, CheckE
     found.ok_or_else(known)
 }
 
+/// Units of length, in metres.
 const LENGTHS: [(&str, f64); 5] = [("m", 1.0), ("mm", 1e-3), ("cm", 1e-2), ("in", 0.0254), ("ft", 0.3048)];
 
+/// Units of time, in seconds.
 const TIMES: [(&str, f64); 2] = [("s", 1.0), ("min", 60.0)];
 
 fn meters_of(unit: LengthUnit) -> f64 {
-    let found = LENGTHS.iter().find(|l| l.0 == unit.as_str());
-    found.map_or(1.0, |l| l.1)
+    LENGTHS.iter().find(|l| l.0 == unit.as_str()).map_or(1.0, |l| l.1)
 }
 
 fn seconds_of(unit: TimeUnit) -> f64 {
-    let found = TIMES.iter().find(|t| t.0 == unit.as_str());
-    found.map_or(1.0, |t| t.1)
+    TIMES.iter().find(|t| t.0 == unit.as_str()).map_or(1.0, |t| t.1)
 }
 
 fn said(kind: Kind) -> &'static str {

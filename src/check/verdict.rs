@@ -1,15 +1,15 @@
 use super::entry::Entry;
 
-/// How a value is.
+/// The verdict on a written value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The exact value rounds to it.
     Right,
-    /// As near as an honest hand drawing comes.
+    /// It differs from the exact value by no more than honest hand drawings do.
     WithinTolerance,
-    /// Farther off.
+    /// It differs by more.
     Off,
-    /// There is no construction from which it could be read, so no tolerance.
+    /// It has no tolerance: there is no construction from which it could be read.
     Unjudged,
 }
 
@@ -18,12 +18,12 @@ pub enum Verdict {
 pub struct Judged {
     /// The value.
     pub entry: Entry,
-    /// How it is.
+    /// The verdict on it.
     pub verdict: Verdict,
     /// The value less the exact one, in the scene's units; of an angle the shorter way round.
     pub difference: f64,
-    /// Up to which difference it counts as drawn within the tolerance; none where it is not drawn.
+    /// Largest difference that counts as within the tolerance; `None` where the value is not drawn.
     pub tolerance: Option<f64>,
-    /// Whether the tolerance is only a rough one.
+    /// Whether the tolerance is only a rough estimate.
     pub is_rough: bool,
 }

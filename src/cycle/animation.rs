@@ -1,30 +1,32 @@
 use super::{CycleError, Drive, Path};
 use crate::construction::Solution;
 
-/// How far from each end of a drive's range an animation stays, in parts of the range: at a limit position rates are infinite.
+/// Distance that an animation keeps from each end of the drive's range, in parts of the range: at a limit position
+/// rates are infinite.
 const OFF_THE_END: f64 = 0.004;
 
-/// How far a slider that has no end is followed either way, in parts of the mechanism's size.
-const WAY: f64 = 0.3;
+/// Distance that a slider without ends is followed either way, in parts of the mechanism's size.
+const OPEN_RANGE: f64 = 0.3;
 
 /// A mechanism solved at equal steps of a drive, for showing one position after another.
 #[derive(Clone, Debug)]
 pub struct Animation {
-    /// The drive; none for a drawn configuration and for a mechanism at rest, which have one position.
+    /// The drive; `None` for a drawn configuration or a mechanism without a drive, which have one position.
     pub drive: Option<Drive>,
-    /// The drive's values in degrees or lengths, rising; one zero without a drive.
+    /// The drive's values in degrees or lengths, rising; a single zero without a drive.
     pub values: Vec<f64>,
     /// The mechanism solved at each value.
     pub positions: Vec<Solution>,
-    /// Which of them is the scene's own.
+    /// Index of the scene's own position.
     pub own: usize,
-    /// Whether the last is followed by the first: the drive turns all the way round.
+    /// Whether the first position follows the last: the drive turns all the way round.
     pub is_round: bool,
 }
 
 impl Animation {
-    /// About `count` positions over the whole range that the drive of this name (without one, the first) can reach on the branch of
-    /// the solution's own position, and that position itself. Positions without a definite motion are left out.
+    /// About `count` positions over the whole range that the drive of this name (without one, the first) can reach on
+    /// the branch of the solution's own position, and that position itself. Positions without a definite motion are
+    /// left out.
     ///
     /// # Errors
     /// There is no drive of that name, or the branch cannot be followed.
@@ -40,8 +42,8 @@ impl Animation {
         let start = path.start();
         let [low, high] = match path.cover(None, None) {
             Err(CycleError::Range(_)) => {
-                let way = WAY * path.unit();
-                path.cover(Some(start - way), Some(start + way))?
+                let reach = OPEN_RANGE * path.unit();
+                path.cover(Some(start - reach), Some(start + reach))?
             }
             range => range?,
         };
@@ -55,7 +57,7 @@ impl Animation {
             let step = (high - low - 2.0 * off) / count.max(2).saturating_sub(1) as f64;
             (0..count).map(|k| low + off + step * k as f64).collect()
         };
-        // The scene's own position takes the place of a neighbour, so that steps stay nearly equal.
+        // The scene's own position replaces a value next to it, so that steps stay nearly equal.
         let next = values.iter().position(|v| *v >= start).unwrap_or(values.len());
         if values.get(next).is_some_and(|v| (v - start).abs() < 1e-9 * path.unit()) {
             values.remove(next);

@@ -4,7 +4,7 @@ use crate::geometry::Row;
 use crate::motion::{Order, motion};
 use crate::quantity::{Asked, Quantity, QuantityError};
 
-/// What is asked for at every position of a sweep.
+/// A quantity that is asked for at every position of a sweep: a number or a vector.
 #[derive(Clone, Debug)]
 pub struct Column {
     /// The quantity.
@@ -12,7 +12,7 @@ pub struct Column {
 }
 
 impl Column {
-    /// Names of its numbers: that of the quantity, of a vector with `.x` and `.y`.
+    /// Names of its numbers: the quantity's name, for a vector with `.x` and with `.y`.
     pub fn names(&self) -> impl Iterator<Item = String> + '_ {
         let parts: &[&str] = if self.asked.is_vector() { &[".x", ".y"] } else { &[""] };
         parts.iter().map(|part| format!("{}{part}", self.asked.name()))
@@ -24,6 +24,7 @@ impl Column {
 pub(super) struct Columns<'a> {
     pub path: &'a Path<'a>,
     pub list: Vec<Column>,
+    /// Whether one of them needs the construction.
     constructs: bool,
 }
 
@@ -38,18 +39,18 @@ impl<'a> Columns<'a> {
         Ok(Self::of(path, list))
     }
 
-    /// These quantities.
+    /// The quantities of these columns.
     pub fn of(path: &'a Path<'a>, list: Vec<Column>) -> Self {
         let constructs = list.iter().any(|c| c.asked.needs_construction());
         Columns { path, list, constructs }
     }
 
-    /// Their values at a position, in order; none where it is singular or a quantity has no value.
+    /// The columns with their values at a position, in order; `None` where it is singular or a quantity has no value.
     pub fn values<'p, R: Row>(
         &'p self,
         position: Option<Position<'p, R>>,
     ) -> impl Iterator<Item = (&'p Column, Option<Quantity>)> + 'p {
-        let built = position.filter(|_| self.constructs).and_then(|p| self.construct(&p));
+        let built = if self.constructs { position.and_then(|p| self.construct(&p)) } else { None };
         self.list.iter().map(move |column| {
             let asked = &column.asked;
             let found = position.and_then(|position| {
@@ -64,17 +65,20 @@ impl<'a> Columns<'a> {
         })
     }
 
-    /// The plans at a position; none where it is singular.
+    /// The construction at a position; `None` where it is singular.
     fn construct<R: Row>(&self, position: &Position<R>) -> Option<Construction> {
         let (mechanism, pose) = (self.path.mechanism, position.pose());
         let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
         Some(construct(mechanism, &pose, &motion))
     }
 
-    /// Whether every plan point that is asked for is there, at the first of some values of the drive that has plans.
+    /// Checks that every plan point asked for exists, at the first of these values of the drive that has plans.
     pub fn check(&self, values: impl Iterator<Item = f64>) -> Result<(), QuantityError> {
+        if !self.constructs {
+            return Ok(());
+        }
         let mut walker = self.path.walker();
-        for value in values.take_while(|_| self.constructs) {
+        for value in values {
             let Some(position) = walker.position(value) else {
                 continue;
             };

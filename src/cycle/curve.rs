@@ -7,16 +7,16 @@ use super::{CycleError, Event, Happening, Path};
 use crate::mechanism::BodyId;
 use crate::quantity::{Asked, Kind, QuantityError};
 
-/// Parts of every segment of the path at which it is looked at too: no feature of the motion is smaller.
+/// Parts into which first samples divide every segment of the path: no feature of the motion is smaller.
 const PARTS_OF_SEGMENT: usize = 2;
 
-/// How far beyond what is worth showing curves are sampled, in parts of its height: a panel has a border.
+/// How far above and below the window curves are sampled, in parts of the window's height: a panel has a border.
 const BEYOND: f64 = 0.5;
 
-/// The part of a curve's height below which it is zero at a dead centre.
+/// Value at a dead centre that counts as zero, in parts of the curve's height.
 const ZERO: f64 = 1e-6;
 
-/// What differs by less than this part of itself is the same.
+/// Difference of two values of the drive that counts as none, in parts of a turn or of the range.
 const SAME: f64 = 1e-9;
 
 /// Quantities over a range of a path, as curves that can be drawn.
@@ -26,9 +26,9 @@ pub struct Curves<'a> {
     pub path: &'a Path<'a>,
     /// Lowest and highest value of the drive that are shown: the part of the range that the path has reached.
     pub range: [f64; 2],
-    /// In the order in which they were asked for.
+    /// The curves, in the order in which they were asked for.
     pub curves: Vec<Curve>,
-    /// What happens in the range, in the order of the drive's value.
+    /// The events in the range, in the order of the drive's value.
     pub events: Vec<Event>,
 }
 
@@ -37,18 +37,19 @@ pub struct Curves<'a> {
 pub struct Curve {
     /// The quantities, all of one kind.
     pub asked: Vec<Asked>,
-    /// Values of the drive and of the quantity (of a vector its size), in pieces without a gap: straight lines between them look like
-    /// the curve. Angles go on without jumps of whole turns.
+    /// Points (value of the drive, value of the quantity or size of the vector), in pieces without a gap, so dense that
+    /// straight lines between them look like the curve. Angles run on without jumps of whole turns.
     pub pieces: Vec<Vec<[f64; 2]>>,
-    /// Lowest and highest value that are worth showing: all values, or where the curve grows without bound so much of it that the
-    /// rest stays readable.
+    /// Lowest and highest value to be shown: all values, or, where the curve grows without bound, as far as the rest of
+    /// it stays readable.
     pub window: [f64; 2],
-    /// Its greatest and its least values over the range, in the order of the drive's value; none where it grows without bound, and
-    /// none for a curve that is constant.
+    /// Greatest and least values over the range, in the order of the drive's value; none on a side where the curve
+    /// grows without bound, and none for a constant curve.
     pub extremes: Vec<Extreme>,
-    /// Its value where that is everywhere the same.
+    /// The value of a constant curve.
     pub constant: Option<f64>,
-    /// For ω of a link and v_r of a slider: where it is zero, at dead centres and at the ends of the range.
+    /// For ω of a link and v_r of a slider: values of the drive where it is zero, at dead centres and at the ends of
+    /// the range.
     pub dead: Vec<f64>,
 }
 
@@ -61,24 +62,27 @@ impl Curve {
 }
 
 impl<'a> Curves<'a> {
-    /// The curves of quantities by their names, over the part of a range that `path` has reached; without names ω of all links that follow the drives and turn.
+    /// The curves of quantities by their names, over the part of `range` that `path` has reached; without names, ω of
+    /// all driven links that turn.
     ///
     /// # Errors
-    /// A name is no quantity of this mechanism, or one without a value in the range; or nothing of the range has been reached.
+    /// A name is no quantity of this mechanism, or the quantity has no value in the range; or nothing of the range has
+    /// been reached.
     pub fn new(path: &'a Path<'a>, range: [f64; 2], names: Option<&[String]>) -> Result<Self, CycleError> {
         let mut low = range[0].min(range[1]).max(path.low());
         let mut high = range[0].max(range[1]).min(path.high());
-        // A range without width shows nothing; one of a few roundings has no curve in it.
+        // There is no curve in a range without width, or of a few roundings' width.
         if high.is_nan() || low.is_nan() || high - low <= SAME * path.unit() {
             let [from, to] = [low, high].map(|v| path.drive.amount(v));
             let hint = "a range with more room between --from and --to";
             return Err(CycleError::Range(format!("from {from} to {to} there is no room for a curve\n  try: {hint}")));
         }
-        // The path stops just before its limits.
-        for (side, above) in [(&mut low, false), (&mut high, true)] {
-            let end = if above { path.high() } else { path.low() };
-            let limit = path.limit(above).filter(|_| *side == end);
-            *side = limit.unwrap_or(*side);
+        // The path stops just before its limits; the range includes them.
+        if low == path.low() {
+            low = path.limit(false).unwrap_or(low);
+        }
+        if high == path.high() {
+            high = path.limit(true).unwrap_or(high);
         }
         let mut curves = Curves { path, range: [low, high], curves: Vec::new(), events: Vec::new() };
         let inside = |e: &Event| (low..=high).contains(&e.at);
@@ -93,7 +97,7 @@ impl<'a> Curves<'a> {
         Ok(curves)
     }
 
-    /// Adds the curves of quantities.
+    /// Adds the curves of the quantities of these names; equal quantities share a curve.
     fn add(&mut self, names: &[String]) -> Result<(), CycleError> {
         let grid = self.grid();
         let mut surveys: Vec<CurveSurvey> = Vec::new();
@@ -114,17 +118,16 @@ impl<'a> Curves<'a> {
                 None => surveys.push(survey),
             }
         }
-        // Curves of one kind share an axis, so each is sampled as far as all of them reach.
-        let shared = |own: &CurveSurvey| {
-            let alike = surveys.iter().filter(|other| other.kind() == own.kind());
-            hull(alike.flat_map(|other| other.window))
+        // Curves of one kind share an axis, so each is sampled over the windows of all of them.
+        let shared = |survey: &CurveSurvey| {
+            hull(surveys.iter().filter(|other| other.kind() == survey.kind()).flat_map(|other| other.window))
         };
-        let shared: Vec<[f64; 2]> = surveys.iter().map(shared).collect();
-        self.curves = surveys.into_iter().zip(shared).map(|(survey, shared)| self.curve(survey, shared)).collect();
+        let windows: Vec<[f64; 2]> = surveys.iter().map(shared).collect();
+        self.curves = surveys.into_iter().zip(windows).map(|(survey, shared)| self.curve(survey, shared)).collect();
         Ok(())
     }
 
-    /// The quantity of that name, which must have a curve.
+    /// The quantity of that name, if it can have a curve.
     fn checked(&self, name: &str) -> Result<Asked, CycleError> {
         let path = self.path;
         let asked = Asked::new(name, path.mechanism)?;
@@ -133,20 +136,20 @@ impl<'a> Curves<'a> {
             return Err(QuantityError::NoValue(name.to_owned(), why).into());
         }
         let column = Column { asked: asked.clone() };
-        // The scene's own position is surely not singular.
+        // The scene's own position is not singular.
         Columns::of(path, vec![column]).check([path.start()].into_iter())?;
         Ok(asked)
     }
 
-    /// Where curves are looked at first.
+    /// Values of the drive at which all curves are sampled first.
     fn grid(&self) -> Vec<f64> {
         let [low, high] = self.range;
         let part = |k: usize, parts: usize, [a, b]: [f64; 2]| a + (b - a) * k as f64 / parts as f64;
         let mut grid: Vec<f64> = (0..=PARTS).map(|k| part(k, PARTS, [low, high])).collect();
-        let segments = self.path.segments.iter();
-        let inner =
-            segments.flat_map(|s| (0..PARTS_OF_SEGMENT).map(move |k| part(k, PARTS_OF_SEGMENT, [s.from, s.to])));
-        grid.extend(inner.filter(|x| (low..high).contains(x)));
+        for segment in &self.path.segments {
+            let inner = (0..PARTS_OF_SEGMENT).map(|k| part(k, PARTS_OF_SEGMENT, [segment.from, segment.to]));
+            grid.extend(inner.filter(|x| (low..high).contains(x)));
+        }
         grid.sort_by(f64::total_cmp);
         grid.dedup_by(|b, a| *b - *a <= SAME * (high - low));
         let last = grid.len() - 1;
@@ -154,7 +157,7 @@ impl<'a> Curves<'a> {
         grid
     }
 
-    /// The curve, sampled for a panel that shows `shared`.
+    /// The curve, sampled for a panel whose axis covers the values `shared`.
     fn curve(&self, mut survey: CurveSurvey, shared: [f64; 2]) -> Curve {
         let mut curve = Curve {
             asked: survey.asked,
@@ -190,11 +193,8 @@ impl<'a> Curves<'a> {
                 matches!(what, Happening::TurnsBack { .. } | Happening::SlidesBack { .. })
             };
             let dead = self.events.iter().filter(turns).map(|e| e.at);
-            // Nothing can be seen to turn back at an end of the range.
-            let rests = |at: &f64| {
-                let value = reading.at(*at, None);
-                value.is_some_and(|v| v.abs() <= ZERO * height)
-            };
+            // At an end of the range no link can be seen to turn back, so the value alone decides.
+            let rests = |at: &f64| reading.at(*at, None).is_some_and(|v| v.abs() <= ZERO * height);
             curve.dead = dead.chain(self.range).filter(rests).collect();
             curve.dead.sort_by(f64::total_cmp);
             let least = SAME * self.path.unit();
@@ -204,13 +204,13 @@ impl<'a> Curves<'a> {
     }
 }
 
-/// Names of the angular velocities of all links that follow, or of the drives where nothing follows.
+/// Names of the angular velocities of all driven links, or of the driving ones where there are no others.
 fn every_omega(path: &Path) -> Vec<String> {
-    let driven = |id: BodyId| path.kernel.inputs.iter().any(|input| input.body == id);
-    let links = |drives: bool| {
-        let links = path.mechanism.links().filter(|(id, _)| driven(*id) == drives);
-        links.map(|(_, body)| format!("omega({})", body.name)).collect::<Vec<_>>()
+    let is_input = |id: BodyId| path.kernel.inputs.iter().any(|input| input.body == id);
+    let names = |inputs: bool| -> Vec<String> {
+        let links = path.mechanism.links().filter(|(id, _)| is_input(*id) == inputs);
+        links.map(|(_, body)| format!("omega({})", body.name)).collect()
     };
-    let following = links(false);
-    if following.is_empty() { links(true) } else { following }
+    let driven = names(false);
+    if driven.is_empty() { names(true) } else { driven }
 }

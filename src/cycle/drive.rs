@@ -2,7 +2,8 @@ use super::CycleError;
 use crate::kernel::{InputKind, Kernel};
 use crate::mechanism::{Mechanism, Role, SliderId};
 
-/// A drive that is moved through a range; its value is in degrees, or in lengths along the guide.
+/// A drive that is moved through a range; its value is the link's angle in degrees, or the slider's position along the
+/// guide.
 #[derive(Clone, Debug)]
 pub struct Drive {
     /// Its name: that of the driven link, or of the slider on a moving link, as in `3/2`.
@@ -38,7 +39,7 @@ impl Drive {
         Ok(Drive { name, input, turns: matches!(kernel.inputs[input].kind, InputKind::Turning { .. }), quantity })
     }
 
-    /// Its value in words, as in `angle(1) = 30°`.
+    /// The drive at this value, in words, as in `angle(1) = 30°`.
     #[must_use]
     pub fn at(&self, value: f64) -> String {
         format!("{} = {}", self.quantity(), self.amount(value))
@@ -47,7 +48,7 @@ impl Drive {
     /// A value with its unit, as in `30°`.
     #[must_use]
     pub fn amount(&self, value: f64) -> String {
-        // Places are known to about 1e-12 of a turn, or of the mechanism's size.
+        // Values of the drive are known to about 1e-12 of a turn, or of the mechanism's size.
         if self.turns {
             format!("{}°", (value * 1e10).round() / 1e10 + 0.0)
         } else {
@@ -55,7 +56,7 @@ impl Drive {
         }
     }
 
-    /// The name of its value as a quantity, as in `angle(1)` or `position(4/ground)`.
+    /// The name of the drive's value as a quantity, as in `angle(1)` or `position(4/ground)`.
     #[must_use]
     pub fn quantity(&self) -> String {
         self.quantity.clone()
@@ -68,13 +69,13 @@ impl Drive {
     }
 }
 
-/// The nearest number with so many digits.
+/// The nearest number with so many decimal digits.
 pub(super) fn shortened(value: f64, digits: usize) -> f64 {
     let text = format!("{value:.*e}", digits - 1);
     text.parse().unwrap_or(value) + 0.0
 }
 
-/// `mechanism` with every drive but the one of this name standing still where it is.
+/// `mechanism` with all drives at rest but the one of this name.
 #[must_use]
 pub fn alone(mechanism: &Mechanism, drive: &str) -> Mechanism {
     let mut alone = mechanism.clone();

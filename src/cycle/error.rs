@@ -1,4 +1,4 @@
-/// Why there is no path from a pose.
+/// Why a motion cannot be followed, or a quantity along it not be shown.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CycleError {
     /// A drawn configuration has one position.
@@ -7,16 +7,16 @@ pub enum CycleError {
          try: a scene with `lengths` or `shape` and a drive with its `angle` or `position`"
     )]
     Drawn,
-    /// Mechanisms that were to be computed side by side are not of one kind.
+    /// Mechanisms to be computed side by side are not of one kind.
     #[error(
         "mechanism {number} is not of the kind of mechanism 0\n  \
          try: the same links, joints and drives in the same order; only lengths, places and drives may differ"
     )]
     NotOfOneKind {
-        /// Its number, from 0.
+        /// The number of the mechanism that differs, from 0.
         number: usize,
     },
-    /// Nothing drives it.
+    /// The mechanism has no drive.
     #[error("there is no drive to move\n  try: give a link a \"drive\"")]
     NoDrive,
     /// The drive that was asked for does not exist.
@@ -24,10 +24,10 @@ pub enum CycleError {
     NoSuchDrive {
         /// The name asked for.
         name: String,
-        /// The names that there are.
+        /// The names of the drives that exist.
         known: String,
     },
-    /// The scene's own position is singular, so which way it goes on is not decided.
+    /// The scene's own position is singular, so it does not decide on which branch the motion goes on.
     #[error(
         "links {links} are in a singular position at {at}, so which way they go on is not decided\n  \
          try: a scene at another position of the drive; the sweep finds its way from there"
@@ -48,7 +48,7 @@ pub enum CycleError {
         from: String,
         /// Where it ends.
         to: String,
-        /// What stands in the way, in words.
+        /// The event that ends the path before the range, in words.
         stop: String,
         /// The lowest reachable value found.
         low: String,
@@ -58,7 +58,7 @@ pub enum CycleError {
     /// A range, step or count without meaning.
     #[error("{0}")]
     Range(String),
-    /// A hodograph of what has no direction.
+    /// A hodograph was asked for of a quantity that is no vector.
     #[error("`{0}` is no vector\n  try: v(D), v(D/G), a(D), a_n(D/G), a_t(D/G), a_c(3/2) with names of this scene")]
     NoVector(String),
     /// A quantity that was asked for has no curve.

@@ -5,7 +5,7 @@ use crate::kernel::{Single, Unknown};
 use crate::mechanism::SliderId;
 use std::cmp::Reverse;
 
-/// Something that happens at one value of the drive.
+/// An event at one value of the drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     /// The drive's value, to about 1e-12 of a turn.
@@ -22,12 +22,13 @@ pub enum Happening {
         /// The links of the group that is stretched, or otherwise singular.
         links: String,
     },
-    /// Places run off to infinity, as where two guides become parallel.
+    /// A place runs off to infinity, as where two guides become parallel.
     RunsOff {
         /// The links of the group that runs off.
         links: String,
     },
-    /// Two branches cross; the motion goes on smoothly, but another mode begins here too and the rates are not determined.
+    /// Two branches cross: the motion goes on smoothly, but it could go on in another mode too, so rates are not
+    /// determined.
     Change {
         /// The links of the group.
         links: String,
@@ -37,14 +38,14 @@ pub enum Happening {
         /// The links of the group.
         links: String,
     },
-    /// A link stands still and turns back: an extreme position, and a dead centre for whoever drives that link.
+    /// A link stops and turns back: an extreme position, and a dead centre if that link were the driving one.
     TurnsBack {
         /// The link's name.
         link: String,
         /// Its angle there, in degrees.
         angle: f64,
     },
-    /// A slider stands still on its guide and slides back: the same for a slider.
+    /// A slider stops on its guide and slides back: likewise.
     SlidesBack {
         /// The slider's name, as in `3/2`.
         slider: String,
@@ -60,7 +61,7 @@ impl Event {
         matches!(self.what, Happening::Limit { .. } | Happening::RunsOff { .. } | Happening::Singular { .. })
     }
 
-    /// The event in words, with its place given as in `angle(1) = 30°`.
+    /// The event in words; `place` is the drive's value in words, as in `angle(1) = 30°`.
     #[must_use]
     pub fn text(&self, place: &str) -> String {
         match &self.what {
@@ -89,26 +90,23 @@ impl Event {
     }
 }
 
-/// Parts of a segment in which a change of a rate's sign is looked for.
+/// Parts of a segment that are searched for a change of a rate's sign.
 const PARTS: usize = 8;
 
-/// A rate that stays below this part of the fastest one is that of a link or slider that does not move.
+/// Relative tolerance for rest: a link or slider whose rate stays below this part of the fastest rate does not move.
 const AT_REST: f64 = 1e-9;
 
-/// Newton or bisection steps to an extreme position.
+/// Most Newton or bisection steps to an extreme position.
 const STEPS: usize = 60;
 
-/// Extreme positions on the path: where a link or slider stands still and turns back.
+/// Extreme positions on the path: where a link or slider stops and turns back.
 pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
     let (mechanism, kernel) = (path.mechanism, &path.kernel);
     let mut events = Vec::new();
     let mut walker = path.walker();
-    let fastest = |unknown: Unknown| {
-        let rates = path.nodes.iter().map(|n| rate(&n.block, unknown)[0].abs());
-        rates.fold(0.0, f64::max)
-    };
-    let fastest_turn = kernel.unknowns.iter().flatten().filter(|u| matches!(u, Unknown::Spin(_)));
-    let fastest_turn = fastest_turn.map(|u| fastest(*u)).fold(0.0, f64::max);
+    let fastest = |unknown: Unknown| path.nodes.iter().map(|n| rate(&n.block, unknown)[0].abs()).fold(0.0, f64::max);
+    let spins = kernel.unknowns.iter().flatten().filter(|u| matches!(u, Unknown::Spin(_)));
+    let fastest_turn = spins.map(|u| fastest(*u)).fold(0.0, f64::max);
     for unknown in kernel.unknowns.iter().flatten().copied() {
         let scale = match unknown {
             Unknown::Spin(_) => fastest_turn,
@@ -138,12 +136,11 @@ pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
                         position: block.slides[slider][0],
                     },
                     Unknown::Spin(class) => {
-                        // Of links that turn together, a lever says more than the block on it.
-                        let links = mechanism.links();
-                        let own = links
-                            .filter(|(id, _)| kernel.seat(*id).class == class)
-                            .min_by_key(|(_, body)| Reverse(body.points.len()));
-                        let Some((id, body)) = own else { continue };
+                        // Of links that turn together the one with most points is named: the lever, not the block on
+                        // it.
+                        let links = mechanism.links().filter(|(id, _)| kernel.seat(*id).class == class);
+                        let largest = links.min_by_key(|(_, body)| Reverse(body.points.len()));
+                        let Some((id, body)) = largest else { continue };
                         let axis = block.turn(class, 0) * kernel.seat(id).turn * Vector::x();
                         Happening::TurnsBack { link: body.name.clone(), angle: degrees_of(axis) }
                     }
@@ -155,7 +152,7 @@ pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
     events
 }
 
-/// First and second derivative of an unknown.
+/// First and second derivative of an unknown with respect to the drive's value.
 fn rate(block: &Single, unknown: Unknown) -> [f64; 2] {
     match unknown {
         Unknown::Spin(class) => [block.omegas[class][0], block.alphas[class][0]],
@@ -163,7 +160,8 @@ fn rate(block: &Single, unknown: Unknown) -> [f64; 2] {
     }
 }
 
-/// Where between two values of the drive an unknown's rate is zero: Newton's method, kept in its bracket by bisection.
+/// The value of the drive between `low` and `high` where an unknown's rate is zero: Newton's method, kept in its
+/// bracket by bisection. `None` where a position in between has no motion.
 fn standstill(walker: &mut Walker, unknown: Unknown, low: f64, high: f64, unit: f64) -> Option<f64> {
     let mut bracket = [low, high];
     let rising = rate(walker.unit_motion(high)?, unknown)[0] > 0.0;

@@ -1,13 +1,14 @@
 use super::reading::Reading;
 use super::samples::{Sample, hull};
 
-/// The part of a curve's height by which a local extreme may miss the extreme of all samples and still be looked at.
+/// Distance from the extreme of all samples within which a sample's neighbourhood is searched, in parts of the curve's
+/// height.
 const NEARLY: f64 = 0.05;
 
-/// The part of a curve's height by which extremes that count as equal may differ.
+/// Difference of two extremes that count as equal, in parts of the curve's height.
 const EQUAL: f64 = 1e-9;
 
-/// The part of the range below which two extremes are one.
+/// Distance of two extremes that count as one, in parts of the range.
 const APART: f64 = 1e-6;
 
 /// A greatest or least value.
@@ -15,13 +16,13 @@ const APART: f64 = 1e-6;
 pub struct Extreme {
     /// The drive's value.
     pub at: f64,
-    /// The quantity's value; of a smooth curve to rounding.
+    /// The quantity's value; exact to rounding where the curve is smooth.
     pub value: f64,
-    /// Whether it is a greatest value.
+    /// Whether it is a greatest value; else a least one.
     pub greatest: bool,
 }
 
-/// The places where a curve of that height is greatest, or least, each by itself in its surroundings and equal to the others.
+/// The places where a curve of that height is greatest, or least; several where the values there are equal.
 pub(super) fn extremes(reading: &mut Reading, pieces: &[Vec<[f64; 2]>], height: f64, greatest: bool) -> Vec<Extreme> {
     let sign = if greatest { 1.0 } else { -1.0 };
     let all = || pieces.iter().flatten();
@@ -35,21 +36,20 @@ pub(super) fn extremes(reading: &mut Reading, pieces: &[Vec<[f64; 2]>], height: 
             }
         }
     }
-    let rated = found.iter().map(|p| sign * p[1]);
-    let best = rated.fold(f64::NEG_INFINITY, f64::max);
+    let best = found.iter().map(|p| sign * p[1]).fold(f64::NEG_INFINITY, f64::max);
     found.retain(|p| best - sign * p[1] <= EQUAL * height);
     let [low, high] = hull(all().map(|p| p[0]));
     found.dedup_by(|b, a| b[0] - a[0] <= APART * (high - low));
     let extreme = |p: &[f64; 2]| Extreme {
         at: p[0],
-        // What rounding leaves of a zero is none.
+        // A zero with rounding errors is written as zero.
         value: if p[1].abs() <= EQUAL * height { 0.0 } else { p[1] },
         greatest,
     };
     found.iter().map(extreme).collect()
 }
 
-/// The local extreme that the sample of that index is nearest to; none if a neighbour is further out.
+/// The local extreme next to the sample of that index; `None` if a neighbour of the sample lies further out.
 pub(super) fn peak(reading: &mut Reading, samples: &[Sample], index: usize, sign: f64) -> Option<[f64; 2]> {
     let (x, y) = samples[index];
     let y = y?;
@@ -59,11 +59,10 @@ pub(super) fn peak(reading: &mut Reading, samples: &[Sample], index: usize, sign
         let other = samples[i].1.map(|other| sign * (other - y));
         i != index && other.is_some_and(|d| d > 0.0 || or_equal && d == 0.0)
     };
-    // Of equal neighbours the first is it.
+    // Of equal neighbours the first counts.
     if further(left, true) || further(right, false) {
         return None;
     }
     let between = reading.peak([samples[left].0, samples[right].0], sign, y);
-    let better = between.filter(|p| sign * (p[1] - y) > 0.0);
-    Some(better.unwrap_or([x, y]))
+    Some(between.filter(|p| sign * (p[1] - y) > 0.0).unwrap_or([x, y]))
 }

@@ -3,48 +3,51 @@ use super::{Curve, Curves, CycleError, Event, Path};
 use crate::geometry::Vector;
 use crate::quantity::Asked;
 
-/// Angles of the drive at which tips are marked, in degrees.
+/// Step between the angles of the drive at which tips are marked, in degrees.
 const MARKS: f64 = 30.0;
-/// About how many tips are marked where the drive is a slider.
+/// Approximate number of tips that are marked where the drive is a slider.
 const MARKS_OF_SLIDER: f64 = 12.0;
-/// What differs by less than this part of the range is the same value of the drive.
+/// Difference of two values of the drive that counts as none, in parts of the range.
 const SAME: f64 = 1e-9;
 
-/// The ways that the tips of vectors take over a range of a path, all vectors laid off from one pole.
+/// Hodographs: the curves of the tips of vectors over a range of a path, all vectors laid off from one pole.
 #[derive(Clone, Debug)]
 pub struct Hodographs<'a> {
     /// The path.
     pub path: &'a Path<'a>,
     /// Lowest and highest value of the drive that are shown: the part of the range that the path has reached.
     pub range: [f64; 2],
-    /// In the order in which they were asked for.
+    /// The hodographs, in the order in which they were asked for.
     pub hodographs: Vec<Hodograph>,
-    /// What happens in the range, in the order of the drive's value.
+    /// The events in the range, in the order of the drive's value.
     pub events: Vec<Event>,
 }
 
-/// The way of one vector's tip.
+/// The curve of one vector's tip.
 #[derive(Clone, Debug)]
 pub struct Hodograph {
     /// The vector.
     pub asked: Asked,
-    /// Values of the drive and tips, from the pole, in pieces without a gap: straight lines between them look like the way. The
-    /// way of a whole turn closes itself.
+    /// Values of the drive and tips, measured from the pole, in pieces without a gap, so dense that straight lines
+    /// between them look like the curve. The curve of a whole turn is closed.
     pub pieces: Vec<Vec<(f64, Vector)>>,
-    /// Lowest and highest coordinates that are worth showing, the pole among them: all of the way, or where it runs off beyond all
-    /// bounds so much of it that the rest stays readable.
+    /// Lowest and highest coordinates to be shown, the pole included: the whole curve, or, where it grows without
+    /// bound, as far as the rest of it stays readable.
     pub window: [Vector; 2],
-    /// Tips at round values of the drive; at every 30° of an angle, which is from 0° on where the way is that of a whole turn.
+    /// Tips at round values of the drive: for an angle every 30°, counted from 0° to 360° where the range is a whole
+    /// turn.
     pub marks: Vec<(f64, Vector)>,
     /// The tip at the scene's own position, if that is in the range.
     pub own: Option<Vector>,
 }
 
 impl<'a> Hodographs<'a> {
-    /// The ways of vectors by their names, as `v(D)` or `a(D/G)`, over the part of a range that `path` has reached.
+    /// The hodographs of vectors by their names, as `v(D)` or `a(D/G)`, over the part of `range` that `path` has
+    /// reached.
     ///
     /// # Errors
-    /// A name is no vector of this mechanism, or one without a value in the range; or nothing of the range has been reached.
+    /// A name is no vector of this mechanism, or the vector has no value in the range; or nothing of the range has been
+    /// reached.
     pub fn new(path: &'a Path<'a>, range: [f64; 2], names: &[String]) -> Result<Self, CycleError> {
         let mut all = Hodographs { path, range, hodographs: Vec::new(), events: Vec::new() };
         for (index, name) in names.iter().enumerate() {
@@ -79,7 +82,7 @@ impl<'a> Hodographs<'a> {
             let mut parts = readings.iter_mut().map(|reading| reading.at(at, None));
             Some(Vector::new(parts.next()??, parts.next()??))
         };
-        // Where both parts are sampled, at the samples of both.
+        // Tips at the samples of both components, where the pieces of both overlap.
         let mut pieces = Vec::new();
         for a in &x.pieces {
             for b in &y.pieces {
@@ -90,8 +93,7 @@ impl<'a> Hodographs<'a> {
                 let mut values: Vec<f64> = samples.filter(|at| common.contains(at)).collect();
                 values.sort_by(f64::total_cmp);
                 values.dedup();
-                let tips = values.into_iter().filter_map(|at| Some((at, tip(at)?)));
-                let piece: Vec<(f64, Vector)> = tips.collect();
+                let piece: Vec<(f64, Vector)> = values.into_iter().filter_map(|at| Some((at, tip(at)?))).collect();
                 if piece.len() > 1 {
                     pieces.push(piece);
                 }
@@ -100,11 +102,9 @@ impl<'a> Hodographs<'a> {
         let [low, high] = self.range;
         let whole = self.path.drive.is_angle() && high - low >= 360.0 * (1.0 - SAME);
         let called = |at: f64| if whole { at.rem_euclid(360.0) } else { at };
-        let marks = self.round_values().into_iter();
-        let marks = marks.filter_map(|at| Some((called(at), tip(at)?)));
-        let marks = marks.collect();
+        let marks = self.round_values().into_iter().filter_map(|at| Some((called(at), tip(at)?))).collect();
         let start = self.path.start();
-        // A whole turn holds the scene's position, perhaps turns away.
+        // The scene's position may be in the range with whole turns added.
         let turns = if self.path.drive.is_angle() { 360.0 * ((low - start) / 360.0 - SAME).ceil() } else { 0.0 };
         let own = Some(start + turns).filter(|at| (low..=high).contains(at));
         Hodograph {
@@ -119,7 +119,7 @@ impl<'a> Hodographs<'a> {
         }
     }
 
-    /// Values of the drive at which tips are marked; of a whole turn each once.
+    /// Values of the drive at which tips are marked; in a whole turn each once.
     fn round_values(&self) -> Vec<f64> {
         let [low, high] = self.range;
         let step = if self.path.drive.is_angle() {
@@ -133,7 +133,6 @@ impl<'a> Hodographs<'a> {
         let turn = if self.path.drive.is_angle() { low + 360.0 - SAME * 360.0 } else { f64::INFINITY };
         let first = (low / step - SAME).ceil();
         let count = ((high - low) / step) as usize + 1;
-        let values = (0..count).map(|k| (first + k as f64) * step);
-        values.filter(|at| *at <= high && *at < turn).collect()
+        (0..count).map(|k| (first + k as f64) * step).filter(|at| *at <= high && *at < turn).collect()
     }
 }

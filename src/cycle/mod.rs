@@ -1,6 +1,7 @@
-//! In: a mechanism and one pose. Out: a [`Path`]: the whole motion along that pose's branch while a drive runs, and any position of it.
-//! The branch is followed by steps that adapt to it and proves itself: between two nodes a quintic through both must meet
-//! the mechanism in the middle to half the digits of f64, so the next branch is out of reach and one Newton step finds any position.
+//! In: a mechanism and one pose. Out: a [`Path`]: the whole motion along that pose's branch while a drive runs, and any
+//! position of it. The branch is followed in steps of adaptive size, and each step is checked: midway between two nodes
+//! their interpolating quintic must meet the mechanism to half the digits of f64. So no step reaches another branch,
+//! and one Newton step finds any position.
 //! Limit positions, where two branches meet and the drive can go no further, are located and end the path.
 
 mod animation;

@@ -11,16 +11,16 @@ use crate::position::Pose;
 /// The widest range that is followed, in turns to each side.
 const MOST_TURNS: f64 = 100.0;
 
-/// How far the ends of a slider's path are looked for, in sizes of the mechanism.
+/// Range in which the ends of a slider's path are searched, in sizes of the mechanism to each side.
 const FAR: f64 = 10.0;
 
-/// How far the branch is followed the other way first, in turns: enough for the longest leap.
+/// Distance that the branch is first followed the other way, in turns: enough for the longest leap.
 const RUN_UP: f64 = 0.01;
 
 /// The motion of a mechanism along one branch while a drive moves, as far as it has been followed.
 ///
-/// Other drives run along, each in proportion to its speed in the scene, and stand where the moved one's is zero;
-/// [`alone`](super::alone) makes them stand.
+/// Other drives run along in proportion to their speeds in the scene; they stand still where the moved drive's own
+/// speed is zero, or in the mechanism that [`alone`](super::alone) returns.
 #[derive(Clone, Debug)]
 pub struct Path<'a> {
     /// The mechanism.
@@ -30,8 +30,9 @@ pub struct Path<'a> {
     pub(super) kernel: Kernel,
     /// The kernel without the places of points.
     bare: Kernel,
-    /// By input: its value at the first node found, and its units for each unit of the moved drive.
+    /// For each drive: its value at the scene's position, and its rate per unit rate of the moved drive.
     pub(super) inputs: Vec<[f64; 2]>,
+    /// The moved drive's value at the scene's position.
     origin: f64,
     size: f64,
     /// In the order of the drive's value.
@@ -39,32 +40,32 @@ pub struct Path<'a> {
     pub(super) segments: Vec<Segment>,
     /// Change points on the way.
     pub(super) changes: Vec<Event>,
-    /// What ends the path below and above, where something does.
+    /// The events that end the path below and above, if any.
     ends: [Option<Event>; 2],
 }
 
 impl<'a> Path<'a> {
-    /// The path through `pose`, not followed anywhere yet.
+    /// The path through `pose`, not followed to either side yet.
     ///
     /// # Errors
-    /// The configuration is drawn, or singular where it stands.
+    /// The configuration is drawn, or `pose` is singular.
     pub fn new(mechanism: &'a Mechanism, pose: &Pose, drive: Drive) -> Result<Self, CycleError> {
         let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
-        let own = |input: usize| {
+        let speed = |input: usize| {
             let input = &kernel.inputs[input];
             match input.kind {
                 InputKind::Turning { .. } => input.rate.to_degrees(),
                 InputKind::Sliding { .. } => input.rate,
             }
         };
-        let moved = own(drive.input);
+        let moved = speed(drive.input);
         let ratio = |input: usize| {
             if input == drive.input {
                 1.0
             } else if moved == 0.0 {
                 0.0
             } else {
-                own(input) / moved
+                speed(input) / moved
             }
         };
         let inputs: Vec<[f64; 2]> =
@@ -86,8 +87,8 @@ impl<'a> Path<'a> {
             kernel,
         };
         let determinants = path.kernel.determinants(&block);
-        let dull = |group: &usize| determinants[*group][1] < 1e-18;
-        if let Some(group) = (0..mechanism.groups.len()).find(|g| !closed || dull(g)) {
+        let is_singular = |group: &usize| determinants[*group][1] < 1e-18;
+        if let Some(group) = (0..mechanism.groups.len()).find(|g| !closed || is_singular(g)) {
             return Err(CycleError::Singular {
                 links: mechanism.groups[group].link_names(mechanism),
                 at: path.drive.at(origin),
@@ -98,17 +99,17 @@ impl<'a> Path<'a> {
         Ok(Path { nodes, ..path })
     }
 
-    /// What counts as one turn of the drive: a full one of a crank; for a slider, the mechanism's size.
+    /// One turn in the drive's unit: 360° of a crank; for a slider, the mechanism's size.
     pub(super) fn unit(&self) -> f64 {
         if self.drive.turns { 360.0 } else { self.size }
     }
 
-    /// The mechanism's size where the path begins.
+    /// The mechanism's size at the scene's position.
     pub(super) fn size(&self) -> f64 {
         self.size
     }
 
-    /// Sets all drives for these values of the moved one.
+    /// Sets all drives in `block` to where they stand at these values of the moved drive.
     #[inline(always)]
     pub(super) fn set_inputs<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, values: &R) {
         for (index, [start, ratio]) in self.inputs.iter().enumerate() {
@@ -122,7 +123,7 @@ impl<'a> Path<'a> {
         }
     }
 
-    /// All rates for the moved drive running by one degree, or one unit of length, a unit of time.
+    /// Computes all rates in `block` for a speed of the moved drive of 1° or one unit of length per unit of time.
     #[inline(always)]
     pub(super) fn unit_rates(&self, block: &mut Single) {
         for (index, [_, ratio]) in self.inputs.iter().enumerate() {
@@ -136,9 +137,10 @@ impl<'a> Path<'a> {
     }
 
     /// Follows the branch over the range from one value of the drive to another, as far as it can be reached; with
-    /// neither end given, once around or from end to end. Returns the range that is meant.
+    /// neither end given, once around or from end to end. Returns the range from the first to the second value.
     ///
-    /// A crank that cannot turn fully has the same positions a whole turn on: where only those are in the range, they are meant.
+    /// A crank that cannot turn fully has the same positions a whole turn further on: where only those are in the
+    /// range, values of the drive are counted anew from there.
     ///
     /// # Errors
     /// No part of the range can be reached, or it is wider than a hundred turns.
@@ -188,7 +190,7 @@ impl<'a> Path<'a> {
         Ok(range)
     }
 
-    /// Follows the branch once around, or from end to end; a slider's must have ends.
+    /// Follows the branch once around, or from end to end; that of a slider must have two ends.
     fn once(&mut self) -> Result<[f64; 2], CycleError> {
         let far = if self.drive.turns { 1.0 } else { FAR } * self.unit();
         self.follow_to(self.origin + far);
@@ -209,7 +211,7 @@ impl<'a> Path<'a> {
         CycleError::Range(format!("the range of {quantity} is not given\n  try: {hint}"))
     }
 
-    /// Begins anew at the same position, with another value of the drive for it.
+    /// Starts the path afresh at the scene's position, which gets another value of the drive.
     fn count_from(&mut self, origin: f64) {
         let old = self.origin;
         self.nodes.retain(|node| node.value == old);
@@ -220,21 +222,24 @@ impl<'a> Path<'a> {
         self.ends = [None, None];
     }
 
-    /// Follows the branch until the drive's value is reached or something ends it, which [`Self::end`] then tells.
+    /// Follows the branch until the drive's value is reached or an event ends the path; [`Self::end`] then returns the
+    /// event.
     pub fn follow_to(&mut self, value: f64) {
         if self.nodes.len() == 1 && value.is_finite() {
-            // A change point right ahead is leapt over with a run-up; one right behind is left for later, when there are nodes before it.
-            let bare = self.clone();
+            // A leap over a change point close ahead needs nodes before it, so the branch is first followed a little
+            // the other way. If there is a change point on that side too, those nodes are dropped: it is crossed later,
+            // with nodes before it.
+            let single = self.clone();
             self.extend(self.origin + RUN_UP.copysign(self.origin - value) * self.unit());
             let singular = |end: &Event| matches!(end.what, Happening::Singular { .. });
             if !self.changes.is_empty() || self.ends.iter().flatten().any(singular) {
-                *self = bare;
+                *self = single;
             }
         }
         self.extend(value);
     }
 
-    /// Follows the branch beyond the nodes that there are.
+    /// Follows the branch beyond the nodes found so far.
     fn extend(&mut self, value: f64) {
         let up = value > self.high();
         if !up && value >= self.low() || self.ends[usize::from(up)].is_some() {
@@ -251,15 +256,14 @@ impl<'a> Path<'a> {
         }
         self.changes.extend(changes);
         self.ends[usize::from(up)] = end;
-        let segments = self.nodes.windows(2).map(|w| {
-            let mut segment = Segment::new(&self.kernel, &w[0], &w[1]);
-            let mut changes = self.changes.iter();
-            if changes.any(|c| segment.holds(c.at)) {
+        let segment = |pair: &[Node]| {
+            let mut segment = Segment::new(&self.kernel, &pair[0], &pair[1]);
+            if self.changes.iter().any(|c| segment.holds(c.at)) {
                 segment.sure = 0.0;
             }
             segment
-        });
-        self.segments = segments.collect();
+        };
+        self.segments = self.nodes.windows(2).map(segment).collect();
     }
 
     /// The drive's value in the scene.
@@ -280,13 +284,13 @@ impl<'a> Path<'a> {
         self.nodes[self.nodes.len() - 1].value
     }
 
-    /// How many positions the path is built on.
+    /// Number of nodes: positions between which the path is interpolated.
     #[must_use]
     pub fn node_count(&self) -> usize {
         self.nodes.len()
     }
 
-    /// All that happens between the path's ends and at them, in the order of the drive's value.
+    /// All events between the path's ends and at them, in the order of the drive's value.
     #[must_use]
     pub fn events(&self) -> Vec<Event> {
         let mut events = extreme_positions(self);
@@ -295,7 +299,7 @@ impl<'a> Path<'a> {
         events
     }
 
-    /// What ends the path above, or below.
+    /// The event that ends the path above, or below; `None` where it can go on.
     #[must_use]
     pub fn end(&self, above: bool) -> Option<&Event> {
         self.ends[usize::from(above)].as_ref()
@@ -319,7 +323,8 @@ impl<'a> Path<'a> {
         Walker::new(self, &self.kernel)
     }
 
-    /// The same for angles, slides and their rates alone: places and motions of points are left out, but for those between groups.
+    /// As [`Self::many_walker`], for angles, slides and their rates only: places and motions of points are left out,
+    /// but for the joints between groups.
     #[must_use]
     pub fn many_walker_without_places(&self) -> Walker<'_, Many> {
         Walker::new(self, &self.bare)

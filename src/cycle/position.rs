@@ -4,7 +4,7 @@ use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
 use crate::quantity::State;
 
-/// One position of a block, read as quantities are.
+/// One position of a block, from which quantities can be read.
 #[derive(Clone, Copy, Debug)]
 pub struct Position<'a, R: Row = [f64; 1]> {
     pub(super) mechanism: &'a Mechanism,
@@ -24,16 +24,14 @@ impl<R: Row> Position<'_, R> {
     #[must_use]
     pub fn pose(&self) -> Pose {
         let mechanism = self.mechanism;
-        let points = (0..mechanism.points.len()).map(|p| self.place(PointId(p)));
         let sliders = || (0..mechanism.sliders.len()).map(SliderId);
-        let named = |id: usize| mechanism.bodies[id].role != Role::Ground;
-        let bodies = 0..mechanism.bodies.len();
-        let axes = bodies.map(|id| named(id).then(|| self.direction(BodyId(id))));
+        let moves = |id: usize| mechanism.bodies[id].role != Role::Ground;
+        let axis = |id: usize| moves(id).then(|| self.direction(BodyId(id)));
         Pose {
-            points: points.collect(),
+            points: (0..mechanism.points.len()).map(|p| self.place(PointId(p))).collect(),
             guides: sliders().map(|s| self.guide(s)).collect(),
             slides: sliders().map(|s| self.slide_position(s)).collect(),
-            axes: axes.collect(),
+            axes: (0..mechanism.bodies.len()).map(axis).collect(),
             assemblies: vec![None; mechanism.groups.len()],
             warnings: Vec::new(),
         }

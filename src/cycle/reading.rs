@@ -2,44 +2,45 @@ use super::columns::{Column, Columns};
 use super::{Path, Walker};
 use crate::quantity::{Asked, Kind, Quantity};
 
-/// How near a change point, in parts of a turn, rates are not read but taken from beside it: second rates lose three digits for
-/// each that the distance loses.
+/// Distance from a change point, in parts of a turn, below which rates are interpolated from both sides: accelerations
+/// lose three digits with each power of ten of the distance.
 const GAP: f64 = 1e-3;
 
-/// Golden section: the part of a bracket that a step leaves.
+/// Golden section: the part of a bracket that one step keeps.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// How near a limit, in parts of a turn, a quantity is not read but follows from its values a little before: a curve that does not grow
-/// without bound there goes like a polynomial of the distance's square root.
+/// Distance from a limit, in parts of a turn, below which a quantity is extrapolated from its values a little before: a
+/// bounded quantity is like a polynomial in the square root of the distance.
 const NEAR_LIMIT: f64 = 5e-7;
 
-/// Distances from an end of the path, in parts of a turn, by which growth shows there.
+/// Distances from an end of the path, in parts of a turn, at which a quantity is tested for growth without bound.
 const APPROACH: [f64; 3] = [1e-3, 3e-5, 1e-6];
 
-/// Changes below this part of a value may be rounding.
-const UNSEEN: f64 = 1e-9;
+/// Relative change of a value below which it may be due to rounding.
+const ROUNDING: f64 = 1e-9;
 
-/// Steps of golden section: they leave 2e-10 of the bracket.
+/// Steps of golden section: they shrink the bracket to 2e-10 of its width.
 const STEPS: usize = 46;
 
-/// One quantity of a path as a function of the drive's value; of a vector its size.
+/// One quantity of a path as a function of the drive's value; the size of a vector.
 pub(super) struct Reading<'a> {
     columns: Columns<'a>,
     walker: Walker<'a>,
     path: &'a Path<'a>,
+    /// Whether the quantity is an angle.
     turns: bool,
-    /// What the quantity does at the path's ends, below and above.
+    /// The quantity's behaviour at the path's ends, below and above.
     pub ends: [End; 2],
 }
 
-/// What a quantity does at an end of the path.
+/// How a quantity behaves at an end of the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum End {
-    /// Nothing of note.
+    /// The end is no limit, and the quantity stays bounded.
     Plain,
-    /// It comes to a value at this limit position.
+    /// It stays bounded at the limit position at this value of the drive.
     Limit(f64),
-    /// It grows beyond all bounds; whether upwards.
+    /// It grows without bound; `true` upwards.
     Grows(bool),
 }
 
@@ -65,20 +66,25 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// Whether the quantity grows without bound towards an end of the path, and if so whether upwards; an angle never does.
+    /// Whether the quantity grows without bound towards an end of the path, and if so whether upwards; an angle never
+    /// does.
     ///
-    /// At a distance d from a limit a rate goes like A + B/√d or steeper, so it changes more and more; what is bounded changes less and less.
+    /// At a distance d from a limit an unbounded rate is like A + B/√d or steeper, so its changes from one distance to
+    /// the next grow; those of a bounded quantity shrink.
     fn growth(&mut self, above: bool) -> Option<bool> {
-        let end = self.path.end(above).filter(|_| !self.turns)?;
+        if self.turns {
+            return None;
+        }
+        let end = self.path.end(above)?;
         let away = if above { -1.0 } else { 1.0 } * self.path.unit();
         let [far, nearer, nearest] = APPROACH.map(|d| self.read(end.at + away * d));
         let (far, nearer, nearest) = (far?, nearer?, nearest?);
         let [early, late] = [nearer - far, nearest - nearer];
-        let seen = late.abs() > UNSEEN * far.abs();
-        (seen && late.abs() > 2.0 * early.abs()).then_some(late > 0.0)
+        let is_significant = late.abs() > ROUNDING * far.abs();
+        (is_significant && late.abs() > 2.0 * early.abs()).then_some(late > 0.0)
     }
 
-    /// Its value, for an angle the one closest to `near`; none where it has no value.
+    /// The value at this value of the drive, of an angle the one closest to `near`; `None` where it has no value.
     pub fn at(&mut self, drive: f64, near: Option<f64>) -> Option<f64> {
         let unit = self.path.unit();
         let gap = GAP * unit;
@@ -96,7 +102,8 @@ impl<'a> Reading<'a> {
         found.map(|value| self.closest(value, near))
     }
 
-    /// The value from those beside it, to the fourth power of the step; at the end of the path from one side, to the third.
+    /// The value interpolated from those at both sides, with an error of the fourth power of the step; at an end of the
+    /// path extrapolated from one side, with an error of the third.
     fn bridged(&mut self, drive: f64, step: f64) -> Option<f64> {
         let mut side = |step: f64| -> Option<[f64; 3]> {
             let values = [1.0, 2.0, 3.0].map(|k| self.read(drive + k * step));
@@ -113,7 +120,7 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// The value near a limit: of the polynomial through four values further back, in the square root of the distance.
+    /// The value near a limit: the cubic in the square root of the distance through four values further back.
     fn before_limit(&mut self, drive: f64, limit: f64) -> Option<f64> {
         let unit = NEAR_LIMIT * self.path.unit();
         let back = if limit > self.path.start() { -unit } else { unit };
@@ -139,7 +146,7 @@ impl<'a> Reading<'a> {
         value.is_finite().then_some(value)
     }
 
-    /// An angle turned by whole turns until it is closest to another; other quantities as they are.
+    /// An angle plus the whole turns that bring it closest to `near`; other quantities unchanged.
     fn closest(&self, value: f64, near: Option<f64>) -> f64 {
         match near {
             Some(near) if self.turns => value + 360.0 * ((near - value) / 360.0).round(),
@@ -147,12 +154,10 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// Where between two values of the drive it is greatest (`sign` 1) or least (−1), and how much, if it has one such place there.
+    /// The value of the drive between two others at which the quantity is greatest (`sign` 1) or least (−1), and that
+    /// extreme; by golden section, which supposes a single extreme in between. Angles are taken closest to `near`.
     pub fn peak(&mut self, [low, high]: [f64; 2], sign: f64, near: f64) -> Option<[f64; 2]> {
-        let mut rated = |x: f64| {
-            let value = self.at(x, Some(near));
-            value.map_or(f64::NEG_INFINITY, |y| sign * y)
-        };
+        let mut rated = |x: f64| self.at(x, Some(near)).map_or(f64::NEG_INFINITY, |y| sign * y);
         let (mut low, mut high) = (low, high);
         let width = high - low;
         let mut inner = [high - GOLDEN * width, low + GOLDEN * width];

@@ -1,27 +1,27 @@
 use super::reading::Reading;
 
-/// The part of the window's height by which a straight line between samples may miss the curve.
+/// Largest distance of a curve from the straight line between two samples, in parts of the window's height.
 const TOLERANCE: f64 = 5e-5;
 
-/// The part of the range below which two samples are not taken further apart.
+/// Smallest distance of two samples, in parts of the range.
 const CLOSEST: f64 = 1e-7;
 
-/// The part of the window's height that counts as a jump between two samples so close.
+/// Difference of two samples at the smallest distance that counts as a jump, in parts of the window's height.
 const JUMP: f64 = 0.01;
 
-/// How many samples each of the grid may bring about; smooth curves take fewer than ten.
+/// Most further samples for each sample of the grid; smooth curves take fewer than ten.
 const MOST: usize = 50;
 
-/// A value of the drive and the quantity's there, if it has one.
+/// A value of the drive, and the quantity's value there, if it has one.
 pub(super) type Sample = (f64, Option<f64>);
 
-/// Least and greatest of some numbers; without any, `[∞, −∞]`.
+/// Least and greatest of some numbers; `[∞, −∞]` of none.
 pub(super) fn hull(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     let none = [f64::INFINITY, f64::NEG_INFINITY];
     numbers.fold(none, |[low, high], y| [low.min(y), high.max(y)])
 }
 
-/// Samples at these values of the drive; angles go on without jumps of whole turns.
+/// Samples at these values of the drive; angles run on without jumps of whole turns.
 pub(super) fn samples(reading: &mut Reading, grid: &[f64]) -> Vec<Sample> {
     let mut last = None;
     let at = |x: &f64| {
@@ -32,9 +32,10 @@ pub(super) fn samples(reading: &mut Reading, grid: &[f64]) -> Vec<Sample> {
     grid.iter().map(at).collect()
 }
 
-/// The curve in pieces without a gap or jump, sampled between `grid` so densely that straight lines between the samples look like it.
+/// The curve in pieces without a gap or jump, sampled between the samples of `grid` so densely that straight lines look
+/// like it.
 ///
-/// What lies outside `window` is sampled only as far as to show where the curve leaves it.
+/// Outside `window` the curve is sampled only as far as to show where it leaves.
 pub(super) fn pieces(reading: &mut Reading, grid: &[Sample], window: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     let (Some(first), Some(last)) = (grid.first(), grid.last()) else {
         return Vec::new();
@@ -58,7 +59,7 @@ struct Refined<'r, 'a> {
     reading: &'r mut Reading<'a>,
     window: [f64; 2],
     closest: f64,
-    /// How many samples may still be taken.
+    /// Number of samples that may still be taken.
     left: usize,
     pieces: Vec<Vec<[f64; 2]>>,
 }
@@ -70,7 +71,7 @@ impl Refined<'_, '_> {
         }
     }
 
-    /// Adds all samples after `a` up to and with `b`.
+    /// Adds the samples after `a` up to `b`, and `b` itself.
     fn between(&mut self, a: Sample, b: Sample) {
         let height = self.window[1] - self.window[0];
         let whole = a.1.zip(b.1);

@@ -8,7 +8,7 @@ pub(super) struct Node {
     /// The drive's value: degrees, or a length.
     pub value: f64,
     pub block: Single,
-    /// By group: determinant, and squared sharpness.
+    /// By group: the determinant, and the squared sharpness (1 far from singular positions, 0 in them).
     pub determinants: Vec<[f64; 2]>,
 }
 
@@ -18,21 +18,23 @@ impl Node {
     }
 }
 
-/// The path between two nodes: for each unknown the polynomial of degree 5 that has both nodes' values, first and second derivatives.
+/// The path between two nodes: for each unknown the polynomial of degree 5 with the values, first and second
+/// derivatives of both nodes.
 #[derive(Clone, Debug)]
 pub(super) struct Segment {
     pub from: f64,
     pub to: f64,
-    /// The largest first Newton step from a prediction, in radians or parts of a group's size, that leaves only rounding.
+    /// Largest first Newton step from a prediction after which only rounding is left, in radians or parts of the
+    /// group's size.
     pub sure: f64,
     turns: Vec<(usize, [Quintic; 2])>,
     slides: Vec<(usize, Quintic)>,
 }
 
-/// Coefficients of a polynomial, constant term first; its variable runs from 0 to 1 along the segment.
+/// Coefficients of a polynomial of degree 5, constant term first; its variable runs from 0 to 1 along the segment.
 type Quintic = [f64; 6];
 
-/// The polynomial with value, first and second derivative of these at 0 and at 1 (Hermite).
+/// The polynomial with the given value, first and second derivative at 0 and at 1 (Hermite interpolation).
 fn quintic([f0, d0, e0]: [f64; 3], [f1, d1, e1]: [f64; 3]) -> Quintic {
     let rise = f1 - f0;
     [
@@ -62,7 +64,8 @@ fn slope(q: &Quintic, x: f64) -> f64 {
 impl Segment {
     pub fn new(kernel: &Kernel, start: &Node, end: &Node) -> Segment {
         let step = end.value - start.value;
-        // A step leaves its square over the sharpness, which between the nodes is not much less than at them.
+        // A Newton step leaves an error of its square over the sharpness, which is hardly less between the nodes than
+        // at them.
         let groups = start.determinants.iter().chain(&end.determinants);
         let sharpness = groups.fold(1.0, |least: f64, [_, s]| least.min(s.sqrt())) / 4.0;
         let mut segment = Segment {
@@ -75,7 +78,7 @@ impl Segment {
         for unknown in kernel.unknowns.iter().flatten() {
             match *unknown {
                 Unknown::Spin(class) => {
-                    // Cosine and sine, whose derivatives are ω J d and (α J − ω²) d of the direction d.
+                    // The unknown is the direction d = (cosine, sine); its derivatives are ω J d and (α J − ω²) d.
                     let of = |node: &Node| {
                         let direction = vector(&node.block.turns[class], 0);
                         let omega = node.block.omegas[class][0] * step;
@@ -100,13 +103,13 @@ impl Segment {
         segment
     }
 
-    /// Whether a value of the drive lies on it.
+    /// Whether a value of the drive lies on the segment.
     #[inline(always)]
     pub fn holds(&self, drive: f64) -> bool {
         self.from <= drive && drive <= self.to
     }
 
-    /// Whether all these values do.
+    /// Whether all these values of the drive lie on the segment.
     #[inline(always)]
     pub fn holds_all<L: Lanes, R: Row>(&self, lanes: L, drive: &R) -> bool {
         let (from, to) = (lanes.splat(self.from), lanes.splat(self.to));
@@ -116,11 +119,11 @@ impl Segment {
             outside = outside.larger(from - value).larger(value - to);
             sum = sum + value;
         }
-        // A value that is not a number may be lost among the larger ones, not in the sum.
+        // A NaN may be lost in the largest value, but not in the sum.
         lanes.largest(outside) <= 0.0 && !lanes.sum(sum).is_nan()
     }
 
-    /// Sets the unknowns of `block` to those of the polynomials.
+    /// Sets the unknowns of `block` to the values of the polynomials at these values of the drive.
     #[inline(always)]
     pub fn predict<L: Lanes, R: Row>(&self, lanes: L, drive: &R, block: &mut Block<R>) {
         let (from, scale) = (lanes.splat(self.from), lanes.splat(1.0 / (self.to - self.from)));
@@ -129,7 +132,7 @@ impl Segment {
             for k in portions::<L, R>() {
                 let x = (lanes.load(drive, k) - from) * scale;
                 let direction = Pair { x: value(cosine, x), y: value(sine, x) };
-                // The polynomials leave the unit circle by little.
+                // The interpolated direction is nearly of length 1; this makes it so.
                 lanes.store_pair(turns, k, unit(direction));
             }
         }
@@ -142,7 +145,7 @@ impl Segment {
         }
     }
 
-    /// The rate of an unknown per unit of the drive, by the polynomials.
+    /// The rate of an unknown per unit of the drive, from the polynomials.
     pub fn rate(&self, unknown: Unknown, drive: f64) -> f64 {
         let x = (drive - self.from) / (self.to - self.from);
         let rise = match unknown {

@@ -3,7 +3,7 @@ use crate::kernel::{Block, Input, InputKind, Kernel, Single, Unknown};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 
-/// The block that stands where `pose` does, with the drives' own values; unit rates are for the caller to set.
+/// A block in the position of `pose`, with the drives' values; the caller sets their rates.
 pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Single {
     let mut block = Block::new(kernel);
     for (index, input) in kernel.inputs.iter().enumerate() {
@@ -13,13 +13,12 @@ pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Sing
         match *unknown {
             Unknown::Slide(slider) => block.slides[slider] = [pose.slides[slider].unwrap_or(0.0)],
             Unknown::Spin(class) => {
-                let mut links = mechanism.links();
-                let axis = links.find_map(|(id, _)| {
-                    let seat = kernel.seat(id);
-                    let axis = pose.axes[id.0].filter(|_| seat.class == class)?.normalize();
-                    Some(seat.turn.inverse() * Turn::from_cos_sin_unchecked(axis.x, axis.y))
+                let mut links = mechanism.links().filter(|(id, _)| kernel.seat(*id).class == class);
+                let turn = links.find_map(|(id, _)| {
+                    let axis = pose.axes[id.0]?.normalize();
+                    Some(kernel.seat(id).turn.inverse() * Turn::from_cos_sin_unchecked(axis.x, axis.y))
                 });
-                let turn = axis.unwrap_or_else(Turn::identity);
+                let turn = turn.unwrap_or_else(Turn::identity);
                 block.turns[class] = [[turn.re], [turn.im]];
             }
         }
@@ -27,7 +26,7 @@ pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Sing
     block
 }
 
-/// Where a drive stands: what the scene says, or what the pose has found.
+/// A drive's value: the one that the scene gives, or else that of the pose.
 pub(super) fn stands(input: &Input, pose: &Pose) -> f64 {
     let found = match input.kind {
         InputKind::Turning { .. } => pose.axes[input.body.0].map(degrees_of),

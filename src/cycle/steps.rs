@@ -1,14 +1,15 @@
 use super::CycleError;
 
-/// The most values that a table may have.
+/// Most values that a table may have.
 const MOST: f64 = 1e12;
 
 /// Values of a drive at equal steps.
 ///
-/// Where the first one and the step are short decimals, all are the f64 nearest to decimals: 0.3, not 0.1 + 0.1 + 0.1.
+/// Where the first value and the step are short decimals, each value is the f64 nearest to its decimal: 0.3, not 0.1 +
+/// 0.1 + 0.1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steps {
-    /// The first value and the step, times `scale`: whole numbers, where that makes them so.
+    /// The first value and the step, both times `scale`: whole numbers where both are short decimals.
     from: f64,
     step: f64,
     scale: f64,
@@ -19,7 +20,8 @@ impl Steps {
     /// The values `from`, `from` ± `step` … as far as `to`; the sign of the step follows from the direction.
     ///
     /// # Errors
-    /// [`CycleError::Range`] where a number is not finite, the step is zero or leads away from `to`, or there are too many values.
+    /// [`CycleError::Range`] where a number is not finite, the step is zero or leads away from `to`, or there are too
+    /// many values.
     pub fn new(from: f64, to: f64, step: f64) -> Result<Steps, CycleError> {
         let refuse = |text: String| Err(CycleError::Range(text));
         let wide = to - from;
@@ -40,7 +42,7 @@ impl Steps {
             Some(scale) => ((from * scale).round(), (step * scale).round(), scale),
             None => (from, step, 1.0),
         };
-        // A quotient that rounding has left just below a whole number is that number.
+        // A quotient just below a whole number is that number: the difference is rounding.
         let rounding = 4.0 * f64::EPSILON * (farthest * scale / by).abs();
         let intervals = ((to * scale - first) / by + rounding).floor();
         if intervals >= MOST {
@@ -74,7 +76,7 @@ impl Steps {
         (self.from + self.step * index as f64) / self.scale
     }
 
-    /// The part of them that lies between two values, both included.
+    /// Those of the values that lie between two others, both included.
     pub(super) fn within(&self, low: f64, high: f64) -> Steps {
         let inside = |index: &usize| (low..=high).contains(&self.value(*index));
         let rising = self.step > 0.0;
@@ -95,7 +97,8 @@ impl Steps {
     }
 }
 
-/// The smallest power of ten that makes whole numbers of short decimals, up to `farthest`; `None` where f64 has no room for them.
+/// The smallest power of ten that makes these decimals whole numbers; `None` where `farthest` times it is not exact in
+/// f64.
 fn whole_scale(decimals: [f64; 2], farthest: f64) -> Option<f64> {
     let mut scales = (0..=15).map(|digits| libm::exp10(f64::from(digits)));
     let is_whole = |x: f64, scale: f64| (x * scale).round() / scale == x;

@@ -5,31 +5,32 @@ use super::samples::{Sample, hull};
 use crate::kernel::InputKind;
 use crate::quantity::{Asked, Kind};
 
-/// Equal parts of the range at which a curve is looked at first.
+/// Equal parts of the range at which a curve is sampled first.
 pub(super) const PARTS: usize = 128;
 
-/// A curve whose values spread by less than this part of [`natural`] is constant.
+/// A curve whose values spread by less than this part of [`typical_size`] is constant.
 const FLAT: f64 = 1e-6;
 
-/// Values that differ by less than this part of themselves are equal.
+/// Relative difference of values that count as equal.
 const SAME: f64 = 1e-9;
 
 /// A peak this many times further from the centre than the median value counts as unbounded.
-const WILD: f64 = 1e3;
+const UNBOUNDED: f64 = 1e3;
 
 /// An unbounded curve is shown up to this many times the median distance from the centre.
 const SHOWN: f64 = 4.0;
 
-/// What a first coarse look at a curve finds: whether it is constant, where it is unbounded, and which values are worth showing.
+/// Results of a first coarse sampling of a curve: whether it is constant, where it is unbounded, and which values to
+/// show.
 pub(super) struct CurveSurvey<'a> {
     pub asked: Vec<Asked>,
     pub reading: Reading<'a>,
     pub samples: Vec<Sample>,
     /// Lowest and highest value to be shown.
     pub window: [f64; 2],
-    /// Whether it grows beyond all bounds, below and above.
+    /// Whether it grows without bound, downwards and upwards.
     pub grows: [bool; 2],
-    /// Its value where that is everywhere the same.
+    /// The value of a constant curve.
     pub constant: Option<f64>,
     /// Absolute tolerance for zero.
     zero: f64,
@@ -38,7 +39,7 @@ pub(super) struct CurveSurvey<'a> {
 impl<'a> CurveSurvey<'a> {
     /// The survey of a quantity, from its samples over a range of the drive's value.
     pub fn new(path: &Path, range: [f64; 2], asked: Asked, reading: Reading<'a>, samples: Vec<Sample>) -> Self {
-        let zero = FLAT * natural(path, asked.kind());
+        let zero = FLAT * typical_size(path, asked.kind());
         let mut survey = CurveSurvey {
             asked: vec![asked],
             reading,
@@ -70,7 +71,7 @@ impl<'a> CurveSurvey<'a> {
         self.asked[0].kind()
     }
 
-    /// Whether two quantities are of one kind and equal all along.
+    /// Whether two quantities are of one kind and equal at all samples.
     pub fn equals(&self, other: &CurveSurvey) -> bool {
         let equal = |(a, b): (&Sample, &Sample)| match (a.1, b.1) {
             (Some(a), Some(b)) => (a - b).abs() <= self.zero.max(SAME * a.abs()),
@@ -80,24 +81,23 @@ impl<'a> CurveSurvey<'a> {
         self.kind() == other.kind() && pairs.all(equal)
     }
 
-    /// Finds the window, and poles within the range.
+    /// Finds the window, and where the curve grows without bound within the range.
     fn frame(&mut self, [low, high]: [f64; 2]) {
         let (kind, samples, reading) = (self.kind(), &self.samples, &mut self.reading);
         let even = even(samples);
-        // Rates are shown with their zero, angles and places without.
+        // The window of a rate includes zero, that of an angle or a place need not.
         let centre = if kind.is_rate() { 0.0 } else { median(even.iter().copied()) };
         let typical = median(even.iter().map(|y| (y - centre).abs())).max(self.zero);
         for (side, sign) in [(0, -1.0), (1, 1.0)] {
-            let peaks = (0..samples.len()).filter_map(|i| peak(reading, samples, i, sign));
-            let peaks: Vec<[f64; 2]> = peaks.collect();
-            // An angle is bounded whatever happens.
-            let wild = |p: &[f64; 2]| kind != Kind::Angle && (p[1] - centre) * sign > WILD * typical;
-            self.grows[side] |= peaks.iter().any(wild);
+            let peaks: Vec<[f64; 2]> = (0..samples.len()).filter_map(|i| peak(reading, samples, i, sign)).collect();
+            // An angle is always bounded.
+            let unbounded = |p: &[f64; 2]| kind != Kind::Angle && (p[1] - centre) * sign > UNBOUNDED * typical;
+            self.grows[side] |= peaks.iter().any(unbounded);
             let grows = self.grows[side];
-            let inner = |p: &&[f64; 2]| !grows || !wild(p) && p[0] > low && p[0] < high;
+            let inner = |p: &&[f64; 2]| !grows || !unbounded(p) && p[0] > low && p[0] < high;
             let found = peaks.iter().filter(inner).map(|p| p[1]);
             let bound = hull(samples.iter().filter_map(|s| s.1))[side];
-            // Where it grows without bound, as far as is typical or to its own end, whichever comes first.
+            // An unbounded curve is shown up to a typical distance or to its own last sample, whichever is nearer.
             let shown = centre + sign * SHOWN * typical;
             let least = if grows && sign * shown < sign * bound { shown } else { bound };
             self.window[side] = found.fold(least, |a, b| if sign * b > sign * a { b } else { a });
@@ -105,8 +105,8 @@ impl<'a> CurveSurvey<'a> {
     }
 }
 
-/// How large a quantity of that kind is in a mechanism of this size with these drives.
-fn natural(path: &Path, kind: Kind) -> f64 {
+/// The order of magnitude of a quantity of that kind in a mechanism of this size with these drives.
+fn typical_size(path: &Path, kind: Kind) -> f64 {
     let size = path.size();
     let inputs = path.kernel.inputs.iter().map(|input| match input.kind {
         InputKind::Turning { .. } => [input.rate.abs(), input.second.abs()],
@@ -124,14 +124,14 @@ fn natural(path: &Path, kind: Kind) -> f64 {
     }
 }
 
-/// The middle one of some numbers.
+/// The median of some numbers, of an even count the upper of the two in the middle; zero of none.
 fn median(numbers: impl Iterator<Item = f64>) -> f64 {
     let mut sorted: Vec<f64> = numbers.collect();
     sorted.sort_by(f64::total_cmp);
     sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// Values at equal steps of the drive, each that of the next sample.
+/// Values at equal steps of the drive, each taken from the next sample.
 fn even(samples: &[Sample]) -> Vec<f64> {
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
         return Vec::new();

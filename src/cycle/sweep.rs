@@ -14,14 +14,14 @@ pub struct Sweep<'a> {
     columns: Columns<'a>,
 }
 
-/// Numbers of a table, row after row; none where a position is singular or a quantity has no value.
+/// Numbers of a table, row after row; `None` where a position is singular or a quantity has no value.
 pub type Numbers = Vec<Option<f64>>;
 
 impl<'a> Sweep<'a> {
     /// The table for the values of `steps` that the path has reached; the first column is the drive's value.
     ///
-    /// `names` are quantities as in `want`; without them: angles and rates of all links, places and motions of all points that move,
-    /// positions and rates of all sliders.
+    /// `names` are quantities as in a scene's `want`; without them: angles and rates of all links, places and motions
+    /// of all points that move, positions and rates of all sliders.
     ///
     /// # Errors
     /// A name is no quantity of this mechanism.
@@ -37,7 +37,7 @@ impl<'a> Sweep<'a> {
             return Err(QuantityError::NoValue(name, "a table has no scale"));
         }
         let steps = steps.within(path.low(), path.high());
-        // A plan point that does not exist shows in the first row with plans, before anything is written.
+        // A plan point that does not exist is found in the first row with plans, before anything is written.
         let first = (0..steps.count().min(MANY)).map(|row| steps.value(row));
         columns.check(first)?;
         Ok(Sweep { path, steps, columns })
@@ -55,7 +55,7 @@ impl<'a> Sweep<'a> {
         &self.path.drive
     }
 
-    /// What is asked for, in order, after the drive's value.
+    /// The quantities asked for, in order, without the drive's value.
     #[must_use]
     pub fn columns(&self) -> &[Column] {
         &self.columns.list
@@ -89,7 +89,7 @@ impl<'a> Sweep<'a> {
                         let position = self.path.position(block, lane);
                         self.read(*value, Some(position), &mut numbers);
                     }
-                    // One of them is singular: that one only has no numbers.
+                    // Some position of the block is singular: read one by one, only that position has no numbers.
                     None => self.read(*value, one.position(*value), &mut numbers),
                 }
             }
@@ -98,7 +98,7 @@ impl<'a> Sweep<'a> {
         numbers
     }
 
-    /// The same on all cores.
+    /// As [`Self::rows`], computed on all cores.
     #[cfg(feature = "parallel")]
     #[must_use]
     pub fn rows_on_all_cores(&self, rows: Range<usize>) -> Numbers {
@@ -108,7 +108,7 @@ impl<'a> Sweep<'a> {
         crate::cores::on_all_cores(&firsts, piece).concat()
     }
 
-    /// Appends a row.
+    /// Appends the row of a position to `numbers`.
     fn read<R: Row>(&self, value: f64, position: Option<Position<R>>, numbers: &mut Numbers) {
         numbers.push(Some(value));
         let finite = |x: f64| x.is_finite().then_some(x);
@@ -122,7 +122,7 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// Names of everything that a table shows where nothing is asked for.
+/// Names of the quantities of a table for which none are asked.
 fn every_name(mechanism: &Mechanism) -> Vec<String> {
     let links = mechanism.links().map(|(_, body)| &body.name);
     let links = links.flat_map(|l| ["angle", "omega", "alpha"].map(|head| format!("{head}({l})")));

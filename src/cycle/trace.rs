@@ -3,54 +3,56 @@ use super::{Event, Happening, Path};
 use crate::geometry::OneByOne;
 use crate::kernel::{Correction, Unknown};
 
-/// What is left of a middle position for Newton's method to find, in units of rounding after one step: far less than one.
+/// Largest error of the interpolated middle of a step after one Newton step, in unit roundoffs: far less than one.
 const DOUBT: f64 = 0.02;
 
-/// The same for the many short steps towards a limit, where Newton's method may take a second step.
+/// The same error for the many short steps towards a limit, where Newton's method may take a second step.
 const DOUBT_NEAR_END: f64 = 1e4;
 
-/// Steps below this part of a turn are those near a limit.
+/// Length of a step, in turns, below which it counts as near a limit.
 const SHORT: f64 = 1e-4;
 
-/// The largest turn of a link in one step, in radians.
+/// Largest turn of a link in one step, in radians.
 const LARGEST_TURN: f64 = 0.6;
 
-/// The largest first correction of a predicted position, in radians or parts of the group's size.
+/// Largest first correction of a predicted position, in radians or parts of the group's size.
 const OFF: f64 = 0.1;
 
-/// The part that must be left of a group's determinant after a step: a limit is approached by ever smaller steps.
+/// Least ratio of a group's determinant after a step to that before: a limit is approached in ever smaller steps.
 const DETERMINANT_LEFT: f64 = 0.2;
 
-/// Steps below this part of a turn have met something, and are as near to it as is known in f64: much shorter ones could
+/// Smallest step, in turns; below it a singularity has been reached as nearly as f64 can tell. Much shorter steps could
 /// hop to another branch.
 const SMALLEST: f64 = 1e-11;
 
-/// How near an end must have been approached, in parts of a turn, for its estimate to be exact. What that leaves out is of the
-/// size of the distance's square, over the distance to the next end; a limit is approached much nearer, a place that runs off
-/// to infinity not: there the distance's third power is left out.
+/// Distance of an end, in turns, from which its estimated place counts as exact. The estimate's error is of the order
+/// of the distance's square over the distance to the next end. A limit is approached much nearer than this; a place
+/// that runs off to infinity is not, but there the error is of the third power of the distance.
 const NEAR_END: f64 = 1e-6;
 
-/// How far before a change point a leap may begin, in parts of a turn: shorter ones are for motions that are quick there.
+/// Distances before a change point from which a leap may start, in turns: the shorter ones are for motions that are
+/// quick there.
 const LEAPS: [f64; 4] = [4e-3, 4e-4, 4e-5, 4e-6];
 
-/// How near a change point is approached before the leap, in parts of a turn: there rates are still known well.
+/// Distance from a change point at which it is leapt over, in turns: rates are still known well there.
 const NEAR_CHANGE: f64 = 4e-7;
 
-/// By how much rates may grow from the beginning of a leap to there. They grow more before two limits with nothing between
-/// them, and where two branches only come near each other; but what is less than about 1e-6 of a turn wide counts as one change point.
+/// Largest growth of rates from the start of a leap to [`NEAR_CHANGE`]. They grow more before two limits with no motion
+/// between them, and where two branches only come near each other; a gap of less than about 1e-6 of a turn counts as
+/// one change point.
 const GROWTH: f64 = 1.3;
 
-/// The largest first correction after a leap, in radians or parts of the group's size.
+/// Largest first correction after a leap, in radians or parts of the group's size.
 const LEAP_OFF: f64 = 1e-5;
 
-/// The nodes of a path, in walking order, and what happened after those that were there.
+/// The nodes of a path, in walking order, and the events found after the nodes it started with.
 pub(super) struct Traced {
     pub nodes: Vec<Node>,
     pub changes: Vec<Event>,
     pub end: Option<Event>,
 }
 
-/// Follows the branch from the last of some nodes to a value of the drive, or as far as it goes.
+/// Follows the branch from the last of `nodes` to the drive's value `target`, or as far as it goes.
 pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
     let forward = (target - nodes[nodes.len() - 1].value).signum();
     let unit = path.unit();
@@ -71,7 +73,8 @@ pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
         let to = if tried < left { last.value + forward * tried } else { target };
         match advance(path, last, to) {
             Some((node, correction)) => {
-                // The error in the middle grows with the sixth power of the step, what it leaves with the twelfth.
+                // The interpolation error in the middle grows with the sixth power of the step, that after a Newton
+                // step with the twelfth.
                 let growth = libm::pow(allowed(tried / unit) / correction.doubt.max(1e-30), 1.0 / 12.0);
                 step = tried * (0.9 * growth).clamp(0.3, 2.0);
                 nodes.push(node);
@@ -81,15 +84,14 @@ pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
                 if step > SMALLEST * unit {
                     continue;
                 }
-                // Very unequal links leave rates too little known to come as near as that.
+                // With links of very unequal lengths rates are too inexact to come as near as `NEAR_CHANGE`.
                 if let Some(leap) = leap(path, &nodes, forward, LEAPS[0]) {
                     traced.changes.push(leap.land(&mut nodes));
                     step = unit / 360.0;
                     continue;
                 }
-                let links = dullest_links(path, last);
-                let ahead = ahead(path, &nodes, forward);
-                let ahead = ahead.filter(|a| a.away.abs() < NEAR_END * unit);
+                let links = links_near_singularity(path, last);
+                let ahead = ahead(path, &nodes, forward).filter(|a| a.away.abs() < NEAR_END * unit);
                 traced.end = Some(match ahead {
                     Some(Ahead { at, runs_off: false, .. }) => Event { at, what: Happening::Limit { links } },
                     Some(Ahead { at, .. }) => Event { at, what: Happening::RunsOff { links } },
@@ -103,7 +105,8 @@ pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
     traced
 }
 
-/// The node at a value of the drive, if the step to it is sure; and how well its middle was met.
+/// The node at a value of the drive, and how well the middle of the step to it was met; `None` if the step cannot be
+/// trusted.
 fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
     let step = to - last.value;
     let mut block = last.block.clone();
@@ -146,54 +149,54 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
     (met.closed && met.doubt <= allowed(short)).then_some((node, met))
 }
 
-/// The doubt that a step of this part of a turn may leave.
+/// Largest doubt of a correction in the middle of a step of this length, in turns.
 fn allowed(step: f64) -> f64 {
     if step < SHORT { DOUBT_NEAR_END } else { DOUBT }
 }
 
-/// The group nearest to a singular position.
-fn dullest(node: &Node) -> Option<usize> {
+/// The group nearest to a singular position: the one of the least sharpness.
+fn nearest_to_singularity(node: &Node) -> Option<usize> {
     let sharpness = node.determinants.iter().map(|[_, sharpness]| sharpness);
-    let least = sharpness.enumerate().min_by(|a, b| a.1.total_cmp(b.1));
-    least.map(|(group, _)| group)
+    sharpness.enumerate().min_by(|a, b| a.1.total_cmp(b.1)).map(|(group, _)| group)
 }
 
 /// Names of the links of the group nearest to a singular position.
-fn dullest_links(path: &Path, node: &Node) -> String {
+fn links_near_singularity(path: &Path, node: &Node) -> String {
     let name = |group: usize| path.mechanism.groups[group].link_names(path.mechanism);
-    dullest(node).map_or_else(String::new, name)
+    nearest_to_singularity(node).map_or_else(String::new, name)
 }
 
 /// The fastest rate of a group's unknowns; slides count in parts of the mechanism's size.
 fn fastest(path: &Path, node: &Node, group: usize) -> f64 {
     let size = path.size();
-    let unknowns = path.kernel.unknowns[group].iter();
-    let rates = unknowns.map(|unknown| match *unknown {
+    let rate = |unknown: &Unknown| match *unknown {
         Unknown::Spin(class) => node.block.omegas[class][0].abs(),
         Unknown::Slide(slider) => node.block.speeds[slider][0].abs() / size,
-    });
-    rates.fold(0.0, f64::max)
+    };
+    path.kernel.unknowns[group].iter().map(rate).fold(0.0, f64::max)
 }
 
-/// What shows ahead in rates that grow.
+/// A singularity ahead, estimated from the growth of rates.
 struct Ahead {
+    /// The drive's value there.
     at: f64,
-    /// How far ahead.
+    /// Its distance from the last node, in the drive's unit.
     away: f64,
     /// Whether a place runs off to infinity there; else two branches meet.
     runs_off: bool,
 }
 
-/// What lies ahead of the last node; `None` if nothing shows in the rates.
+/// The singularity ahead of the last node; `None` if rates do not grow towards one.
 ///
-/// Where rates grow like the power −p of the distance d, their ratio to the second derivatives is q = (dx/dv) / (d²x/dv²) = d / p,
-/// so two nodes tell p. At a limit, where x = x* − c √d, it is 1/2; where x = c / d runs off to infinity it is 2.
-/// The next term of d, which at a limit is of the power 3/2, is removed by the two nodes (Richardson, 1911).
+/// Where rates grow like the power −p of the distance d, their ratio to the second derivatives is q = (dx/dv) /
+/// (d²x/dv²) = d / p, so two nodes determine p. At a limit, where x = x* − c √d, p is 1/2; where x = c / d runs off to
+/// infinity, p is 2. The next term in d, of the power 3/2 at a limit, is eliminated with the two nodes (Richardson,
+/// 1911).
 fn ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<Ahead> {
     let last = &nodes[nodes.len() - 1];
-    let group = dullest(last)?;
+    let group = nearest_to_singularity(last)?;
     let determinant = |node: &Node| node.determinants[group][0];
-    // A node that is some way back, seen by the determinant.
+    // The last node whose determinant is at least twice as large.
     let back = |n: &&Node| determinant(n) / determinant(last) >= 2.0;
     let before = nodes.iter().rev().find(back)?;
     let size = path.size();
@@ -209,7 +212,7 @@ fn ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<Ahead> {
     let quickest = *unknowns.max_by(|a, b| second(a).total_cmp(&second(b)))?;
     let [now, then] = [last, before].map(|node| rates(node, quickest));
     let [near, far] = [now, then].map(|[first, second]| first / second);
-    // Rates grow as the determinant falls; at a change point they do not.
+    // Towards a limit rates grow as the determinant falls; towards a change point they do not.
     let grown = now[0] / then[0] >= 0.5 * determinant(before) / determinant(last);
     if !(grown && near * forward > 0.0 && far * forward > 0.0) {
         return None;
@@ -223,9 +226,9 @@ fn ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<Ahead> {
     Some(Ahead { at, away: near, runs_off })
 }
 
-/// A way over a change point.
+/// A step over a change point.
 struct Leap {
-    /// How many nodes lie before it.
+    /// Number of nodes before the leap; later ones are dropped.
     kept: usize,
     /// The node on the other side.
     node: Node,
@@ -234,7 +237,7 @@ struct Leap {
 }
 
 impl Leap {
-    /// Goes on from the other side.
+    /// Appends the node on the other side and returns the event.
     fn land(self, nodes: &mut Vec<Node>) -> Event {
         nodes.truncate(self.kept);
         nodes.push(self.node);
@@ -242,17 +245,18 @@ impl Leap {
     }
 }
 
-/// The leap over a change point less than this part of a turn ahead, where a determinant passes through zero while the
-/// motion stays smooth.
+/// The leap over a change point at most `within` turns ahead, where a determinant passes through zero while the motion
+/// stays smooth; `None` if there is none.
 ///
-/// A leap proves itself; going on by steps, rounding would take what rates are left for a limit, or for the branch that crosses this one.
+/// A leap is checked. Ordinary steps would come so near that rounding errors of the rates look like a limit, or lead to
+/// the branch that crosses this one.
 fn leap(path: &Path, nodes: &[Node], forward: f64, within: f64) -> Option<Leap> {
     let [.., before, last] = nodes else {
         return None;
     };
-    let group = dullest(last)?;
+    let group = nearest_to_singularity(last)?;
     let determinant = |node: &Node| node.determinants[group][0];
-    // The determinant goes to zero in proportion to the distance.
+    // The determinant is proportional to the distance from the change point.
     let fall = (determinant(before) - determinant(last)) / (before.value - last.value);
     let zero = last.value - determinant(last) / fall;
     let away = |node: &Node| (zero - node.value) * forward / path.unit();
@@ -262,18 +266,22 @@ fn leap(path: &Path, nodes: &[Node], forward: f64, within: f64) -> Option<Leap> 
     let known = nodes.iter().rfind(|n| away(n) >= NEAR_CHANGE)?;
     LEAPS.into_iter().find_map(|length| {
         let far = nodes.iter().rposition(|n| away(n) >= length)?;
-        let grown = fastest(path, known, group) > GROWTH * fastest(path, &nodes[far], group);
-        let (node, at) = leap_from(path, &nodes[far..], group, zero).filter(|_| !grown)?;
+        if fastest(path, known, group) > GROWTH * fastest(path, &nodes[far], group) {
+            return None;
+        }
+        let (node, at) = leap_from(path, &nodes[far..], group, zero)?;
         let links = path.mechanism.groups[group].link_names(path.mechanism);
         let what = Happening::Change { links };
         Some(Leap { kept: far + 1, node, event: Event { at, what } })
     })
 }
 
-/// Leaps from the first of these nodes to the other side of the `zero` of a group's determinant.
+/// The node on the other side of the `zero` of a group's determinant, as far from it as the first of these nodes, and
+/// the drive's value at the change point.
 ///
-/// The polynomial from there to the next node is followed to the other side; the leap is sure where that meets the mechanism to
-/// [`LEAP_OFF`] and the determinant has changed its sign: on the branch that crosses this one it has not.
+/// The polynomial through the first two nodes is extrapolated to the other side. The leap is accepted if the mechanism
+/// closes there within [`LEAP_OFF`] and the determinant has changed its sign; on the branch that crosses this one it
+/// would not.
 fn leap_from(path: &Path, nodes: &[Node], group: usize, zero: f64) -> Option<(Node, f64)> {
     let [far, near, ..] = nodes else {
         return None;
@@ -293,7 +301,7 @@ fn leap_from(path: &Path, nodes: &[Node], group: usize, zero: f64) -> Option<(No
     if !(-5.0..=-0.2).contains(&(determinant(&node) / determinant(far))) {
         return None;
     }
-    // The determinant's zero by inverse interpolation through four positions around it.
+    // The zero of the determinant, by inverse interpolation through four positions around it.
     let whole = Segment::new(&path.kernel, far, &node);
     let around = [-0.25, -0.125, 0.125, 0.25].map(|part| land(zero + part * width, &whole));
     let samples: Vec<[f64; 2]> = around.iter().flatten().map(|n| [determinant(n), n.value - zero]).collect();

@@ -6,18 +6,19 @@ use crate::mechanism::Mechanism;
 use crate::position::Pose;
 use fearless_simd::{Level, dispatch};
 
-/// Mechanisms of one kind side by side: the same links, joints and drives in the same order, each with lengths and drives of its own.
+/// Mechanisms of one kind side by side: the same links, joints and drives in the same order, each with lengths and
+/// drives of its own.
 ///
-/// For searches over lengths: positions and rates of all of them are computed together, [`MANY`] in the widest registers that the
-/// processor has.
+/// For searches over lengths: positions and rates of all of them are computed together, [`MANY`] in the widest
+/// registers that the processor has.
 #[derive(Clone, Debug)]
 pub struct Variants<'a> {
     mechanisms: &'a [Mechanism],
     kernels: Vec<Kernel>,
     blocks: Vec<Block<Many>>,
-    /// By mechanism and drive: where it stands.
+    /// By mechanism and drive: the drive's value.
     drives: Vec<Vec<f64>>,
-    /// By mechanism: whether it stands where its drives were put last.
+    /// By mechanism: whether it closed at the values its drives were set to last.
     closed: Vec<bool>,
     registers: Level,
 }
@@ -32,8 +33,8 @@ impl<'a> Variants<'a> {
     /// There are not as many poses as mechanisms.
     pub fn new(mechanisms: &'a [Mechanism], poses: &[Pose]) -> Result<Self, CycleError> {
         assert_eq!(mechanisms.len(), poses.len(), "each mechanism needs its pose");
-        let kernels = mechanisms.iter().map(Kernel::new);
-        let kernels: Vec<Kernel> = kernels.collect::<Option<_>>().ok_or(CycleError::Drawn)?;
+        let kernels: Vec<Kernel> =
+            mechanisms.iter().map(Kernel::new).collect::<Option<_>>().ok_or(CycleError::Drawn)?;
         if let Some(number) = kernels.iter().position(|k| !kernels[0].is_like(k)) {
             return Err(CycleError::NotOfOneKind { number });
         }
@@ -41,7 +42,7 @@ impl<'a> Variants<'a> {
         let block = |first: usize| {
             let mut block: Block<Many> = Block::new(&kernels[first]);
             for lane in 0..MANY {
-                // Beyond the last, it stands in again.
+                // Lanes beyond the last mechanism repeat it.
                 let index = (first + lane).min(count - 1);
                 let (kernel, mechanism) = (&kernels[index], &mechanisms[index]);
                 block.set_lengths(lane, kernel);
@@ -56,14 +57,11 @@ impl<'a> Variants<'a> {
             }
             block
         };
-        let stands = |(kernel, pose): (&Kernel, &Pose)| {
-            let inputs = kernel.inputs.iter();
-            inputs.map(|input| stands(input, pose)).collect()
-        };
+        let drives = |(kernel, pose): (&Kernel, &Pose)| kernel.inputs.iter().map(|i| stands(i, pose)).collect();
         let mut variants = Variants {
             mechanisms,
             blocks: (0..count).step_by(MANY).map(block).collect(),
-            drives: kernels.iter().zip(poses).map(stands).collect(),
+            drives: kernels.iter().zip(poses).map(drives).collect(),
             closed: vec![false; count],
             kernels,
             registers: Level::new(),
@@ -72,26 +70,27 @@ impl<'a> Variants<'a> {
         Ok(variants)
     }
 
-    /// How many there are.
+    /// Number of mechanisms.
     #[must_use]
     pub fn count(&self) -> usize {
         self.mechanisms.len()
     }
 
-    /// Where the drives of a mechanism stand: angles in degrees, or positions along guides, in the order of
+    /// The values of a mechanism's drives, to be set: angles in degrees, or positions along guides, in the order of
     /// [`Mechanism::drive_names`].
     pub fn drives_mut(&mut self, mechanism: usize) -> &mut [f64] {
         &mut self.drives[mechanism]
     }
 
-    /// Moves all mechanisms to where their drives have been put, from where they stand: near, by Newton's method.
+    /// Moves all mechanisms to the values of their drives by Newton's method, which starts at their last positions:
+    /// these must be near.
     pub fn compute(&mut self) {
         for first in (0..self.count()).step_by(MANY) {
             let before = self.blocks[first / MANY].clone();
             let block = first..self.count().min(first + MANY);
             self.closed[block.clone()].fill(true);
             if !self.compute_block(first) {
-                // Each for itself; what cannot get there stays where it stood.
+                // Some mechanism does not close: find out which, leave those where they were and move the others.
                 for index in block {
                     self.closed[index] = self.reaches(index, &before, index - first);
                 }
@@ -101,7 +100,7 @@ impl<'a> Variants<'a> {
         }
     }
 
-    /// Whether a mechanism gets to where its drives have been put from where it stands in a block.
+    /// Whether a mechanism closes at the values of its drives, starting from its position in `block`.
     fn reaches(&self, index: usize, block: &Block<Many>, lane: usize) -> bool {
         let kernel = &self.kernels[index];
         let mut single = Single::new(kernel);
@@ -112,7 +111,8 @@ impl<'a> Variants<'a> {
         kernel.assemble(OneByOne, &mut single, 0.0).closed
     }
 
-    /// Sets the drives of a block's mechanisms that can get there; whether all loops closed.
+    /// Moves those mechanisms of a block that are marked as closed to the values of their drives; whether all loops
+    /// closed.
     fn compute_block(&mut self, first: usize) -> bool {
         let (count, kernel) = (self.count(), &self.kernels[first]);
         let block = &mut self.blocks[first / MANY];
@@ -132,7 +132,7 @@ impl<'a> Variants<'a> {
         dispatch!(self.registers, simd => positions_and_rates(Registers(simd), kernel, block))
     }
 
-    /// A mechanism where it stands, with its rates; `None` if it could not get to where its drives have been put.
+    /// The position of a mechanism, with its rates; `None` if it did not close at the values of its drives.
     #[must_use]
     pub fn position(&self, mechanism: usize) -> Option<Position<'_, Many>> {
         self.closed[mechanism].then(|| Position {

@@ -3,10 +3,11 @@ use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
 use crate::kernel::{Block, Kernel, Single};
 use fearless_simd::{Level, dispatch};
 
-/// How near a change point there is nothing to read, in parts of a turn: rounding leaves about u / distance³ of second rates.
+/// Distance from a change point within which there are no results, in turns: the rounding error of accelerations is
+/// about u / distance³.
 const BLANK: f64 = 1e-4;
 
-/// Computes positions and rates anywhere on a path in memory of its own: one position at a time, or [`MANY`].
+/// Computes positions and rates anywhere on a path, one position at a time or [`MANY`]; it owns the memory for them.
 #[derive(Clone, Debug)]
 pub struct Walker<'a, R: Row = [f64; 1]> {
     path: &'a Path<'a>,
@@ -21,7 +22,7 @@ impl<'a, R: Row> Walker<'a, R> {
         Self { path, kernel, block: Block::new(kernel), segment: 0, registers: Level::new() }
     }
 
-    /// Finds the segment that holds a value.
+    /// Finds the segment that holds a value of the drive; `false` if the path does not reach it.
     #[inline(always)]
     fn seek(&mut self, value: f64) -> bool {
         let segments = &self.path.segments;
@@ -33,7 +34,8 @@ impl<'a, R: Row> Walker<'a, R> {
         found.is_some()
     }
 
-    /// Assembles the mechanism at values that all lie on the segment found.
+    /// Assembles the mechanism at these values of the drive; `false` if they do not all lie on the segment found, one
+    /// is next to a change point, or a loop does not close.
     #[inline(always)]
     fn assemble<L: Lanes>(&mut self, lanes: L, values: &R) -> bool {
         let segment = &self.path.segments[self.segment];
@@ -46,7 +48,7 @@ impl<'a, R: Row> Walker<'a, R> {
         found.closed
     }
 
-    /// Whether a value is next to a change point.
+    /// Whether one of the values is next to a change point.
     #[inline(always)]
     fn is_blank(&self, values: &R) -> bool {
         let blank = BLANK * self.path.unit();
@@ -66,7 +68,8 @@ impl<'a, R: Row> Walker<'a, R> {
 
 /// One position at a time.
 impl Walker<'_> {
-    /// The position at a value of the drive; `None` where that has not been reached, is singular, or next to a change point.
+    /// The position at a value of the drive; `None` where that has not been reached, is singular or next to a change
+    /// point.
     #[inline]
     pub fn positions(&mut self, value: &[f64; 1]) -> Option<&mut Single> {
         let found = self.seek(value[0]) && self.assemble(OneByOne, value);
@@ -94,7 +97,7 @@ impl Walker<'_> {
         Some(path.position(block, 0))
     }
 
-    /// The motion for the drive running by one unit of its value a unit of time.
+    /// The motion for a speed of the drive of one unit of its value per unit of time.
     pub(super) fn unit_motion(&mut self, value: f64) -> Option<&Single> {
         self.positions(&[value])?;
         self.path.unit_rates(&mut self.block);
@@ -104,18 +107,20 @@ impl Walker<'_> {
 
 /// [`MANY`] positions at a time, in the widest registers that the processor has.
 ///
-/// Last digits may differ from those of one position at a time: where the processor multiplies and adds with one rounding, this does.
+/// Last digits may differ from those of one position at a time: products are added with one rounding where the
+/// processor can.
 impl Walker<'_, Many> {
-    /// Positions at the first of some values of the drive: as many as lie on one segment of the path, at most [`MANY`].
+    /// Positions at the first of these values of the drive: as many as lie on one segment of the path, at most
+    /// [`MANY`]; returns their number and block.
     ///
-    /// The block's other positions repeat the last. None where one of these positions has not been reached, is singular, or
-    /// next to a change point: then ask one by one.
+    /// The block's other lanes repeat the last position. `None` where one of these positions has not been reached, is
+    /// singular or next to a change point: then ask one by one.
     #[inline]
     pub fn positions(&mut self, values: &[f64]) -> (usize, Option<&Block<Many>>) {
         self.compute(values, Task::Positions)
     }
 
-    /// The same with the rates for the drives running as the scene says.
+    /// As [`Self::positions`], with the rates for the drives running as the scene says.
     #[inline]
     pub fn motions(&mut self, values: &[f64]) -> (usize, Option<&Block<Many>>) {
         self.compute(values, Task::Motions)
@@ -136,7 +141,7 @@ impl Walker<'_, Many> {
         if !self.seek(*first) {
             return (1, None);
         }
-        // In order, as they mostly are, they all lie on a segment if the last does; that they do is made sure of in the registers.
+        // Values mostly come in order: if the last lies on the segment, so do all. The registers check each of them.
         let segment = &self.path.segments[self.segment];
         let full = values.first_chunk::<MANY>();
         if let Some(full) = full.filter(|v| segment.holds(v[MANY - 1]))
@@ -174,7 +179,7 @@ impl Walker<'_, Many> {
     }
 }
 
-/// What is computed.
+/// What a walker computes for a row of values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Task {
     Positions,

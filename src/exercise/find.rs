@@ -1,4 +1,4 @@
-//! Variants by lot until one is an exercise.
+//! Tries random variants of a scene until one is an exercise.
 
 use super::judge::{Exercise, Refusal, key_page};
 use super::vary::{OnGuide, length_step, varied};
@@ -9,12 +9,12 @@ use crate::scene::{Figure, Page, PageSize, PanelName, SceneError};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// So many variants are tried for each exercise.
+/// Most variants that are tried for each exercise.
 const TRIES: usize = 1000;
 
-/// So many variants show on which sheets a scene can be drawn …
+/// Variants that are tried to find whether A4 sheets are large enough …
 const PILOT: usize = 40;
-/// … if at least so many of them can.
+/// … which they are if at least so many of them are exercises.
 const FEW: usize = 6;
 
 /// Why there is no exercise, or no further one.
@@ -31,16 +31,16 @@ pub enum ExerciseError {
     /// No variant was an exercise.
     #[error("none of {tries} variants can be drawn well by hand; most often ({percent} %) {most}")]
     GaveUp {
-        /// How many were tried.
+        /// Number of variants tried.
         tries: usize,
-        /// What was wrong most often.
+        /// The commonest reason of refusal.
         most: Refusal,
-        /// In how many of a hundred.
+        /// Its share of the variants, in per cent.
         percent: usize,
     },
 }
 
-/// The exercises of a scene, one after another: the first is the same however many follow.
+/// The exercises of a scene, one after another; they do not depend on how many are asked for.
 #[derive(Clone, Debug)]
 pub struct Exercises {
     base: Value,
@@ -55,11 +55,11 @@ pub struct Exercises {
 }
 
 impl Exercises {
-    /// The exercises of the scene with that text and construction, as `figure` asks for. Where neither the scene nor `page` says on which sheets,
-    /// they are A4, or A3 where few variants can be drawn well on A4.
+    /// The exercises of the scene with that text and construction, in the style of `figure`. Where neither the scene
+    /// nor `page` gives the size of the sheets, they are A4, or A3 where few variants can be drawn well on A4.
     ///
     /// # Errors
-    /// Where the text is no scene, or the scene has no construction.
+    /// The text is no scene, or the scene has no construction.
     pub fn new(
         text: &str,
         figure: &Figure,
@@ -92,14 +92,14 @@ impl Exercises {
             number: 0,
             seen: BTreeSet::new(),
         };
-        if is_page_open && exercises.goes_badly() {
+        if is_page_open && exercises.lacks_room() {
             exercises.figure.page.size = PageSize::A3;
         }
         Ok(exercises)
     }
 
-    /// Whether few variants can be drawn well on its sheets; the same for every seed.
-    fn goes_badly(&self) -> bool {
+    /// Whether few variants can be drawn well on the sheets; the same for every seed.
+    fn lacks_room(&self) -> bool {
         let mut random = Random(0);
         let variants = (0..PILOT).map(|_| varied(&self.base, &self.on_guides, &mut random).to_string());
         let good = variants.filter(|numbers| Exercise::of(numbers, self.figure.page, Some(&self.figure)).is_ok());
@@ -109,7 +109,7 @@ impl Exercises {
     /// The next exercise.
     ///
     /// # Errors
-    /// Where a stated number of variants gave none; says what was wrong most often.
+    /// None of [`TRIES`] variants was an exercise; says what was wrong most often.
     #[expect(clippy::should_implement_trait, reason = "there is no end to iterate to")]
     pub fn next(&mut self) -> Result<Exercise, ExerciseError> {
         self.number += 1;
@@ -120,12 +120,11 @@ impl Exercises {
                 Err(refusal) => *refused.entry(refusal).or_default() += 1,
             }
         }
-        let most = refused.into_iter().max_by_key(|(_, count)| *count);
-        let (most, count) = most.unwrap_or((Refusal::Numbers, TRIES));
+        let (most, count) = refused.into_iter().max_by_key(|(_, count)| *count).unwrap_or((Refusal::Numbers, TRIES));
         Err(ExerciseError::GaveUp { tries: TRIES, most, percent: (100 * count + TRIES / 2) / TRIES })
     }
 
-    /// A variant, if it is an exercise.
+    /// A random variant, if it is an exercise.
     fn variant(&mut self) -> Result<Exercise, Refusal> {
         let mut file = varied(&self.base, &self.on_guides, &mut self.random);
         let numbers = file.to_string();
@@ -133,7 +132,7 @@ impl Exercises {
         if !self.seen.insert(numbers) {
             return Err(Refusal::Same);
         }
-        // The file says all that was found: the position, the scales. It is then judged as it stands.
+        // The position and the scales that were found go into the file, which is then judged as it stands.
         self.put_near(&mut file, &first);
         self.put_figure(&mut file, &first);
         let exercise = Exercise::of(&crate::format::json(&file), self.figure.page, None)?;
@@ -146,13 +145,13 @@ impl Exercises {
         }
     }
 
-    /// Where the points and links are that choose the assembly mode, roughly.
+    /// Sets the scene's `near`, the rough places and angles that choose the assembly mode, to those of the variant.
     fn put_near(&self, file: &mut Value, found: &Exercise) {
         let step = length_step(file);
         let Some(near) = file.get_mut("near").and_then(Value::as_object_mut) else {
             return;
         };
-        // What it says of places holds for the template's.
+        // The note describes the template's places.
         near.shift_remove("note");
         let solution = &found.solution;
         for (name, value) in near {
@@ -165,15 +164,15 @@ impl Exercises {
         }
     }
 
-    /// The sheet, its scales and its words, and the exercise's number in the title.
+    /// Sets the scene's `figure`: the sheet, its scales, its words; and puts the exercise's number into the title.
     fn put_figure(&self, file: &mut Value, found: &Exercise) {
         let Some(file) = file.as_object_mut() else {
             return;
         };
-        let (own, usual) = (&self.figure, Figure::default());
-        let page = key_page(own.page);
+        let (asked, usual) = (&self.figure, Figure::default());
+        let page = key_page(asked.page);
         let mut figure = Map::new();
-        let panels: Vec<&str> = own.panels.iter().map(|panel| panel.as_str()).collect();
+        let panels: Vec<&str> = asked.panels.iter().map(|panel| panel.as_str()).collect();
         figure.insert("panels".into(), json!(panels));
         let scales = &found.scales;
         for (key, mu) in [("mu_l", scales.length), ("mu_v", scales.velocity), ("mu_a", scales.acceleration)] {
@@ -183,17 +182,17 @@ impl Exercises {
         }
         for (key, is_usual, name) in [
             ("page", page == usual.page, page.name()),
-            ("style", own.style == usual.style, own.style.as_str()),
-            ("notation", own.notation == usual.notation, own.notation.as_str()),
-            ("language", own.language == usual.language, own.language.as_str()),
-            ("decimal", own.decimal == usual.decimal, own.decimal.as_str()),
+            ("style", asked.style == usual.style, asked.style.as_str()),
+            ("notation", asked.notation == usual.notation, asked.notation.as_str()),
+            ("language", asked.language == usual.language, asked.language.as_str()),
+            ("decimal", asked.decimal == usual.decimal, asked.decimal.as_str()),
         ] {
             if !is_usual {
                 figure.insert(key.into(), json!(name));
             }
         }
-        if !own.labels.is_empty() {
-            figure.insert("labels".into(), json!(own.labels));
+        if !asked.labels.is_empty() {
+            figure.insert("labels".into(), json!(asked.labels));
         }
         file.shift_remove("want");
         file.shift_remove("$schema");

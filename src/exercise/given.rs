@@ -1,12 +1,12 @@
-//! What a student is told besides the scheme: the numbers of the scene in sentences.
+//! The given numbers of an exercise in sentences, which a student gets beside the scheme.
 
 use crate::quantity::{Kind, Scales};
 use crate::scene::{At, DecimalMark, Form, On, Scene, Shape};
 use crate::words::{Medium, NumberStyle, Wording};
 use serde_json::Value;
 
-/// All that is given, and at which scales the plans are to be drawn; in markup. Vectors are told as the scene's `text` has them, by components
-/// or by size and direction.
+/// The sentences with all given numbers and with the scales of the plans, in markup. Vectors are given as in the
+/// scene's `text`, by components or by size and direction.
 pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Wording) -> Vec<String> {
     let file = serde_json::from_str(text).unwrap_or(Value::Null);
     let teller = Teller { scene, words };
@@ -14,18 +14,18 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
     all.extend(teller.drives());
     all.extend(teller.motions(&file));
     let plans = [("μ_v", scales.velocity, Kind::Velocity), ("μ_a", scales.acceleration, Kind::Acceleration)];
-    let plans = plans.into_iter().filter_map(|(symbol, mu, kind)| {
+    let scale = |(symbol, mu, kind): (&str, Option<f64>, Kind)| {
         let unit = kind.unit(scene.units);
         Some(format!("{symbol} = {} ({unit})/mm", teller.number(mu?)))
-    });
-    let plans: Vec<String> = plans.collect();
+    };
+    let plans: Vec<String> = plans.into_iter().filter_map(scale).collect();
     vec![words.language.exercise_given(&listed(&all)), words.language.exercise_draw(&listed(&plans))]
 }
 
-/// A list that breaks between its items only.
+/// A list that can be broken into lines between its items only.
 pub(super) fn listed(items: &[String]) -> String {
-    let items = items.iter().map(|item| item.replace(' ', "\u{a0}"));
-    items.collect::<Vec<String>>().join(", ")
+    let items: Vec<String> = items.iter().map(|item| item.replace(' ', "\u{a0}")).collect();
+    items.join(", ")
 }
 
 struct Teller<'a> {
@@ -42,7 +42,7 @@ impl Teller<'_> {
         kind.unit(self.scene.units)
     }
 
-    /// A symbol with its value; of nothing without a unit.
+    /// A symbol with its value and unit; zero is written without a unit.
     fn value(&self, symbol: &str, x: f64, kind: Kind) -> String {
         let value = self.number(x);
         match (x == 0.0, kind) {
@@ -53,27 +53,23 @@ impl Teller<'_> {
     }
 
     fn pair(&self, [x, y]: [f64; 2]) -> String {
-        // Decimal commas must not run into the one between.
+        // Beside decimal commas the coordinates are separated by a semicolon.
         let mark = if self.words.decimal == DecimalMark::Comma { ";" } else { "," };
         format!("({}{mark} {})", self.number(x), self.number(y))
     }
 
-    /// Fixed points and lengths of a scene from lengths; a drawn one is drawn.
+    /// Fixed points and lengths of a scene from lengths; none of a drawn scene, whose scheme shows them.
     fn lengths(&self) -> Vec<String> {
         if self.scene.form == Form::Drawn {
             return Vec::new();
         }
         let unit = self.unit(Kind::Length);
-        let fixed = self.scene.coordinates.iter();
-        let fixed = fixed.map(|(name, place)| format!("{name} {} {unit}", self.pair(*place)));
+        let fixed = self.scene.coordinates.iter().map(|(name, place)| format!("{name} {} {unit}", self.pair(*place)));
         let lengths = self.scene.links.values().flat_map(|link| match &link.shape {
             Shape::Lengths(lengths) => lengths.as_slice(),
             _ => &[],
         });
-        let lengths = lengths.map(|length| {
-            let symbol = length.key.replace('-', " ");
-            self.value(&symbol, length.value, Kind::Length)
-        });
+        let lengths = lengths.map(|length| self.value(&length.key.replace('-', " "), length.value, Kind::Length));
         fixed.chain(lengths).collect()
     }
 
@@ -135,8 +131,7 @@ impl Teller<'_> {
 
     fn both(&self, at: &str, vectors: [[f64; 2]; 2], written: &Value) -> Vec<String> {
         let kinds = [("v", "velocity", Kind::Velocity), ("a", "acceleration", Kind::Acceleration)];
-        let told = kinds.into_iter().zip(vectors);
-        let told = told.map(|((letter, key, kind), vector)| {
+        let told = kinds.into_iter().zip(vectors).map(|((letter, key, kind), vector)| {
             let symbol = format!("{letter}_{{{at}}}");
             let polar = ["size", "angle"].map(|part| written[key][part].as_f64());
             match (polar, vector) {

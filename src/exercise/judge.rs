@@ -1,4 +1,4 @@
-//! Which variants are exercises: those that a careful hand draws well.
+//! Decides which variants are exercises: those that a careful hand draws well.
 
 use super::given::sentences;
 use crate::check::{BANDS, form_names};
@@ -10,20 +10,20 @@ use crate::position::pose;
 use crate::quantity::{Asked, Pencil, Quantity, Scales, What, pencil};
 use crate::scene::{Figure, Page, PageSize, Scene};
 
-/// Condition numbers of groups are at most this: near singular positions every length counts many times.
+/// Largest condition number of a group: near singular positions an error of a length is enlarged many times.
 const CONDITION: f64 = 40.0;
-/// Lines that are crossed meet at an angle whose sine is at least this: 20°.
+/// Smallest sine of the angle between lines that are crossed: that of 20°.
 const SINE: f64 = 0.35;
-/// Segments that are measured are at least this long on paper, in mm, unless they are nothing.
+/// Smallest length on paper of segments that are measured and not zero, in mm.
 const SHORTEST: f64 = 5.0;
-/// A rate less than this part of the largest of its kind is judged as if it were so large.
+/// A rate below this part of the largest of its kind is judged as if it were that large.
 const SMALL: f64 = 1.0 / 3.0;
-/// The band of a rate is at most this part of it.
+/// Largest band of a rate, in parts of the rate.
 const BAND: f64 = 0.15;
-/// What counts as nothing, in parts of the largest of its kind: roundings leave less.
-const NOTHING: f64 = 1e-9;
+/// Relative tolerance for zero, in parts of the largest of its kind; rounding leaves less.
+const ZERO: f64 = 1e-9;
 
-/// A scene to be drawn by hand, with all that is known of it.
+/// A scene to be drawn by hand, with its solution and its sheet.
 #[derive(Clone, Debug)]
 pub struct Exercise {
     /// The text of its scene file.
@@ -32,9 +32,9 @@ pub struct Exercise {
     pub solution: Solution,
     /// The scales of its sheets.
     pub scales: Scales,
-    /// How exactly a careful hand finds each quantity of the form.
+    /// The band of a careful hand for each quantity of the form.
     pub pencil: Pencil,
-    /// The sheet that the student gets: the scheme without special points, what is given, boxes for what is to be found.
+    /// The sheet that the student gets: the scheme without special points, the given numbers, boxes for the results.
     pub sheet: Drawing,
 }
 
@@ -44,13 +44,13 @@ pub enum Refusal {
     /// The scene is not understood.
     #[error("the numbers do not fit together")]
     Numbers,
-    /// No position.
+    /// The mechanism cannot be assembled.
     #[error("the links do not reach each other")]
     Assembly,
     /// A singular position, or nearly one.
     #[error("the position is too near a singular one")]
     Singular,
-    /// No construction.
+    /// The plans have no construction.
     #[error("there is no construction of the plans")]
     NoConstruction,
     /// The construction and the loop equations differ by more than rounding allows.
@@ -59,22 +59,22 @@ pub enum Refusal {
     /// Lines cross under small angles.
     #[error("lines cross at less than 20°")]
     Crossing,
-    /// Something has no room.
+    /// A special point or a plan has no room on the sheet.
     #[error("a special point or a plan does not fit on the sheet")]
     Sheet,
     /// Segments are too short to be measured.
     #[error("a segment to be measured is shorter than 5 mm")]
     Short,
-    /// A hand finds rates only roughly.
+    /// The band of a rate is too wide.
     #[error("a rate cannot be found to 15 % by hand")]
     Unsure,
-    /// The same numbers came before.
+    /// An earlier exercise has the same numbers.
     #[error("its numbers came before")]
     Same,
 }
 
 impl Exercise {
-    /// The scene of that text, if it is an exercise for a sheet of that size; the figure is that of the scene, or another that is `asked` for.
+    /// The scene of that text, if it is an exercise for a sheet of that size; with the scene's figure, or with `asked`.
     pub(super) fn of(text: &str, page: Page, asked: Option<&Figure>) -> Result<Exercise, Refusal> {
         let mut scene = Scene::read(text).map_err(|_| Refusal::Numbers)?;
         scene.figure = asked.unwrap_or(&scene.figure).clone();
@@ -91,7 +91,8 @@ impl Exercise {
             .map(|name| Asked::new(name, &solution.mechanism))
             .collect::<Result<_, _>>()
             .map_err(|_| Refusal::NoConstruction)?;
-        // Scheme and plans are as large as the key has room; the scheme smaller where the student's sheet needs it.
+        // Scheme and plans are as large as fits on the key's sheet; the scheme is smaller where the student's sheet
+        // needs it.
         let mut students = solution.clone();
         let figure = &mut students.scene.figure;
         (figure.page, figure.worksheet) = (page, false);
@@ -119,30 +120,29 @@ impl Exercise {
         Ok(Exercise { text: text.to_owned(), scales, pencil, sheet, solution })
     }
 
-    /// What is asked for, with its exact value.
+    /// The quantities of the form with their exact values.
     pub(super) fn values(&self) -> Vec<(Asked, f64)> {
         let asked: Vec<Asked> = self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
         values(&asked, &self.solution)
     }
 }
 
-/// The sheet of the key, which has the plans, too: the largest.
+/// The page of the key, which has the plans too: the largest size.
 pub(super) fn key_page(students: Page) -> Page {
     Page { size: PageSize::A3, ..students }
 }
 
-/// Quantities with their exact values.
+/// Quantities with their exact values, of vectors their sizes; those without a value are left out.
 fn values(asked: &[Asked], solution: &Solution) -> Vec<(Asked, f64)> {
     let construction = Some(&solution.construction);
     let value = |asked: &Asked| match asked.value(&solution.snapshot(), construction, None).ok()? {
         Quantity::Number(x) => Some(x),
         Quantity::Vector(v) => Some(v.norm()),
     };
-    let valued = asked.iter();
-    valued.filter_map(|asked| Some((asked.clone(), value(asked)?))).collect()
+    asked.iter().filter_map(|asked| Some((asked.clone(), value(asked)?))).collect()
 }
 
-/// Whether a hand finds all rates of rotation well.
+/// Whether a hand finds all angular velocities and accelerations well.
 fn is_sure(pencil: &Pencil, values: &[(Asked, f64)]) -> Result<(), Refusal> {
     let is_rate = |asked: &Asked| matches!(asked.what(), What::Omega(_) | What::Alpha(_));
     let rates = || values.iter().filter(|(asked, _)| is_rate(asked));
@@ -150,17 +150,17 @@ fn is_sure(pencil: &Pencil, values: &[(Asked, f64)]) -> Result<(), Refusal> {
         let alike = rates().filter(|(a, _)| a.kind() == asked.kind());
         let largest = alike.map(|(_, v)| v.abs()).fold(0.0, f64::max);
         let size = value.abs().max(SMALL * largest);
-        let is_nothing = value.abs() <= NOTHING * largest;
+        let is_zero = value.abs() <= ZERO * largest;
         let band = pencil.band(asked.name()).ok_or(Refusal::Unsure)?;
-        // Of a rate that is there at all a drawing that passes must tell the sense.
-        if band.band > BAND * size || (BANDS * band.band > value.abs() && !is_nothing) {
+        // A drawing that passes must show the sense of a rate that is not zero.
+        if band.band > BAND * size || (BANDS * band.band > value.abs() && !is_zero) {
             return Err(Refusal::Unsure);
         }
     }
     Ok(())
 }
 
-/// Whether there is a construction, exact and with good crossings.
+/// Whether all groups have a construction, exact and with good crossings.
 fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
     for agreement in &construction.agreement {
         let agreement = agreement.ok_or(Refusal::NoConstruction)?;
@@ -178,7 +178,7 @@ fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
     }
 }
 
-/// Whether everything that is measured is long enough on paper, or nothing.
+/// Whether everything that is measured is long enough on paper, or zero.
 fn is_long_enough(construction: &Construction, scales: &Scales) -> Result<(), Refusal> {
     for step in construction.numbered_steps() {
         let value = match (&step.step.action, step.plan) {
@@ -189,7 +189,7 @@ fn is_long_enough(construction: &Construction, scales: &Scales) -> Result<(), Re
         let sizes = step.plan.into_iter().flat_map(|plan| plan.points.values()).map(|point| point.vector.norm());
         let largest = sizes.reduce(f64::max).unwrap_or(value);
         let mm = value / scales.of(step.sheet()).ok_or(Refusal::Sheet)?;
-        if mm < SHORTEST && value > NOTHING * largest {
+        if mm < SHORTEST && value > ZERO * largest {
             return Err(Refusal::Short);
         }
     }

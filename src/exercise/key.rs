@@ -1,10 +1,10 @@
-//! What a teacher is told: every value of the form.
+//! The teacher's key of an exercise: every value of the form.
 
 use super::given::listed;
 use super::judge::Exercise;
 use crate::check::{BANDS, significant, template_csv, template_json};
 use crate::drawing::{Drawing, key_sheet};
-use crate::quantity::What;
+use crate::quantity::{Asked, What};
 use crate::scene::schema_of;
 use crate::words::Medium;
 use indexmap::IndexMap;
@@ -51,14 +51,14 @@ pub struct KeyValue {
 }
 
 impl Exercise {
-    /// All values of the form, with what a careful hand may be off by.
+    /// All values of the form, with the differences that a careful hand is allowed.
     #[must_use]
     pub fn key(&self) -> KeyResult {
         let steps = self.solution.construction.numbered_steps();
         let names: Vec<(usize, Vec<String>)> = steps.map(|s| (s.number, s.names())).collect();
         let step = |name: &str| {
-            let mut found = names.iter().filter(|(_, own)| own.iter().any(|n| n == name));
-            found.next().map_or(0, |(number, _)| *number)
+            let found = names.iter().find(|(_, given)| given.iter().any(|n| n == name));
+            found.map_or(0, |(number, _)| *number)
         };
         let values = self.values().into_iter().map(|(asked, value)| {
             let band = self.pencil.band(asked.name());
@@ -78,21 +78,21 @@ impl Exercise {
         }
     }
 
-    /// The key as a figure: scheme and plans with a table of all measured lengths, and the rates that come from them.
+    /// The key as a figure: scheme and plans with a table of all measured lengths, and a sentence with the rates that
+    /// follow from them.
     #[must_use]
     pub fn key_sheet(&self) -> Drawing {
         let words = self.solution.wording();
-        let rates = self.values().into_iter();
-        let rates = rates.filter(|(a, _)| !matches!(a.what(), What::Segment { .. } | What::Length(..)));
-        let rates = rates.map(|(asked, value)| {
+        let is_rate = |asked: &Asked| !matches!(asked.what(), What::Segment { .. } | What::Length(..));
+        let written = |(asked, value): (Asked, f64)| {
             let number = |x: f64, digits: usize| words.write(x, significant(digits).on(Medium::Figure));
             let symbol = asked.symbol(&self.solution.mechanism, words.notation, &str::to_owned);
             let band = self.pencil.band(asked.name());
             let allowed = band.map_or_else(String::new, |band| format!(" ± {}", number(BANDS * band.band, 2)));
             let unit = asked.kind().unit(self.solution.scene.units);
             format!("{symbol} = {}{allowed} {unit}", number(value, 4))
-        });
-        let rates: Vec<String> = rates.collect();
+        };
+        let rates: Vec<String> = self.values().into_iter().filter(|(a, _)| is_rate(a)).map(written).collect();
         let sentence = words.language.exercise_rates(&listed(&rates));
         key_sheet(&self.solution, &[sentence])
     }

@@ -1,27 +1,28 @@
 use serde_json::{Value, json};
 
-/// What a number of a scene file is.
+/// The meaning of a number in a scene file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Number {
     /// A coordinate of a place, or a length.
     Length,
     /// A component or the size of a given velocity or acceleration.
     Motion,
-    /// The angle of such a vector, in degrees.
+    /// The angle of a given velocity or acceleration, in degrees.
     Direction,
     /// A given angular velocity or acceleration of a link.
     Turning,
     /// The angle of a drive, in degrees.
     DriveAngle,
-    /// How far a drive has pushed its slider.
+    /// The position of a driven slider along its guide.
     DrivePosition,
     /// Angular velocity, speed or acceleration of a drive.
     DriveRate,
 }
 
-/// Puts other numbers into a scene file: those of places, lengths, given motions and drives, in this order, each by `change`.
+/// Replaces the numbers of places, lengths, given motions and drives in a scene file, in this order, each by what
+/// `change` returns.
 ///
-/// Rough places, directions of guides and what the figure shows stay as they are.
+/// Rough places (`near`), directions of guides and the figure stay as they are.
 pub fn each_number(scene: &mut Value, change: &mut dyn FnMut(Number, f64) -> f64) {
     for (key, number) in [("ground", Number::Length), ("points", Number::Length), ("known", Number::Motion)] {
         within(scene.get_mut(key), number, change);
@@ -81,10 +82,10 @@ fn within(part: Option<&mut Value>, number: Number, change: &mut dyn FnMut(Numbe
     }
 }
 
-/// A number as a file has it: whole ones without a point.
+/// A number as JSON: a whole one without a decimal point.
 pub(super) fn written(x: f64) -> Value {
     if x == libm::trunc(x) && x.abs() < 1e15 {
-        // Not −0 either.
+        // As an integer, −0 becomes 0.
         return json!(x as i64);
     }
     json!(x)

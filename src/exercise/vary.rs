@@ -1,25 +1,26 @@
-//! Other numbers for a scene, round ones.
+//! Replaces the numbers of a scene by other round ones.
 
 use super::numbers::{Number, each_number, written};
 use crate::geometry::{Point, Random, span};
 use crate::scene::{Along, Form, Scene};
 use serde_json::{Value, json};
 
-/// By which part lengths and given motions vary, up and down.
+/// Largest relative change of lengths and given motions, up or down.
 const PART: f64 = 0.25;
-/// By how many degrees drives vary, up and down.
+/// Largest change of drives' angles, up or down, in degrees.
 const DRIVE: f64 = 60.0;
-/// By how many degrees directions of given vectors vary, up and down.
+/// Largest change of directions of given vectors, up or down, in degrees.
 const DIRECTION: f64 = 30.0;
-/// Angles are multiples of this, in degrees.
+/// Step of angles, in degrees.
 const ANGLE: f64 = 5.0;
-/// Lengths are multiples of 1 or 5 times a power of ten, about so many in the largest.
+/// Approximate number of steps in the largest length; a step is 1 or 5 times a power of ten.
 const STEPS: f64 = 25.0;
-/// Rates are these times a power of ten.
+/// Round rates, to be multiplied by a power of ten.
 const RATES: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
 
-/// The scene with other numbers: lengths, places and given motions up to a quarter larger or smaller, drives turned by up to 60° and with up
-/// to twice or half their rates. What is zero stays zero; senses stay; blocks stay on their guides.
+/// The scene with other numbers: lengths, places and given motions up to a quarter larger or smaller, drives turned by
+/// up to 60° and with half to twice their rates. Zeros stay, but for drives' angles; senses stay; blocks stay on
+/// their guides.
 pub(super) fn varied(scene: &Value, on_guides: &[OnGuide], random: &mut Random) -> Value {
     let mut scene = scene.clone();
     let step = length_step(&scene);
@@ -46,11 +47,13 @@ pub(super) struct OnGuide {
     line: [String; 2],
 }
 
-/// A block counts as standing on its guide's line where it is off by no more than this part of the scene's size: digits of a file leave that.
+/// Largest distance of a block from its guide's line that counts as none, in parts of the scene's size: files have few
+/// digits.
 const ON_LINE: f64 = 1e-6;
 
 impl OnGuide {
-    /// The blocks of a scene, in order, that stand on their guides' lines; none in a scene from lengths, which puts them there by itself.
+    /// The blocks of a drawn scene that stand on their guides' lines, in order; none for a scene from lengths, whose
+    /// assembly puts them there.
     pub fn all(scene: &Scene) -> Vec<OnGuide> {
         let blocks = scene.sliders.iter().filter_map(|slider| {
             let Along::Points(a, b) = &slider.along else {
@@ -58,9 +61,9 @@ impl OnGuide {
             };
             let at = slider.at.as_ref().or(slider.pin.as_ref())?.clone();
             let place = |name: &String| scene.coordinates.get(name).copied().map(Point::from);
-            let [own, from, to] = [place(&at)?, place(a)?, place(b)?];
+            let [block, from, to] = [place(&at)?, place(a)?, place(b)?];
             let along = (to - from).try_normalize(0.0)?;
-            let off = along.perp(&(own - from)).abs();
+            let off = along.perp(&(block - from)).abs();
             let size = span(scene.coordinates.values().copied().map(Point::from));
             let line = [a.clone(), b.clone()];
             let is_on = off <= ON_LINE * size && !line.contains(&at);
@@ -79,16 +82,16 @@ impl OnGuide {
             Some(Point::new(place[0].as_f64()?, place[1].as_f64()?))
         };
         let [from, to] = self.line.each_ref().map(place);
-        let (Some(own), Some(from), Some(to)) = (place(&self.at), from, to) else {
+        let (Some(block), Some(from), Some(to)) = (place(&self.at), from, to) else {
             return;
         };
-        let way = to - from;
-        let foot = from + way * (way.dot(&(own - from)) / way.norm_squared());
+        let along = to - from;
+        let foot = from + along * (along.dot(&(block - from)) / along.norm_squared());
         scene["points"][&self.at] = json!([foot.x, foot.y].map(written));
     }
 }
 
-/// What the lengths of a scene are multiples of.
+/// The step of a scene's lengths: they become multiples of it.
 pub(super) fn length_step(scene: &Value) -> Step {
     let mut largest = 0.0_f64;
     each_number(&mut scene.clone(), &mut |number, x| {
@@ -119,7 +122,7 @@ impl Step {
         self.multiple(x, 0.0)
     }
 
-    /// The nearest multiple, but not 0.
+    /// The nearest multiple other than 0.
     pub fn round(self, x: f64) -> f64 {
         self.multiple(x, 1.0)
     }
@@ -145,7 +148,7 @@ fn angle(x: f64) -> f64 {
     ANGLE * libm::round(x / ANGLE)
 }
 
-/// A size as a number from 1 to below 10 and a power of ten; of nothing 1 and 0.
+/// The magnitude of x as a number in [1, 10) and an exponent of ten; 1 and 0 for zero.
 fn decimal(x: f64) -> (f64, i32) {
     if x == 0.0 {
         return (1.0, 0);
@@ -154,7 +157,8 @@ fn decimal(x: f64) -> (f64, i32) {
     (x.abs() / libm::exp10(f64::from(exponent)), exponent)
 }
 
-/// A number times a power of ten, as near as a file that says so is read: 15 times 10⁻² is 0.15 to the last bit.
+/// A number times a power of ten, rounded as the same decimal is when a file is read: 15 times 10⁻² is 0.15 to the last
+/// bit.
 fn with_exponent(number: f64, exponent: i32) -> f64 {
     let written = format!("{number}e{exponent}");
     written.parse().expect("digits and an exponent are a number")

@@ -10,18 +10,18 @@ use std::sync::Arc;
 /// Why a table by columns could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum ColumnsError {
-    /// The place that it goes to does not take it.
+    /// The output cannot be written to.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// The form does not allow it.
+    /// Arrow's writer refuses the table.
     #[error(transparent)]
     Arrow(#[from] ArrowError),
-    /// The form does not allow it.
+    /// Parquet's writer refuses the table.
     #[error(transparent)]
     Parquet(#[from] ParquetError),
 }
 
-/// A table written by columns of f64, in Apache Arrow's or Parquet's file format; null where there is no number.
+/// A writer of tables by columns of f64, in Apache Arrow's or Parquet's file format; null where there is no number.
 pub struct Columns<W: Write + Send> {
     schema: Arc<Schema>,
     output: Output<W>,
@@ -36,7 +36,7 @@ impl<W: Write + Send> Columns<W> {
     /// A table in Arrow's file format.
     ///
     /// # Errors
-    /// The beginning cannot be written.
+    /// The head of the file cannot be written.
     pub fn arrow(sweep: &Sweep, out: W) -> Result<Self, ColumnsError> {
         let schema = schema(sweep);
         let output = Output::Arrow(Box::new(FileWriter::try_new(out, &schema)?));
@@ -46,7 +46,7 @@ impl<W: Write + Send> Columns<W> {
     /// A table in Parquet's file format.
     ///
     /// # Errors
-    /// The beginning cannot be written.
+    /// The head of the file cannot be written.
     pub fn parquet(sweep: &Sweep, out: W) -> Result<Self, ColumnsError> {
         let schema = schema(sweep);
         let output = Output::Parquet(Box::new(ArrowWriter::try_new(out, schema.clone(), None)?));
@@ -71,10 +71,10 @@ impl<W: Write + Send> Columns<W> {
         Ok(())
     }
 
-    /// Writes the end, and gives back what was written to.
+    /// Writes the end of the file and returns the output.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// The end cannot be written.
     pub fn finish(self) -> Result<W, ColumnsError> {
         match self.output {
             Output::Arrow(mut writer) => {

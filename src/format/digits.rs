@@ -8,16 +8,18 @@ use crate::scene::{DecimalMark, Units};
 use crate::words::NumberStyle;
 
 impl Solution {
-    /// Every ω, α, velocity and acceleration with only those digits that are certain, as a table: name, value, unit, bound of the error.
+    /// A table of every ω, α, velocity and acceleration with only its certain digits: name, value, unit, bound of the
+    /// error.
     ///
-    /// The true value is within one unit of the last digit that is printed. A given value stands there as it is, with bound 0.
+    /// The true value is within one unit of the last digit that is printed. Given values are printed in full, with
+    /// bound 0.
     #[must_use]
     pub fn digits(&self) -> String {
         let Solution { scene, mechanism, pose, motion, construction } = self;
         let bounds = &bounds(mechanism, pose, motion);
         let mut table = Table { units: scene.units, bounds, motion, lines: Vec::new() };
         for (link, body) in mechanism.links() {
-            // Of a stub only one point's motion means anything.
+            // Only the motion of a stub's point is known.
             if body.role != Role::Stub {
                 let (rates, [omega, alpha]) = (motion.body(link), bounds.spin(link));
                 let name = |letter: &str| format!("{letter}({})", body.name);
@@ -48,7 +50,9 @@ impl Solution {
             }
         }
         for special in construction.special.iter().flatten() {
-            if let Some(place) = special.place.finite().filter(|_| special.is_assur) {
+            if special.is_assur
+                && let Some(place) = special.place.finite()
+            {
                 let errors = bounds.special(special).unwrap_or_default();
                 table.place(&special.name, special.link, place, errors);
             }
@@ -57,7 +61,7 @@ impl Solution {
     }
 }
 
-/// The body whose motion a point's is read from: one of known motion first.
+/// The body from which a point's motion is computed: preferably one of known motion.
 pub(super) fn holder(mechanism: &Mechanism, point: PointId) -> Option<BodyId> {
     let bodies = || (0..mechanism.bodies.len()).map(BodyId);
     let holds = |b: &BodyId| mechanism.body(*b).points.contains(&point);
@@ -102,7 +106,7 @@ impl Table<'_> {
         self.vector(&format!("a({name})"), a, acceleration, Kind::Acceleration);
     }
 
-    /// Names to the left, values with their decimal points below each other.
+    /// The table as text: names left-aligned, values with their decimal points aligned.
     fn text(&self) -> String {
         let before = |value: &str| value.find(['.', 'e']).unwrap_or(value.len());
         let wide = |text: &str| text.chars().count();
@@ -111,39 +115,39 @@ impl Table<'_> {
         let left = widest(&|l| before(&l[1])).unwrap_or(0);
         let value = widest(&|l| left - before(&l[1]) + l[1].len()).unwrap_or(0);
         let unit = widest(&|l| wide(&l[2])).unwrap_or(0);
-        let lines = self.lines.iter().map(|line| {
+        let text = |line: &[String; 4]| {
             let shift = " ".repeat(left - before(&line[1]));
-            let shown = format!("{shift}{}", line[1]);
-            format!("{:name$}  {shown:value$}  {:unit$}  {}\n", line[0], line[2], line[3])
-        });
-        lines.collect()
+            let shifted = format!("{shift}{}", line[1]);
+            format!("{:name$}  {shifted:value$}  {:unit$}  {}\n", line[0], line[2], line[3])
+        };
+        self.lines.iter().map(text).collect()
     }
 }
 
-/// A value as far as it is certain.
+/// The certain digits of a value.
 #[derive(Debug, PartialEq)]
 enum Certain {
-    /// Its text: the true value is within one unit of the last digit.
+    /// The value as text: the true one is within one unit of the last digit.
     Digits(String),
-    /// No digit is certain: the true value lies within this of zero.
+    /// No digit is certain: the magnitude of the true value is at most this.
     None(String),
 }
 
-/// The digits of `value` that are certain where its error is at most `bound`.
+/// The certain digits of `value`, whose error is at most `bound`.
 ///
-/// Rounding the text may add half a unit of the last digit, so the bound may take up the other half.
+/// Rounding to the last digit may add an error of half its unit, so `bound` may be at most the other half.
 fn certain(value: f64, bound: f64) -> Certain {
-    // Given values, and those that have no error: the shortest text that reads back to the number.
+    // An exact value: the shortest text that reads back to the number.
     if bound == 0.0 {
         return Certain::Digits(written(value, NumberStyle::shortest().in_full(-5, 9)));
     }
     let last = place_above(2.0 * bound);
-    // The place of the first digit.
+    // The power of ten of the first digit.
     let first = exponent(&format!("{:e}", value.abs()));
     if value == 0.0 || first < last {
         return Certain::None(written(value.abs() + bound, NumberStyle::bound()));
     }
-    // More than 17 digits say nothing more of an f64.
+    // An f64 has no more than 17 significant digits.
     let digits = (first - last).min(16);
     if last <= 0 && (-5..9).contains(&first) {
         Certain::Digits(format!("{value:.*}", (digits - first) as usize))
@@ -152,15 +156,14 @@ fn certain(value: f64, bound: f64) -> Certain {
     }
 }
 
-/// A number of a result: these always have points.
+/// A number of a result, always with a decimal point, not a comma.
 fn written(x: f64, style: NumberStyle) -> String {
     style.write(x, DecimalMark::Point)
 }
 
-/// The exponent of a number written with one.
+/// The exponent of a number in scientific notation; 0 where there is none.
 fn exponent(text: &str) -> i32 {
-    let power = text.split_once('e').map(|(_, power)| power.parse());
-    power.and_then(Result::ok).unwrap_or(0)
+    text.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
 }
 
 /// The smallest whole k with x ≤ 10^k, for a positive x.

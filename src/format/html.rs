@@ -9,30 +9,32 @@ use indexmap::{IndexMap, IndexSet};
 use serde_json::{Value, json};
 use std::io::Write;
 
-/// The page without its contents.
+/// The template of the page, with `{{name}}` for its contents.
 const PAGE: &str = include_str!("../../templates/page.html");
 
-/// What a page for the classroom shows.
+/// The contents of a page for the classroom.
 #[derive(Clone, Copy, Debug)]
 pub struct WebPage<'a> {
-    /// The stepwise figure in each position, all on the same panels, as [`frames`](crate::drawing::frames) gives them; at least one.
+    /// The stepwise figure in each position, all on the same panels, as [`frames`](crate::drawing::frames) gives them;
+    /// at least one.
     pub frames: &'a [Drawing],
     /// The drive's value in each position, in words.
     pub values: &'a [String],
-    /// Which of them comes first.
+    /// Index of the position that is shown first: the scene's own.
     pub own: usize,
-    /// Whether the last is followed by the first.
+    /// Whether the first position follows the last.
     pub is_round: bool,
-    /// What the drive moves, as in `angle(1)`.
+    /// The name of the drive's value, as in `angle(1)`.
     pub quantity: &'a str,
     /// The figure's language.
     pub language: &'a Language,
 }
 
-/// One HTML file that needs nothing else: the figure with its steps, in all positions, to be shown, stepped through, moved and printed.
+/// One self-contained HTML file: the figure with its steps, in all positions, to be shown, stepped through, moved and
+/// printed.
 ///
-/// Every position is drawn here, as for SVG; the page's script only chooses lines. Lines that are the same in several positions are
-/// kept once, and all of them compressed. Without frames the page is empty.
+/// Every position is drawn here, as for SVG; the page's script only chooses lines of SVG. Lines that are the same in
+/// several positions are stored once, and all are compressed. Without frames the file is empty.
 #[must_use]
 pub fn html(page: &WebPage<'_>) -> String {
     let Some(first) = page.frames.get(page.own) else {
@@ -72,7 +74,7 @@ pub fn html(page: &WebPage<'_>) -> String {
         ("class", (if first.style.is_dark() { "dark board" } else { "" }).to_owned()),
         ("quantity", escape(&clean(page.quantity))),
         ("sheet", sheet),
-        ("data", packed(&film(page, first))),
+        ("data", packed(&script_data(page, first))),
     ];
     let said = said.map(|(name, text)| (name, escape(text)));
     let contents: Vec<(&str, String)> = contents.into_iter().chain(said).collect();
@@ -80,19 +82,19 @@ pub fn html(page: &WebPage<'_>) -> String {
     let mut written = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         let (name, rest) = part.split_once("}}").unwrap_or((part, ""));
-        let content = contents.iter().find(|(own, _)| *own == name);
+        let content = contents.iter().find(|(known, _)| *known == name);
         written.push_str(content.map_or("", |(_, text)| text));
         written.push_str(rest);
     }
     written
 }
 
-/// What the page's script reads.
-fn film(page: &WebPage<'_>, first: &Drawing) -> Value {
+/// The data for the page's script.
+fn script_data(page: &WebPage<'_>, first: &Drawing) -> Value {
     let last = first.steps.len() as u16 + 1;
     let said = page.language;
     let mut lines: IndexSet<String> = IndexSet::new();
-    // Layers by their place in the pile; what is below comes first.
+    // The layers of all frames, from the lowest to the highest: whether above, step, whether passing.
     let mut pile: IndexMap<(bool, u16, bool), Vec<Vec<usize>>> = IndexMap::new();
     for below in [true, false] {
         for step in 0..=last {
@@ -114,13 +116,11 @@ fn film(page: &WebPage<'_>, first: &Drawing) -> Value {
     }
     pile.retain(|_, layers| layers.iter().any(|lines| !lines.is_empty()));
     let layers = pile.keys().map(|(_, step, passing)| json!({ "step": step, "passing": passing }));
-    let frames = (0..page.frames.len()).map(|frame| {
-        let layers = pile.values().map(|frames| frames[frame].clone());
-        layers.collect::<Vec<_>>()
-    });
+    let frames =
+        (0..page.frames.len()).map(|frame| pile.values().map(|frames| frames[frame].clone()).collect::<Vec<_>>());
     let boxed = |r: Rect| [r.x0, r.y0, r.width(), r.height()];
-    let panels = first.panels.iter();
-    let panels = panels.map(|(name, frame)| json!({ "name": name, "box": boxed(frame.inflate(1.0, 1.0)) }));
+    let panel = |(name, frame): &(String, Rect)| json!({ "name": name, "box": boxed(frame.inflate(1.0, 1.0)) });
+    let panels = first.panels.iter().map(panel);
     let below = first.panels.iter().map(|p| p.1.y1).fold(0.0, f64::max);
     let words = Rect::new(0.0, below, first.width, first.height);
     json!({
@@ -140,7 +140,7 @@ fn film(page: &WebPage<'_>, first: &Drawing) -> Value {
     })
 }
 
-/// Compressed, as letters; the same for the same value everywhere.
+/// A value as compressed JSON in Base64; the same bytes on every platform.
 fn packed(value: &Value) -> String {
     let mut encoder = GzBuilder::new().write(Vec::new(), Compression::best());
     let written = encoder.write_all(value.to_string().as_bytes());

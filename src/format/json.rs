@@ -2,7 +2,8 @@ use serde::Serialize;
 use serde_json::ser::{Formatter, PrettyFormatter, Serializer};
 use std::io;
 
-/// A value as JSON text: objects a key a line, lists on one line, numbers as the shortest text that reads back to them.
+/// A value as JSON text: one key of an object per line, lists on one line, numbers as the shortest text that reads back
+/// to them.
 #[must_use]
 pub fn json(value: &impl Serialize) -> String {
     let mut bytes = Vec::new();

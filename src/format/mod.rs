@@ -1,5 +1,5 @@
-//! In: what the other stages have decided: results, steps, a [`Drawing`](crate::drawing::Drawing).
-//! Out: the bytes of a file in a form that people or other programs read.
+//! In: the outputs of other stages: results, steps, a [`Drawing`](crate::drawing::Drawing).
+//! Out: the bytes of a file in a format that people or other programs read.
 //! Nothing is decided or computed here; the same input gives the same bytes everywhere.
 
 #[cfg(feature = "arrow")]

@@ -1,13 +1,13 @@
-/// A length in mm, rounded to a micrometre: the shortest text for it. Not a number gives 0.
+/// A length in mm, rounded to a micrometre, as the shortest text. NaN gives 0.
 pub(super) fn number(value: f64) -> String {
     let mut text = String::with_capacity(8);
     push_number(&mut text, value);
     text
 }
 
-/// Appends what [`number`] says.
+/// Appends the text of [`number`].
 pub(super) fn push_number(text: &mut String, value: f64) {
-    // The cast takes what is out of range to the ends of the range, and NaN to 0.
+    // The cast maps values out of range to the ends of the range, and NaN to 0.
     let thousandths = (value * 1000.0).round() as i64;
     if thousandths < 0 {
         text.push('-');
@@ -26,7 +26,7 @@ pub(super) fn push_number(text: &mut String, value: f64) {
     }
 }
 
-/// Appends a whole number; quicker than formatting it, and figures are mostly numbers.
+/// Appends a whole number; faster than `format!`, and files of figures are mostly numbers.
 pub(super) fn push_digits(text: &mut String, mut whole: u64) {
     let digit = |value: u64| char::from(b'0' + value as u8);
     // Most numbers are short.

@@ -1,19 +1,19 @@
 use super::number::push_digits;
 use crate::drawing::{Outline, OutlinePart, Point};
 
-/// The unit of outlines in mm, and the group that measures in it: outlines are written in whole
-/// numbers. The error of rounding is a tenth of a pixel at 600 dots per inch.
+/// The unit of outlines, in mm: they are written in whole numbers. The error of rounding is a tenth of a pixel at 600
+/// dots per inch.
 pub(super) const FINEST: f64 = 0.01;
+/// The transform of an SVG group in which outlines are written.
 pub(super) const IN_FINEST: &str = "scale(.01)";
 
-/// Writes outlines as path data in whole hundredths of a mm, each point as its distance from the one
-/// before.
+/// Writes outlines as path data in whole hundredths of a mm, each point relative to the one before.
 pub(super) struct Tracer<'a> {
     data: &'a mut String,
     at: [i64; 2],
-    /// Where the outline that is being drawn started.
+    /// The first point of the outline being written.
     start: [i64; 2],
-    /// The command that further numbers belong to.
+    /// The command to which further numbers belong.
     command: char,
 }
 
@@ -22,7 +22,7 @@ impl<'a> Tracer<'a> {
         Self { data, at: [0; 2], start: [0; 2], command: ' ' }
     }
 
-    /// Draws a glyph given in em at a size in mm.
+    /// Writes a glyph; its outline is in em, `origin` and `size` are in mm.
     pub(super) fn trace(&mut self, glyph: &Outline, origin: Point, size: f64) {
         let whole = |point: Point| {
             let place = origin + point.to_vec2() * size;

@@ -4,9 +4,9 @@ use resvg::usvg::{Options, Tree};
 use super::svg::{Text, svg_with};
 use crate::drawing::{Colour, Drawing};
 
-/// Most pixels on a side; more is a slip of the pen in the resolution.
+/// Most pixels on a side; more is a mistyped resolution.
 const MOST_PIXELS: f64 = 20_000.0;
-/// Most pixels in all: four bytes of memory each.
+/// Most pixels in all; each takes four bytes of memory.
 const MOST_AREA: f64 = 2e8;
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;
@@ -41,11 +41,10 @@ pub enum PngError {
 }
 
 impl Drawing {
-    /// The bytes of a PNG file: the drawing on its background at `dpi` dots per inch, 24-bit colour, its
-    /// resolution written in.
+    /// The bytes of a PNG file: the drawing on its background at `dpi` dots per inch, in 24-bit colour, with its
+    /// resolution.
     ///
-    /// The picture is made from the SVG file with its texts as outlines, so it is the same on every
-    /// machine.
+    /// The picture is rendered from the SVG file with texts as outlines, so it is the same on every machine.
     pub fn png(&self, dpi: f64) -> Result<Vec<u8>, PngError> {
         if !(dpi > 0.0 && dpi.is_finite()) {
             return Err(PngError::Resolution { dpi });
@@ -59,7 +58,7 @@ impl Drawing {
         if width > MOST_PIXELS || height > MOST_PIXELS || width * height > MOST_AREA {
             return Err(too_large);
         }
-        // Both fit: they are at most 20 000.
+        // Both are at most 20 000, so they fit into u32.
         let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or(too_large)?;
         let Colour { red, green, blue } = self.style.background();
         pixmap.fill(Color::from_rgba8(red, green, blue, 255));
@@ -86,13 +85,12 @@ fn encode(pixmap: &Pixmap, dpi: f64) -> Result<Vec<u8>, PngError> {
     Ok(file)
 }
 
-/// Red, green and blue of pixels of four bytes. On an opaque ground every pixel is opaque: alpha says
-/// nothing.
+/// Red, green and blue of pixels of four bytes. The background is opaque, so all alphas are 255 and can be left out.
 fn without_alpha(pixels: &[u8]) -> Vec<u8> {
     let mut colours = vec![0; pixels.len() / 4 * 3];
     let (fours, rest) = pixels.as_chunks::<16>();
     let (threes, last) = colours.as_chunks_mut::<12>();
-    // Four pixels become three words: far fewer steps than byte by byte.
+    // Four pixels become three words: much faster than byte by byte.
     for (to, from) in threes.iter_mut().zip(fours) {
         let word = |k: usize| u32::from_le_bytes(std::array::from_fn(|part| from[4 * k + part]));
         let [a, b, c, d] = std::array::from_fn(word);

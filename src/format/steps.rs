@@ -7,13 +7,14 @@ use crate::scene::Units;
 use crate::words::{NumberStyle, Wording};
 use std::fmt::Write;
 
-/// How lengths on paper and angles are written.
+/// The style of lengths on paper and of angles.
 const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2);
-/// How it is written how far two routes differ.
+/// The style of the difference of the two routes.
 const ONE_DIGIT: NumberStyle = NumberStyle::significant(1).in_full(0, 0);
 
 impl Solution {
-    /// The construction as numbered text, each step with its values, its lengths in millimetres of paper and the bands of hand drawings.
+    /// The construction as a numbered list: each step with its values, its lengths in millimetres of paper and the
+    /// bands of hand drawings.
     #[must_use]
     pub fn steps(&self, pencil: &Pencil) -> String {
         let Solution { scene, construction, .. } = self;
@@ -62,7 +63,7 @@ impl StepList<'_> {
         self.text.push('\n');
     }
 
-    /// A line that stands apart.
+    /// A line with an empty one before it.
     fn heading(&mut self, line: &str) {
         self.text.push('\n');
         self.line(line);
@@ -87,16 +88,16 @@ impl StepList<'_> {
 
     fn scales_line(&mut self) {
         let kinds = [None, Some(PlanKind::Velocity), Some(PlanKind::Acceleration)];
-        let entries = kinds.into_iter().zip(["μ_l", "μ_v", "μ_a"]).filter_map(|(kind, name)| {
+        let scale = |(kind, name)| {
             let mu = self.words.write(self.mu(kind)?, NumberStyle::shortest());
             Some(self.words.language.scale_per_mm(name, &mu, &self.unit(kind)))
-        });
-        let entries: Vec<String> = entries.collect();
-        let line = self.words.language.scales(&entries.join(", "));
+        };
+        let scales: Vec<String> = kinds.into_iter().zip(["μ_l", "μ_v", "μ_a"]).filter_map(scale).collect();
+        let line = self.words.language.scales(&scales.join(", "));
         self.line(&line);
     }
 
-    /// What the bands mean, and why some values have none.
+    /// Lines that say what the bands mean, and why some values have none.
     fn pencil_lines(&mut self) {
         let Tolerance { mm, degrees } = self.pencil.tolerance;
         let [mm, degrees] = [mm, degrees].map(|x| self.words.write(x, NumberStyle::shortest()));
@@ -124,7 +125,8 @@ impl StepList<'_> {
         }
     }
 
-    /// The band of a quantity, in its unit and, of what is measured, on paper, as it follows a value; nothing where it has none.
+    /// The band of a quantity as a text that follows its value: in its unit and, with a scale `mu`, in mm of paper.
+    /// Empty where the quantity has no band.
     fn band(&self, name: &str, unit: &str, mu: Option<f64>) -> String {
         let Some(band) = self.pencil.band(name) else {
             return String::new();
@@ -169,7 +171,7 @@ impl StepList<'_> {
         shown_text(markup, plan, self.words)
     }
 
-    /// A number with seven significant digits.
+    /// A number to seven significant digits.
     fn digits(&self, value: f64) -> String {
         self.words.write(value, NumberStyle::significant(7))
     }
@@ -190,7 +192,7 @@ impl StepList<'_> {
         self.words.language.with_direction(&size, &self.degrees(degrees_of(vector)))
     }
 
-    /// Equation and values of a step, a line each.
+    /// The equation and the values of a step, one per line.
     fn details(&self, step: &NumberedStep<'_>) -> Vec<String> {
         let plan = step.plan;
         let kind = plan.map(|p| p.kind);
@@ -210,8 +212,7 @@ impl StepList<'_> {
                 vec![format!("{equation} = {}{band}", self.measure(*value, None))]
             }
             Action::LayOff(arrow) => {
-                let vector = plan.and_then(|p| p.segment(&arrow.from, &arrow.to));
-                let Some(vector) = vector else {
+                let Some(vector) = plan.and_then(|p| p.segment(&arrow.from, &arrow.to)) else {
                     return Vec::new();
                 };
                 let drawn = segment(&arrow.from, &arrow.to, self.vector(vector, kind));
@@ -232,8 +233,8 @@ impl StepList<'_> {
             }
             Action::Solve { equations, unknowns } => {
                 let of = kind.unwrap_or(PlanKind::Velocity);
-                let equations = equations.iter().map(|e| self.text(&self.teller.equation(of, e), plan));
-                let mut lines: Vec<String> = equations.collect();
+                let mut lines: Vec<String> =
+                    equations.iter().map(|e| self.text(&self.teller.equation(of, e), plan)).collect();
                 let time = self.units.time.as_str();
                 lines.extend(unknowns.iter().map(|(name, value)| {
                     let unit = match name.split('(').next() {
@@ -241,7 +242,7 @@ impl StepList<'_> {
                         Some("alpha") => format!("rad/{time}²"),
                         _ => self.unit(kind),
                     };
-                    // Computed, not measured: it has no length on paper.
+                    // A rate is computed, not measured: it has no length on paper.
                     let band = self.band(name, &unit, None);
                     format!("{name} = {} {unit}{band}", self.digits(*value))
                 }));

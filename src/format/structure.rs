@@ -1,16 +1,17 @@
 use crate::geometry::degrees_of;
-use crate::mechanism::{BodyId, Class, Group, Joint, Mechanism, Role};
+use crate::mechanism::{Body, BodyId, Class, Group, Joint, Mechanism, Role};
 use crate::position::Pose;
 use crate::scene::Scene;
 use std::fmt::Write;
 
-/// The structure of a mechanism in words: its formula, degrees of freedom, and each group with class, joints and special points.
+/// The structure of a mechanism as text: its formula with each group's links and joints, degrees of freedom, and each
+/// group's class and special points.
 #[must_use]
 pub fn structure(mechanism: &Mechanism) -> String {
     let mut text = String::new();
     let drives = mechanism.drive_names();
-    let known = mechanism.bodies.iter().filter(|b| matches!(b.role, Role::Carrier { .. } | Role::Moving { .. }));
-    let known: Vec<&str> = known.map(|b| b.name.as_str()).collect();
+    let is_given = |b: &&Body| matches!(b.role, Role::Carrier { .. } | Role::Moving { .. });
+    let known: Vec<&str> = mechanism.bodies.iter().filter(is_given).map(|b| b.name.as_str()).collect();
     let mut formula: Vec<String> = Vec::new();
     if !drives.is_empty() {
         formula.push(format!("I({})", drives.join(", ")));
@@ -24,7 +25,7 @@ pub fn structure(mechanism: &Mechanism) -> String {
         ));
     }
     let _ = writeln!(text, "{}", formula.join(" → "));
-    // Every group takes as many constraints as it has free motions, so what is left are the drives.
+    // A group has as many constraints as freedoms, so the degrees of freedom are the drives.
     let _ = match (drives.len(), known.len()) {
         (n, 0) => writeln!(text, "degrees of freedom: {n}, as many as drives"),
         (0, _) => writeln!(text, "known motions: {}", known.join(", ")),
@@ -60,7 +61,7 @@ pub fn structure(mechanism: &Mechanism) -> String {
     text
 }
 
-/// What makes a group one of its class, by this program's convention.
+/// The definition of a group's class, by this program's convention.
 fn shape(class: Class) -> &'static str {
     match class {
         Class::Second => "two links",
@@ -70,7 +71,8 @@ fn shape(class: Class) -> &'static str {
     }
 }
 
-/// The joints in the usual way of writing: of a fourth-class group those of each drag link, the prismatic ones last.
+/// The joints of a group as R and P; of a fourth-class group the joints of each drag link, prismatic ones last, as in
+/// `RRP-RRR`.
 fn joints(mechanism: &Mechanism, group: &Group) -> String {
     if group.class != Class::Fourth {
         return group.pattern(mechanism);
@@ -84,8 +86,8 @@ fn joints(mechanism: &Mechanism, group: &Group) -> String {
     format!("{}-{}", of_link(group.links[0]), of_link(group.links[2]))
 }
 
-/// The ways to assemble a mechanism, numbered, with the places of its inner points and the angles of its group links; below them
-/// whether there may be more.
+/// The assembly modes of a mechanism as a numbered list, with the places of its inner points and the angles of its
+/// groups' links; below it the warning, if any, that there may be more modes.
 #[must_use]
 pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
     let mut text = String::new();
@@ -96,7 +98,7 @@ pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
         poses.len(),
         if poses.len() == 1 { "" } else { "s" }
     );
-    // The link of a drive that does not say where it stands is one of those that are looked for.
+    // A driving link without a given angle is one of the links whose positions are sought.
     let mechanism = mechanism.for_positions();
     for (index, pose) in poses.iter().enumerate() {
         let points = mechanism.inner_points().into_iter().map(|p| {
@@ -109,7 +111,7 @@ pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
             Some(format!("angle({}) {:.6}", body.name, degrees_of(axis)))
         });
         let mut lines = [points.collect::<Vec<_>>(), angles.collect()].map(|line| line.join("  ")).to_vec();
-        // A lever and its block have no point that is looked for.
+        // A slotted lever and its block have no point whose position is sought.
         lines.retain(|line| !line.is_empty());
         let _ = writeln!(text, "{:3}. {}", index + 1, lines.join("\n     "));
     }

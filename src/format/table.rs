@@ -1,13 +1,14 @@
 use crate::cycle::Sweep;
 
-/// The names of a table's numbers as the first line of a CSV file (RFC 4180); a name with a comma stands in quotes.
+/// The names of a table's numbers as the first line of a CSV file (RFC 4180); a name with a comma is in quotes.
 #[must_use]
 pub fn csv_header(sweep: &Sweep) -> String {
-    let quoted = sweep.header().into_iter().map(|name| if name.contains(',') { format!("\"{name}\"") } else { name });
-    quoted.collect::<Vec<_>>().join(",") + "\n"
+    let quoted = |name: String| if name.contains(',') { format!("\"{name}\"") } else { name };
+    sweep.header().into_iter().map(quoted).collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// Rows of a table as lines of CSV: each number as the shortest text that reads back to it, nothing where there is none.
+/// Rows of a table as lines of CSV: each number as the shortest text that reads back to it, an empty cell where there
+/// is none.
 #[must_use]
 pub fn csv_rows(sweep: &Sweep, numbers: &[Option<f64>]) -> String {
     let mut text = String::with_capacity(numbers.len() * 20);
@@ -26,7 +27,7 @@ pub fn csv_rows(sweep: &Sweep, numbers: &[Option<f64>]) -> String {
     text
 }
 
-/// Rows of a table as lines of JSON, an object each: `null` where there is no number, a list of two for a vector.
+/// Rows of a table as lines of JSON, one object per line: `null` where there is no number, a list of two for a vector.
 #[must_use]
 pub fn json_lines(sweep: &Sweep, numbers: &[Option<f64>]) -> String {
     let mut keys = vec![(sweep.drive().quantity(), false)];

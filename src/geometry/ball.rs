@@ -1,27 +1,30 @@
 use super::{Number, Pair, Point, Vector};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Bound of the relative error of a sum or product of two balls' middles: 16 u², at least twice what is proven.
+/// Relative rounding error allowed for the middle of a sum or product: 16 u², at least twice the proven bounds 3 u² and
+/// 7 u².
 const ROUNDING: f64 = f64::EPSILON * f64::EPSILON * 4.0;
 
-/// A number of twice the precision of f64, with a bound of its error: the true number lies within `radius` of `high + low`.
+/// A number with twice the digits of f64 and a bound of its error: the true number lies within `radius` of `high +
+/// low`.
 ///
-/// Sums and products are those of double-double arithmetic, which err by at most 3 u² and 7 u² of the result (Joldes, Muller,
-/// Popescu, *Tight and rigorous error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44 (2017), algorithms 6
-/// and 10, made of Knuth's two-sum and Dekker's product); the bounds go along as in ball arithmetic (Johansson, *Arb*, IEEE Trans.
-/// Computers 66 (2017)). Each operation rounds the same on every platform. A number from 2^996 becomes NaN in a product.
+/// Sums and products are those of double-double arithmetic, which err by at most 3 u² and 7 u² of the result (Joldes,
+/// Muller, Popescu, *Tight and rigorous error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44
+/// (2017), algorithms 6 and 10, made of Knuth's two-sum and Dekker's product); radii are propagated as in ball
+/// arithmetic (Johansson, *Arb*, IEEE Trans. Computers 66 (2017)). Each operation rounds the same on every platform. A
+/// factor of 2^996 or more makes a product NaN.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ball {
     /// The middle, rounded to f64.
     pub high: f64,
     /// The rest of the middle, at most half a unit in the last place of `high`.
     pub low: f64,
-    /// Bound of the error.
+    /// Bound of the absolute error of `high + low`.
     pub radius: f64,
 }
 
 impl Ball {
-    /// x − y of exact numbers, exactly.
+    /// The difference x − y of two exact numbers, without rounding error.
     #[inline]
     #[must_use]
     pub fn difference(x: f64, y: f64) -> Ball {
@@ -43,7 +46,7 @@ impl Ball {
         Ball { radius: self.radius + error.abs(), ..self }
     }
 
-    /// Bound of the error of `high` alone.
+    /// Bound of the absolute error of `high` taken without `low`.
     #[inline]
     #[must_use]
     pub fn error(self) -> f64 {
@@ -51,7 +54,7 @@ impl Ball {
     }
 }
 
-/// An exact number.
+/// An exact number: a ball of radius 0.
 impl From<f64> for Ball {
     #[inline]
     fn from(x: f64) -> Ball {
@@ -106,7 +109,8 @@ impl Mul for Ball {
 impl Div for Ball {
     type Output = Ball;
 
-    /// The quotient in two pieces; what they leave of the dividend bounds its error. Infinitely uncertain where the divisor may be zero.
+    /// The quotient as a sum of two f64 numbers; the remainder of the dividend bounds its error. The radius is infinite
+    /// where the divisor may be zero.
     #[inline]
     fn div(self, other: Ball) -> Ball {
         let first = self.high / other.high;
@@ -132,7 +136,7 @@ impl Number for Ball {
         self - a * b
     }
 
-    /// The root in two pieces; what its square leaves bounds its error: |√x − s| ≤ |x − s²| / s.
+    /// The root s as a sum of two f64 numbers; the residual x − s² bounds its error: |√x − s| ≤ |x − s²| / s.
     fn sqrt(self) -> Ball {
         let first = self.high.sqrt();
         if first == 0.0 {
@@ -159,7 +163,7 @@ impl From<Vector> for Pair<Ball> {
 }
 
 impl Pair<Ball> {
-    /// The vector from one exact place to another, exactly.
+    /// The vector from one exact place to another, without rounding error.
     #[inline]
     #[must_use]
     pub fn between(from: Point, to: Point) -> Self {
@@ -179,7 +183,7 @@ impl Pair<Ball> {
     }
 }
 
-/// x + y as a rounded sum and what rounding has left off (Knuth).
+/// x + y as the rounded sum and its rounding error (Knuth's two-sum).
 #[inline]
 fn two_sum(x: f64, y: f64) -> (f64, f64) {
     let sum = x + y;
@@ -188,15 +192,15 @@ fn two_sum(x: f64, y: f64) -> (f64, f64) {
     (sum, (x - from_x) + (y - from_y))
 }
 
-/// The same where |x| ≥ |y| (Dekker).
+/// As [`two_sum`], for |x| ≥ |y| (Dekker's fast two-sum).
 #[inline]
 fn ordered_sum(x: f64, y: f64) -> (f64, f64) {
     let sum = x + y;
     (sum, y - (sum - x))
 }
 
-/// x y as a rounded product and what rounding has left off (Dekker, with Veltkamp's halves of 26 bits). `mul_add` would be a call of a
-/// function where the processor is not known to have it.
+/// x y as the rounded product and its rounding error (Dekker's product, with Veltkamp's split into halves of 26 bits).
+/// `mul_add` would call a library function where the processor is not known to have the instruction.
 #[inline]
 fn two_product(x: f64, y: f64) -> (f64, f64) {
     let halves = |x: f64| {
@@ -223,7 +227,7 @@ mod tests {
         x.with_precision(600).value()
     }
 
-    /// Any number of about 106 bits, and one within its ball.
+    /// A random ball of about 106 bits, and a number within it.
     fn ball() -> impl Strategy<Value = (Ball, Precise)> {
         let numbers = (-1.0..1.0, -0.5..0.5, 0.0..1.0, -60..60, -1.0..1.0);
         numbers.prop_map(|(high, low, radius, exponent, within)| {
@@ -235,7 +239,7 @@ mod tests {
         })
     }
 
-    /// Whether the number lies in the ball, whose own radius is rounded.
+    /// Whether the number lies in the ball; the radius itself carries some roundings.
     fn holds(ball: Ball, number: &Precise) -> bool {
         let off = number - (precise(ball.high) + precise(ball.low));
         off.to_f64().value().abs() <= ball.radius * (1.0 + 4.0 * f64::EPSILON)
@@ -259,7 +263,7 @@ mod tests {
             }
         }
 
-        /// Without inherited errors, and where numbers nearly cancel.
+        /// For exact numbers, also where they nearly cancel.
         #[test]
         fn rounding_stays_below_its_bound((a, _) in ball(), (b, _) in ball(), digits in 0..30) {
             let exact = |ball: Ball| (Ball { radius: 0.0, ..ball }, precise(ball.high) + precise(ball.low));

@@ -3,18 +3,18 @@ use fearless_simd::{Simd, SimdBase, SimdFloat};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
 
-/// How many positions are computed side by side: enough that being general costs each of them little, few enough that all of
-/// their numbers stay in the nearest cache.
+/// Positions computed side by side: enough that the choice of each operation costs little per position, few enough that
+/// all numbers stay in the first-level cache.
 pub const MANY: usize = 32;
 
 /// One quantity at several positions.
 pub trait Row:
     Copy + Debug + Send + Sync + AsRef<[f64]> + AsMut<[f64]> + Index<usize, Output = f64> + IndexMut<usize>
 {
-    /// How many positions.
+    /// Number of positions.
     const LEN: usize;
 
-    /// The same number at all of them.
+    /// A row with `number` at all positions.
     fn splat(number: f64) -> Self;
 }
 
@@ -72,36 +72,36 @@ impl IndexMut<usize> for Many {
     }
 }
 
-/// How rows are gone through: number by number, or in the registers of a processor.
+/// How rows are processed: number by number, or in SIMD registers.
 pub trait Lanes: Copy {
-    /// What goes through a calculation at once.
+    /// What one operation works on: a number, or a register of several.
     type Number: Number;
 
-    /// How many positions that are.
+    /// Positions in one [`Self::Number`].
     const COUNT: usize;
 
-    /// The same number in all lanes.
+    /// `number` in all lanes.
     fn splat(self, number: f64) -> Self::Number;
 
-    /// The `k`th portion of a row.
+    /// The `k`th portion of a row, [`Self::COUNT`] numbers.
     fn load<R: Row>(self, row: &R, k: usize) -> Self::Number;
 
     /// Sets the `k`th portion of a row.
     fn store<R: Row>(self, row: &mut R, k: usize, numbers: Self::Number);
 
-    /// The sum over all lanes; not a number if one of them is not.
+    /// The sum over all lanes; NaN if one of them is NaN.
     fn sum(self, numbers: Self::Number) -> f64;
 
-    /// The largest of all lanes that are numbers.
+    /// The largest of all lanes that are not NaN.
     fn largest(self, numbers: Self::Number) -> f64;
 
-    /// The `k`th portion of rows of vectors.
+    /// The `k`th portion of a row of vectors, given as rows of x and of y.
     #[inline(always)]
     fn pair<R: Row>(self, rows: &[R; 2], k: usize) -> Pair<Self::Number> {
         Pair { x: self.load(&rows[0], k), y: self.load(&rows[1], k) }
     }
 
-    /// Sets the `k`th portion of rows of vectors.
+    /// Sets the `k`th portion of a row of vectors.
     #[inline(always)]
     fn store_pair<R: Row>(self, rows: &mut [R; 2], k: usize, pair: Pair<Self::Number>) {
         self.store(&mut rows[0], k, pair.x);
@@ -109,7 +109,7 @@ pub trait Lanes: Copy {
     }
 }
 
-/// Number by number.
+/// Number by number, without SIMD.
 #[derive(Clone, Copy, Debug)]
 pub struct OneByOne;
 
@@ -144,11 +144,11 @@ impl Lanes for OneByOne {
     }
 }
 
-/// In the registers that `S` stands for; rows hold a whole number of them.
+/// In SIMD registers of the instruction set `S`; a row fills a whole number of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Registers<S>(pub S);
 
-/// What a register holds.
+/// The numbers in one SIMD register.
 #[derive(Clone, Copy, Debug)]
 pub struct Register<S: Simd> {
     simd: S,

@@ -68,7 +68,7 @@ pub struct Crossing {
 }
 
 impl Crossing {
-    /// The same angle of crossing at a place that is known beforehand.
+    /// A crossing with the same sine, at a place that is known already.
     #[must_use]
     pub fn at(self, place: Point) -> Crossing {
         Crossing { base: place, offset: Vector::zeros(), ..self }
@@ -82,7 +82,7 @@ impl Crossing {
 
     /// The vector from `p` to the crossing; `None` at infinity.
     ///
-    /// Differences first: far from the origin this is exact where [`Self::place`] has rounded.
+    /// Subtracts coordinates first: far from the origin it keeps the digits that [`Self::place`] rounds off.
     #[must_use]
     pub fn vector_from(&self, p: Point) -> Option<Vector> {
         self.place().finite()?;

@@ -1,5 +1,5 @@
 //! Plane geometry that every later stage shares: points, vectors, angles, lines, their crossings, small linear systems.
-//! In: coordinates in the scene's own length unit, x right, y up. Out: the same, never an angle in degrees.
+//! In: coordinates in the scene's own length unit, x right, y up. Out: the same; only `angle.rs` deals in degrees.
 //! Nothing here knows what a mechanism is.
 
 mod angle;
@@ -57,10 +57,10 @@ pub fn unit(v: Vector) -> Option<Vector> {
     (largest > 0.0 && largest.is_finite()).then(|| (v / largest).normalize())
 }
 
-/// The largest distance between any two of the points, zero for fewer than two.
+/// The size of a set of points: the diagonal of their bounding box, zero for fewer than two.
 ///
-/// The bounding box's diagonal, which is at most √2 times the true span: good enough to call a
-/// distance large or small.
+/// It is at most √2 times the largest distance between two of the points: good enough to call a distance large or
+/// small.
 #[must_use]
 pub fn span(points: impl IntoIterator<Item = Point>) -> f64 {
     let mut corners: Option<(Point, Point)> = None;

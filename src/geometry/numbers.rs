@@ -1,23 +1,23 @@
 use super::Vector;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number, or several that go through the same calculation side by side.
+/// A number, or several on which the same operations are carried out side by side.
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// This one number everywhere, in the form of `self`.
+    /// `number` in every lane, as a value of the type of `self`; the value of `self` does not matter.
     fn same(self, number: f64) -> Self;
 
-    /// self + a b, rounded once where the processor does that as quickly.
+    /// self + a b, rounded once where the processor has a fast instruction for that.
     fn plus_product(self, a: Self, b: Self) -> Self;
 
-    /// self − a b, rounded once where the processor does that as quickly.
+    /// self − a b, rounded once where the processor has a fast instruction for that.
     fn minus_product(self, a: Self, b: Self) -> Self;
 
-    /// The square roots.
+    /// The square root.
     fn sqrt(self) -> Self;
 
-    /// The larger of two; either of them where one is not a number.
+    /// The larger of two; either of them where one is NaN.
     fn larger(self, other: Self) -> Self;
 }
 
@@ -48,23 +48,23 @@ impl Number for f64 {
     }
 }
 
-/// How far from a whole quarter turn [`direction_near`] may be asked, in degrees.
+/// Largest distance from a whole quarter turn at which [`direction_near`] is accurate, in degrees.
 pub const NEAR: f64 = 45.0;
 
-/// Whole quarter turns nearest to an angle in degrees.
+/// The number of quarter turns nearest to an angle in degrees.
 #[inline(always)]
 #[must_use]
 pub fn quarters_of(degrees: f64) -> f64 {
-    // Adding and subtracting this rounds to a whole number, up to 2^51.
+    // Adding and subtracting 1.5 · 2^52 rounds to a whole number, for arguments up to 2^51.
     const ROUND: f64 = 6_755_399_441_055_744.0;
     degrees * (1.0 / 90.0) + ROUND - ROUND
 }
 
-/// Cosine and sine of angles in degrees within [`NEAR`] of a number of quarter turns, which are taken off in degrees, where that is
-/// exact.
+/// Cosine and sine of `degrees`, which lie within [`NEAR`] of so many quarter turns; these are subtracted in degrees,
+/// where that is exact.
 ///
-/// With the minimax polynomials of fdlibm (Sun Microsystems, 1993), which are right within one unit in the last place so far and
-/// quickly lose digits further off. Exact at the quarter turns.
+/// The minimax polynomials of fdlibm (Sun Microsystems, 1993) are right within one unit in the last place up to
+/// [`NEAR`] and quickly lose digits beyond. Exact at the quarter turns.
 #[inline(always)]
 #[expect(clippy::excessive_precision, reason = "the coefficients stand as published")]
 #[must_use]
@@ -97,7 +97,7 @@ pub fn direction_near<T: Number>(degrees: T, quarters: f64) -> Pair<T> {
     Pair { x, y }
 }
 
-/// A vector of such numbers.
+/// A vector with components of type `T`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pair<T> {
     /// Along x.
@@ -116,7 +116,7 @@ impl<T: Neg<Output = T>> Pair<T> {
 }
 
 impl<T: Number> Pair<T> {
-    /// `local` turned by the angle of which this is cosine and sine.
+    /// `local` turned by the angle whose cosine and sine are `self`.
     #[inline(always)]
     #[must_use]
     pub fn turn(self, local: Self) -> Self {

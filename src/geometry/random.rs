@@ -1,10 +1,10 @@
-/// Numbers by lot that are the same in every run and on every platform, from a seed: Splitmix64 (G. L. Steele, D. Lea, C. H. Flood,
-/// "Fast splittable pseudorandom number generators", OOPSLA 2014).
+/// Pseudorandom numbers from a seed, the same in every run and on every platform: Splitmix64 (G. L. Steele, D. Lea,
+/// C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
 #[derive(Clone, Debug)]
 pub struct Random(pub u64);
 
 impl Random {
-    /// 64 bits.
+    /// The next 64 random bits.
     #[expect(clippy::should_implement_trait, reason = "there is no end to iterate to")]
     pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -14,17 +14,17 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// A whole number from 0 to `count` − 1; `count` is not 0.
+    /// A whole number from 0 to `count` − 1; `count` must not be 0.
     pub fn below(&mut self, count: usize) -> usize {
         (self.next() % count as u64) as usize
     }
 
-    /// From 0 to below 1.
+    /// Uniform in [0, 1).
     pub fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// From −1 to below 1.
+    /// Uniform in [−1, 1).
     pub fn within(&mut self) -> f64 {
         2.0 * self.unit() - 1.0
     }

@@ -1,16 +1,16 @@
 use super::{Number, Pair};
 
-/// Vector equations that split into two shared unknowns and one unknown of their own each.
+/// One plane vector equation in two unknowns x, y; or two that share x, y and have one further unknown z_i each.
 ///
 /// One equation, s x + t y = b: then x = (b × t) / (s × t), y = (s × b) / (s × t).
-/// Two equations h_i z_i + s_i x + t_i y = b_i: crossing with h_i removes z_i, (h × s) x + (h × t) y = h × b; the own unknown
-/// is then z = h · (b − s x − t y) / |h|². Crossing with h is a rotation but for the length of h, so nothing of the full system's
-/// stability is lost. The determinant is that of the full system.
+/// Two equations h_i z_i + s_i x + t_i y = b_i: the cross product with h_i removes z_i, (h × s) x + (h × t) y = h × b;
+/// then z = h · (b − s x − t y) / |h|². The cross product with h is a rotation but for the length of h, so the
+/// elimination is as stable as the full system. The determinant is that of the full system.
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced<const EQUATIONS: usize, T> {
-    /// h, s, t; h is not read where there is only one equation.
+    /// h, s, t of each equation; h is not read where there is only one equation.
     columns: [[Pair<T>; 3]; EQUATIONS],
-    /// h × s, h × t by equation; components of s, t for one equation.
+    /// The matrix of x and y: h × s, h × t of each of two equations, or the components of s, t of a single one.
     rows: [[T; 2]; 2],
     /// 1 / |h|² by equation.
     inverse_squares: [T; EQUATIONS],
@@ -25,7 +25,7 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
         Self::with_inverse_squares(columns, columns.map(inverse))
     }
 
-    /// The same where 1 / |h|² of each equation is known: of a turned link it is always the same.
+    /// As [`Self::new`], with 1 / |h|² of each equation known: h of a turning link keeps its length.
     #[inline(always)]
     #[must_use]
     pub fn with_inverse_squares(columns: [[Pair<T>; 3]; EQUATIONS], inverse_squares: [T; EQUATIONS]) -> Self {
@@ -48,7 +48,8 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
         (a * d).minus_product(b, c)
     }
 
-    /// The determinant's two products; their size times a unit of rounding is how uncertain it is.
+    /// The two products whose difference is the determinant; its rounding error is about their size times the unit
+    /// roundoff.
     #[inline(always)]
     #[must_use]
     pub fn products(&self) -> [T; 2] {
@@ -56,22 +57,20 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
         [a * d, b * c]
     }
 
-    /// Square of the determinant over the product of its columns' lengths (Hadamard's ratio): 1 where all unknowns act at
-    /// right angles, 0 in a singular position.
+    /// Square of Hadamard's ratio (the determinant over the product of its columns' lengths): 1 where all unknowns act
+    /// at right angles, 0 in a singular position.
     #[must_use]
     pub fn squared_sharpness(&self) -> T {
         let determinant = self.determinant();
         let one = determinant.same(1.0);
         let square = |column: usize| {
-            let squares = self.columns.iter().map(|c| c[column].dot(c[column]));
-            squares.fold(one.same(0.0), |sum, square| sum + square)
+            self.columns.iter().map(|c| c[column].dot(c[column])).fold(one.same(0.0), |sum, square| sum + square)
         };
-        let own = self.inverse_squares.iter().fold(one, |p, i| p * *i);
-        let own = if EQUATIONS == 2 { own } else { one };
-        determinant * determinant * own / (square(1) * square(2))
+        let inverse_squares = if EQUATIONS == 2 { self.inverse_squares.iter().fold(one, |p, i| p * *i) } else { one };
+        determinant * determinant * inverse_squares / (square(1) * square(2))
     }
 
-    /// x, y and, of two equations, their own unknowns, for these right sides; `inverse` is that of the determinant.
+    /// x, y, z_1, z_2 for these right sides, or x, y, x, y for a single equation; `inverse` is 1 / determinant.
     #[inline(always)]
     #[must_use]
     pub fn solve(&self, inverse: T, sides: [Pair<T>; EQUATIONS]) -> [T; 4] {
@@ -87,12 +86,12 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
         if EQUATIONS == 1 {
             return [x, y, x, y];
         }
-        [x, y, self.own(0, x, y, sides), self.own(1, x, y, sides)]
+        [x, y, self.further_unknown(0, x, y, sides), self.further_unknown(1, x, y, sides)]
     }
 
-    /// The own unknown of an equation.
+    /// The unknown z of an equation.
     #[inline(always)]
-    fn own(&self, equation: usize, x: T, y: T, sides: [Pair<T>; EQUATIONS]) -> T {
+    fn further_unknown(&self, equation: usize, x: T, y: T, sides: [Pair<T>; EQUATIONS]) -> T {
         let [h, s, t] = self.columns[equation];
         let rest = sides[equation].minus_scaled(s, x).minus_scaled(t, y);
         h.dot(rest) * self.inverse_squares[equation]

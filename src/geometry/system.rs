@@ -3,25 +3,25 @@ use nalgebra::{DMatrix, DVector, Dyn, LU};
 use smallvec::SmallVec;
 use std::sync::OnceLock;
 
-/// As many numbers as a group has unknowns; up to four need no memory of their own.
+/// One number for each unknown of a group; up to four are stored without allocation.
 pub type Numbers = SmallVec<[f64; 4]>;
 
-/// Roundings that the inverse may carry, each enlarged by the condition.
+/// Relative error of the computed inverse, in unit roundoffs times the condition number.
 const INVERSE_ROUNDINGS: f64 = 8.0;
 
 /// A square linear system, scaled and factored once, to be solved for several right sides.
 ///
-/// Columns, then rows, are scaled to a largest element in [1, 2) by powers of two (no rounding); the factors are nalgebra's,
-/// with partial pivoting. Units of length or time therefore change nothing but exponents.
-/// Accuracy: backward stable in practice for these sizes; see [`Self::error_bound`] for the proof of
-/// each single number (Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, §7.1, §9.3).
+/// Columns, then rows, are scaled to a largest element in [1, 2) by powers of two (no rounding); nalgebra's LU factors
+/// use partial pivoting. Units of length or time therefore change nothing but exponents.
+/// Accuracy: backward stable in practice for these sizes; [`Self::error_bound`] bounds the error of each unknown
+/// (Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, §7.1, §9.3).
 #[derive(Clone, Debug)]
 pub struct LinearSystem {
     scaled: DMatrix<f64>,
     factors: LU<f64, Dyn, Dyn>,
     column_scale: DVector<f64>,
     row_scale: DVector<f64>,
-    /// Once somebody has asked for it.
+    /// Computed on first use.
     inverse: OnceLock<Inverse>,
 }
 
@@ -30,7 +30,7 @@ pub struct LinearSystem {
 struct Inverse {
     /// Magnitudes of its elements.
     magnitudes: DMatrix<f64>,
-    /// The condition number that goes with it.
+    /// The condition number of the scaled matrix.
     condition: f64,
 }
 
@@ -66,7 +66,7 @@ impl LinearSystem {
         x.component_mul(&self.column_scale).iter().copied().collect()
     }
 
-    /// The largest of the unknowns `x` as the scaled matrix has them: each counts with the size of its column.
+    /// The largest magnitude among the unknowns `x`, each in the unit of its column of the scaled matrix.
     #[must_use]
     pub fn size(&self, x: impl IntoIterator<Item = f64>) -> f64 {
         let scaled = x.into_iter().zip(&self.column_scale);
@@ -87,9 +87,7 @@ impl LinearSystem {
             self.factors.solve_mut(&mut magnitudes);
             magnitudes.apply(|x| *x = x.abs());
             let norm = |matrix: &DMatrix<f64>| {
-                let rows = matrix.row_iter();
-                let sums = rows.map(|row| row.iter().map(|x| x.abs()).sum());
-                sums.fold(0.0, f64::max)
+                matrix.row_iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max)
             };
             Inverse { condition: (norm(&self.scaled) * norm(&magnitudes)).max(1.0), magnitudes }
         })
@@ -103,34 +101,33 @@ impl LinearSystem {
 
     /// A bound on the error of each element of the solution `x` of the right side `b`, taking the matrix as exact.
     ///
-    /// `uncertain` bounds the error that each element of `b` carries already, and what errors of the matrix make of `x`.
-    /// The bound is |A⁻¹| (|b − A x| + `uncertain` + the rounding of that residual, added up as it goes on).
+    /// `uncertain` bounds, for each equation, the error already in `b` and the error of the matrix times `x`.
+    /// The bound is |A⁻¹| (|b − A x| + `uncertain` + the rounding error of that residual, summed along with it).
     #[must_use]
     pub fn error_bound(&self, x: &[f64], b: &[f64], uncertain: &[f64]) -> Numbers {
-        let x = x.iter().zip(&self.column_scale);
-        let x: Numbers = x.map(|(x, scale)| x / scale).collect();
-        let doubt = (0..b.len()).map(|row| {
-            let (mut residual, mut rounding) = (b[row] * self.row_scale[row], 0.0);
-            for (column, x) in x.iter().enumerate() {
-                let product = self.scaled[(row, column)] * x;
-                residual -= product;
-                if product != 0.0 {
-                    rounding += product.abs() + residual.abs();
+        let x: Numbers = x.iter().zip(&self.column_scale).map(|(x, scale)| x / scale).collect();
+        let residuals: Numbers = (0..b.len())
+            .map(|row| {
+                let (mut residual, mut rounding) = (b[row] * self.row_scale[row], 0.0);
+                for (column, x) in x.iter().enumerate() {
+                    let product = self.scaled[(row, column)] * x;
+                    residual -= product;
+                    if product != 0.0 {
+                        rounding += product.abs() + residual.abs();
+                    }
                 }
-            }
-            let inherited = uncertain[row] * self.row_scale[row];
-            inherited + residual.abs() + rounding * UNIT_ROUNDOFF
-        });
-        let doubt: Numbers = doubt.collect();
+                let inherited = uncertain[row] * self.row_scale[row];
+                inherited + residual.abs() + rounding * UNIT_ROUNDOFF
+            })
+            .collect();
         let Inverse { magnitudes, condition } = self.inverse();
         // The inverse is known to about u·condition only.
-        let blur = 1.0 + INVERSE_ROUNDINGS * UNIT_ROUNDOFF * condition;
-        let bound = self.column_scale.iter().enumerate().map(|(row, scale)| {
-            let doubt = doubt.iter().enumerate();
-            let products = doubt.map(|(column, doubt)| magnitudes[(row, column)] * doubt);
-            products.sum::<f64>() * blur * scale
-        });
-        bound.collect()
+        let inverse_error = 1.0 + INVERSE_ROUNDINGS * UNIT_ROUNDOFF * condition;
+        let bound = |(row, scale): (usize, &f64)| {
+            let products = residuals.iter().enumerate().map(|(column, residual)| magnitudes[(row, column)] * residual);
+            products.sum::<f64>() * inverse_error * scale
+        };
+        self.column_scale.iter().enumerate().map(bound).collect()
     }
 }
 
@@ -147,7 +144,7 @@ mod tests {
 
     #[test]
     fn solves_a_badly_scaled_system_to_the_last_digits() {
-        // Rows and columns of very different size, solution (1, 2, −3) times the inverse of the columns' sizes.
+        // Rows and columns of very different size; the solution is (1, 2, −3) over the columns' sizes.
         let a = [1e-200, 2e3, 0.0, 3e-200, -4e3, 1e90, 0.0, 1e3, 2e90];
         let x = [1e200, 2e-3, -3e-90];
         let b = [1.0 + 4.0, 3.0 - 8.0 - 3.0, 2.0 - 6.0];

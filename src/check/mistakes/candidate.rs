@@ -10,37 +10,37 @@ pub struct Candidate {
     pub mistake: Mistake,
     /// The number of the step at which it was made.
     pub step: usize,
-    /// What the sentences about it name, in their order.
+    /// The texts for the blanks of its sentences, in their order.
     pub blanks: Vec<String>,
-    /// What is done otherwise, by operation.
+    /// The edits it makes, each with the index of the operation.
     pub(in crate::check) edits: Vec<(usize, Edit)>,
-    /// What written values are read as.
+    /// The written values that it makes to be read otherwise.
     pub(in crate::check) reinterpreted: Vec<Reinterpretation>,
-    /// Numbers with which the person goes on as they were written: operation, number, value.
+    /// Wrong numbers that later operations use: the operation that makes each, the number, its value.
     pub(in crate::check) goes_on: Vec<(usize, NumberId, f64)>,
-    /// Which construction is replayed: 0 for the right position, then those of other assembly modes.
+    /// The assembly mode that is replayed: 0 for the right one, then the others.
     pub(in crate::check) mode: usize,
 }
 
 impl Candidate {
-    /// Whether both are told in the same words.
+    /// Whether both are described in the same words.
     pub(in crate::check) fn is_told_like(&self, other: &Candidate) -> bool {
         self.mistake == other.mistake && self.blanks == other.blanks
     }
 }
 
-/// What a written value stands for in a mistake.
+/// The value that is meant by a written one, if a mistake was made.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::check) struct Reinterpretation {
     pub entry: usize,
-    /// The value meant; none where the written one says nothing.
+    /// The value meant; `None` where the written one tells nothing about it.
     pub value: Option<f64>,
     /// Half a unit of its last digit.
     pub rounding: f64,
 }
 
 impl Reinterpretation {
-    /// The value as it is meant; none where the written one says nothing.
+    /// The datum with the value meant; `None` where the written one tells nothing about it.
     pub fn read(&self, written: &Datum) -> Option<Datum> {
         self.value.map(|value| Datum { value, rounding: self.rounding.max(f64::MIN_POSITIVE), ..*written })
     }

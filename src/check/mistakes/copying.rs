@@ -1,11 +1,13 @@
-//! Mistakes of writing down: they touch the written value, and what follows where the person goes on with it.
+//! Slips of writing: they change the written value, and what follows from it where later operations use the written
+//! value.
 
 use super::candidate::{Candidate, Reinterpretation};
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::entry::Entry;
 
-/// Entries that stand for something else, gone on with as they were written where `goes_on` and somebody could.
+/// The candidates for values written otherwise than meant: one where later operations use the written values, if any
+/// do, and one where they do not.
 fn misread(site: &Site<'_>, mistake: Mistake, meant: Vec<Reinterpretation>, blanks: Vec<String>) -> Vec<Candidate> {
     let Some(first) = meant.first().map(|s| s.entry) else {
         return Vec::new();
@@ -17,10 +19,12 @@ fn misread(site: &Site<'_>, mistake: Mistake, meant: Vec<Reinterpretation>, blan
             continue;
         };
         let number = reading.number;
-        if let Some(operation) = site.model.makers[number.0].filter(|_| site.model.used[number.0]) {
+        if site.model.used[number.0]
+            && let Some(operation) = site.model.makers[number.0]
+        {
             let exact = site.model.exact.number(number);
-            let senseless = reading.is_size() || entry.is_magnitude;
-            let value = if senseless { libm::copysign(entry.value, exact) } else { entry.value };
+            let is_unsigned = reading.is_size() || entry.is_magnitude;
+            let value = if is_unsigned { libm::copysign(entry.value, exact) } else { entry.value };
             goes_on.push((operation, number, value));
         }
     }
@@ -34,7 +38,7 @@ fn misread(site: &Site<'_>, mistake: Mistake, meant: Vec<Reinterpretation>, blan
         mode: 0,
     };
     let mut found = Vec::new();
-    // What is gone on with is one number, whatever names the form has for it.
+    // Several entries may name one number; its use later is counted once.
     if !goes_on.is_empty() && is_first_name(site, &only_written.reinterpreted) {
         found.push(Candidate { goes_on, ..only_written.clone() });
     }
@@ -42,11 +46,11 @@ fn misread(site: &Site<'_>, mistake: Mistake, meant: Vec<Reinterpretation>, blan
     found
 }
 
-/// Whether no earlier entry reads the number of the first of these.
+/// Whether no earlier entry reads the same number as the first of these.
 fn is_first_name(site: &Site<'_>, meant: &[Reinterpretation]) -> bool {
     let reads = |entry: usize| site.model.readings[entry].ok().map(|r| r.number);
-    let own = meant.first().map(|s| s.entry).unwrap_or(0);
-    (0..own).all(|earlier| reads(earlier) != reads(own))
+    let first = meant.first().map(|s| s.entry).unwrap_or(0);
+    (0..first).all(|earlier| reads(earlier) != reads(first))
 }
 
 fn meant_as(entry: usize, value: f64, rounding: f64) -> Reinterpretation {
@@ -80,7 +84,7 @@ fn shifted(text: &str, power: i32) -> String {
     format!("{:.decimals$}", number * libm::exp10(f64::from(power)))
 }
 
-/// Values with digits of their own.
+/// Entries that were written as digits and are read from the drawing, with their indices.
 fn written<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, &'a Entry)> {
     let all = site.entries.iter().enumerate();
     all.filter(|(index, entry)| !entry.text.is_empty() && site.model.readings[*index].is_ok())
@@ -101,7 +105,8 @@ pub(super) fn transposed(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// The number with two neighbouring digits in each other's place; the decimal point stays where it is. Nobody begins a number with a zero too many.
+/// The numbers that arise from swapping two neighbouring digits; the decimal point stays. Those with a superfluous
+/// leading zero are left out.
 fn transpositions(text: &str) -> Vec<String> {
     let characters: Vec<char> = text.chars().collect();
     let digits: Vec<usize> = (0..characters.len()).filter(|&i| characters[i].is_ascii_digit()).collect();
@@ -134,7 +139,7 @@ pub(super) fn swapped(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// Every value cut off: each stands for one that is half a unit of the last digit larger.
+/// Every value cut off in place of rounded: the value meant is on average half a unit of the last digit larger.
 pub(super) fn truncated(site: &Site<'_>) -> Vec<Candidate> {
     let meant: Vec<Reinterpretation> = written(site)
         .map(|(index, entry)| {
@@ -142,7 +147,7 @@ pub(super) fn truncated(site: &Site<'_>) -> Vec<Candidate> {
             meant_as(index, entry.value + half, entry.rounding)
         })
         .collect();
-    // One or two values say nothing of a habit.
+    // One or two values do not show a habit.
     if meant.len() < 3 {
         return Vec::new();
     }
@@ -160,7 +165,7 @@ pub(super) fn truncated(site: &Site<'_>) -> Vec<Candidate> {
 /// Metric units of length, in millimetres.
 const METRIC: [(&str, f64); 3] = [("m", 1000.0), ("cm", 10.0), ("mm", 1.0)];
 
-/// The number is right in another unit than the one beside it.
+/// The number is right in the scene's unit, not in the one written beside it.
 pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, entry) in written(site) {
@@ -172,7 +177,7 @@ pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// The number is right in another metric unit than the scene's, and no unit says which.
+/// The number is right in another metric unit than the scene's, and no unit is written.
 pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, entry) in written(site) {
@@ -192,7 +197,7 @@ pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// A value as it is in another unit, so many times as large.
+/// A value that is meant in another unit: `factor` times as large.
 fn in_unit(
     site: &Site<'_>,
     mistake: Mistake,
@@ -209,7 +214,7 @@ fn in_unit(
     misread(site, mistake, vec![meant], blanks)
 }
 
-/// A value that is simply wrong, and what follows from it.
+/// A value that is wrong for no known reason and used in later operations.
 pub(super) fn unknown(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, entry) in written(site) {

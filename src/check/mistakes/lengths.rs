@@ -1,4 +1,4 @@
-//! Mistakes of lengths and segments: what is measured, and which length is taken.
+//! Mistakes with lengths and segments: the wrong one measured or taken.
 
 use super::candidate::Candidate;
 use super::mistake::Mistake;
@@ -6,7 +6,8 @@ use super::site::Site;
 use crate::check::model::Edit;
 use crate::construction::{Disturbance, Does, End, How, NumberId, NumberKind, PlaceId, Sheet};
 
-/// A number measured otherwise keeps the sense that it should have, which stands on the sheets.
+/// The candidate, with the right sign of the number measured: people take the sign from the sheets, not from the
+/// measurement.
 fn with_same_sense(site: &Site<'_>, mut candidate: Candidate, operation: usize, number: NumberId) -> Candidate {
     let change = candidate.edits[0].1.change();
     let values = site.model.replay(&[Disturbance { operation, change }]);
@@ -16,7 +17,7 @@ fn with_same_sense(site: &Site<'_>, mut candidate: Candidate, operation: usize, 
     candidate
 }
 
-/// The operations that measure a length of the construction or one that is read off: index, sheet, number, ends.
+/// The operations that measure a length: index, sheet, number, ends.
 fn measures<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, Sheet, NumberId, [PlaceId; 2])> {
     site.operations().filter_map(|(index, operation)| match operation.does {
         Does::Measure { number, from, to, how: How::Along(_) | How::Size } => {
@@ -39,7 +40,7 @@ pub(super) fn component(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// Segments of plans measured from or to another point.
+/// A segment of a plan measured from or to another point.
 pub(super) fn wrong_segment(site: &Site<'_>) -> Vec<Candidate> {
     ends_elsewhere(site, Mistake::WrongSegment, |sheet| sheet != Sheet::Scheme)
 }
@@ -62,7 +63,7 @@ fn ends_elsewhere(site: &Site<'_>, mistake: Mistake, is_meant: fn(Sheet) -> bool
     found
 }
 
-/// The ends of a number that is a length of the scheme.
+/// The ends of a number that is a length of the scheme; `None` for other numbers.
 fn ends(site: &Site<'_>, number: NumberId) -> Option<[End; 2]> {
     match site.number_kind(number) {
         NumberKind::Length(ends) => Some(*ends),
@@ -70,7 +71,7 @@ fn ends(site: &Site<'_>, number: NumberId) -> Option<[End; 2]> {
     }
 }
 
-/// A neighbouring length measured, or taken for a vector or an equation.
+/// A neighbouring length measured, or used in a vector's size.
 pub(super) fn wrong_length(site: &Site<'_>) -> Vec<Candidate> {
     let mistake = Mistake::WrongLength;
     let mut found = ends_elsewhere(site, mistake, |sheet| sheet == Sheet::Scheme);
@@ -91,7 +92,7 @@ pub(super) fn wrong_length(site: &Site<'_>) -> Vec<Candidate> {
                 if let Some(last) = sum[at].of.last_mut() {
                     *last = wrong;
                 }
-                // The sense comes from the scheme, not from the length.
+                // The sign comes from the scheme, not from the length.
                 let exact = |n: NumberId| site.model.exact.number(n);
                 sum[at].factor *= (exact(wrong) * exact(right)).signum();
                 let edit = Edit::Instead(Does::Compute { number, sum });

@@ -59,6 +59,6 @@ pub enum Mistake {
     WrongUnit,
     /// A value in another unit of length than the scene's, and no unit beside it.
     OtherUnit,
-    /// A value off for a reason that the catalogue does not know, and gone on with.
+    /// A value wrong for a reason that the catalogue does not know, and used in later operations.
     Unknown,
 }

@@ -1,5 +1,5 @@
-//! The catalogue of classical mistakes. Each entry is a line of data and one small function that edits the mistake into the construction
-//! at every place where it could be made; the replay lets it propagate.
+//! The catalogue of classical mistakes. Each is a line of data and one small function that lists the places of the
+//! construction where it could be made, with the edits it makes there; a replay shows what follows from them.
 
 mod candidate;
 mod copying;
@@ -19,11 +19,11 @@ pub(super) use site::Site;
 /// A line of the catalogue.
 pub(super) struct Listed {
     pub mistake: Mistake,
-    /// Its name in messages and tables of results.
+    /// Its name in results.
     pub id: &'static str,
-    /// How many of a hundred drawings with a mistake have this one, about.
+    /// Approximate share of the drawings with a mistake that have this one, in per cent.
     pub percent: f64,
-    /// Puts it into the construction wherever it fits.
+    /// Lists it at every place of the construction where it could be made.
     find: fn(&Site<'_>) -> Vec<Candidate>,
     /// Its sentences.
     pub words: MistakeWords,
@@ -35,7 +35,7 @@ macro_rules! listed {
     };
 }
 
-/// The catalogue. How common a mistake is decides only where values alone leave it open.
+/// The catalogue. The percentages decide only where the values alone do not.
 pub(super) const CATALOGUE: [Listed; 30] = listed! {
     TurnedRay "turned-ray" 6.0 rays::turned => turned_ray,
     TurnedCutLine "turned-cut-line" 4.0 rays::turned_cut_line => turned_cut_line,
@@ -70,7 +70,7 @@ pub(super) const CATALOGUE: [Listed; 30] = listed! {
 };
 
 impl Mistake {
-    /// All of them, in the order of the catalogue.
+    /// All mistakes, in the order of the catalogue.
     pub fn all() -> impl Iterator<Item = Mistake> {
         CATALOGUE.iter().map(|listed| listed.mistake)
     }

@@ -1,4 +1,4 @@
-//! Mistakes of rates and scales.
+//! Mistakes with rates and scales.
 
 use super::candidate::{Candidate, Reinterpretation};
 use super::mistake::Mistake;
@@ -7,7 +7,7 @@ use crate::check::model::Edit;
 use crate::construction::{Does, NumberId, NumberKind, Rate, Sheet};
 use crate::quantity::{Kind, What};
 
-/// Rates that are solved for or given, with the operation that gives them.
+/// Rates that are solved for or given: the operation that gives each, its number, which rate it is.
 fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)> {
     site.operations().flat_map(move |(index, operation)| {
         let rates = operation.does.numbers().iter().map(move |&number| (number, site.number_kind(number)));
@@ -26,7 +26,8 @@ pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
     rates(site).map(candidate).collect()
 }
 
-/// A rate of rotation that comes out by a factor wrong, gone on with or only written so: angular velocities, or angular accelerations, too.
+/// An angular velocity, or with `also_alpha` an angular acceleration, that is wrong by `factor` or its inverse: used so
+/// in later operations, or only written so.
 fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (operation, number, rate) in rates(site) {
@@ -67,7 +68,7 @@ pub(super) fn degrees(site: &Site<'_>) -> Vec<Candidate> {
     by_factor(site, Mistake::DegreesForRadians, true, 180.0 / core::f64::consts::PI)
 }
 
-/// Segments turned into values by the scale of another sheet: one of them, or all of a sheet.
+/// Segments converted to values with the scale of another sheet: one of them, or all of a sheet.
 pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
     let [l, v, a] = site.model.scales.per_mm;
     let scales = [("μ_l", l), ("μ_v", v), ("μ_a", a), ("μ_v²/μ_l", v * v / l)];
@@ -115,10 +116,11 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// One segment turned into a value with another scale, `ratio` times the right one. The blanks: the segment, the scale taken, its own scale.
+/// One segment converted to a value with another scale, `ratio` times the right one. The blanks: the segment, the scale
+/// taken, the right scale.
 fn at_wrong_scale(site: &Site<'_>, operation: usize, number: NumberId, ratio: f64, blanks: &[&str; 3]) -> Candidate {
     let mut candidate = site.candidate(Mistake::WrongScale, operation, Edit::Times(number, ratio), blanks);
-    // Millimetres stand as they were measured; the scale tells in what follows from them.
+    // A value written in millimetres is right; the wrong scale shows only in what follows from it.
     let entries = site.entries.iter().enumerate();
     let mut on_paper = entries.filter(|(_, entry)| entry.asked.name() == blanks[0] && entry.on_paper);
     if let Some((index, entry)) = on_paper.next() {

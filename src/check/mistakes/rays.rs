@@ -1,4 +1,4 @@
-//! Mistakes of lines: rays, cut lines, special points, the whole position.
+//! Mistakes with lines: rays, cut lines, special points, the whole position.
 
 use super::candidate::Candidate;
 use super::mistake::Mistake;
@@ -6,7 +6,7 @@ use super::site::Site;
 use crate::check::model::Edit;
 use crate::construction::{Action, Does, LineId, Operation, Part, Sheet};
 
-/// The plan points that a ray goes through and leads to; none of what is no ray.
+/// The plan points that a ray goes through and leads to; `None` if the operation draws no ray.
 fn ends<'s>(site: &'s Site<'_>, operation: &Operation) -> Option<[&'s str; 2]> {
     let step = site.key.solution.construction.step(operation.step?)?;
     match &step.action {
@@ -15,7 +15,7 @@ fn ends<'s>(site: &'s Site<'_>, operation: &Operation) -> Option<[&'s str; 2]> {
     }
 }
 
-/// The line turned by 90°.
+/// A line drawn at 90° to its right direction.
 fn turn(site: &Site<'_>, mistake: Mistake, index: usize, blanks: [&str; 2]) -> Option<Candidate> {
     let Does::Draw { line, through, along } = site.operation(index).does else {
         return None;
@@ -30,14 +30,14 @@ pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
 }
 
 pub(super) fn turned_cut_line(site: &Site<'_>) -> Vec<Candidate> {
-    let lines = site.operations().filter_map(|(index, operation)| match (operation.part, &operation.does) {
+    let turned = |(index, operation): (usize, &Operation)| match (operation.part, &operation.does) {
         (Part::CutLine(special), Does::Draw { through, .. }) => {
             let special = &site.model.construction.special(special).name;
             turn(site, Mistake::TurnedCutLine, index, [site.place_name(*through), special])
         }
         _ => None,
-    });
-    lines.collect()
+    };
+    site.operations().filter_map(turned).collect()
 }
 
 pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
@@ -79,7 +79,7 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// A line of the scheme by two of its points, or by what it is.
+/// The name of a line of the scheme: two of its points, or its role.
 fn line_name(site: &Site<'_>, line: LineId) -> String {
     let drawn = site.operations().find(|(_, operation)| operation.does.line() == Some(line));
     match drawn.map(|(_, operation)| (operation.part, &operation.does)) {
@@ -92,10 +92,9 @@ fn line_name(site: &Site<'_>, line: LineId) -> String {
     }
 }
 
-/// Everything drawn in another position in which the links fit together.
+/// The whole drawing made in another assembly mode.
 pub(super) fn other_mode(site: &Site<'_>) -> Vec<Candidate> {
-    let modes = 1..=site.other_modes;
-    let other = modes.map(|mode| Candidate {
+    let in_mode = |mode| Candidate {
         mistake: Mistake::OtherMode,
         step: 0,
         blanks: Vec::new(),
@@ -103,6 +102,6 @@ pub(super) fn other_mode(site: &Site<'_>) -> Vec<Candidate> {
         reinterpreted: Vec::new(),
         goes_on: Vec::new(),
         mode,
-    });
-    other.collect()
+    };
+    (1..=site.other_modes).map(in_mode).collect()
 }

@@ -10,7 +10,7 @@ pub(in crate::check) struct Site<'a> {
     pub model: &'a Model,
     pub key: &'a AnswerKey<'a>,
     pub entries: &'a [Entry],
-    /// How many other assembly modes there are.
+    /// Number of other assembly modes.
     pub other_modes: usize,
 }
 
@@ -47,7 +47,8 @@ impl Site<'_> {
         self.model.place_name(place)
     }
 
-    /// The sums from which vectors' sizes are computed: the operation, its number, the sum, the names of the vector's ends.
+    /// The sums from which vectors' sizes are computed: the operation, the number it makes, the sum, the names of the
+    /// vector's ends.
     pub fn sums(&self) -> Vec<(usize, NumberId, &[Product], [&str; 2])> {
         let laid = self.operations().filter_map(|(_, operation)| match &operation.does {
             Does::LayOff { place, from, size, .. } => {
@@ -61,7 +62,7 @@ impl Site<'_> {
             }
             _ => None,
         });
-        // What is only read off has no name of its own.
+        // A vector that is laid off only to be read has no name at its end.
         laid.filter(|(.., ends)| !ends[1].is_empty()).collect()
     }
 }

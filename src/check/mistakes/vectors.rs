@@ -1,4 +1,4 @@
-//! Mistakes of vectors that are laid off: their sense, their size, what belongs to them.
+//! Mistakes with vectors that are laid off: a wrong sense, a wrong size, a part forgotten or added.
 
 use super::candidate::Candidate;
 use super::mistake::Mistake;
@@ -24,7 +24,8 @@ pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
     laid.collect()
 }
 
-/// Changes each product of a kind, alone; `change` gives what stands in its place.
+/// One candidate for each product of a kind; `change` gives the product that replaces it, or `None` where it is left
+/// out.
 fn products(
     site: &Site<'_>,
     mistake: Mistake,
@@ -67,7 +68,7 @@ pub(super) fn normal_forgotten(site: &Site<'_>) -> Vec<Candidate> {
     products(site, Mistake::NormalForgotten, ProductKind::Normal, |_| None)
 }
 
-/// v²/L with the velocity of the end from the pole in place of that relative to the start.
+/// v²/L with the absolute velocity of the end in place of that relative to the start.
 pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
     let solution = site.key.solution;
     let absolute = |product: &Product| -> Option<f64> {
@@ -84,7 +85,7 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
         let size = absolute(p).unwrap_or(f64::NAN);
         Some(Product::new(p.kind, p.factor * size, &[]))
     });
-    // Where there is no such velocity there is no such mistake.
+    // Where the plan has no such velocity, the mistake cannot be made.
     found.retain(|candidate| {
         candidate.edits.iter().all(|(_, edit)| match edit {
             Edit::Instead(Does::Compute { sum, .. }) => sum.iter().all(|p| p.factor.is_finite()),
@@ -106,14 +107,15 @@ pub(super) fn coriolis_turned(site: &Site<'_>) -> Vec<Candidate> {
     products(site, Mistake::CoriolisTurned, ProductKind::Coriolis, |p| Some(p.times(-1.0)))
 }
 
-/// 2 ω v added to a link between pins, where v = ω L: it lies along the link, with the normal part, and makes three of it.
+/// A Coriolis part 2 ω v added to a link between pins, with v = ω L: it lies along the normal part ω² L and makes it
+/// three times as large.
 pub(super) fn coriolis_where_none(site: &Site<'_>) -> Vec<Candidate> {
     products(site, Mistake::CoriolisWhereNone, ProductKind::Normal, |p| Some(p.times(3.0)))
 }
 
-/// The image of a link with three points: one of its sides laid off on the wrong side of another.
+/// The image of a link with three points mirrored: one of its sides laid off on the wrong side of another.
 pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
-    // Vectors of the plans from one point, normal to lines of the mechanism, with the directions of these.
+    // Vectors of the plans that are normal to lines of the mechanism: operation, ends, size, direction of the line.
     let mut laid: Vec<(usize, [PlaceId; 2], NumberId, Vector)> = Vec::new();
     for (index, operation) in site.operations().filter(|(_, operation)| operation.sheet != Sheet::Scheme) {
         let Does::LayOff { place, from, size, along: Along { reference: Reference::Line(line), quarter_turns: 1 } } =
@@ -126,7 +128,9 @@ pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
             _ => None,
         });
         let Some([a, b]) = joined.map(|ends| ends.map(|end| site.model.exact.place(end))) else { continue };
-        if let Some(along) = crate::geometry::unit(b - a).filter(|_| !site.place_name(place).is_empty()) {
+        if !site.place_name(place).is_empty()
+            && let Some(along) = crate::geometry::unit(b - a)
+        {
             laid.push((index, [from, place], size, along));
         }
     }

@@ -1,4 +1,5 @@
-//! What stands elsewhere on a student's sheets than it should, with what is said of it, ready to be drawn over the right figure.
+//! The student's drawing as an overlay on the right figure: points and lines that are elsewhere than they should be,
+//! with sentences.
 
 mod sheets;
 
@@ -17,23 +18,23 @@ use crate::scene::PanelName;
 use crate::words::{Language, Medium, NumberStyle, Wording};
 use sheets::Sheets;
 
-/// Points that are turned by more than this to lie over the right ones are said to be, in degrees.
+/// Rotation of given points above which a sentence says that they were turned, in degrees.
 const TURNED: f64 = 1.0;
 
-/// Up to so many values that follow from a mistake are named below the figure; more are marked in the table.
+/// Most values following from one mistake that are named below the figure; more are marked in the table.
 const NAMED: usize = 3;
 
-/// The columns of the report that the table on a sheet has.
+/// The report's columns that the table beside the figure has.
 const COLUMNS: [usize; 6] = [0, 1, 2, 4, 5, 7];
 
-/// The student's drawing over the right one, and what is said of it.
+/// The student's drawing over the right one, with sentences about it.
 ///
-/// Points of a plan that are given are laid with pole on pole and turned as most of them fit best to what was probably drawn. Everything else is
-/// the replay with the mistakes that were found, as far as it differs visibly from the right drawing. Values that nothing explains are
-/// drawn at their own length. A mistake of writing alone changes no drawing.
+/// Given points of a plan are placed with pole on pole and rotated so that most of them fit what was probably drawn.
+/// Everything else comes from the replay with the mistakes that were found, as far as it differs visibly from the right
+/// drawing. Unexplained values are drawn at their own length. A slip of writing alone changes no drawing.
 ///
 /// # Errors
-/// Where a scale is missing; values that have been checked have theirs.
+/// A scale is missing; values that have been checked have theirs.
 pub fn redrawn(
     measured: &Measured,
     key: &AnswerKey<'_>,
@@ -73,7 +74,8 @@ pub fn redrawn(
     })
 }
 
-/// The sentences below the figure: the verdict, the mistakes by their numbers, what nothing explains, and how given points had to be turned.
+/// The sentences below the figure: the verdict, the numbered mistakes, the unexplained values, and the rotation of
+/// given points.
 fn said(text: &ReportText<'_>, turns: &[(Sheet, f64)], words: &Wording) -> Vec<String> {
     let best = &text.checked.diagnosis.best;
     let sure = if best.findings.is_empty() { String::new() } else { format!(" ({})", text.sure(best)) };
@@ -85,7 +87,7 @@ fn said(text: &ReportText<'_>, turns: &[(Sheet, f64)], words: &Wording) -> Vec<S
             few if few <= NAMED => told.follows,
             many => Some(words.language.check_follows_marked(&many.to_string(), &format!("({number})"))),
         };
-        // Beside a figure there is no room to say twice what a slipped number should be.
+        // Beside a figure there is no room to repeat what a slipped number should be.
         let [done, should] = sentences(&finding.candidate, words);
         let should = (!done.contains(&should)).then_some(told.should);
         let sentences: Vec<String> = [told.done].into_iter().chain(should).chain(follows).collect();
@@ -106,12 +108,12 @@ fn said(text: &ReportText<'_>, turns: &[(Sheet, f64)], words: &Wording) -> Vec<S
     said.into_iter().map(|sentence| sentence.replace(" -", " −")).collect()
 }
 
-/// The cells of a row that have a column on the sheet.
+/// The cells of a report's row that the table beside the figure has.
 fn cells(row: [String; 8]) -> [String; COLUMNS.len()] {
     COLUMNS.map(|column| row[column].clone())
 }
 
-/// A checked value as a row of the table on the sheet; it bears the number of the mistake that it follows from.
+/// A checked value as a row of that table, with the numbers of the mistakes that it follows from.
 fn own_value(text: &ReportText<'_>, index: usize) -> OwnValue {
     let value = &text.checked.values[index];
     let mut cells = cells(text.row(value));
@@ -124,25 +126,28 @@ fn own_value(text: &ReportText<'_>, index: usize) -> OwnValue {
     OwnValue { cells, is_off: value.verdict == Verdict::Off }
 }
 
-/// The steps at which something went wrong, each once.
+/// The steps at which mistakes were made, each once.
 fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -> Vec<WrongStep> {
     let mut wrong: Vec<WrongStep> = Vec::new();
     for candidate in found {
-        let own = key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
-        let Some(own) = own.filter(|own| wrong.iter().all(|w| w.step != own.number)) else {
+        if wrong.iter().any(|w| w.step == candidate.step) {
+            continue;
+        }
+        let Some(step) = key.solution.construction.numbered_steps().find(|s| s.number == candidate.step) else {
             continue;
         };
-        // Of the rates that a step solves for only that of one link is wrong; its sense is shown on the scheme.
-        let solves = matches!(own.step.action, Action::Solve { .. });
+        // A step may solve for the rates of several links; the mistake is in that of one, whose sense is shown on the
+        // scheme.
+        let solves = matches!(step.step.action, Action::Solve { .. });
         let rate = candidate.blanks.first().and_then(|name| Asked::new(name, &key.solution.mechanism).ok());
         let link = match rate.as_ref().map(Asked::what) {
             Some(What::Omega(link) | What::Alpha(link)) => key.solution.mechanism.body(*link).name.as_str(),
             _ => "",
         };
         wrong.push(WrongStep {
-            step: own.number,
-            panel: if solves { PanelName::Scheme } else { panel(own.sheet()) },
-            label: language.check_step(&own.number.to_string()),
+            step: step.number,
+            panel: if solves { PanelName::Scheme } else { panel(step.sheet()) },
+            label: language.check_step(&step.number.to_string()),
             link: solves.then(|| link.to_owned()),
         });
     }

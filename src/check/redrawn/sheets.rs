@@ -1,4 +1,4 @@
-//! The student's sheets: where each place is, and which lines lead there.
+//! The student's sheets as they were probably drawn: the places that are wrong, and the lines that lead there.
 
 use super::super::answer_key::AnswerKey;
 use super::super::mistakes::Candidate;
@@ -14,11 +14,11 @@ use crate::quantity::Kind;
 use crate::words::{Medium, Wording};
 use indexmap::IndexMap;
 
-/// So far apart on paper, in mm, a place is seen to be another one.
+/// Distance on paper above which two places are visibly different, in mm.
 const SEEN: f64 = 0.3;
-/// From this distance on paper, in mm, a given point bears its own name beside that of the right one.
+/// Distance on paper from the right point above which a given point gets a name of its own, in mm.
 const NAMED: f64 = 1.0;
-/// A line that meets no other is drawn so long, in mm of paper.
+/// Half the length of a line that crosses no other, in mm of paper.
 const LONG: f64 = 400.0;
 
 /// The sheets as they were probably drawn.
@@ -27,9 +27,9 @@ pub(super) struct Sheets<'a> {
     right: &'a Model,
     own: &'a Model,
     values: Values,
-    /// What was done instead of an operation.
+    /// The operations that mistakes replaced, with what was done instead.
     instead: Vec<(usize, &'a Does)>,
-    /// Points of plans that are given, by their names.
+    /// Places of given plan points, by sheet and name.
     given: IndexMap<(Sheet, String), Vector>,
     words: &'a Wording,
     points: Vec<OwnPoint>,
@@ -73,18 +73,18 @@ impl<'a> Sheets<'a> {
         }
     }
 
-    /// What was drawn: points and lines.
+    /// The points and lines to be drawn.
     pub(super) fn finish(mut self) -> (Vec<OwnPoint>, Vec<OwnLine>) {
         for ((sheet, name), place) in core::mem::take(&mut self.given) {
-            let apart = self.right_place(sheet, &name);
-            let apart = apart.map_or(0.0, |right| (right - place).norm());
+            let apart = self.right_place(sheet, &name).map_or(0.0, |right| (right - place).norm());
             let is_named = apart > NAMED * self.per_mm(sheet);
             self.point(sheet, &name, place, is_named);
         }
         (self.points, self.lines)
     }
 
-    /// Lays the points of plans that are given with pole on pole, and turns them as they fit best to what was probably drawn; by how many degrees.
+    /// Places the given plan points with pole on pole, rotated to fit best what was probably drawn; returns the
+    /// rotation of each sheet in degrees.
     pub(super) fn lay_points(&mut self, measured: &Measured) -> Vec<(Sheet, f64)> {
         let mut turns = Vec::new();
         for points in &measured.points {
@@ -93,17 +93,17 @@ impl<'a> Sheets<'a> {
                 continue;
             };
             let origin = Vector::from(points.places[pole]);
-            let own = |place: &[f64; 2]| (Vector::from(*place) - origin) * mu;
-            let pairs = points.places.iter().filter_map(|(name, place)| {
+            let from_pole = |place: &[f64; 2]| (Vector::from(*place) - origin) * mu;
+            let pair = |(name, place): (&String, &[f64; 2])| {
                 let id = self.own.construction.place(sheet, name)?;
-                Some((own(place), self.values.place(id)))
-            });
-            let pairs: Vec<(Vector, Vector)> = pairs.collect();
+                Some((from_pole(place), self.values.place(id)))
+            };
+            let pairs: Vec<(Vector, Vector)> = points.places.iter().filter_map(pair).collect();
             let degrees = best_turn(&pairs, SEEN * mu);
             for (name, place) in &points.places {
                 let is_pole = name == pole;
                 let name = if is_pole { points.kind.pole() } else { name };
-                let place: Vector = turn_of_degrees(degrees).transform_vector(&own(place));
+                let place: Vector = turn_of_degrees(degrees).transform_vector(&from_pole(place));
                 self.given.insert((sheet, name.to_owned()), place);
             }
             turns.push((sheet, degrees));
@@ -111,7 +111,8 @@ impl<'a> Sheets<'a> {
         turns
     }
 
-    /// Draws the points that are not where they should be, with the lines that lead there, and lengths that were measured otherwise.
+    /// Draws the points that are not where they should be, with the lines that lead there, and the lengths that were
+    /// measured wrongly.
     pub(super) fn draw_operations(&mut self) {
         for index in 0..self.own.construction.operations.len() {
             let sheet = self.own.construction.operations[index].sheet;
@@ -140,13 +141,12 @@ impl<'a> Sheets<'a> {
         }
     }
 
-    /// Draws the links of a mechanism that is assembled otherwise.
+    /// Draws the links of a mechanism in another assembly mode.
     pub(super) fn draw_links(&mut self) {
         let mechanism = &self.key.solution.mechanism;
         for (_, body) in mechanism.links() {
-            let names = body.points.iter().map(|&p| mechanism.point_name(p));
-            let places = names.filter_map(|n| self.own.construction.place(Sheet::Scheme, n));
-            let places: Vec<PlaceId> = places.collect();
+            let place = |&point| self.own.construction.place(Sheet::Scheme, mechanism.point_name(point));
+            let places: Vec<PlaceId> = body.points.iter().filter_map(place).collect();
             let next = places.iter().cycle().skip(1);
             let count = if places.len() > 2 { places.len() } else { 1 };
             for (&a, &b) in places.iter().zip(next).take(count) {
@@ -158,7 +158,8 @@ impl<'a> Sheets<'a> {
         }
     }
 
-    /// Draws a value that is a measured length, or the size of a vector, at the student's own length where it was probably begun.
+    /// Draws a value that is a measured length, or the size of a vector, at the student's length from where it was
+    /// probably begun.
     pub(super) fn draw_value(&mut self, index: usize, value: &Judged) {
         let Ok(reading) = self.own.readings[index] else {
             return;
@@ -191,7 +192,7 @@ impl<'a> Sheets<'a> {
         }
     }
 
-    /// A length that was measured between other places, or along an axis.
+    /// Draws a length that was measured between other places, or along an axis.
     fn measured(&mut self, sheet: Sheet, [from, to]: [PlaceId; 2], how: How, value: f64) {
         let (start, end) = (self.at(sheet, from), self.at(sheet, to));
         let foot = match how {
@@ -204,7 +205,7 @@ impl<'a> Sheets<'a> {
         self.line(sheet, to, [foot, end], OwnKind::Helper, None);
     }
 
-    /// A point where two lines cross, with both; in a plan with its vector from the pole.
+    /// Draws a crossing with its two lines; in a plan with its vector from the pole.
     fn crossing(&mut self, sheet: Sheet, place: PlaceId, lines: &[LineId; 2]) {
         let at = self.at(sheet, place);
         let meets = at.norm().is_finite();
@@ -218,13 +219,13 @@ impl<'a> Sheets<'a> {
         }
         for line in lines {
             let starts = self.starts(*line);
-            // The vector lies there already.
+            // The vector from the pole covers this line.
             if meets && starts.iter().any(|s| Some(*s) == pole) {
                 continue;
             }
-            let starts = starts.into_iter().map(|s| self.at(sheet, s));
             let apart = |p: &Vector| (p - at).norm();
-            let Some(start) = starts.min_by(|a, b| apart(a).total_cmp(&apart(b))) else {
+            let nearest = starts.into_iter().map(|s| self.at(sheet, s)).min_by(|a, b| apart(a).total_cmp(&apart(b)));
+            let Some(start) = nearest else {
                 continue;
             };
             let (_, along) = self.values.line(*line);
@@ -234,21 +235,19 @@ impl<'a> Sheets<'a> {
         }
     }
 
-    /// Places that a line was drawn through.
+    /// Places through which a line was drawn.
     fn starts(&self, line: LineId) -> Vec<PlaceId> {
-        let operations = (0..self.own.construction.operations.len()).map(|index| self.done(index));
-        let mut starts = operations.filter_map(|deed| match deed {
-            Does::Draw { line: own, through, .. } if *own == line => Some(vec![*through]),
-            Does::Join { line: own, from, towards } if *own == line => Some(vec![*from, *towards]),
+        let starts = (0..self.own.construction.operations.len()).find_map(|index| match self.done(index) {
+            Does::Draw { line: drawn, through, .. } if *drawn == line => Some(vec![*through]),
+            Does::Join { line: drawn, from, towards } if *drawn == line => Some(vec![*from, *towards]),
             _ => None,
         });
-        starts.next().unwrap_or_default()
+        starts.unwrap_or_default()
     }
 
-    /// What was done at an operation.
+    /// What the student did at an operation.
     fn done(&self, index: usize) -> &'a Does {
-        let mut instead = self.instead.iter();
-        let changed = instead.find(|(operation, _)| *operation == index);
+        let changed = self.instead.iter().find(|(operation, _)| *operation == index);
         changed.map_or(&self.own.construction.operations[index].does, |(_, does)| does)
     }
 
@@ -265,7 +264,7 @@ impl<'a> Sheets<'a> {
         self.own.scales.per_mm[sheet as usize]
     }
 
-    /// A size on a sheet with its unit.
+    /// The magnitude of a value with its unit.
     fn with_unit(&self, sheet: Sheet, value: f64) -> String {
         let kind = [Kind::Length, Kind::Velocity, Kind::Acceleration][sheet as usize];
         let value = self.words.write(value.abs(), significant(4).on(Medium::Figure));
@@ -274,11 +273,11 @@ impl<'a> Sheets<'a> {
 
     /// The names of a place.
     fn names(&self, sheet: Sheet, place: PlaceId) -> impl Iterator<Item = &'a str> {
-        let named = self.own.construction.named_places();
-        named.filter_map(move |(of, name, id)| (of == sheet && id == place).then_some(name))
+        let all = self.own.construction.named_places();
+        all.filter_map(move |(of, name, id)| (of == sheet && id == place).then_some(name))
     }
 
-    /// The name by which the figure knows a place: the first that its plan has.
+    /// The name that the figure has for a place: the first that its plan shows.
     fn name(&self, sheet: Sheet, place: PlaceId) -> Option<&'a str> {
         let construction = &self.key.solution.construction;
         let plan = construction.plan_on(sheet);
@@ -289,47 +288,45 @@ impl<'a> Sheets<'a> {
         self.names(sheet, place).find(is_shown)
     }
 
-    /// Where a place is, as given or as replayed, from the sheet's pole or the mechanism's first point.
+    /// A place, as given or as replayed, relative to the sheet's pole or, in the scheme, to the construction's origin.
     fn at(&self, sheet: Sheet, place: PlaceId) -> Vector {
         let mut names = self.names(sheet, place);
         let given = names.find_map(|name| self.given.get(&(sheet, name.to_owned())));
         given.map_or_else(|| self.values.place(place), |place| *place)
     }
 
-    /// Where the right drawing has a point.
+    /// The place of a point in the right drawing.
     fn right_place(&self, sheet: Sheet, name: &str) -> Option<Vector> {
         let id = self.right.construction.place(sheet, name)?;
         Some(self.right.exact.place(id))
     }
 
-    /// Whether a place is visibly elsewhere than it should be, or nowhere.
+    /// Whether a place is visibly elsewhere than it should be, or at infinity.
     fn is_elsewhere(&self, sheet: Sheet, place: PlaceId) -> bool {
         let Some(name) = self.name(sheet, place) else {
             return false;
         };
-        let right = self.right_place(sheet, name);
-        let apart = right.map(|right| (self.at(sheet, place) - right).norm());
-        // What is nowhere is not near.
+        let apart = self.right_place(sheet, name).map(|right| (self.at(sheet, place) - right).norm());
+        // A crossing of parallel lines is NaN.
         apart.is_some_and(|apart| apart.is_nan() || apart > SEEN * self.per_mm(sheet))
     }
 
-    /// The point to which a vector leads, over further vectors where its own end has no name.
+    /// The named point to which a vector leads: its end, or that of the vectors laid off from there.
     fn leads_to(&self, place: PlaceId) -> PlaceId {
-        let sheets = self.own.construction.operations.iter();
-        let mut next = sheets.filter_map(|operation| match operation.does {
+        if self.own.place_names[place.0].is_some() {
+            return place;
+        }
+        let next = self.own.construction.operations.iter().find_map(|operation| match operation.does {
             Does::LayOff { place: end, from, .. } if from == place => Some(end),
             _ => None,
         });
-        match self.own.place_names[place.0] {
-            Some(_) => place,
-            None => next.next().map_or(place, |end| self.leads_to(end)),
-        }
+        next.map_or(place, |end| self.leads_to(end))
     }
 
-    /// Marks a place, unless it is one of those that are given.
+    /// Marks a place, unless the sheet's points are given: these are marked anyway.
     fn mark(&mut self, sheet: Sheet, place: PlaceId) {
-        let given = self.given.keys().any(|(of, _)| *of == sheet);
-        if let Some(name) = self.name(sheet, place).filter(|_| !given) {
+        let is_given = self.given.keys().any(|(of, _)| *of == sheet);
+        if !is_given && let Some(name) = self.name(sheet, place) {
             self.point(sheet, name, self.at(sheet, place), true);
         }
     }
@@ -346,8 +343,8 @@ impl<'a> Sheets<'a> {
     }
 
     fn line(&mut self, sheet: Sheet, leads_to: PlaceId, ends: [Vector; 2], kind: OwnKind, label: Option<String>) {
-        let there = ends.iter().all(|end| end.norm().is_finite()) && ends[0] != ends[1];
-        if let Some(name) = self.name(sheet, leads_to).filter(|_| there) {
+        let is_drawable = ends.iter().all(|end| end.norm().is_finite()) && ends[0] != ends[1];
+        if is_drawable && let Some(name) = self.name(sheet, leads_to) {
             self.lines.push(OwnLine {
                 panel: panel(sheet),
                 leads_to: name.to_owned(),
@@ -367,10 +364,10 @@ impl<'a> Sheets<'a> {
     }
 }
 
-/// The angle in degrees by which the first of each pair is turned to lie on the second: what makes the sum of distances, not of their squares, least, so that one
-/// wrong point does not turn the right ones. Distances below `near` count alike.
+/// The rotation in degrees that brings the first of each pair nearest to the second: the sum of distances, not of their
+/// squares, is least, so that one wrong point does not turn the right ones. Distances below `near` count alike.
 ///
-/// Least squares, in which the tangent is Σ q × r / Σ q · r, with weights 1 / distance, again and again (Weiszfeld 1937).
+/// Repeated least squares, tan = Σ q × r / Σ q · r, each time with weights 1 / distance (Weiszfeld 1937).
 fn best_turn(pairs: &[(Vector, Vector)], near: f64) -> f64 {
     const ROUNDS: usize = 30;
     let mut degrees = 0.0;

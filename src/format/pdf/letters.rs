@@ -11,7 +11,7 @@ use krilla::text::{Font, GlyphId, KrillaGlyph};
 use super::paths;
 use crate::drawing::{ITALIC, PlacedRun, PlacedText, REGULAR, Run};
 
-/// The bundled fonts as the writer of PDF takes them.
+/// The bundled fonts, as krilla needs them.
 pub(super) struct Fonts {
     upright: Font,
     italic: Font,
@@ -25,11 +25,12 @@ impl Fonts {
         Self { upright, italic }
     }
 
-    /// Writes a text in the colour that is set, as a span of the page, run by run; spaces between runs are written too, so that words stay
-    /// apart when they are copied.
+    /// Writes a text in the current colour, as a span of the page, run by run. Spaces between runs are written too, so
+    /// that words stay apart when they are copied.
     ///
-    /// Readers guess words from gaps between letters, and gaps beside scripts mislead them; so a formula says what it reads, and so does a
-    /// text with a letter that the font lacks. Readers take such a text for a line of its own: prose with an exponent is left to their guess.
+    /// PDF readers guess words from gaps between letters, and gaps beside scripts mislead them. So formulas, and texts
+    /// with a letter that the font lacks, get their reading as actual text. Readers take such a text for a line of its
+    /// own, so prose with an exponent gets none.
     pub(super) fn write(&self, surface: &mut Surface<'_>, text: &PlacedText) -> Identifier {
         let runs = text.text.runs();
         let has = |what: fn(&Run) -> bool| runs.iter().any(what);
@@ -42,7 +43,7 @@ impl Fonts {
                 self.write_run(surface, &space_before(placed));
             }
             if lacks_a_letter(placed) {
-                // Its box as lines, and a space as the letter that the reading stands for.
+                // The box of the missing letter as lines, and a space as a letter for the actual text to replace.
                 let mut path = PathBuilder::new();
                 outline(&mut path, placed);
                 super::draw_path(surface, path.finish());
@@ -60,11 +61,11 @@ impl Fonts {
         let mut set: Vec<(u16, Range<usize>, f64)> = Vec::new();
         let end = run.glyphs(|glyph, letters, x| set.push((glyph, letters, x)));
         let ends = set.iter().skip(1).map(|next| next.2).chain([end]);
-        let glyphs = set.iter().zip(ends).map(|((glyph, letters, x), end)| {
+        let glyph = |((glyph, letters, x), end): (&(u16, Range<usize>, f64), f64)| {
             let glyph = GlyphId::new(u32::from(*glyph));
             KrillaGlyph::new(glyph, (end - x) as f32, 0.0, 0.0, 0.0, letters.clone(), None)
-        });
-        let glyphs: Vec<KrillaGlyph> = glyphs.collect();
+        };
+        let glyphs: Vec<KrillaGlyph> = set.iter().zip(ends).map(glyph).collect();
         let font = if run.italic { &self.italic } else { &self.upright };
         let [x, y, size] = [run.origin.x, run.origin.y, run.size].map(paths::length);
         let start = geom::Point::from_xy(x, y);
@@ -72,7 +73,7 @@ impl Fonts {
     }
 }
 
-/// Whether the face lacks a letter of the run; what is drawn in its place says nothing to a reader.
+/// Whether the font lacks a letter of the run and would show an empty box.
 fn lacks_a_letter(run: PlacedRun<'_>) -> bool {
     let mut lacks = false;
     run.glyphs(|glyph, _, _| lacks |= glyph == 0);
@@ -96,7 +97,7 @@ fn space_before(run: PlacedRun<'_>) -> PlacedRun<'_> {
     space
 }
 
-/// The outlines of all letters of a text; none for one without ink.
+/// The outlines of all letters of a text; `None` where there is nothing to draw.
 pub(super) fn outlines(text: &PlacedText) -> Option<Path> {
     let mut path = PathBuilder::new();
     text.runs().for_each(|run| outline(&mut path, run));

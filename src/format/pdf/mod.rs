@@ -16,7 +16,7 @@ use letters::Fonts;
 
 /// Points of PDF in a millimetre.
 const POINTS: f64 = 72.0 / 25.4;
-/// Most millimetres on a side: what PDF readers take.
+/// Longest side of a page that PDF readers accept, in mm.
 const MOST_MM: f64 = 14_400.0 / POINTS;
 
 /// Why a drawing could not be written as PDF.
@@ -30,22 +30,25 @@ pub enum PdfError {
         /// Height in mm.
         height: f64,
     },
-    /// The writer of PDF refuses it.
+    /// The PDF library refuses the drawing.
     #[error("the drawing cannot be written as PDF: {0}")]
     Writing(String),
 }
 
 impl Drawing {
-    /// The bytes of a PDF file of one page, as large as the sheet, in lines and letters, with those letters of the bundled fonts that it uses.
+    /// The bytes of a PDF file of one page, as large as the sheet, in lines and letters; the letters used of the
+    /// bundled fonts are embedded.
     ///
-    /// Texts can be searched and copied. Title, language and, for readers who cannot see it, the description are written in; no date, so that the
-    /// same drawing gives the same bytes. A letter that the bundled font lacks is an empty box and still found. Marks whose numbers are not
-    /// finite are left out.
+    /// Texts can be searched and copied. Title, language and, for readers who cannot see the figure, its description
+    /// are metadata; there is no date, so that the same drawing gives the same bytes. A letter that the bundled font
+    /// lacks is an empty box, but search finds it. Marks whose numbers are not finite are left out.
     pub fn pdf(&self) -> Result<Vec<u8>, PdfError> {
         let (width, height) = (self.width, self.height);
         let fits = |side: f64| side > 0.0 && side <= MOST_MM;
+        if !(fits(width) && fits(height)) {
+            return Err(PdfError::Size { width, height });
+        }
         let page = PageSettings::from_wh((width * POINTS) as f32, (height * POINTS) as f32);
-        let page = page.filter(|_| fits(width) && fits(height));
         let page = page.ok_or(PdfError::Size { width, height })?;
 
         let fonts = Fonts::new();
@@ -65,7 +68,7 @@ impl Drawing {
             draw_path(&mut surface, paths::chain(&corners, true));
             surface.end_tagged();
         }
-        // Stretches of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
+        // Consecutive marks of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
         for marks in marks.chunk_by(|a, b| a.0.pen == b.0.pen && is_text(a.0) == is_text(b.0)) {
             for (mark, _) in marks.iter().filter(|mark| mark.1) {
                 surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
@@ -101,22 +104,22 @@ fn is_text(mark: &Mark) -> bool {
     matches!(mark.shape, Shape::Text(_))
 }
 
-/// One mark that is not a text, in the look of its pen.
+/// Draws a shape that is not a text, in the look of its pen.
 fn draw(surface: &mut Surface<'_>, look: &Look, shape: &Shape) {
     match shape {
-        // Texts are written by themselves.
+        // `Fonts::write` writes texts.
         Shape::Text(_) => {}
         Shape::Arrow { .. } | Shape::ArcArrow { .. } => {
             if let Some(shaft) = shape.shaft() {
                 draw(surface, look, &shaft);
             }
             if let Some(head) = shape.head() {
-                // Without stroke, so that the tip is where the vector ends.
+                // Without a stroke, which would move the tip beyond the vector's end.
                 pens(surface, None, Some(fill(look.stroke.unwrap_or(look.ink))));
                 draw_path(surface, paths::chain(&head, true));
             }
         }
-        // An open line stays clear inside whatever its pen does to areas.
+        // An open line is never filled, even with a pen that fills areas.
         Shape::Line(..) | Shape::Polyline(_) | Shape::Arc { .. } => {
             pens(surface, stroke(look), None);
             draw_path(surface, paths::path(shape));
@@ -128,7 +131,8 @@ fn draw(surface: &mut Surface<'_>, look: &Look, shape: &Shape) {
     }
 }
 
-/// The line in the background's colour around the letters of a text, as outlines, so that the letters are found once only.
+/// Draws the line in the background's colour around the letters of a text; as outlines, so that a search finds the
+/// letters only once.
 fn halo(surface: &mut Surface<'_>, background: Colour, look: &Look, shape: &Shape) {
     let Shape::Text(text) = shape else { return };
     let around = Look { stroke: Some(background), width: look.halo, dash: Dash::new(), ..look.clone() };
@@ -136,11 +140,11 @@ fn halo(surface: &mut Surface<'_>, background: Colour, look: &Look, shape: &Shap
     draw_path(surface, letters::outlines(text));
 }
 
-/// Draws a path; one that has nothing to draw is none.
+/// Draws a path, if there is one.
 fn draw_path(surface: &mut Surface<'_>, path: Option<krilla::geom::Path>) {
-    // Without fill and stroke the writer would take black.
-    let invisible = surface.get_fill().is_none() && surface.get_stroke().is_none();
-    if let Some(path) = path.filter(|_| !invisible) {
+    // Without fill and stroke krilla would fill with black.
+    let is_visible = surface.get_fill().is_some() || surface.get_stroke().is_some();
+    if is_visible && let Some(path) = path {
         surface.draw_path(&path);
     }
 }
@@ -158,7 +162,7 @@ fn fill(colour: Colour) -> Fill {
     Fill { paint: paint(colour), opacity: NormalizedF32::ONE, rule: FillRule::NonZero }
 }
 
-/// The line of a look; none for areas without outline.
+/// The stroke of a look; `None` for areas without outline.
 fn stroke(look: &Look) -> Option<Stroke> {
     let dash = StrokeDash { array: look.dash.iter().map(|&length| length as f32).collect(), offset: 0.0 };
     Some(Stroke {

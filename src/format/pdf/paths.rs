@@ -4,12 +4,12 @@ use krilla::geom::{Path, PathBuilder};
 
 use crate::drawing::{Outline, OutlinePart, Point, Shape};
 
-/// A length in mm, rounded to a micrometre: short texts, the same on every platform.
+/// A length in mm, rounded to a micrometre, so that the file is short and the same on every platform.
 pub(super) fn length(mm: f64) -> f32 {
     ((mm * 1000.0).round() / 1000.0) as f32
 }
 
-/// A shape of one line; none for a text, for an arrow, and where there is nothing to draw.
+/// A shape as a path; `None` for a text, for an arrow, and where there is nothing to draw.
 pub(super) fn path(shape: &Shape) -> Option<Path> {
     match *shape {
         Shape::Line(from, to) => chain(&[from, to], false),
@@ -30,7 +30,7 @@ pub(super) fn path(shape: &Shape) -> Option<Path> {
     }
 }
 
-/// Straight lines through points; none without points.
+/// Straight lines through points; `None` without points.
 pub(super) fn chain(points: &[Point], closed: bool) -> Option<Path> {
     let (&first, rest) = points.split_first()?;
     let mut path = PathBuilder::new();
@@ -44,12 +44,13 @@ pub(super) fn chain(points: &[Point], closed: bool) -> Option<Path> {
     path.finish()
 }
 
-/// Draws part of a circle in cubic curves, each over a quarter at most: off the circle by less than 0.03 % of its radius.
+/// Draws part of a circle in cubic curves of at most a quarter turn each: they leave the circle by less than 0.03 % of
+/// its radius.
 fn arc(path: &mut PathBuilder, center: Point, radius: f64, start: f64, sweep: f64) {
     let sweep = sweep.clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
     let parts = (sweep.abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
     let step = sweep / parts;
-    // Handles of this length make the curve's middle lie on the circle.
+    // With this distance of the control points the curve's middle lies on the circle.
     let handle = 4.0 / 3.0 * libm::tan(0.25 * step) * radius;
     let on = |angle: f64, aside: f64| {
         let (sin, cos) = (libm::sin(angle), libm::cos(angle));
@@ -64,7 +65,7 @@ fn arc(path: &mut PathBuilder, center: Point, radius: f64, start: f64, sweep: f6
     }
 }
 
-/// Draws an outline given in em at a size in mm.
+/// Draws the outline of a glyph; it is in em, `origin` and `size` are in mm.
 pub(super) fn outline(path: &mut PathBuilder, glyph: &Outline, origin: Point, size: f64) {
     let at = |point: Point| {
         let place = origin + point.to_vec2() * size;

@@ -2,8 +2,8 @@ use resvg::usvg::fontdb::{Database, Source};
 use resvg::usvg::{self, Group, Node, Options, Paint, Tree};
 use std::sync::Arc;
 
-/// The box around the ink of all marks but the white ones, in mm of the sheet: left, top, right,
-/// bottom. Another program's letters are the judge of our own.
+/// The box around all marks but the white ones, in mm of the sheet: left, top, right, bottom; texts as resvg sets them,
+/// to test our own measuring.
 pub(crate) fn ink_in(svg: &str) -> [f64; 4] {
     fn gather(group: &Group, ink: &mut [f64; 4]) {
         for node in group.children() {

@@ -1,4 +1,4 @@
-//! Marks in layers by the step with which they come.
+//! Marks in layers by the step that draws them.
 
 use super::{Drawn, Text, attribute, clean, drawn, escape, write_marks};
 use crate::drawing::{Drawing, Mark, Pen};
@@ -6,17 +6,17 @@ use std::fmt::Write;
 
 /// Marks that come and go together.
 pub(in crate::format) struct Layer {
-    /// The step with which they come, from 1; 0 for what stands from the start.
+    /// The step that draws them, from 1; 0 for marks that are there from the start.
     pub step: u16,
-    /// Whether they are there in that step alone.
+    /// Whether they are shown in that step only.
     pub passing: bool,
-    /// Whether all that is not so lies above them: areas and helping lines.
+    /// Whether they lie below all marks of other layers: areas and construction lines.
     pub below: bool,
-    /// The marks, a line each.
+    /// The marks as SVG, one per line.
     pub svg: String,
 }
 
-/// The layers in the order in which they lie above each other, those without marks left out.
+/// The layers from the lowest to the highest, without empty ones.
 pub(in crate::format) fn layers(drawing: &Drawing, text: Text) -> Vec<Layer> {
     let all = drawn(drawing);
     let last = drawing.marks.iter().map(|mark| mark.since).max();
@@ -38,7 +38,7 @@ pub(in crate::format) fn layers(drawing: &Drawing, text: Text) -> Vec<Layer> {
     layers
 }
 
-/// A group for each layer, but for passing ones.
+/// The marks with a group for each layer; passing layers are left out.
 pub(super) fn groups(drawing: &Drawing, text: Text) -> String {
     let digits = drawing.steps.len().to_string().len().max(2);
     let mut written = String::new();

@@ -17,15 +17,14 @@ use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Shape};
 pub(super) use layers::layers;
 use shapes::{write_path, write_shape};
 
-/// How texts stand in an SVG file.
+/// How texts are written in an SVG file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Text {
-    /// As letters: small, searchable, and to be edited; drawn with the bundled font where it is
-    /// installed and with a like one elsewhere.
+    /// As letters: small, searchable and editable; shown in the bundled font where it is installed, else in a similar
+    /// one.
     #[default]
     Letters,
-    /// As the outlines of the bundled font's letters: the same to the last curve in every program,
-    /// whatever fonts it has.
+    /// As the outlines of the bundled font's letters: exactly the same in every program, whatever fonts it has.
     Outlines,
 }
 
@@ -38,26 +37,25 @@ impl Drawing {
     }
 }
 
-/// The drawing as the text of an SVG file: true to scale in mm, one group for each stretch of marks
-/// of one pen.
+/// The drawing as the text of an SVG file: true to scale in mm, one group for consecutive marks of one pen.
 ///
-/// Looks are attributes of groups, because some programs ignore style sheets. Texts as letters name
-/// the bundled font first and are set run by run at measured places, so that they stand the same
-/// wherever that font is, and nearly so where it is not. Marks whose numbers are not finite are
-/// left out.
+/// Looks are attributes of groups, because some programs ignore style sheets. Texts as letters name the bundled font
+/// first and are set run by run at measured places, so that they look the same wherever that font is installed, and
+/// nearly so elsewhere. Marks whose numbers are not finite are left out.
 pub fn svg_with(drawing: &Drawing, text: Text) -> String {
     document(drawing, text, body(drawing, text))
 }
 
-/// The same with a group for each step of the construction, `step-01` and so on, around all that comes with it; its title says what
-/// is done. What must lie below earlier marks, areas and cut lines, is in a second group `step-01-under`.
+/// As [`svg_with`], with a group for each step of the construction, `step-01` and so on, around the marks that it
+/// draws; the group's title is the step's caption. Marks that must lie below earlier ones (areas, cut lines) are in a
+/// second group `step-01-under`.
 ///
 /// With all groups shown the file looks like the finished figure.
 pub fn layered_svg(drawing: &Drawing, text: Text) -> String {
     document(drawing, text, layers::groups(drawing, text))
 }
 
-/// A whole file around the marks.
+/// A complete file around the marks.
 fn document(drawing: &Drawing, text: Text, marks: String) -> String {
     let (width, height) = (number(drawing.width), number(drawing.height));
     let mut root = element(
@@ -92,14 +90,12 @@ fn document(drawing: &Drawing, text: Text, marks: String) -> String {
 /// A mark, and whether it is a text that needs its halo.
 type Drawn<'a> = (&'a Mark, bool);
 
-/// All marks that can be drawn.
+/// All marks whose numbers are finite.
 fn drawn(drawing: &Drawing) -> Vec<Drawn<'_>> {
-    let marks = drawing.marks.iter().zip(drawing.halos());
-    marks.filter(|(mark, _)| mark.shape.is_finite()).collect()
+    drawing.marks.iter().zip(drawing.halos()).filter(|(mark, _)| mark.shape.is_finite()).collect()
 }
 
-/// All marks, written straight into one string: an element of the tree for each would take many
-/// times as long.
+/// All marks, written straight into one string: building an `Element` for each would take many times as long.
 fn body(drawing: &Drawing, text: Text) -> String {
     let drawn = drawn(drawing);
     let each = if text == Text::Letters { 160 } else { 600 };
@@ -109,7 +105,7 @@ fn body(drawing: &Drawing, text: Text) -> String {
     written
 }
 
-/// Marks in drawing order, a group for each stretch of marks that look alike.
+/// Writes marks in drawing order, with a group for consecutive marks that look alike.
 fn write_marks(written: &mut String, drawing: &Drawing, text: Text, marks: &[Drawn<'_>]) {
     let alike = |(a, _): &Drawn<'_>, (b, _): &Drawn<'_>| {
         let of = |mark: &Mark| (mark.pen, mark.emphasis, is_text(mark));
@@ -131,14 +127,14 @@ fn write_marks(written: &mut String, drawing: &Drawing, text: Text, marks: &[Dra
     }
 }
 
-/// The bundled font, then faces of much the same width where it is not installed.
+/// The bundled font, then fonts of about the same width for where it is not installed.
 pub(super) const FONTS: &str = "Libertinus Serif, Cambria, Times New Roman, serif";
 
 fn is_text(mark: &Mark) -> bool {
     matches!(mark.shape, Shape::Text(_))
 }
 
-/// Starts the group of marks that are not texts.
+/// Opens a group of marks that are not texts.
 fn open_line_group(written: &mut String, look: &Look) {
     written.push_str("<g");
     if let Some(stroke) = look.stroke {
@@ -159,9 +155,9 @@ fn open_line_group(written: &mut String, look: &Look) {
     written.push('>');
 }
 
-/// Texts of one pen, those with a halo (marked true) twice: outlined in the background's colour first. The attribute
-/// that would put a stroke behind its letters is not understood everywhere. All halos come before
-/// all letters, so that none covers a neighbour.
+/// Writes texts of one pen; those with a halo (marked true) twice, first outlined in the background's colour, because
+/// not every program knows the attribute `paint-order` that puts a stroke behind its letters. All halos come before all
+/// letters, so that none covers a neighbour.
 fn write_texts(written: &mut String, text: Text, look: &Look, background: Colour, marks: &[Drawn<'_>]) {
     if marks.iter().any(|mark| mark.1) {
         written.push_str("<g");
@@ -194,7 +190,7 @@ fn write_texts(written: &mut String, text: Text, look: &Look, background: Colour
     written.push_str("\n</g>\n");
 }
 
-/// One text on a line of its own.
+/// Writes a text on a line of its own.
 fn write_label(written: &mut String, text: Text, mark: &Mark, id: Option<&str>) {
     if let Shape::Text(placed) = &mark.shape {
         written.push('\n');
@@ -207,7 +203,7 @@ fn write_label(written: &mut String, text: Text, mark: &Mark, id: Option<&str>) 
 
 fn write_id(written: &mut String, id: Option<&str>) {
     let Some(id) = id else { return };
-    // Names are nearly always plain already.
+    // Nearly all names need no escaping.
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
     if id.bytes().all(plain) {
         attribute(written, "id", id);
@@ -224,7 +220,7 @@ fn length(written: &mut String, name: &str, value: f64) {
     written.push('"');
 }
 
-/// One text as one path, in hundredths of a mm.
+/// Writes a text as one path, in hundredths of a mm.
 fn write_outline(written: &mut String, text: &PlacedText, id: Option<&str>) {
     write_path(written, id, "", |data| {
         let mut tracer = Tracer::new(data);
@@ -234,8 +230,8 @@ fn write_outline(written: &mut String, text: &PlacedText, id: Option<&str>) {
     });
 }
 
-/// One text: each run at its own measured place, without white space between the elements, which
-/// would be drawn.
+/// Writes a text as letters: each run at its measured place, without white space between the elements, which would be
+/// visible.
 fn write_text(written: &mut String, text: &PlacedText, id: Option<&str>) {
     let several = text.text.runs().len() > 1;
     written.push_str("<text");
@@ -280,14 +276,14 @@ fn element<const N: usize>(name: &str, attributes: [(&str, String); N]) -> Eleme
     element
 }
 
-/// An element around text from outside.
+/// An element around a user's text.
 fn text_element(name: &str, content: &str) -> Element {
     let mut element = Element::new(name);
     element.append(TextNode::new(clean(content)));
     element
 }
 
-/// The text without the characters that XML cannot hold.
+/// The text without the characters that XML does not allow.
 pub(super) fn clean(text: &str) -> String {
     text.chars()
         .filter_map(|letter| match letter {

@@ -4,9 +4,9 @@ use super::super::number::{number, push_number};
 use super::{length, write_id};
 use crate::drawing::{Look, Point, Shape};
 
-/// One shape in the group of its pen.
+/// Writes a shape that is not a text, in the group of its pen.
 pub(super) fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: Option<&str>) {
-    // An open line stays clear inside whatever its pen does to areas.
+    // An open line is never filled, even with a pen that fills areas.
     let open = if look.fill.is_some() { " fill=\"none\"" } else { "" };
     match shape {
         Shape::Line(from, to) => write_path(written, id, "", |data| chain(data, &[*from, *to], false)),
@@ -24,7 +24,7 @@ pub(super) fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: 
             write_path(written, id, open, |data| arc(data, *center, *radius, *start, *sweep));
         }
         Shape::Arrow { .. } | Shape::ArcArrow { .. } => {
-            // Shaft and head, together under one name.
+            // Shaft and head in one group with the mark's name.
             written.push_str("<g");
             write_id(written, id);
             written.push('>');
@@ -32,14 +32,14 @@ pub(super) fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: 
                 write_shape(written, look, &shaft, None);
             }
             if let Some(head) = shape.head() {
-                // Without stroke, so that the tip is where the vector ends.
+                // Without a stroke, which would move the tip beyond the vector's end.
                 let ink = look.stroke.unwrap_or(look.ink);
                 let ink = format!(" fill=\"{ink}\" stroke=\"none\"");
                 write_path(written, None, &ink, |data| chain(data, &head, true));
             }
             written.push_str("</g>");
         }
-        // Texts are written by themselves, in groups of their own.
+        // `write_texts` writes texts, in groups of their own.
         Shape::Text(_) => {}
     }
 }
@@ -66,8 +66,8 @@ fn chain(data: &mut String, points: &[Point], closed: bool) {
 
 /// Path data of part of a circle.
 fn arc(data: &mut String, center: Point, radius: f64, start: f64, sweep: f64) {
-    // One arc command cannot say a full turn, and is badly conditioned near one and near a half:
-    // thirds of a turn are safe.
+    // One arc command cannot draw a full turn, and is badly conditioned near a full and near a half turn; thirds are
+    // safe.
     let sweep = sweep.clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
     let parts = (sweep.abs() / 2.1).ceil().max(1.0);
     let at = |angle: f64| Point::new(center.x + radius * libm::cos(angle), center.y + radius * libm::sin(angle));

@@ -13,10 +13,12 @@ use style::{Used, name, write_colour, write_style};
 impl Drawing {
     /// The drawing as the text of a LaTeX file: a TikZ picture, true to scale in mm.
     ///
-    /// The file compiles by itself and can be read with `\input` into a document that loads the package `tikz`; then only the picture is taken.
-    /// Colours and styles have names, one for each pen, and keep to what the document has set before. Texts are LaTeX text and formulas in the
-    /// document's own fonts; each keeps its left end, middle or right end, because those fonts are not the measured one. A text with a letter that plain LaTeX lacks is drawn by the outlines of the bundled font. Marks whose numbers are not finite,
-    /// or beyond what TeX counts to, are left out.
+    /// The file compiles by itself; a document that loads the package `tikz` can read it with `\input` and gets the
+    /// picture alone. Colours and styles have names, one for each pen; definitions that the document makes before take
+    /// precedence. Texts are LaTeX text and formulas in the document's own fonts; each keeps the place of its left end,
+    /// middle or right end, because those fonts are not the measured one. A text with a letter that plain LaTeX lacks
+    /// is drawn by the outlines of the bundled font. Marks whose numbers are not finite, or too large for TeX, are left
+    /// out.
     pub fn tikz(&self) -> String {
         let marks = self.marks.iter().zip(self.halos());
         let marks: Vec<(&Mark, bool)> = marks.filter(|(mark, _)| fits(&mark.shape)).collect();
@@ -40,7 +42,7 @@ impl Drawing {
         if background != Colour::new(0xffffff) {
             let _ = writeln!(file, "\\fill[kinegon-background] (0,0) rectangle ({width},{height});");
         }
-        // Stretches of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
+        // Consecutive marks of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
         for marks in marks.chunk_by(|a, b| a.0.pen == b.0.pen) {
             for (mark, _) in marks.iter().filter(|mark| mark.1) {
                 write_mark(&mut file, self, mark, true);
@@ -54,14 +56,15 @@ impl Drawing {
     }
 }
 
-/// Whether TeX can count as far as a shape reaches: to 5.7 m.
+/// Whether a shape's coordinates are finite and below 5 m: TeX's lengths end at 5.7 m.
 fn fits(shape: &Shape) -> bool {
     let bounds = shape.bounds();
     let sides = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
     shape.is_finite() && sides.iter().all(|side| side.abs() < 5000.0)
 }
 
-/// What stands before the styles: comments, the document around a picture that is compiled by itself, and what all figures share.
+/// The text before the styles: comments, the document around a picture that is compiled by itself, and macros common to
+/// all figures.
 fn head(drawing: &Drawing) -> String {
     let mut head = String::new();
     for text in [&drawing.title, &drawing.description] {
@@ -82,7 +85,7 @@ const ABOUT: &str = r"% A figure of Kinegon, in mm. It compiles by itself; a doc
 % Where a language of babel makes ; or : active: \usetikzlibrary{babel}.
 ";
 
-/// The document of a picture that is compiled by itself; nothing inside another document.
+/// The document around a picture that is compiled by itself; it expands to nothing inside another document.
 const ALONE: &str = r"\expandafter\ifx\csname @twoclasseserror\endcsname\documentclass
   \def\kinegonend{\endinput}%
 \else
@@ -99,11 +102,12 @@ const ALONE: &str = r"\expandafter\ifx\csname @twoclasseserror\endcsname\documen
 \fi
 ";
 
-/// How pens get their styles unless they have them; how texts are set.
+/// Macros that define pens' styles unless the document has, and that set texts.
 ///
-/// Texts are set at 10 pt, which every font has, and scaled. In Computer Modern prose comes out 11 % wider than the drawing measured it in the
-/// bundled font, labels 19 % (over all texts of the starting scenes): so letters are somewhat smaller, and a text that is still wider than
-/// its place is made narrower. None covers what the drawing has kept free.
+/// Texts are set at 10 pt, which every font has, and scaled. In Computer Modern prose is 11 % wider than the drawing
+/// measured it in the bundled font, and labels 19 % (over all texts of the starting scenes). So letters are set
+/// somewhat smaller, and a text that is still too wide is made narrower; no text covers a place that the drawing has
+/// kept free.
 const SHARED: &str = r"\providecommand\kinegonstyle[2]{\pgfkeysifdefined{/tikz/kinegon/#1/.@cmd}{}{\tikzset{kinegon/#1/.style={#2}}}}%
 \providecommand\kinegonscale{0.92}%
 \providecommand\kinegontext[2]{\setbox0\hbox{#2}\pgfmathsetlengthmacro\kinegonwidth{#1*10pt/\kinegonscale}%
@@ -116,16 +120,17 @@ const SHARED: &str = r"\providecommand\kinegonstyle[2]{\pgfkeysifdefined{/tikz/k
   {\node[#2,text=kinegon-background] at ([shift={(\kinegonangle:#1)}]#3) {#4};}}%
 ";
 
-/// By how much a text may be wider than measured before it is made narrower, in em: about the halo of a label, which is kept free.
+/// Excess of a text's width over the measured one up to which it is not made narrower, in em: about the halo of a
+/// label, which is kept free.
 const SLACK: f64 = 0.15;
 
-/// Text in one line of a comment.
+/// A text on one line, for a comment.
 fn comment(text: &str) -> String {
     let plain = |letter: char| if letter.is_control() { ' ' } else { letter };
     text.chars().map(plain).collect()
 }
 
-/// One mark, or the line in the background's colour around the letters of one.
+/// Writes a mark; or, with `halo`, the line in the background's colour around the letters of a text.
 fn write_mark(file: &mut String, drawing: &Drawing, mark: &Mark, halo: bool) {
     let (name, look) = (name(drawing, mark), drawing.look(mark));
     match &mark.shape {
@@ -149,7 +154,7 @@ fn write_mark(file: &mut String, drawing: &Drawing, mark: &Mark, halo: bool) {
 }
 
 fn write_line(file: &mut String, name: &str, look: &Look, shape: &Shape) {
-    // An open line stays clear inside whatever its pen does to areas.
+    // An open line is never filled, even with a pen that fills areas.
     let open = matches!(shape, Shape::Line(..) | Shape::Polyline(_) | Shape::Arc { .. });
     let clear = if open && look.fill.is_some() { ",fill=none" } else { "" };
     let _ = write!(file, "\\path[kinegon/{name}{clear}] ");
@@ -178,7 +183,7 @@ fn write_text(file: &mut String, name: &str, look: &Look, text: &PlacedText, hal
     };
 }
 
-/// A text that LaTeX cannot set.
+/// Writes a text that LaTeX cannot set, as outlines.
 fn write_outlines(file: &mut String, name: &str, look: &Look, text: &PlacedText, halo: bool) {
     let _ = if halo {
         write!(

@@ -3,7 +3,7 @@
 use super::super::number::push_number;
 use crate::drawing::{Outline, OutlinePart, Point, Shape, Vec2};
 
-/// A shape of one line as a path; nothing for a text and for an arrow.
+/// Writes a shape as a path; nothing for a text or an arrow.
 pub(super) fn write_path(file: &mut String, shape: &Shape) {
     match *shape {
         Shape::Line(from, to) => write_chain(file, &[from, to]),
@@ -51,7 +51,7 @@ fn write_point(file: &mut String, point: Point) {
     file.push(')');
 }
 
-/// An outline given in em at a size in mm, each of its closed lines on a line of its own.
+/// Writes the outline of a glyph, one closed curve per line; it is in em, `origin` and `size` are in mm.
 pub(super) fn write_outline(file: &mut String, glyph: &Outline, origin: Point, size: f64) {
     let at = |point: Point| origin + point.to_vec2() * size;
     let mut pen = Point::ORIGIN;
@@ -69,7 +69,7 @@ pub(super) fn write_outline(file: &mut String, glyph: &Outline, origin: Point, s
                 pen = to;
                 continue;
             }
-            // The same curve as a cubic one.
+            // The control points of the same curve as a cubic one.
             OutlinePart::QuadTo(by, to) => [pen.lerp(by, 2.0 / 3.0), to.lerp(by, 2.0 / 3.0), to],
             OutlinePart::CurveTo(first, second, to) => [first, second, to],
             OutlinePart::ClosePath => {

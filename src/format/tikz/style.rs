@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::super::number::number;
 use crate::drawing::{Cap, Colour, Drawing, Emphasis, Look, Mark, Pen, Shape};
 
-/// What a pen draws in a figure.
+/// Whether a pen draws lines and texts in a figure.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Used {
     lines: bool,
@@ -13,7 +13,7 @@ pub(super) struct Used {
 }
 
 impl Used {
-    /// Counts a shape in.
+    /// Notes that the pen draws a shape.
     pub(super) fn count(&mut self, shape: &Shape) {
         match shape {
             Shape::Text(_) => self.texts = true,
@@ -22,18 +22,17 @@ impl Used {
     }
 }
 
-/// Gives a look its colours and its style by name, unless the document has.
+/// Writes the definitions of a look's colours and style, which take effect unless the document has its own.
 pub(super) fn write_style(file: &mut String, name: &str, look: &Look, used: Used) {
     let mut style: Vec<String> = Vec::new();
-    // An area without outline has the colour inside as its only one.
-    let drawn = look.stroke.or(look.fill).filter(|_| used.lines);
-    let main = drawn.unwrap_or(look.ink);
+    // The main colour is that of lines; of an area without outline that of its inside.
+    let main = if used.lines { look.stroke.or(look.fill).unwrap_or(look.ink) } else { look.ink };
     write_colour(file, name, main);
     if used.texts {
-        // Where a pen writes in another colour than it draws in, that colour has a name of its own.
-        let own = used.lines && look.ink != main;
-        let ink = if own { format!("{name}-ink") } else { name.to_owned() };
-        if own {
+        // The colour of texts has a name of its own where it is not that of lines.
+        let is_other = used.lines && look.ink != main;
+        let ink = if is_other { format!("{name}-ink") } else { name.to_owned() };
+        if is_other {
             write_colour(file, &ink, look.ink);
         }
         style.push(format!("text=kinegon-{ink}"));
@@ -45,10 +44,9 @@ pub(super) fn write_style(file: &mut String, name: &str, look: &Look, used: Used
                 style.push("line cap=round".into());
             }
             if !look.dash.is_empty() {
-                let turns = ["on", "off"].into_iter().cycle();
-                let dashes = look.dash.iter().zip(turns);
+                let dashes = look.dash.iter().zip(["on", "off"].into_iter().cycle());
                 let dashes: Vec<String> =
-                    dashes.map(|(length, turn)| format!("{turn} {}mm", number(*length))).collect();
+                    dashes.map(|(length, state)| format!("{state} {}mm", number(*length))).collect();
                 style.push(format!("dash pattern={}", dashes.join(" ")));
             }
         }
@@ -68,8 +66,8 @@ pub(super) fn write_colour(file: &mut String, name: &str, Colour { red, green, b
     let _ = writeln!(file, "\\providecolor{{kinegon-{name}}}{{HTML}}{{{red:02X}{green:02X}{blue:02X}}}%");
 }
 
-/// What a mark's look is called in names of styles and colours: after its pen, with a number where the drawing's style gives links or curves
-/// looks of their own, and with its emphasis.
+/// The name of a mark's look in styles and colours: its pen, a number where the drawing's style gives links or curves
+/// looks of their own, and its emphasis.
 pub(super) fn name(drawing: &Drawing, mark: &Mark) -> String {
     let mut name = pen_name(mark.pen).to_owned();
     let look = |number| drawing.style.look(mark.pen, number);

@@ -1,8 +1,8 @@
-//! Runs of letters as LaTeX: prose as text, slanted letters and scripts as formulas.
+//! Runs of letters as LaTeX: prose as text, italic letters and scripts as formulas.
 
 use crate::drawing::{Run, Script};
 
-/// The text of LaTeX for runs; none where plain LaTeX lacks one of their letters.
+/// Runs as LaTeX; `None` where plain LaTeX lacks one of their letters.
 pub(super) fn latex(runs: &[Run]) -> Option<String> {
     let mut writer = Writer::default();
     for run in runs {
@@ -19,9 +19,9 @@ struct Writer {
     text: String,
     /// The formula that is being written, without its dollar signs.
     formula: Option<String>,
-    /// The scripts that are open.
+    /// The open sub- and superscripts.
     scripts: Vec<Script>,
-    /// For the baseline and every open script, what the last letter there already carries.
+    /// For the baseline and each open script: the scripts that the last letter there already has.
     carried: Vec<Vec<Script>>,
 }
 
@@ -50,7 +50,7 @@ impl Writer {
         self.on_baseline(&run.content)
     }
 
-    /// Upright letters on the baseline: signs and Greek letters join a formula, prose does not.
+    /// Writes upright letters on the baseline: signs and Greek letters in a formula, the rest as text.
     fn on_baseline(&mut self, content: &str) -> Option<()> {
         for letter in content.chars() {
             match (sign(letter), greek(letter)) {
@@ -59,7 +59,7 @@ impl Writer {
                 (None, None) => {
                     self.end_formula();
                     let written = in_text(letter)?;
-                    // Two hyphens or quotes would melt into another sign.
+                    // LaTeX would join two hyphens or quotes into another character.
                     if self.text.ends_with(['-', '\'', '`', '!', '?']) && written.starts_with(['-', '\'', '`']) {
                         self.text.push_str("{}");
                     }
@@ -72,7 +72,7 @@ impl Writer {
 
     fn in_formula(&mut self, run: &Run) -> Option<()> {
         let letters: Vec<char> = run.content.chars().collect();
-        // Long names are words, not products.
+        // A name of more than two letters, or an upright one, is set as a word, not as a product.
         let is_word = letters.len() > 2 || !run.italic;
         for stretch in letters.chunk_by(|a, b| a.is_ascii_alphabetic() && b.is_ascii_alphabetic()) {
             let Some(first) = stretch.first() else {
@@ -94,10 +94,10 @@ impl Writer {
         Some(())
     }
 
-    /// A mathematical sign; on the baseline in braces, so that no space is put around it that the drawing does not have.
+    /// Writes a mathematical sign; on the baseline in braces, so that TeX adds no space around it.
     fn sign(&mut self, sign: &str) {
         if sign.starts_with(['\'', '^']) {
-            // Of superscripts, such as a prime, a letter has one.
+            // A prime or degree sign is a superscript, of which a letter can have only one.
             self.carry(Script::Super);
             self.push(sign);
         } else if self.scripts.is_empty() {
@@ -116,7 +116,7 @@ impl Writer {
         self.scripts.push(script);
     }
 
-    /// Closes scripts down to a depth.
+    /// Closes scripts until `depth` of them are open.
     fn leave(&mut self, depth: usize) {
         while self.scripts.len() > depth {
             self.scripts.pop();
@@ -125,7 +125,8 @@ impl Writer {
         }
     }
 
-    /// Notes a script of the last letter; where it has one already, an empty letter takes it.
+    /// Notes a script of the last letter; where the letter has one of this kind already, an empty group gets the new
+    /// one.
     fn carry(&mut self, script: Script) {
         let depth = self.scripts.len();
         self.carried.resize(depth + 1, Vec::new());
@@ -136,7 +137,7 @@ impl Writer {
         self.carried[depth].push(script);
     }
 
-    /// Puts a letter into the formula, opened if need be.
+    /// Appends a letter to the formula, which is opened if need be.
     fn put(&mut self, written: &str) {
         self.carried.resize(self.scripts.len() + 1, Vec::new());
         self.carried[self.scripts.len()].clear();
@@ -145,7 +146,7 @@ impl Writer {
 
     fn push(&mut self, written: &str) {
         let formula = self.formula.get_or_insert_default();
-        // The name of a sign ends where the next letter starts.
+        // A space ends a command's name before a letter.
         let ends_in_name =
             formula.rsplit_once('\\').is_some_and(|(_, name)| name.chars().all(|c| c.is_ascii_alphabetic()));
         if ends_in_name && written.starts_with(|c: char| c.is_ascii_alphabetic()) {
@@ -168,14 +169,14 @@ impl Writer {
             return;
         };
         self.carried.clear();
-        // A sign alone has no neighbours to keep from.
+        // A sign that is the whole formula needs no braces: TeX adds no space beside it.
         let alone = formula.strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
         let formula = alone.filter(|inner| !inner.contains(['{', '}'])).unwrap_or(&formula);
         self.text.push_str(&format!("${formula}$"));
     }
 }
 
-/// A letter in a formula; none for one that has no name there.
+/// A letter in a formula; `None` for one that LaTeX's formulas lack.
 fn in_formula(letter: char) -> Option<String> {
     Some(match letter {
         'a'..='z' | 'A'..='Z' | '0'..='9' => letter.to_string(),
@@ -189,7 +190,7 @@ fn in_formula(letter: char) -> Option<String> {
     })
 }
 
-/// A letter of prose; none for one that plain LaTeX lacks.
+/// A letter in prose; `None` for one that plain LaTeX lacks.
 fn in_text(letter: char) -> Option<String> {
     Some(match letter {
         '\\' => "\\textbackslash{}".into(),
@@ -200,7 +201,7 @@ fn in_text(letter: char) -> Option<String> {
         '"' => "''".into(),
         '<' | '>' | '|' => format!("${letter}$"),
         ' '..='~' => letter.to_string(),
-        // What the kernel of LaTeX has of UTF-8 in the encoding OT1.
+        // UTF-8 characters that LaTeX's kernel supports in the encoding OT1; the second line lists those it lacks.
         '¡' | '¿' | '§' | '©' | '‘' | '’' | '“' | '”' | '–' | '—' | '…' => letter.to_string(),
         'Ð' | 'ð' | 'Þ' | 'þ' | 'Ą' | 'ą' | 'Đ' | 'đ' | 'Ę' | 'ę' | 'Ħ' | 'ħ' | 'Į' | 'į' | 'ĸ' | 'Ŀ' | 'ŀ' | 'ŉ'
         | 'Ŋ' | 'ŋ' | 'Ŧ' | 'ŧ' | 'Ų' | 'ų' | 'ſ' => return None,
@@ -241,7 +242,7 @@ fn sign(letter: char) -> Option<&'static str> {
     })
 }
 
-/// A Greek letter by its name; capitals that look as Latin ones are Latin.
+/// The command of a Greek letter; letters that look like Latin ones are Latin.
 fn greek(letter: char) -> Option<&'static str> {
     Some(match letter {
         'α' => "\\alpha",
