@@ -153,7 +153,7 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 9] = [
         "curves",
         "templates/whitworth.json",
         "curves scene.json --want \"omega(3), v_r(5/ground), a_r(5/ground)\"",
-        "Quantities over the cycle, with extremes and dead positions.",
+        "Quantities over the cycle, with extremes and dead centres.",
         Kind::Curves(&["omega(3)", "v_r(5/ground)", "a_r(5/ground)"]),
     ),
     (

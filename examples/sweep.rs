@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         println!("{}", numbers.map(|x| format!("{x:>12}")).collect::<String>());
     }
 
-    // Limit and dead positions, to 1e-12 of a turn.
+    // Limit and dead centres, to 1e-12 of a turn.
     for event in path.events() {
         println!("{}", event.text(&path.drive.at(event.at)));
     }

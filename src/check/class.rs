@@ -2,7 +2,7 @@
 
 use super::checked::Checked;
 use super::explanation::Finding;
-use super::marks::{Awarded, Scheme};
+use super::marks::{Awarded, MarkScheme};
 use super::report::sentences;
 use super::verdict::Verdict;
 use crate::scene::schema_of;
@@ -89,7 +89,7 @@ impl ClassRow {
         name: Option<&str>,
         checked: &Checked,
         words: &Wording,
-        scheme: Option<&Scheme>,
+        scheme: Option<&MarkScheme>,
     ) -> ClassRow {
         let count = |verdict| {
             let values = checked.values.iter();

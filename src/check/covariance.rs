@@ -2,7 +2,7 @@
 
 use super::datum::Datum;
 use super::model::{Changes, GROUPS, Model, PLOTTED, TOGETHER};
-use crate::construction::{Change, Tolerance, Values};
+use crate::construction::{Change, NumberId, Tolerance, Values};
 
 /// How good a hand is, and how it computes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -127,17 +127,7 @@ impl Covariances {
             }
             add_outer(&mut covariances.groups[TOGETHER], &column);
         }
-        // People go on with numbers as they write them: those that are read here, and sizes of vectors that are laid off, to the same decimals.
-        let written = data.iter().enumerate().filter_map(|(index, datum)| {
-            let reading = model.readings[datum.entry].ok()?;
-            Some((reading.number, datum.rounding, Some(index)))
-        });
-        let sizes = model.sizes.iter().map(|&(number, sheet)| {
-            let same = data.iter().filter(|d| d.sheet == Some(sheet));
-            let finest = same.map(|d| d.rounding).fold(f64::INFINITY, f64::min);
-            (number, if finest.is_finite() { finest } else { 0.0 }, None)
-        });
-        for (number, rounding, datum) in written.chain(sizes) {
+        for (number, rounding, datum) in written_numbers(model, data) {
             let Some(operation) = model.makers[number.0].filter(|_| model.used[number.0]) else {
                 continue;
             };
@@ -157,4 +147,19 @@ impl Covariances {
         }
         covariances
     }
+}
+
+/// The numbers with which people go on as they write them, with half a unit of their last digit: those that are read, each with its datum, and
+/// the sizes of vectors that are laid off, which are written to the decimals of their sheet.
+fn written_numbers(model: &Model, data: &[Datum]) -> Vec<(NumberId, f64, Option<usize>)> {
+    let read = data.iter().enumerate().filter_map(|(index, datum)| {
+        let reading = model.readings[datum.entry].ok()?;
+        Some((reading.number, datum.rounding, Some(index)))
+    });
+    let sizes = model.sizes.iter().map(|&(number, sheet)| {
+        let same = data.iter().filter(|d| d.sheet == Some(sheet));
+        let finest = same.map(|d| d.rounding).fold(f64::INFINITY, f64::min);
+        (number, if finest.is_finite() { finest } else { 0.0 }, None)
+    });
+    read.chain(sizes).collect()
 }

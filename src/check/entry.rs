@@ -3,7 +3,7 @@ use super::precision::Precision;
 use super::sheet::{CheckError, Given, Measured, Positive};
 use super::unit;
 use crate::construction::Sheet;
-use crate::quantity::{Asked, Quantity, QuantityError, What};
+use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
 use indexmap::IndexMap;
 
 /// A written value and what it stands for.
@@ -117,19 +117,7 @@ pub(super) struct Reader<'a> {
 
 impl Reader<'_> {
     fn entry(&self, given: &Given) -> Result<Entry, CheckError> {
-        // Rust reads the words NaN and infinity as numbers too.
-        let written = given.text.contains(|c: char| c.is_ascii_digit());
-        let number = given.text.parse::<f64>().ok().filter(|_| written);
-        let number = number.ok_or_else(|| {
-            CheckError::new(
-                format!("`{}` is no number", given.text),
-                "write digits with a decimal point, as 61.5; leave blank what you have not measured",
-            )
-        })?;
-        if !(number.is_finite() && number.abs() <= 1e100) {
-            let hint = "is a digit or an exponent wrong?";
-            return Err(CheckError::new(format!("`{}` is too large", given.text), hint));
-        }
+        let number = number(&given.text)?;
         let compact: String = given.name.chars().filter(|c| !c.is_whitespace()).collect();
         let (name, marked) = match compact.strip_suffix("/mu") {
             Some(name) => (name, true),
@@ -141,40 +129,13 @@ impl Reader<'_> {
         let on_paper =
             marked || (self.measured.in_mm && matches!(asked.what(), What::Segment { .. } | What::Length(..)));
         let scales = self.scales();
-        let own = self.measured.mu[sheet as usize];
         if marked && !has_length {
             return Err(CheckError::new(
                 format!("`{name}` is no length on paper, so `/mu` cannot follow it"),
                 format!("write it in {}", kind.unit(self.key.solution.scene.units)),
             ));
         }
-        let factor_without_unit = if on_paper {
-            let mu = ["mu_l", "mu_v", "mu_a"][sheet as usize];
-            own.ok_or_else(|| {
-                CheckError::new(
-                    format!("`{name}` is in millimetres of paper, but your scale {mu} is missing"),
-                    format!(
-                        "add {mu}: how many {} are 1 mm of your {}",
-                        kind.unit(self.key.solution.scene.units),
-                        sheet.name()
-                    ),
-                )
-            })?
-        } else {
-            1.0
-        };
-        let factor = match &given.unit {
-            // Millimetres of paper say what they are.
-            Some(unit) if on_paper && unit.trim() == "mm" => factor_without_unit,
-            Some(unit) if on_paper => {
-                return Err(CheckError::new(
-                    format!("`{name}` is in millimetres of paper, but `{unit}` stands beside it"),
-                    "leave the unit out, or the `/mu`",
-                ));
-            }
-            Some(unit) => unit::factor(unit, kind, self.key.solution.scene.units)?,
-            None => 1.0 * factor_without_unit,
-        };
+        let (factor, factor_without_unit) = self.factors(given, name, kind, on_paper.then_some(sheet))?;
         let turns = asked.turns();
         let flips = turns && self.measured.positive == Some(Positive::Clockwise);
         let factor = if flips { -factor } else { factor };
@@ -196,6 +157,31 @@ impl Reader<'_> {
             expected,
             asked,
         })
+    }
+
+    /// By what a written number is multiplied for the scene's units, and by what without the unit that stands beside it. `paper`: the
+    /// sheet on which it was measured in millimetres, if it was.
+    fn factors(&self, given: &Given, name: &str, kind: Kind, paper: Option<Sheet>) -> Result<(f64, f64), CheckError> {
+        let units = self.key.solution.scene.units;
+        let Some(sheet) = paper else {
+            let factor = given.unit.as_ref().map_or(Ok(1.0), |unit| unit::factor(unit, kind, units))?;
+            return Ok((factor, 1.0));
+        };
+        let scale = self.measured.mu[sheet as usize].ok_or_else(|| {
+            let mu = ["mu_l", "mu_v", "mu_a"][sheet as usize];
+            CheckError::new(
+                format!("`{name}` is in millimetres of paper, but your scale {mu} is missing"),
+                format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(units), sheet.name()),
+            )
+        })?;
+        match &given.unit {
+            // Millimetres of paper say what they are.
+            Some(unit) if unit.trim() != "mm" => Err(CheckError::new(
+                format!("`{name}` is in millimetres of paper, but `{unit}` stands beside it"),
+                "leave the unit out, or the `/mu`",
+            )),
+            _ => Ok((scale, scale)),
+        }
     }
 
     /// The student's own scales, those of the scene's figure where none are given.
@@ -277,4 +263,21 @@ impl Reader<'_> {
             _ => last.unwrap_or(0),
         }
     }
+}
+
+/// The number of a form's cell.
+fn number(text: &str) -> Result<f64, CheckError> {
+    // Rust reads the words NaN and infinity as numbers too.
+    let number = text.parse::<f64>().ok().filter(|_| text.contains(|c: char| c.is_ascii_digit()));
+    let number = number.ok_or_else(|| {
+        CheckError::new(
+            format!("`{text}` is no number"),
+            "write digits with a decimal point, as 61.5; leave blank what you have not measured",
+        )
+    })?;
+    if !(number.is_finite() && number.abs() <= 1e100) {
+        let hint = "is a digit or an exponent wrong?";
+        return Err(CheckError::new(format!("`{text}` is too large"), hint));
+    }
+    Ok(number)
 }

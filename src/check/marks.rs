@@ -78,7 +78,7 @@ impl Marks {
     ///
     /// # Errors
     /// A quantity that the scene does not have, or that stands there twice; marks or parts that are no such numbers; a scheme without any marks.
-    pub fn of(&self, key: &AnswerKey<'_>) -> Result<Scheme, CheckError> {
+    pub fn of(&self, key: &AnswerKey<'_>) -> Result<MarkScheme, CheckError> {
         let part = |key: &str, given: Option<f64>, usual: f64| {
             let part = given.unwrap_or(usual);
             let hint = "write a number from 0 (no marks) to 1 (all marks of the quantity)";
@@ -117,7 +117,7 @@ impl Marks {
                 r#"add "each": 1, or marks for the quantities that count"#,
             ));
         }
-        Ok(Scheme {
+        Ok(MarkScheme {
             worth,
             follow_through: part("follow_through", self.follow_through, 1.0)?,
             missing: part("missing", self.missing, 0.0)?,
@@ -143,7 +143,7 @@ fn usual_name(written: &str, key: &AnswerKey<'_>) -> Result<String, CheckError> 
 
 /// What the quantities of a scene are worth.
 #[derive(Clone, Debug)]
-pub struct Scheme {
+pub struct MarkScheme {
     /// Marks by the quantities' names.
     worth: IndexMap<String, f64>,
     follow_through: f64,
@@ -161,7 +161,7 @@ pub struct Awarded {
     pub follow_through: f64,
 }
 
-impl Scheme {
+impl MarkScheme {
     /// The marks that checked values earn. Values without marks in the scheme earn none.
     #[must_use]
     pub fn award(&self, checked: &Checked) -> Awarded {

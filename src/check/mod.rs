@@ -42,7 +42,7 @@ pub use checked::{BANDS, Checked, check};
 pub use class::{ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
 pub use entry::{Entry, entries};
 pub use explanation::{Diagnosis, Explanation, Finding};
-pub use marks::{Awarded, Marks, Scheme};
+pub use marks::{Awarded, MarkScheme, Marks};
 pub use mistakes::{Candidate, Mistake};
 pub use precision::Precision;
 pub use redrawn::redrawn;

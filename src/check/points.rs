@@ -3,7 +3,7 @@
 use super::entry::{Entry, Reader};
 use super::precision::Precision;
 use super::sheet::{CheckError, PointsOf};
-use crate::construction::Plan;
+use crate::construction::{Plan, PlanKind};
 use crate::geometry::Vector;
 use indexmap::IndexMap;
 
@@ -32,28 +32,17 @@ impl Reader<'_> {
                 if name == own_pole { pole.to_owned() } else { name.to_owned() }
             };
             let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
-            let mut pairs: Vec<(String, String)> = Vec::new();
-            for name in places.keys().filter(|n| *n != pole) {
-                pairs.push((pole.to_owned(), name.clone()));
-            }
-            for a in places.keys().filter(|n| *n != pole) {
-                for b in places.keys().filter(|n| *n != pole) {
-                    if self.order.contains_key(&points.kind.segment_name(a, b)) {
-                        pairs.push((a.clone(), b.clone()));
-                    }
-                }
-            }
-            for (a, b) in pairs {
-                let name = points.kind.segment_name(&a, &b);
+            for (a, b) in self.pairs(points.kind, &places) {
+                let name = points.kind.segment_name(a, b);
                 if entries.iter().any(|e| e.asked.name() == name) {
                     continue;
                 }
-                let (asked, expected, sheet, step) = self.quantity(&name).map_err(|e| e.at(&at(&b)))?;
+                let (asked, expected, sheet, step) = self.quantity(&name).map_err(|e| e.at(&at(b)))?;
                 // Images of points at rest are the pole itself.
                 if expected == 0.0 {
                     continue;
                 }
-                let [p, q] = [&a, &b].map(|n| places[n.as_str()]);
+                let [p, q] = [a, b].map(|n| places[n]);
                 let mm = libm::hypot(q[0] - p[0], q[1] - p[1]);
                 entries.push(Entry {
                     asked,
@@ -75,6 +64,14 @@ impl Reader<'_> {
             }
         }
         Ok(())
+    }
+
+    /// The segments that places give: from the pole to each point, and those between points that a step names.
+    fn pairs<'p>(&self, plan: PlanKind, places: &'p IndexMap<String, [f64; 2]>) -> Vec<(&'p str, &'p str)> {
+        let points = || places.keys().map(String::as_str).filter(|name| *name != plan.pole());
+        let from_pole = points().map(|name| (plan.pole(), name));
+        let between = points().flat_map(|a| points().map(move |b| (a, b)));
+        from_pole.chain(between.filter(|(a, b)| self.order.contains_key(&plan.segment_name(a, b)))).collect()
     }
 }
 

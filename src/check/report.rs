@@ -12,15 +12,15 @@ use crate::words::{Language, Medium, NumberStyle, Wording};
 /// What is said to the student: verdicts in the order of the construction, then what probably happened.
 #[must_use]
 pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String {
-    let page = Page::new(checked, key, words, Medium::Text);
-    let mut lines = vec![page.counts()];
+    let report = ReportText::new(checked, key, words, Medium::Text);
+    let mut lines = vec![report.counts()];
     let tolerance = &key.tolerance;
     let [mm, degrees] = [tolerance.mm, tolerance.degrees].map(|x| words.write(x, NumberStyle::shortest()));
-    lines.push(page.own.check_tolerance(&mm, &degrees));
+    lines.push(report.own.check_tolerance(&mm, &degrees));
     lines.push(String::new());
-    lines.extend(page.table());
+    lines.extend(report.table());
     lines.push(String::new());
-    lines.extend(page.diagnosis());
+    lines.extend(report.diagnosis());
     lines.join("\n") + "\n"
 }
 
@@ -37,7 +37,7 @@ pub(super) struct Told {
 }
 
 /// The sentences about checked values.
-pub(super) struct Page<'a> {
+pub(super) struct ReportText<'a> {
     pub checked: &'a Checked,
     key: &'a AnswerKey<'a>,
     words: &'a Wording,
@@ -45,13 +45,18 @@ pub(super) struct Page<'a> {
     medium: Medium,
 }
 
-impl<'a> Page<'a> {
-    pub(super) fn new(checked: &'a Checked, key: &'a AnswerKey<'a>, words: &'a Wording, medium: Medium) -> Page<'a> {
-        Page { checked, key, words, own: words.language, medium }
+impl<'a> ReportText<'a> {
+    pub(super) fn new(
+        checked: &'a Checked,
+        key: &'a AnswerKey<'a>,
+        words: &'a Wording,
+        medium: Medium,
+    ) -> ReportText<'a> {
+        ReportText { checked, key, words, own: words.language, medium }
     }
 }
 
-impl Page<'_> {
+impl ReportText<'_> {
     /// How many values are right, within the tolerance, off.
     pub(super) fn counts(&self) -> String {
         let count = |verdict| {

@@ -1,11 +1,11 @@
-use super::class::{Class, Form as Report};
+use super::class::{Class, ReportFormat as Report};
 use super::correction::Correction;
 use super::files::{self, Source};
 use super::message::Failure;
 use super::pencil::Hand;
 use super::wording::Words;
 use super::work::{Mode, solve, warn_of};
-use crate::check::{self, AnswerKey, CheckError, Marks, Measured, Scheme};
+use crate::check::{self, AnswerKey, CheckError, MarkScheme, Marks, Measured};
 use crate::construction::Solution;
 use crate::format;
 use crate::motion::Order;
@@ -36,7 +36,7 @@ pub(super) struct Check {
     measured: Option<PathBuf>,
     /// Print an empty form in place of a check: every quantity of the steps, in order.
     #[arg(long, value_name = "FORMAT", num_args = 0..=1, default_missing_value = "json", conflicts_with = "measured")]
-    template: Option<Form>,
+    template: Option<TemplateFormat>,
     /// Print verdicts and diagnosis as JSON.
     #[arg(long)]
     json: bool,
@@ -60,7 +60,7 @@ pub(super) struct Check {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Form {
+enum TemplateFormat {
     Json,
     Csv,
 }
@@ -112,7 +112,7 @@ impl Check {
         folder: &Path,
         solution: &Solution,
         key: &AnswerKey<'_>,
-        scheme: Option<&Scheme>,
+        scheme: Option<&MarkScheme>,
     ) -> Result<(), Failure> {
         let output = self.output.as_deref().unwrap_or(Path::new("-"));
         for (what, input) in [("scene", Some(&self.scene)), ("marking scheme", self.marks.as_ref())] {
@@ -133,7 +133,7 @@ impl Check {
     }
 
     /// The marks of the scene's quantities, where a marking scheme is given.
-    fn scheme(&self, key: &AnswerKey<'_>) -> Result<Option<Scheme>, Failure> {
+    fn scheme(&self, key: &AnswerKey<'_>) -> Result<Option<MarkScheme>, Failure> {
         let Some(path) = &self.marks else {
             return Ok(None);
         };
@@ -146,9 +146,9 @@ impl Check {
 
     fn print_template(&self, solution: &Solution) -> Result<(), Failure> {
         let scales = solution.scales();
-        let text = match self.template.unwrap_or(Form::Json) {
-            Form::Json => check::template_json(&solution.construction, &scales),
-            Form::Csv => check::template_csv(&solution.construction, &scales),
+        let text = match self.template.unwrap_or(TemplateFormat::Json) {
+            TemplateFormat::Json => check::template_json(&solution.construction, &scales),
+            TemplateFormat::Csv => check::template_csv(&solution.construction, &scales),
         };
         files::print(text.as_bytes())
     }

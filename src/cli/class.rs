@@ -4,7 +4,7 @@ use super::check::read;
 use super::files;
 use super::message::{Failure, note};
 use super::pieces::{Out, Pieces};
-use crate::check::{self, AnswerKey, ClassRow, ClassSummary, Scheme};
+use crate::check::{self, AnswerKey, ClassRow, ClassSummary, MarkScheme};
 use crate::words::Wording;
 use std::ffi::OsStr;
 use std::fs;
@@ -18,31 +18,31 @@ pub(super) struct Class<'a> {
     pub others: [Option<&'a Path>; 2],
     pub key: &'a AnswerKey<'a>,
     pub words: &'a Wording,
-    pub scheme: Option<&'a Scheme>,
-    pub form: Form,
+    pub scheme: Option<&'a MarkScheme>,
+    pub form: ReportFormat,
     /// File for the report, or `-` for stdout.
     pub output: &'a Path,
 }
 
 /// The form of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum ReportFormat {
     Csv,
     Json,
     Jsonl,
 }
 
-impl Form {
+impl ReportFormat {
     /// That of a file's ending; on stdout JSON where it is asked for, else a table.
-    pub(super) fn of(output: &Path, as_json: bool) -> Result<Form, Failure> {
+    pub(super) fn of(output: &Path, as_json: bool) -> Result<ReportFormat, Failure> {
         if output == Path::new("-") {
-            return Ok(if as_json { Form::Json } else { Form::Csv });
+            return Ok(if as_json { ReportFormat::Json } else { ReportFormat::Csv });
         }
         let ending = output.extension().unwrap_or_default().to_string_lossy();
         let form = match ending.as_ref() {
-            "csv" => Form::Csv,
-            "json" => Form::Json,
-            "jsonl" | "ndjson" => Form::Jsonl,
+            "csv" => ReportFormat::Csv,
+            "json" => ReportFormat::Json,
+            "jsonl" | "ndjson" => ReportFormat::Jsonl,
             other => {
                 return Err(Failure::Misuse(
                     format!("no form of report for files ending in `.{other}`"),
@@ -50,7 +50,7 @@ impl Form {
                 ));
             }
         };
-        if as_json && form == Form::Csv {
+        if as_json && form == ReportFormat::Csv {
             return Err(Failure::Misuse(
                 "--json and a report that ends in `.csv` do not go together".into(),
                 Some("leave out --json, or name a file that ends in `.json`".into()),
@@ -68,9 +68,9 @@ impl Class<'_> {
         let mut out = Out::new(self.output)?;
         let (mut summary, mut is_wanted) = (ClassSummary::default(), true);
         is_wanted &= match self.form {
-            Form::Csv => out.put(&ClassRow::csv_head(self.scheme.is_some()))?,
-            Form::Json => out.put("{\n  \"kinegon_class\": 1,\n  \"rows\": [")?,
-            Form::Jsonl => true,
+            ReportFormat::Csv => out.put(&ClassRow::csv_head(self.scheme.is_some()))?,
+            ReportFormat::Json => out.put("{\n  \"kinegon_class\": 1,\n  \"rows\": [")?,
+            ReportFormat::Jsonl => true,
         };
         let all = Pieces { count: forms.len(), size: 1, ahead: 32, unit: (forms.len() > 20).then_some("files") };
         all.each(
@@ -84,7 +84,7 @@ impl Class<'_> {
             },
         )?;
         let summary = summary.finished();
-        if self.form == Form::Json && is_wanted {
+        if self.form == ReportFormat::Json && is_wanted {
             let summary = serde_json::to_string(&summary).expect("text keys");
             out.put(&format!("\n  ],\n  \"summary\": {summary}\n}}\n"))?;
         }
@@ -101,10 +101,10 @@ impl Class<'_> {
     fn written(&self, row: &ClassRow, is_first: bool) -> String {
         let json = || serde_json::to_string(row).expect("a row has text keys");
         match self.form {
-            Form::Csv => row.csv(self.scheme.is_some()),
-            Form::Json if is_first => format!("\n    {}", json()),
-            Form::Json => format!(",\n    {}", json()),
-            Form::Jsonl => format!("{}\n", json()),
+            ReportFormat::Csv => row.csv(self.scheme.is_some()),
+            ReportFormat::Json if is_first => format!("\n    {}", json()),
+            ReportFormat::Json => format!(",\n    {}", json()),
+            ReportFormat::Jsonl => format!("{}\n", json()),
         }
     }
 

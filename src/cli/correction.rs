@@ -1,4 +1,4 @@
-use super::figures::{Figures, Forms, stem};
+use super::figures::{FigureOptions, Figures, stem};
 use super::message::{Failure, warn};
 use super::paper::{GivenScales, Paper};
 use crate::check::{self, AnswerKey, Checked, Measured};
@@ -15,7 +15,7 @@ pub(super) struct Correction {
     #[arg(long, value_name = "FOLDER|FILE")]
     draw: Option<PathBuf>,
     #[command(flatten)]
-    forms: Forms,
+    forms: FigureOptions,
     #[command(flatten)]
     paper: Paper,
     #[command(flatten)]

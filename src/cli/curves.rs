@@ -9,7 +9,7 @@ use clap::Args;
 
 /// Draw quantities over the motion while a drive moves, along the branch of the scene's own position.
 ///
-/// Greatest and least values, dead positions and limits are marked; a quantity that is a vector is drawn as its size, or `.x` and `.y`.
+/// Greatest and least values, dead centres and limits are marked; a quantity that is a vector is drawn as its size, or `.x` and `.y`.
 /// The figure keeps what can be reached; where the range goes beyond a limit position, that is said and the exit code is 1.
 #[derive(Debug, Args)]
 pub(super) struct CurvesCommand {

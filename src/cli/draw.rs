@@ -5,9 +5,9 @@ use super::paper::{GivenScales, Paper};
 use super::wording::Words;
 use super::work::{Mode, solve, warn_of};
 use crate::construction::Solution;
-use crate::cycle::{Drive, Film};
+use crate::cycle::{Animation, Drive};
 use crate::drawing::{Drawing, frames};
-use crate::format::{Page, html};
+use crate::format::{WebPage, html};
 use crate::motion::Order;
 use crate::scene::{Figure, Panel, Scene};
 use crate::words::{Medium, NumberStyle, Wording};
@@ -99,21 +99,21 @@ impl Draw {
     /// The page of a scene: its figure with all steps, in all positions of the drive.
     fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
         let words = solution.wording();
-        let film = Film::new(solution, self.drive.as_deref(), self.positions.into());
-        let film = film.map_err(|error| Failure::Scene(source.clone(), Box::new(error.into())))?;
+        let animation = Animation::new(solution, self.drive.as_deref(), self.positions.into());
+        let animation = animation.map_err(|error| Failure::Scene(source.clone(), Box::new(error.into())))?;
         let value = |value: &f64| {
-            let drive = film.drive.as_ref();
+            let drive = animation.drive.as_ref();
             drive.map_or_else(String::new, |drive| shown(drive, *value, &words))
         };
-        let values: Vec<String> = film.values.iter().map(value).collect();
-        let quantity = film.drive.as_ref().map(Drive::quantity);
-        let mut frames = frames(&film.positions, film.own);
+        let values: Vec<String> = animation.values.iter().map(value).collect();
+        let quantity = animation.drive.as_ref().map(Drive::quantity);
+        let mut frames = frames(&animation.positions, animation.own);
         self.figures.dress(&mut frames)?;
-        Ok(html(&Page {
+        Ok(html(&WebPage {
             frames: &frames,
             values: &values,
-            own: film.own,
-            is_round: film.is_round,
+            own: animation.own,
+            is_round: animation.is_round,
             quantity: &quantity.unwrap_or_default(),
             language: words.language,
         }))

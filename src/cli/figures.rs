@@ -13,15 +13,15 @@ pub(super) struct Figures {
     #[arg(short, long, default_value = "out/")]
     output: PathBuf,
     #[command(flatten)]
-    forms: Forms,
+    forms: FigureOptions,
 }
 
 /// In which forms figures are written.
 #[derive(Clone, Debug, Args)]
-pub(super) struct Forms {
+pub(super) struct FigureOptions {
     /// Formats to write into a folder; on stdout the one that is given, or SVG.
-    #[arg(long, value_delimiter = ',', value_enum, default_values_t = Form::usual())]
-    format: Vec<Form>,
+    #[arg(long, value_delimiter = ',', value_enum, default_values_t = FigureFormat::usual())]
+    format: Vec<FigureFormat>,
     /// Write the letters of SVG as outlines, for programs that lack the font.
     #[arg(long)]
     outlines: bool,
@@ -33,7 +33,7 @@ pub(super) struct Forms {
     dpi: f64,
 }
 
-impl Forms {
+impl FigureOptions {
     /// Whether a style is asked for.
     pub(super) fn has_style(&self) -> bool {
         self.style.is_some()
@@ -41,7 +41,7 @@ impl Forms {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Form {
+enum FigureFormat {
     Svg,
     #[cfg(feature = "pdf")]
     Pdf,
@@ -52,25 +52,25 @@ enum Form {
     Html,
 }
 
-impl Form {
+impl FigureFormat {
     /// What is written where nothing else is asked for.
-    fn usual() -> Vec<Form> {
+    fn usual() -> Vec<FigureFormat> {
         vec![
-            Form::Svg,
+            FigureFormat::Svg,
             #[cfg(feature = "png")]
-            Form::Png,
+            FigureFormat::Png,
         ]
     }
 
     fn ending(self) -> &'static str {
         match self {
-            Form::Svg => "svg",
+            FigureFormat::Svg => "svg",
             #[cfg(feature = "pdf")]
-            Form::Pdf => "pdf",
-            Form::Tikz => "tex",
+            FigureFormat::Pdf => "pdf",
+            FigureFormat::Tikz => "tex",
             #[cfg(feature = "png")]
-            Form::Png => "png",
-            Form::Html => "html",
+            FigureFormat::Png => "png",
+            FigureFormat::Html => "html",
         }
     }
 }
@@ -82,7 +82,7 @@ fn dots_per_inch(text: &str) -> Result<f64, String> {
 
 impl Figures {
     /// Figures in a folder, or in a file.
-    pub(super) fn at(output: &Path, forms: &Forms) -> Figures {
+    pub(super) fn at(output: &Path, forms: &FigureOptions) -> Figures {
         Figures { output: output.to_owned(), forms: forms.clone() }
     }
 
@@ -99,15 +99,15 @@ impl Figures {
         for (index, (name, drawing)) in drawings.iter().enumerate() {
             for (path, form) in self.targets(name, drawings.len())? {
                 let bytes = match form {
-                    Form::Svg => format::svg_with(drawing, text).into_bytes(),
+                    FigureFormat::Svg => format::svg_with(drawing, text).into_bytes(),
                     #[cfg(feature = "pdf")]
-                    Form::Pdf => drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None))?,
-                    Form::Tikz => drawing.tikz().into_bytes(),
+                    FigureFormat::Pdf => drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None))?,
+                    FigureFormat::Tikz => drawing.tikz().into_bytes(),
                     #[cfg(feature = "png")]
-                    Form::Png => {
+                    FigureFormat::Png => {
                         drawing.png(self.forms.dpi).map_err(|error| Failure::Misuse(error.to_string(), None))?
                     }
-                    Form::Html => page(index)?.into_bytes(),
+                    FigureFormat::Html => page(index)?.into_bytes(),
                 };
                 written.push((path, bytes));
             }
@@ -125,7 +125,7 @@ impl Figures {
         let mut written = Vec::new();
         for (name, drawing) in &drawings {
             let targets = self.targets(name, drawings.len())?;
-            let mut svg = targets.into_iter().filter(|(_, form)| *form == Form::Svg);
+            let mut svg = targets.into_iter().filter(|(_, form)| *form == FigureFormat::Svg);
             let Some((path, _)) = svg.next() else {
                 return Err(Failure::Misuse(
                     "only SVG has layers".into(),
@@ -173,11 +173,11 @@ impl Figures {
     }
 
     /// The files to write for a drawing.
-    fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, Form)>, Failure> {
+    fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, FigureFormat)>, Failure> {
         if self.output == Path::new("-") {
             let form = match self.forms.format.as_slice() {
                 [form] => *form,
-                _ => Form::Svg,
+                _ => FigureFormat::Svg,
             };
             return Ok(vec![(self.output.clone(), form)]);
         }
@@ -185,10 +185,10 @@ impl Figures {
         let is_folder =
             self.output.is_dir() || ending.is_none() || self.output.as_os_str().to_string_lossy().ends_with('/');
         if is_folder {
-            let path = |form: &Form| self.output.join(format!("{name}.{}", form.ending()));
+            let path = |form: &FigureFormat| self.output.join(format!("{name}.{}", form.ending()));
             return Ok(self.forms.format.iter().map(|f| (path(f), *f)).collect());
         }
-        let form = Form::value_variants().iter().find(|f| Some(f.ending()) == ending);
+        let form = FigureFormat::value_variants().iter().find(|f| Some(f.ending()) == ending);
         match form {
             Some(form) if drawings == 1 => Ok(vec![(self.output.clone(), *form)]),
             Some(_) => Err(Failure::Misuse(
@@ -196,7 +196,7 @@ impl Figures {
                 Some("name one scene and one step, or a folder to write to".into()),
             )),
             None => {
-                let known: Vec<&str> = Form::value_variants().iter().map(|f| f.ending()).collect();
+                let known: Vec<&str> = FigureFormat::value_variants().iter().map(|f| f.ending()).collect();
                 Err(Failure::Misuse(
                     format!("no format for files ending in `.{}`", ending.unwrap_or_default()),
                     Some(format!("known endings: {}; a folder's name ends in `/`", known.join(", "))),

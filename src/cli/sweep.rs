@@ -1,6 +1,6 @@
 use super::files::{self, Source};
 use super::message::{Failure, note};
-use super::table::{self, Form};
+use super::table::{self, TableFormat};
 use super::work::{Mode, start};
 use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
 use crate::mechanism::Mechanism;
@@ -9,14 +9,14 @@ use crate::scene::Scene;
 use clap::Args;
 use std::path::PathBuf;
 
-/// Notes of extreme and change positions at most.
+/// Notes of extreme and change points at most.
 const NOTES: usize = 30;
 
 /// What `--help` says after the options.
 const AFTER_HELP: &str = "\
 The motion is followed from the scene's own position, without a jump to another assembly mode. The table keeps what can be
 reached: if a limit position comes before the end of the range, that is said and the exit code is 1. Cells without a number,
-as at a change position, are empty (null in JSON lines).
+as at a change point, are empty (null in JSON lines).
 
 Examples:
   kinegon sweep scene.json --step 5                        once around, every 5 degrees, all quantities, to the terminal
@@ -37,7 +37,7 @@ pub(super) struct SweepCommand {
     output: PathBuf,
     /// Form of the table; without it that of the file's ending, else CSV.
     #[arg(long, value_enum)]
-    format: Option<Form>,
+    format: Option<TableFormat>,
 }
 
 /// Which motion of which scene.
@@ -105,7 +105,7 @@ impl Range {
         }
         if events.len() > NOTES {
             let more = events.len() - NOTES;
-            note(&format!("{more} more extreme or change positions follow"));
+            note(&format!("{more} more extreme or change points follow"));
         }
         let beyond = |value: f64| !(branch.low()..=branch.high()).contains(&value);
         let ends = [false, true].map(|above| branch.end(above));
@@ -169,13 +169,13 @@ impl SweepCommand {
         self.range.tell(&branch, [from, to], "table")
     }
 
-    fn form(&self) -> Result<Form, Failure> {
+    fn form(&self) -> Result<TableFormat, Failure> {
         if let Some(form) = self.format {
             return Ok(form);
         }
         let ending = self.output.extension().and_then(|e| e.to_str());
-        Form::of_ending(ending.unwrap_or("csv")).ok_or_else(|| {
-            let known: Vec<&str> = Form::ENDINGS.iter().map(|(ending, _)| *ending).collect();
+        TableFormat::of_ending(ending.unwrap_or("csv")).ok_or_else(|| {
+            let known: Vec<&str> = TableFormat::ENDINGS.iter().map(|(ending, _)| *ending).collect();
             Failure::Misuse(
                 format!("no form of table for files ending in `.{}`", ending.unwrap_or_default()),
                 Some(format!("known endings: {}; or give --format", known.join(", "))),

@@ -15,7 +15,7 @@ const LONG: usize = 3_000_000;
 
 /// The form of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Form {
+pub(super) enum TableFormat {
     /// A line of names, then a line for each position.
     Csv,
     /// A JSON object a line for each position.
@@ -28,45 +28,45 @@ pub(super) enum Form {
     Parquet,
 }
 
-impl Form {
+impl TableFormat {
     /// The endings of files that tell their form.
-    pub(super) const ENDINGS: &[(&str, Form)] = &[
-        ("csv", Form::Csv),
-        ("jsonl", Form::Jsonl),
-        ("ndjson", Form::Jsonl),
+    pub(super) const ENDINGS: &[(&str, TableFormat)] = &[
+        ("csv", TableFormat::Csv),
+        ("jsonl", TableFormat::Jsonl),
+        ("ndjson", TableFormat::Jsonl),
         #[cfg(feature = "arrow")]
-        ("arrow", Form::Arrow),
+        ("arrow", TableFormat::Arrow),
         #[cfg(feature = "arrow")]
-        ("parquet", Form::Parquet),
+        ("parquet", TableFormat::Parquet),
     ];
 
-    pub(super) fn of_ending(ending: &str) -> Option<Form> {
-        let found = Form::ENDINGS.iter().find(|(known, _)| *known == ending);
+    pub(super) fn of_ending(ending: &str) -> Option<TableFormat> {
+        let found = TableFormat::ENDINGS.iter().find(|(known, _)| *known == ending);
         found.map(|(_, form)| *form)
     }
 
     /// Rows in this form, if it is one of text.
     fn text(self, sweep: &Sweep, numbers: &Numbers) -> String {
         match self {
-            Form::Csv => format::csv_rows(sweep, numbers),
-            Form::Jsonl => format::json_lines(sweep, numbers),
+            TableFormat::Csv => format::csv_rows(sweep, numbers),
+            TableFormat::Jsonl => format::json_lines(sweep, numbers),
             #[cfg(feature = "arrow")]
-            Form::Arrow | Form::Parquet => String::new(),
+            TableFormat::Arrow | TableFormat::Parquet => String::new(),
         }
     }
 }
 
 /// Writes a table to a file, or to stdout for `-`: piece by piece, and whole or not at all.
-pub(super) fn write(sweep: &Sweep, form: Form, place: &Path) -> Result<(), Failure> {
+pub(super) fn write(sweep: &Sweep, form: TableFormat, place: &Path) -> Result<(), Failure> {
     let mut out = Out::new(place)?;
     #[cfg(feature = "arrow")]
-    if matches!(form, Form::Arrow | Form::Parquet) {
+    if matches!(form, TableFormat::Arrow | TableFormat::Parquet) {
         let unwritable = |error: format::ColumnsError| match error {
             format::ColumnsError::Io(error) => files::unwritable(place, &error),
             other => Failure::Outside(format!("{} cannot be written: {other}", place.display())),
         };
         let columns = match form {
-            Form::Parquet => format::Columns::parquet(sweep, out),
+            TableFormat::Parquet => format::Columns::parquet(sweep, out),
             _ => format::Columns::arrow(sweep, out),
         };
         let mut columns = columns.map_err(unwritable)?;
@@ -76,7 +76,7 @@ pub(super) fn write(sweep: &Sweep, form: Form, place: &Path) -> Result<(), Failu
         )?;
         return columns.finish().map_err(unwritable)?.finish();
     }
-    if form == Form::Csv && !out.put(&format::csv_header(sweep))? {
+    if form == TableFormat::Csv && !out.put(&format::csv_header(sweep))? {
         return Ok(());
     }
     let text = |rows| form.text(sweep, &sweep.rows(rows));

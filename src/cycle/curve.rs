@@ -1,8 +1,8 @@
 use super::columns::{Column, Columns};
 use super::extreme::{Extreme, extremes};
-use super::glance::{Glance, PARTS, hull};
 use super::reading::Reading;
-use super::samples::{pieces, samples};
+use super::samples::{hull, pieces, samples};
+use super::survey::{CurveSurvey, PARTS};
 use super::{CycleError, Event, Happening, Path};
 use crate::mechanism::BodyId;
 use crate::quantity::{Asked, Kind, QuantityError};
@@ -13,7 +13,7 @@ const PARTS_OF_SEGMENT: usize = 2;
 /// How far beyond what is worth showing curves are sampled, in parts of its height: a panel has a border.
 const BEYOND: f64 = 0.5;
 
-/// The part of a curve's height below which it is zero in a dead position.
+/// The part of a curve's height below which it is zero at a dead centre.
 const ZERO: f64 = 1e-6;
 
 /// What differs by less than this part of itself is the same.
@@ -48,7 +48,7 @@ pub struct Curve {
     pub extremes: Vec<Extreme>,
     /// Its value where that is everywhere the same.
     pub constant: Option<f64>,
-    /// For ω of a link and v_r of a slider: where it is zero, in dead positions and at the ends of the range.
+    /// For ω of a link and v_r of a slider: where it is zero, at dead centres and at the ends of the range.
     pub dead: Vec<f64>,
 }
 
@@ -96,7 +96,7 @@ impl<'a> Curves<'a> {
     /// Adds the curves of quantities.
     fn add(&mut self, names: &[String]) -> Result<(), CycleError> {
         let grid = self.grid();
-        let mut glances: Vec<Glance> = Vec::new();
+        let mut surveys: Vec<CurveSurvey> = Vec::new();
         for (index, name) in names.iter().enumerate() {
             if names[..index].contains(name) {
                 continue;
@@ -108,21 +108,19 @@ impl<'a> Curves<'a> {
                 let why = "it has none at any position of the range";
                 return Err(QuantityError::NoValue(name.clone(), why).into());
             }
-            let glance = Glance::new(self.path, self.range, asked, reading, samples);
-            match glances.iter_mut().find(|other| other.equals(&glance)) {
-                Some(twin) => twin.asked.extend(glance.asked),
-                None => glances.push(glance),
+            let survey = CurveSurvey::new(self.path, self.range, asked, reading, samples);
+            match surveys.iter_mut().find(|other| other.equals(&survey)) {
+                Some(twin) => twin.asked.extend(survey.asked),
+                None => surveys.push(survey),
             }
         }
         // Curves of one kind share an axis, so each is sampled as far as all of them reach.
-        let shared = |own: &Glance| {
-            let alike = glances.iter().filter(|other| other.kind() == own.kind());
+        let shared = |own: &CurveSurvey| {
+            let alike = surveys.iter().filter(|other| other.kind() == own.kind());
             hull(alike.flat_map(|other| other.window))
         };
-        let shared: Vec<[f64; 2]> = glances.iter().map(shared).collect();
-        let curves = glances.into_iter().zip(shared);
-        let curves = curves.map(|(glance, shared)| self.curve(glance, shared));
-        self.curves = curves.collect();
+        let shared: Vec<[f64; 2]> = surveys.iter().map(shared).collect();
+        self.curves = surveys.into_iter().zip(shared).map(|(survey, shared)| self.curve(survey, shared)).collect();
         Ok(())
     }
 
@@ -157,25 +155,25 @@ impl<'a> Curves<'a> {
     }
 
     /// The curve, sampled for a panel that shows `shared`.
-    fn curve(&self, mut glance: Glance, shared: [f64; 2]) -> Curve {
+    fn curve(&self, mut survey: CurveSurvey, shared: [f64; 2]) -> Curve {
         let mut curve = Curve {
-            asked: glance.asked,
+            asked: survey.asked,
             pieces: Vec::new(),
-            window: glance.window,
+            window: survey.window,
             extremes: Vec::new(),
-            constant: glance.constant,
+            constant: survey.constant,
             dead: Vec::new(),
         };
         if let Some(value) = curve.constant {
             curve.pieces = vec![self.range.map(|x| [x, value]).to_vec()];
             return curve;
         }
-        let reading = &mut glance.reading;
+        let reading = &mut survey.reading;
         let beyond = BEYOND * (shared[1] - shared[0]);
         let wide = [shared[0] - beyond, shared[1] + beyond];
-        curve.pieces = pieces(reading, &glance.samples, wide);
+        curve.pieces = pieces(reading, &survey.samples, wide);
         for greatest in [false, true] {
-            if !glance.grows[usize::from(greatest)] {
+            if !survey.grows[usize::from(greatest)] {
                 let height = curve.window[1] - curve.window[0];
                 let extremes = extremes(reading, &curve.pieces, height, greatest);
                 if let Some(extreme) = extremes.first() {
@@ -185,7 +183,7 @@ impl<'a> Curves<'a> {
             }
         }
         curve.extremes.sort_by(|a, b| a.at.total_cmp(&b.at));
-        if curve.asked[0].has_dead_positions() {
+        if curve.asked[0].has_dead_centres() {
             let height = curve.window[1] - curve.window[0];
             let turns = |e: &&Event| {
                 let what = &e.what;

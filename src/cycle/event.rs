@@ -37,7 +37,7 @@ pub enum Happening {
         /// The links of the group.
         links: String,
     },
-    /// A link stands still and turns back: an extreme position, and a dead position for whoever drives that link.
+    /// A link stands still and turns back: an extreme position, and a dead centre for whoever drives that link.
     TurnsBack {
         /// The link's name.
         link: String,
@@ -71,7 +71,7 @@ impl Event {
                 format!("limit position at {place}: links {links} run off to infinity")
             }
             Happening::Change { links } => format!(
-                "change position at {place}: links {links} could go on in another mode too; the smooth motion is followed, \
+                "change point at {place}: links {links} could go on in another mode too; the smooth motion is followed, \
                  and rates are left out there"
             ),
             Happening::Singular { links } => {

@@ -1,6 +1,5 @@
-use super::glance::hull;
 use super::reading::Reading;
-use super::samples::Sample;
+use super::samples::{Sample, hull};
 
 /// The part of a curve's height by which a local extreme may miss the extreme of all samples and still be looked at.
 const NEARLY: f64 = 0.05;

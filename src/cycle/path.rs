@@ -37,7 +37,7 @@ pub struct Path<'a> {
     /// In the order of the drive's value.
     pub(super) nodes: Vec<Node>,
     pub(super) segments: Vec<Segment>,
-    /// Change positions on the way.
+    /// Change points on the way.
     pub(super) changes: Vec<Event>,
     /// What ends the path below and above, where something does.
     ends: [Option<Event>; 2],
@@ -223,7 +223,7 @@ impl<'a> Path<'a> {
     /// Follows the branch until the drive's value is reached or something ends it, which [`Self::end`] then tells.
     pub fn follow_to(&mut self, value: f64) {
         if self.nodes.len() == 1 && value.is_finite() {
-            // A change position right ahead is leapt over with a run-up; one right behind is left for later, when there are nodes before it.
+            // A change point right ahead is leapt over with a run-up; one right behind is left for later, when there are nodes before it.
             let bare = self.clone();
             self.extend(self.origin + RUN_UP.copysign(self.origin - value) * self.unit());
             let singular = |end: &Event| matches!(end.what, Happening::Singular { .. });

@@ -2,7 +2,7 @@ use super::columns::{Column, Columns};
 use super::{Path, Walker};
 use crate::quantity::{Asked, Kind, Quantity};
 
-/// How near a change position, in parts of a turn, rates are not read but taken from beside it: second rates lose three digits for
+/// How near a change point, in parts of a turn, rates are not read but taken from beside it: second rates lose three digits for
 /// each that the distance loses.
 const GAP: f64 = 1e-3;
 

@@ -15,6 +15,12 @@ const MOST: usize = 50;
 /// A value of the drive and the quantity's there, if it has one.
 pub(super) type Sample = (f64, Option<f64>);
 
+/// Least and greatest of some numbers; without any, `[∞, −∞]`.
+pub(super) fn hull(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    numbers.fold(none, |[low, high], y| [low.min(y), high.max(y)])
+}
+
 /// Samples at these values of the drive; angles go on without jumps of whole turns.
 pub(super) fn samples(reading: &mut Reading, grid: &[f64]) -> Vec<Sample> {
     let mut last = None;

@@ -30,14 +30,14 @@ const SMALLEST: f64 = 1e-11;
 /// to infinity not: there the distance's third power is left out.
 const NEAR_END: f64 = 1e-6;
 
-/// How far before a change position a leap may begin, in parts of a turn: shorter ones are for motions that are quick there.
+/// How far before a change point a leap may begin, in parts of a turn: shorter ones are for motions that are quick there.
 const LEAPS: [f64; 4] = [4e-3, 4e-4, 4e-5, 4e-6];
 
-/// How near a change position is approached before the leap, in parts of a turn: there rates are still known well.
+/// How near a change point is approached before the leap, in parts of a turn: there rates are still known well.
 const NEAR_CHANGE: f64 = 4e-7;
 
 /// By how much rates may grow from the beginning of a leap to there. They grow more before two limits with nothing between
-/// them, and where two branches only come near each other; but what is less than about 1e-6 of a turn wide counts as one change position.
+/// them, and where two branches only come near each other; but what is less than about 1e-6 of a turn wide counts as one change point.
 const GROWTH: f64 = 1.3;
 
 /// The largest first correction after a leap, in radians or parts of the group's size.
@@ -209,7 +209,7 @@ fn ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<Ahead> {
     let quickest = *unknowns.max_by(|a, b| second(a).total_cmp(&second(b)))?;
     let [now, then] = [last, before].map(|node| rates(node, quickest));
     let [near, far] = [now, then].map(|[first, second]| first / second);
-    // Rates grow as the determinant falls; at a change position they do not.
+    // Rates grow as the determinant falls; at a change point they do not.
     let grown = now[0] / then[0] >= 0.5 * determinant(before) / determinant(last);
     if !(grown && near * forward > 0.0 && far * forward > 0.0) {
         return None;
@@ -223,13 +223,13 @@ fn ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<Ahead> {
     Some(Ahead { at, away: near, runs_off })
 }
 
-/// A way over a change position.
+/// A way over a change point.
 struct Leap {
     /// How many nodes lie before it.
     kept: usize,
     /// The node on the other side.
     node: Node,
-    /// The change position.
+    /// The change point.
     event: Event,
 }
 
@@ -242,7 +242,7 @@ impl Leap {
     }
 }
 
-/// The leap over a change position less than this part of a turn ahead, where a determinant passes through zero while the
+/// The leap over a change point less than this part of a turn ahead, where a determinant passes through zero while the
 /// motion stays smooth.
 ///
 /// A leap proves itself; going on by steps, rounding would take what rates are left for a limit, or for the branch that crosses this one.

@@ -3,7 +3,7 @@ use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
 use crate::kernel::{Block, Kernel, Single};
 use pulp::{Arch, Simd, WithSimd};
 
-/// How near a change position there is nothing to read, in parts of a turn: rounding leaves about u / distance³ of second rates.
+/// How near a change point there is nothing to read, in parts of a turn: rounding leaves about u / distance³ of second rates.
 const BLANK: f64 = 1e-4;
 
 /// Computes positions and rates anywhere on a path in memory of its own: one position at a time, or [`MANY`].
@@ -46,7 +46,7 @@ impl<'a, R: Row> Walker<'a, R> {
         found.closed
     }
 
-    /// Whether a value is next to a change position.
+    /// Whether a value is next to a change point.
     #[inline(always)]
     fn is_blank(&self, values: &R) -> bool {
         let blank = BLANK * self.path.unit();
@@ -66,7 +66,7 @@ impl<'a, R: Row> Walker<'a, R> {
 
 /// One position at a time.
 impl Walker<'_> {
-    /// The position at a value of the drive; `None` where that has not been reached, is singular, or next to a change position.
+    /// The position at a value of the drive; `None` where that has not been reached, is singular, or next to a change point.
     #[inline]
     pub fn positions(&mut self, value: &[f64; 1]) -> Option<&mut Single> {
         let found = self.seek(value[0]) && self.assemble(OneByOne, value);
@@ -109,7 +109,7 @@ impl Walker<'_, Many> {
     /// Positions at the first of some values of the drive: as many as lie on one segment of the path, at most [`MANY`].
     ///
     /// The block's other positions repeat the last. None where one of these positions has not been reached, is singular, or
-    /// next to a change position: then ask one by one.
+    /// next to a change point: then ask one by one.
     #[inline]
     pub fn positions(&mut self, values: &[f64]) -> (usize, Option<&Block<Many>>) {
         self.compute(values, Task::Positions)

@@ -234,7 +234,7 @@ pub enum Pen {
     Zero,
     /// A quantity over the cycle, its name, and the dots at its greatest and least values.
     Curve,
-    /// A dead position of the link or slider: a small circle on the line at zero.
+    /// A dead centre of the link or slider: a small circle on the line at zero.
     Dead,
     /// Where a drive can go no further.
     Limit,

@@ -24,10 +24,10 @@ pub enum ColumnsError {
 /// A table written by columns of f64, in Apache Arrow's or Parquet's file format; null where there is no number.
 pub struct Columns<W: Write + Send> {
     schema: Arc<Schema>,
-    form: Form<W>,
+    output: Output<W>,
 }
 
-enum Form<W: Write + Send> {
+enum Output<W: Write + Send> {
     Arrow(Box<FileWriter<W>>),
     Parquet(Box<ArrowWriter<W>>),
 }
@@ -39,8 +39,8 @@ impl<W: Write + Send> Columns<W> {
     /// The beginning cannot be written.
     pub fn arrow(sweep: &Sweep, out: W) -> Result<Self, ColumnsError> {
         let schema = schema(sweep);
-        let form = Form::Arrow(Box::new(FileWriter::try_new(out, &schema)?));
-        Ok(Self { schema, form })
+        let output = Output::Arrow(Box::new(FileWriter::try_new(out, &schema)?));
+        Ok(Self { schema, output })
     }
 
     /// A table in Parquet's file format.
@@ -49,8 +49,8 @@ impl<W: Write + Send> Columns<W> {
     /// The beginning cannot be written.
     pub fn parquet(sweep: &Sweep, out: W) -> Result<Self, ColumnsError> {
         let schema = schema(sweep);
-        let form = Form::Parquet(Box::new(ArrowWriter::try_new(out, schema.clone(), None)?));
-        Ok(Self { schema, form })
+        let output = Output::Parquet(Box::new(ArrowWriter::try_new(out, schema.clone(), None)?));
+        Ok(Self { schema, output })
     }
 
     /// Adds rows, as [`Sweep::rows`] gives them.
@@ -64,9 +64,9 @@ impl<W: Write + Send> Columns<W> {
             Arc::new(values.collect::<Float64Array>())
         };
         let batch = RecordBatch::try_new(self.schema.clone(), (0..width).map(column).collect())?;
-        match &mut self.form {
-            Form::Arrow(writer) => writer.write(&batch)?,
-            Form::Parquet(writer) => writer.write(&batch)?,
+        match &mut self.output {
+            Output::Arrow(writer) => writer.write(&batch)?,
+            Output::Parquet(writer) => writer.write(&batch)?,
         }
         Ok(())
     }
@@ -76,12 +76,12 @@ impl<W: Write + Send> Columns<W> {
     /// # Errors
     /// It cannot be written.
     pub fn finish(self) -> Result<W, ColumnsError> {
-        match self.form {
-            Form::Arrow(mut writer) => {
+        match self.output {
+            Output::Arrow(mut writer) => {
                 writer.finish()?;
                 Ok(writer.into_inner()?)
             }
-            Form::Parquet(writer) => Ok(writer.into_inner()?),
+            Output::Parquet(writer) => Ok(writer.into_inner()?),
         }
     }
 }

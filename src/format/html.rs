@@ -14,7 +14,7 @@ const PAGE: &str = include_str!("../../templates/page.html");
 
 /// What a page for the classroom shows.
 #[derive(Clone, Copy, Debug)]
-pub struct Page<'a> {
+pub struct WebPage<'a> {
     /// The stepwise figure in each position, all on the same panels, as [`frames`](crate::drawing::frames) gives them; at least one.
     pub frames: &'a [Drawing],
     /// The drive's value in each position, in words.
@@ -34,7 +34,7 @@ pub struct Page<'a> {
 /// Every position is drawn here, as for SVG; the page's script only chooses lines. Lines that are the same in several positions are
 /// kept once, and all of them compressed. Without frames the page is empty.
 #[must_use]
-pub fn html(page: &Page<'_>) -> String {
+pub fn html(page: &WebPage<'_>) -> String {
     let Some(first) = page.frames.get(page.own) else {
         return String::new();
     };
@@ -88,7 +88,7 @@ pub fn html(page: &Page<'_>) -> String {
 }
 
 /// What the page's script reads.
-fn film(page: &Page<'_>, first: &Drawing) -> Value {
+fn film(page: &WebPage<'_>, first: &Drawing) -> Value {
     let last = first.steps.len() as u16 + 1;
     let said = page.language;
     let mut lines: IndexSet<String> = IndexSet::new();

@@ -25,7 +25,7 @@ mod tikz;
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
 #[cfg(feature = "html")]
-pub use self::html::{Page, html};
+pub use self::html::{WebPage, html};
 pub use self::json::json;
 #[cfg(feature = "pdf")]
 pub use self::pdf::PdfError;

@@ -20,35 +20,35 @@ impl Solution {
         let words = self.wording();
         let language = words.language;
         let teller = Teller::new(self, &words);
-        let mut page = Page { text: String::new(), units: scene.units, words: &words, teller, pencil };
+        let mut list = StepList { text: String::new(), units: scene.units, words: &words, teller, pencil };
         if let Some(title) = &scene.title {
-            page.line(title);
+            list.line(title);
         }
-        page.scales_line();
-        page.pencil_lines();
-        page.heading(language.on_the_mechanism());
+        list.scales_line();
+        list.pencil_lines();
+        list.heading(language.on_the_mechanism());
         let mut steps = construction.numbered_steps().peekable();
         while let Some(step) = steps.next_if(|step| step.plan.is_none()) {
-            page.step(&step);
+            list.step(&step);
         }
         for plan in construction.plans() {
-            page.heading(match plan.kind {
+            list.heading(match plan.kind {
                 PlanKind::Velocity => language.velocity_plan(),
                 PlanKind::Acceleration => language.acceleration_plan(),
             });
             while let Some(step) = steps.next_if(|step| step.sheet() == plan.kind.sheet()) {
-                page.step(&step);
+                list.step(&step);
             }
         }
         for agreement in construction.agreement.iter().flatten() {
             let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
-            page.heading(&language.routes_differ(&difference, &allowed));
+            list.heading(&language.routes_differ(&difference, &allowed));
         }
-        page.text
+        list.text
     }
 }
 
-struct Page<'a> {
+struct StepList<'a> {
     text: String,
     units: Units,
     words: &'a Wording,
@@ -56,7 +56,7 @@ struct Page<'a> {
     pencil: &'a Pencil,
 }
 
-impl Page<'_> {
+impl StepList<'_> {
     fn line(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push('\n');
@@ -199,11 +199,12 @@ impl Page<'_> {
             Some(plan) => plain_text(&plan.shown(name, name.to_owned(), self.words.notation)),
             None => name.to_owned(),
         };
+        let segment = |from: &str, to: &str, value: String| {
+            format!("{} {} = {value}{}", shown(from), shown(to), self.segment_band(kind, from, to))
+        };
         match &step.step.action {
             Action::Pole { .. } | Action::NoConstruction { .. } => Vec::new(),
-            Action::SpecialPoint { sine, .. } => {
-                vec![self.crossing(*sine)]
-            }
+            Action::SpecialPoint { sine, .. } => vec![self.crossing(*sine)],
             Action::MeasureLength { from, to, value } => {
                 let band = self.band(&format!("L({from},{to})"), &self.unit(None), self.mu(None));
                 vec![format!("{equation} = {}{band}", self.measure(*value, None))]
@@ -213,40 +214,21 @@ impl Page<'_> {
                 let Some(vector) = vector else {
                     return Vec::new();
                 };
-                let mut lines = Vec::new();
-                if !equation.is_empty() {
-                    lines.push(equation);
-                }
-                lines.push(format!(
-                    "{} {} = {}{}",
-                    shown(&arrow.from),
-                    shown(&arrow.to),
-                    self.vector(vector, kind),
-                    self.segment_band(kind, &arrow.from, &arrow.to)
-                ));
-                lines
+                let drawn = segment(&arrow.from, &arrow.to, self.vector(vector, kind));
+                [equation].into_iter().filter(|equation| !equation.is_empty()).chain([drawn]).collect()
             }
             Action::Ray(ray) => {
                 let direction = self.words.language.direction(&self.degrees(degrees_of(ray.direction)));
                 if equation.is_empty() { vec![direction] } else { vec![format!("{equation}; {direction}")] }
             }
             Action::Cross { point, sine, .. } => {
-                let mut lines = vec![self.crossing(*sine)];
-                let vector = plan.and_then(|p| p.segment(p.kind.pole(), point));
-                if let (Some(vector), Some(plan)) = (vector, plan) {
-                    lines.push(format!(
-                        "{} {} = {}{}",
-                        shown(plan.kind.pole()),
-                        shown(point),
-                        self.vector(vector, kind),
-                        self.segment_band(kind, plan.kind.pole(), point)
-                    ));
-                }
-                lines
+                let pole = plan.map_or("", |p| p.kind.pole());
+                let vector = plan.and_then(|p| p.segment(pole, point));
+                let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, kind)));
+                [self.crossing(*sine)].into_iter().chain(drawn).collect()
             }
             Action::Measure { from, to, value } => {
-                let band = self.segment_band(kind, from, to);
-                vec![format!("{} {} = {}{band}", shown(from), shown(to), self.measure(*value, kind))]
+                vec![segment(from, to, self.measure(*value, kind))]
             }
             Action::Solve { equations, unknowns } => {
                 let of = kind.unwrap_or(PlanKind::Velocity);

@@ -153,9 +153,9 @@ impl Asked {
         matches!(self.kind(), Kind::Angle | Kind::AngularVelocity | Kind::AngularAcceleration)
     }
 
-    /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, which is zero in dead positions.
+    /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, which is zero at dead centres.
     #[must_use]
-    pub fn has_dead_positions(&self) -> bool {
+    pub fn has_dead_centres(&self) -> bool {
         matches!(self.what, What::Omega(_) | What::SlideVelocity(_))
     }
 

@@ -194,7 +194,7 @@ sentences! {
     /// A vertical line: where the scene stands.
     scene;
     /// A mark.
-    dead_position;
+    dead_centre;
     /// A mark.
     extremes;
     /// For those who cannot see it: the drive's quantity, its first and last value.

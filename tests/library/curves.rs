@@ -88,10 +88,10 @@ fn extremes_of_a_slider_crank_are_the_closed_forms() {
     sampled(SLIDER_CRANK, Some([0.0, 360.0]), want, |_, curves| {
         // x = r cos θ + √(l² − r² sin² θ).
         let (most, at) = extreme(curves, "x(C)", true);
-        close(most, r + l, 1e-12, "outer dead position");
+        close(most, r + l, 1e-12, "outer dead centre");
         assert_eq!(at.len(), 2, "at 0° and at 360°: {at:?}");
         let (least, at) = extreme(curves, "x(C)", false);
-        close(least, l - r, 1e-12, "inner dead position");
+        close(least, l - r, 1e-12, "inner dead centre");
         close(at[0], 180.0, 1e-6, "its place");
         // ω_2 = −ω r cos θ / √(l² − r² sin² θ).
         let (most, at) = extreme(curves, "omega(2)", true);
@@ -151,8 +151,8 @@ fn a_curve_reaches_its_value_in_the_limit_position() {
 }
 
 #[test]
-fn curves_go_smoothly_through_change_positions() {
-    // Crossed, the linkage rolls one ellipse on another: from −(d + r)/(d − r) to its inverse, both in change positions.
+fn curves_go_smoothly_through_change_points() {
+    // Crossed, the linkage rolls one ellipse on another: from −(d + r)/(d − r) to its inverse, both in change points.
     let crossed = four_bar([40.0, 100.0, 40.0], 60.0, [80.0, -35.0]);
     let range = Some([0.0, 360.0]);
     sampled(&crossed, range, "omega(3) alpha(3) angle(3)", |_, curves| {
@@ -168,7 +168,7 @@ fn curves_go_smoothly_through_change_positions() {
         let (least, _) = extreme(curves, "angle(3)", false);
         close(least, -360.0, 1e-9, "a turn back");
     });
-    // The parallelogram moves evenly, whatever rounding says near its change positions.
+    // The parallelogram moves evenly, whatever rounding says near its change points.
     let parallel = four_bar([40.0, 100.0, 40.0], 60.0, [120.0, 35.0]);
     sampled(&parallel, range, "omega(3) alpha(3) omega(2)", |_, curves| {
         let omega = curve(curves, "omega(3)").constant;

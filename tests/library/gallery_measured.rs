@@ -7,7 +7,7 @@ use crate::support::faults::{MOST_BYTES, faults, id};
 use crate::support::files;
 use crate::support::stages::solved;
 use kinegon::construction::{Construction, Plan, PlanKind, PointRole};
-use kinegon::cycle::Film;
+use kinegon::cycle::Animation;
 use kinegon::drawing::{Drawing, Shape, Style};
 use kinegon::scene::StyleName;
 use std::path::PathBuf;
@@ -27,8 +27,8 @@ fn figures() -> Vec<(String, Drawing, Construction)> {
     let scenes = folders.into_iter().flat_map(files::scenes);
     for (name, text) in scenes.chain(examples) {
         let solution = solved(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let film = Film::new(&solution, None, POSITIONS).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let positions = film.values.iter().zip(film.positions);
+        let animation = Animation::new(&solution, None, POSITIONS).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let positions = animation.values.iter().zip(animation.positions);
         for (value, solution) in positions {
             all.push((format!("{name} at {value:.1}"), solution.figure(), solution.construction));
         }

@@ -89,7 +89,7 @@ fn the_way_of_a_slider_is_a_straight_line_with_known_ends() {
     sampled(SLIDER_CRANK, "v(C) a(C)", |_, all| {
         let all = all.expect("vectors");
         let (r, l, omega) = (50.0, 150.0, 100.0);
-        // The greatest speed: the root of a cubic in sin² θ. Accelerations at the dead positions; the outer one's is the greatest.
+        // The greatest speed: the root of a cubic in sin² θ. Accelerations at the dead centres; the outer one's is the greatest.
         let speed = 5_273.197_732_698_685;
         let outer = -r * omega * omega * (1.0 + r / l);
         let [v, a] = [&all.hodographs[0], &all.hodographs[1]];

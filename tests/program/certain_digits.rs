@@ -125,7 +125,7 @@ fn of_hard_positions() {
     check("hard_dyads_triads", 1, 500);
 }
 
-/// A dyad next to its dead position, and one that hangs on it, as drawn: neither has lost a digit. The true rates are those of exact
+/// A dyad next to its dead centre, and one that hangs on it, as drawn: neither has lost a digit. The true rates are those of exact
 /// fractions.
 #[test]
 fn of_a_group_that_hangs_on_a_nearly_dead_one() {
@@ -154,7 +154,7 @@ fn of_a_group_that_hangs_on_a_nearly_dead_one() {
     }
 }
 
-/// A crank that pushes nothing: in a dead position the rocker stands still, and only that can be said.
+/// A crank that pushes nothing: at a dead centre the rocker stands still, and only that can be said.
 #[test]
 fn says_where_no_digit_is_certain() {
     // Crank and coupler in one line: ω4 is nothing, ω2 is −ω1 · 30/70.

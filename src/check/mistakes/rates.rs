@@ -82,10 +82,9 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
                 _ => None,
             })
             .collect();
-        let entry_of = |name: &str| site.entries.iter().position(|e| e.asked.name() == name);
         let is_angle = |name: &str| {
-            let own = entry_of(name).map(|e| &site.entries[e]);
-            own.is_some_and(|e| e.asked.kind() == Kind::Angle)
+            let mut named = site.entries.iter().filter(|e| e.asked.name() == name);
+            named.next().is_some_and(|e| e.asked.kind() == Kind::Angle)
         };
         for (name, scale) in scales.into_iter().chain([("", 1.0)]) {
             let ratio = scale / right;
@@ -94,25 +93,7 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
             }
             let mut all = None;
             for &(operation, number, segment) in measured.iter().filter(|m| !is_angle(m.2)) {
-                let edit = Edit::Times(number, ratio);
-                let blanks = [segment, name, own];
-                let mut one = site.candidate(Mistake::WrongScale, operation, edit, &blanks);
-                // Millimetres stand as they were measured; the scale tells in what follows from them.
-                let written = entry_of(segment).filter(|&e| site.entries[e].on_paper);
-                if let Some(index) = written {
-                    let entry = &site.entries[index];
-                    one.edits.clear();
-                    one.reinterpreted.push(Reinterpretation {
-                        entry: index,
-                        value: Some(entry.value),
-                        rounding: entry.rounding,
-                    });
-                    let exact = site.model.exact.number(number);
-                    let value = libm::copysign(entry.value, exact) * ratio;
-                    if site.model.used[number.0] {
-                        one.goes_on.push((operation, number, value));
-                    }
-                }
+                let one = at_wrong_scale(site, operation, number, ratio, &[segment, name, own]);
                 let together = all.get_or_insert_with(|| {
                     let mut first = one.clone();
                     first.edits.clear();
@@ -132,4 +113,22 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
         }
     }
     found
+}
+
+/// One segment turned into a value with another scale, `ratio` times the right one. The blanks: the segment, the scale taken, its own scale.
+fn at_wrong_scale(site: &Site<'_>, operation: usize, number: NumberId, ratio: f64, blanks: &[&str; 3]) -> Candidate {
+    let mut candidate = site.candidate(Mistake::WrongScale, operation, Edit::Times(number, ratio), blanks);
+    // Millimetres stand as they were measured; the scale tells in what follows from them.
+    let entries = site.entries.iter().enumerate();
+    let mut on_paper = entries.filter(|(_, entry)| entry.asked.name() == blanks[0] && entry.on_paper);
+    if let Some((index, entry)) = on_paper.next() {
+        candidate.edits.clear();
+        let (value, rounding) = (Some(entry.value), entry.rounding);
+        candidate.reinterpreted.push(Reinterpretation { entry: index, value, rounding });
+        if site.model.used[number.0] {
+            let exact = site.model.exact.number(number);
+            candidate.goes_on.push((operation, number, libm::copysign(entry.value, exact) * ratio));
+        }
+    }
+    candidate
 }

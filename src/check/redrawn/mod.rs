@@ -6,7 +6,8 @@ use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
-use super::report::{Page, sentences};
+use super::report::{ReportText, sentences};
+use super::search::other_modes;
 use super::sheet::{CheckError, Measured};
 use super::verdict::Verdict;
 use crate::construction::{Action, Sheet};
@@ -39,14 +40,12 @@ pub fn redrawn(
     checked: &Checked,
     words: &Wording,
 ) -> Result<Overlay, CheckError> {
-    let mu = measured.mu;
     let entries: Vec<_> = checked.values.iter().map(|v| v.entry.clone()).collect();
-    let right = Model::new(key, key.solution, mu, &entries)?;
+    let right = Model::new(key, key.solution, measured.mu, &entries)?;
     let findings = &checked.diagnosis.best.findings;
-    let mode = findings.iter().map(|f| f.candidate.mode).max();
-    let mode = mode.unwrap_or(0);
-    let other = (mode > 0).then(|| super::search::other_modes(key, mu, &entries));
-    let other = other.and_then(|models| models.into_iter().nth(mode - 1));
+    let mode = findings.iter().map(|f| f.candidate.mode).max().unwrap_or(0);
+    // Mode 0 is the scene's own; the others are counted from 1.
+    let other = mode.checked_sub(1).and_then(|other| other_modes(key, measured.mu, &entries).into_iter().nth(other));
     let own = other.as_ref().unwrap_or(&right);
     let found: Vec<&Candidate> = findings.iter().map(|f| &f.candidate).collect();
 
@@ -56,68 +55,73 @@ pub fn redrawn(
     if mode > 0 {
         sheets.draw_links();
     }
-    let language = words.language;
-    for &index in &checked.diagnosis.unexplained {
+    let unknown = found.iter().filter(|c| c.mistake == Mistake::Unknown).flat_map(|c| &c.reinterpreted);
+    for index in checked.diagnosis.unexplained.iter().copied().chain(unknown.map(|r| r.entry)) {
         sheets.draw_value(index, &checked.values[index]);
-    }
-    let unknown = found.iter().filter(|c| c.mistake == Mistake::Unknown);
-    for stand in unknown.flat_map(|c| &c.reinterpreted) {
-        sheets.draw_value(stand.entry, &checked.values[stand.entry]);
     }
     let (points, lines) = sheets.finish();
 
-    let page = Page::new(checked, key, words, Medium::Figure);
-    let sure = (!findings.is_empty()).then(|| page.sure(&checked.diagnosis.best));
-    let sure = sure.map_or_else(String::new, |sure| format!(" ({sure})"));
-    let mut said = vec![format!("{}. {}{sure}", page.counts(), page.heading())];
-    for (finding, number) in findings.iter().zip(1..) {
-        let told = page.told(finding);
-        let follows = match finding.follows.len() {
-            0 => None,
-            few if few <= NAMED => told.follows,
-            many => Some(language.check_follows_marked(&many.to_string(), &format!("({number})"))),
-        };
-        // Beside a figure there is no room to say twice what a slipped number should be.
-        let [done, should] = sentences(&finding.candidate, words);
-        let should = (!done.contains(&should)).then_some(told.should);
-        let sentences = [told.done].into_iter().chain(should).chain(follows);
-        let sentences: Vec<String> = sentences.collect();
-        said.push(format!("{number}. {}", sentences.join(" ")));
-    }
-    said.extend(page.unexplained());
-    said.extend(page.mirrored());
-    for (sheet, degrees) in turns {
-        if degrees.abs() > TURNED {
-            let degrees = words.write(degrees, NumberStyle::decimals(0).on(Medium::Figure));
-            let plan = match sheet {
-                Sheet::Acceleration => language.acceleration_plan(),
-                _ => language.velocity_plan(),
-            };
-            said.push(language.check_turned(&plan.to_lowercase(), &degrees));
-        }
-    }
-    let cells = |row: [String; 8]| COLUMNS.map(|column| row[column].clone());
-    let values = checked.values.iter().enumerate();
-    let values = values.map(|(index, value)| OwnValue {
-        cells: {
-            let mut cells = cells(page.row(value));
-            cells[0] = value.entry.asked.name().to_owned();
-            let follow = (1..).zip(findings).filter(|(_, f)| f.follows.contains(&index));
-            cells[5].extend(follow.map(|(number, _)| format!(" ({number})")));
-            cells
-        },
-        is_off: value.verdict == Verdict::Off,
-    });
-    let said = said.into_iter().map(|text| text.replace(" -", " −"));
+    let text = ReportText::new(checked, key, words, Medium::Figure);
     Ok(Overlay {
         name: measured.name.clone(),
         points,
         lines,
-        steps: wrong_steps(key, &found, language),
-        words: said.collect(),
-        head: cells(language.check_columns().map(str::to_owned)),
-        values: values.collect(),
+        steps: wrong_steps(key, &found, words.language),
+        words: said(&text, &turns, words),
+        head: cells(words.language.check_columns().map(str::to_owned)),
+        values: (0..checked.values.len()).map(|index| own_value(&text, index)).collect(),
     })
+}
+
+/// The sentences below the figure: the verdict, the mistakes by their numbers, what nothing explains, and how given points had to be turned.
+fn said(text: &ReportText<'_>, turns: &[(Sheet, f64)], words: &Wording) -> Vec<String> {
+    let best = &text.checked.diagnosis.best;
+    let sure = if best.findings.is_empty() { String::new() } else { format!(" ({})", text.sure(best)) };
+    let mut said = vec![format!("{}. {}{sure}", text.counts(), text.heading())];
+    for (finding, number) in best.findings.iter().zip(1..) {
+        let told = text.told(finding);
+        let follows = match finding.follows.len() {
+            0 => None,
+            few if few <= NAMED => told.follows,
+            many => Some(words.language.check_follows_marked(&many.to_string(), &format!("({number})"))),
+        };
+        // Beside a figure there is no room to say twice what a slipped number should be.
+        let [done, should] = sentences(&finding.candidate, words);
+        let should = (!done.contains(&should)).then_some(told.should);
+        let sentences: Vec<String> = [told.done].into_iter().chain(should).chain(follows).collect();
+        said.push(format!("{number}. {}", sentences.join(" ")));
+    }
+    said.extend(text.unexplained());
+    said.extend(text.mirrored());
+    for &(sheet, degrees) in turns {
+        if degrees.abs() > TURNED {
+            let degrees = words.write(degrees, NumberStyle::decimals(0).on(Medium::Figure));
+            let plan = match sheet {
+                Sheet::Acceleration => words.language.acceleration_plan(),
+                _ => words.language.velocity_plan(),
+            };
+            said.push(words.language.check_turned(&plan.to_lowercase(), &degrees));
+        }
+    }
+    said.into_iter().map(|sentence| sentence.replace(" -", " −")).collect()
+}
+
+/// The cells of a row that have a column on the sheet.
+fn cells(row: [String; 8]) -> [String; COLUMNS.len()] {
+    COLUMNS.map(|column| row[column].clone())
+}
+
+/// A checked value as a row of the table on the sheet; it bears the number of the mistake that it follows from.
+fn own_value(text: &ReportText<'_>, index: usize) -> OwnValue {
+    let value = &text.checked.values[index];
+    let mut cells = cells(text.row(value));
+    cells[0] = value.entry.asked.name().to_owned();
+    for (number, finding) in (1..).zip(&text.checked.diagnosis.best.findings) {
+        if finding.follows.contains(&index) {
+            cells[5].push_str(&format!(" ({number})"));
+        }
+    }
+    OwnValue { cells, is_off: value.verdict == Verdict::Off }
 }
 
 /// The steps at which something went wrong, each once.

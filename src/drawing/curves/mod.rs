@@ -1,5 +1,5 @@
 //! In: quantities over a cycle, sampled. Out: a sheet with a panel for each kind of quantity, one above the other over the drive's axis.
-//! Greatest and least values, dead positions, limits and the scene's own position are marked; every curve bears its name.
+//! Greatest and least values, dead centres, limits and the scene's own position are marked; every curve bears its name.
 //! Nothing of the motion is computed here.
 
 mod axis;
@@ -265,7 +265,7 @@ impl Sheet<'_> {
         };
         let curves = &self.curves.curves;
         if curves.iter().any(|c| !c.dead.is_empty()) {
-            explain(Pen::Joint, panel::DEAD, self.words.language.dead_position());
+            explain(Pen::Joint, panel::DEAD, self.words.language.dead_centre());
         }
         if curves.iter().any(|c| !c.extremes.is_empty()) {
             explain(Pen::Pole, panel::DOT, self.words.language.extremes());

@@ -15,7 +15,7 @@ use kurbo::{Point, Rect, Vec2};
 
 /// Radius of the dot at a greatest or least value.
 pub(super) const DOT: f64 = 0.75;
-/// Radius of the circle at a dead position.
+/// Radius of the circle at a dead centre.
 pub(super) const DEAD: f64 = 0.8;
 /// So many of a curve's names are shown.
 const MOST_NAMES: usize = 4;

@@ -1,4 +1,4 @@
-//! Change positions, where two branches cross: the motion that goes on smoothly is followed, and where rates are undetermined there are none.
+//! Change points, where two branches cross: the motion that goes on smoothly is followed, and where rates are undetermined there are none.
 
 use super::ends::{TURNS, apart, slider_crank};
 use super::four_bars::FourBar;
@@ -7,13 +7,13 @@ use kinegon::cycle::{Happening, Path};
 use kinegon::mechanism::SliderId;
 use kinegon::quantity::State;
 
-/// How exactly a change position is located, in turns.
+/// How exactly a change point is located, in turns.
 const LOCATED: f64 = 1e-12;
 
-/// Around a change position there is nothing to read, in turns.
+/// Around a change point there is nothing to read, in turns.
 const BLANK: f64 = 1e-4;
 
-/// The change positions on a path are just these, whole turns aside.
+/// The change points on a path are just these, whole turns aside.
 fn changes(path: &Path, expected: &[f64]) -> Vec<f64> {
     let events = path.events().into_iter();
     let found = events.filter(|e| matches!(e.what, Happening::Change { .. }));
@@ -29,7 +29,7 @@ fn changes(path: &Path, expected: &[f64]) -> Vec<f64> {
     found
 }
 
-/// Four-bars whose shortest and longest link together are as long as the others, with their change positions.
+/// Four-bars whose shortest and longest link together are as long as the others, with their change points.
 #[test]
 fn four_bars() {
     let bars: [([f64; 4], &[f64]); 8] = [
@@ -130,9 +130,9 @@ fn a_rod_as_long_as_the_crank() {
         }
     }
 }
-/// A path that begins next to a change position takes a run-up from the other side.
+/// A path that begins next to a change point takes a run-up from the other side.
 #[test]
-fn a_start_next_to_a_change_position() {
+fn a_start_next_to_a_change_point() {
     let bar = FourBar { crank: 30.0, coupler: 80.0, rocker: 30.0, ground: 80.0 };
     for away in [1.0, 0.1, 1e-2, 1e-3, 1e-4, -1e-4, -1e-3, -1e-2, -0.1, -1.0] {
         for hand in [1.0, -1.0] {

@@ -1,4 +1,4 @@
-//! Four-bars, whose branches, limits and dead positions are known in closed form: on a branch the triangle of coupler, rocker and
+//! Four-bars, whose branches, limits and dead centres are known in closed form: on a branch the triangle of coupler, rocker and
 //! diagonal never changes its hand.
 
 use super::{TURN, U, path, posed};

@@ -24,7 +24,7 @@ fn values(path: &Path, count: usize, margin: f64) -> Vec<f64> {
 }
 
 /// The two routes have nothing in common but the position. The second is right to the last digit there; the first, of plain f64, may
-/// differ by what rounding of positions does too. Near a dead position of a rate that vanishes that is nothing; here what is left is
+/// differ by what rounding of positions does too. Near a dead centre of a rate that vanishes that is nothing; here what is left is
 /// rounding of the fastest rate.
 #[test]
 fn they_solve_the_loop_equations() {

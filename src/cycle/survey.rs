@@ -1,69 +1,69 @@
 use super::Path;
 use super::extreme::peak;
 use super::reading::{End, Reading};
-use super::samples::Sample;
+use super::samples::{Sample, hull};
 use crate::kernel::InputKind;
 use crate::quantity::{Asked, Kind};
 
 /// Equal parts of the range at which a curve is looked at first.
 pub(super) const PARTS: usize = 128;
 
-/// What differs by less than this part of what is usual with these drives does not change.
+/// A curve whose values spread by less than this part of [`natural`] is constant.
 const FLAT: f64 = 1e-6;
 
-/// What differs by less than this part of itself is the same.
+/// Values that differ by less than this part of themselves are equal.
 const SAME: f64 = 1e-9;
 
-/// How much farther from its middle than it typically is a curve may be without counting as unbounded.
+/// A peak this many times further from the centre than the median value counts as unbounded.
 const WILD: f64 = 1e3;
 
-/// How much farther than typical an unbounded curve is shown.
+/// An unbounded curve is shown up to this many times the median distance from the centre.
 const SHOWN: f64 = 4.0;
 
-/// A curve at first sight.
-pub(super) struct Glance<'a> {
+/// What a first coarse look at a curve finds: whether it is constant, where it is unbounded, and which values are worth showing.
+pub(super) struct CurveSurvey<'a> {
     pub asked: Vec<Asked>,
     pub reading: Reading<'a>,
     pub samples: Vec<Sample>,
-    /// Lowest and highest value that are worth showing.
+    /// Lowest and highest value to be shown.
     pub window: [f64; 2],
     /// Whether it grows beyond all bounds, below and above.
     pub grows: [bool; 2],
     /// Its value where that is everywhere the same.
     pub constant: Option<f64>,
-    /// What is nothing beside the usual size of such a quantity.
-    nothing: f64,
+    /// Absolute tolerance for zero.
+    zero: f64,
 }
 
-impl<'a> Glance<'a> {
-    /// A glance at a quantity by its samples over a range of the drive's value.
+impl<'a> CurveSurvey<'a> {
+    /// The survey of a quantity, from its samples over a range of the drive's value.
     pub fn new(path: &Path, range: [f64; 2], asked: Asked, reading: Reading<'a>, samples: Vec<Sample>) -> Self {
-        let nothing = FLAT * natural(path, asked.kind());
-        let mut glance = Glance {
+        let zero = FLAT * natural(path, asked.kind());
+        let mut survey = CurveSurvey {
             asked: vec![asked],
             reading,
             samples,
             window: [0.0; 2],
             grows: [false; 2],
             constant: None,
-            nothing,
+            zero,
         };
-        let [least, most] = hull(glance.samples.iter().filter_map(|s| s.1));
-        if most - least <= nothing.max(SAME * most.abs().max(least.abs())) {
+        let [least, most] = hull(survey.samples.iter().filter_map(|s| s.1));
+        if most - least <= zero.max(SAME * most.abs().max(least.abs())) {
             let middle = 0.5 * (least + most);
-            let value = if middle.abs() <= nothing { 0.0 } else { middle };
-            glance.constant = Some(value);
-            glance.window = [value; 2];
+            let value = if middle.abs() <= zero { 0.0 } else { middle };
+            survey.constant = Some(value);
+            survey.window = [value; 2];
         } else {
             for (side, own) in range.into_iter().enumerate() {
                 let end = path.end(side == 1).filter(|end| end.at == own);
-                if let (Some(_), End::Grows(up)) = (end, glance.reading.ends[side]) {
-                    glance.grows[usize::from(up)] = true;
+                if let (Some(_), End::Grows(up)) = (end, survey.reading.ends[side]) {
+                    survey.grows[usize::from(up)] = true;
                 }
             }
-            glance.frame(range);
+            survey.frame(range);
         }
-        glance
+        survey
     }
 
     pub fn kind(&self) -> Kind {
@@ -71,9 +71,9 @@ impl<'a> Glance<'a> {
     }
 
     /// Whether two quantities are of one kind and equal all along.
-    pub fn equals(&self, other: &Glance) -> bool {
+    pub fn equals(&self, other: &CurveSurvey) -> bool {
         let equal = |(a, b): (&Sample, &Sample)| match (a.1, b.1) {
-            (Some(a), Some(b)) => (a - b).abs() <= self.nothing.max(SAME * a.abs()),
+            (Some(a), Some(b)) => (a - b).abs() <= self.zero.max(SAME * a.abs()),
             (a, b) => a.is_none() && b.is_none(),
         };
         let mut pairs = self.samples.iter().zip(&other.samples);
@@ -86,7 +86,7 @@ impl<'a> Glance<'a> {
         let even = even(samples);
         // Rates are shown with their zero, angles and places without.
         let centre = if kind.is_rate() { 0.0 } else { median(even.iter().copied()) };
-        let typical = median(even.iter().map(|y| (y - centre).abs())).max(self.nothing);
+        let typical = median(even.iter().map(|y| (y - centre).abs())).max(self.zero);
         for (side, sign) in [(0, -1.0), (1, 1.0)] {
             let peaks = (0..samples.len()).filter_map(|i| peak(reading, samples, i, sign));
             let peaks: Vec<[f64; 2]> = peaks.collect();
@@ -122,12 +122,6 @@ fn natural(path: &Path, kind: Kind) -> f64 {
         Kind::Velocity => first * size,
         Kind::Acceleration => second * size,
     }
-}
-
-/// Least and greatest of some numbers.
-pub(super) fn hull(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
-    let none = [f64::INFINITY, f64::NEG_INFINITY];
-    numbers.fold(none, |[low, high], y| [low.min(y), high.max(y)])
 }
 
 /// The middle one of some numbers.

@@ -1,7 +1,7 @@
 use super::{CycleError, Drive, Path};
 use crate::construction::Solution;
 
-/// How far from each end of a drive's range the film keeps, in parts of the range: at a limit position rates are infinite.
+/// How far from each end of a drive's range an animation stays, in parts of the range: at a limit position rates are infinite.
 const OFF_THE_END: f64 = 0.004;
 
 /// How far a slider that has no end is followed either way, in parts of the mechanism's size.
@@ -9,7 +9,7 @@ const WAY: f64 = 0.3;
 
 /// A mechanism solved at equal steps of a drive, for showing one position after another.
 #[derive(Clone, Debug)]
-pub struct Film {
+pub struct Animation {
     /// The drive; none for a drawn configuration and for a mechanism at rest, which have one position.
     pub drive: Option<Drive>,
     /// The drive's values in degrees or lengths, rising; one zero without a drive.
@@ -22,7 +22,7 @@ pub struct Film {
     pub is_round: bool,
 }
 
-impl Film {
+impl Animation {
     /// About `count` positions over the whole range that the drive of this name (without one, the first) can reach on the branch of
     /// the solution's own position, and that position itself. Positions without a definite motion are left out.
     ///
@@ -56,19 +56,18 @@ impl Film {
             (0..count).map(|k| low + off + step * k as f64).collect()
         };
         // The scene's own position takes the place of a neighbour, so that steps stay nearly equal.
-        let next = values.iter().position(|v| *v >= start);
-        let next = next.unwrap_or(values.len());
+        let next = values.iter().position(|v| *v >= start).unwrap_or(values.len());
         if values.get(next).is_some_and(|v| (v - start).abs() < 1e-9 * path.unit()) {
             values.remove(next);
         }
         values.insert(next, start);
-        let mut film = Self { drive: Some(drive), values: Vec::new(), positions: Vec::new(), is_round, ..still };
+        let mut animation = Self { drive: Some(drive), values: Vec::new(), positions: Vec::new(), is_round, ..still };
         let mut walker = path.walker();
         for value in values {
             if value == start {
-                film.own = film.values.len();
-                film.values.push(value);
-                film.positions.push(own.clone());
+                animation.own = animation.values.len();
+                animation.values.push(value);
+                animation.positions.push(own.clone());
                 continue;
             }
             let Some(pose) = walker.position(value).map(|position| position.pose()) else {
@@ -77,9 +76,9 @@ impl Film {
             let Ok(solution) = own.moved(pose) else {
                 continue;
             };
-            film.values.push(value);
-            film.positions.push(solution);
+            animation.values.push(value);
+            animation.positions.push(solution);
         }
-        Ok(film)
+        Ok(animation)
     }
 }
