@@ -22,7 +22,7 @@ counts.
 
 This page is made by `cargo run --release --example speed_vs_error`. The errors are the same in every run, the times are not.
 
-![Error against time](../out/speed-vs-error.svg)
+![Error against time](accuracy.svg)
 
 An *error* is |computed − true| over the largest true number of that kind (ω, α, v, a) in the group. In *units of u·condition*
 (u = 2⁻⁵³) 1 is about what rounding the given numbers would do; there rates count with the size of their links, and accelerations against
@@ -33,10 +33,10 @@ An *error* is |computed − true| over the largest true number of that kind (ω,
 const REMARKS: &str = "
 f32 counts in its own units (u = 2⁻²⁴), up to a condition of 8·10⁵; where lengths or rates leave its range it has no number.
 
-With 1000 groups for each family and parameter (`cargo test --release --test accuracy`) Kinegon's velocities and accelerations stay below 1 unit
+With 1000 groups for each family and parameter (`KINEGON_SURVEY=full cargo test --release --test library accuracy::`) Kinegon's velocities and accelerations stay below 1 unit
 everywhere, and each ω and α errs by less than 4 u of its own true value whatever the condition, nearly always by less than 1 u, as the nearest f64 does:
 what a solution leaves of the equations is computed with twice the digits, and gives a correction until nothing is left. The bound of each rate says the same:
-`cargo test --release --test error_bounds` holds it to true errors on a million mechanisms of all classes. The condition then tells how much errors of the
+`KINEGON_SURVEY=full cargo test --release --test library error_bounds::` holds it to true errors on a million mechanisms of all classes. The condition then tells how much errors of the
 *given* numbers are enlarged, and nothing else.
 
 The equations of all joints lose little more than rounding the given numbers would, but for input motions that are large and nearly alike; Kinegon takes their

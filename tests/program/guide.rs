@@ -80,6 +80,8 @@ fn run(commands: &str, code: i32, folder: &Path) -> Outcome {
     let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
     let mut outcome = Outcome { printed: String::new(), failure: None };
     for line in commands.lines() {
+        let is_meant = ["kinegon ", "mkdir "].iter().any(|command| line.starts_with(command));
+        assert!(is_meant, "`{line}` is not for this test: say `not run` and why");
         let mut shell = std::process::Command::new("sh");
         shell.args(["-c", line]).current_dir(folder).env("PATH", &path).env_remove("CLICOLOR_FORCE");
         let output = shell.stdin(std::process::Stdio::null()).output().expect("a shell");
@@ -147,7 +149,8 @@ fn failures(page: &str) -> Vec<String> {
             (Some(("not run", reason)), _) if !reason.is_empty() => {}
             (Some(("file", file)), _) => fs::write(folder.join(file), &part.text).expect("it can be written"),
             (Some(("in", place)), "json") => {
-                fs::write(folder.join("changed.json"), with_keys(&part.text, place, &folder)).expect("it can be written");
+                fs::write(folder.join("changed.json"), with_keys(&part.text, place, &folder))
+                    .expect("it can be written");
                 let commands = "kinegon solve changed.json\nkinegon draw changed.json -o changed.svg";
                 let outcome = run(commands, 0, &folder);
                 outcome.failure.into_iter().for_each(|why| fail(format!("{why}: {}", outcome.printed)));
@@ -159,7 +162,9 @@ fn failures(page: &str) -> Vec<String> {
                 printed = Some(outcome.printed);
             }
             (None, "text") if output.as_ref().is_some_and(|text| is_shown(text, &part.text)) => {}
-            (None, "text") if output.is_some() => fail(format!("in place of this stands\n{}", output.unwrap_or_default())),
+            (None, "text") if output.is_some() => {
+                fail(format!("in place of this stands\n{}", output.unwrap_or_default()))
+            }
             (None, language) if language.starts_with("rust") && ["README.md", "docs/library.md"].contains(&page) => {}
             (comment, language) => fail(format!("nothing tries this block of {language:?} with {comment:?}")),
         }
@@ -238,7 +243,9 @@ fn the_readme_lists_every_command() {
     let help = String::from_utf8(help).expect("text");
     let list = help.split("Commands:\n").nth(1).and_then(|rest| rest.split("\n\n").next()).expect("a list");
     let readme = files::read("README.md");
-    for command in list.lines().filter_map(|line| line.split_whitespace().next()).filter(|name| *name != "help") {
+    // Lines that go on are indented further.
+    let names = list.lines().filter_map(|line| line.strip_prefix("  ")?.split(' ').next());
+    for command in names.filter(|name| !["", "help"].contains(name)) {
         assert!(readme.contains(&format!("| `kinegon {command}")), "README.md does not list {command}");
     }
 }
