@@ -15,6 +15,7 @@
 
 use crate::support::files;
 use crate::support::program::{kinegon, scratch};
+use kinegon::check::Mistake;
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
 use std::fs;
@@ -276,6 +277,14 @@ fn the_guide_names_every_key_and_choice() {
         let is_named = |word: &String| text.contains(&format!("`{word}`")) || text.contains(&format!("\"{word}\""));
         let missing: Vec<&String> = words.iter().filter(|word| !is_named(word)).collect();
         assert!(missing.is_empty(), "{page} does not name {missing:?}");
+    }
+}
+
+#[test]
+fn the_guide_explains_every_mistake_that_the_check_knows() {
+    let page = files::read("docs/checking.md");
+    for mistake in Mistake::all().map(Mistake::id) {
+        assert!(page.contains(&format!("| `{mistake}` |")), "docs/checking.md does not explain {mistake}");
     }
 }
 
