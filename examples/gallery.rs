@@ -180,7 +180,7 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 11] = [
     (
         "check",
         "examples/figure-2.json",
-        "check examples/figure-2.json examples/paper-as-student.json --draw out/ --mu-l 5 --mu-v 2.5 --mu-a 2.5",
+        "check scene.json values.json --draw out/ --mu-l 5 --mu-v 2.5 --mu-a 2.5",
         "A drawing by hand, checked: what is probably elsewhere, dashed, over the right figure.",
         Kind::Check("examples/paper-as-student.json"),
     ),

@@ -1,17 +1,19 @@
-//! README.md and the guide in `docs/`: what they tell people to type works and prints what they show, what they show as a file is accepted,
-//! their links lead somewhere, and nothing that the program reads is left out.
+//! README.md and the guide in `docs/`: what they tell people to type works and prints what they show, what they show as a
+//! file is accepted, their links lead somewhere, and nothing that the program reads is left out.
 //!
-//! Each page has a folder of its own, empty at first, and is gone through from its top to its end. A comment above a block says what the block is:
+//! Each page has a folder of its own, empty at first, and is gone through from its top to its end. A comment above a block
+//! says what the block is:
 //!
 //! - `<!-- file: crank.json -->`: the block is written to that file.
-//! - `<!-- in: crank.json /links/1 without shape -->`: the keys of the block go to that place of that scene, keys named last are taken out, and the
-//!   scene is solved and drawn. The file itself stays as it is.
+//! - `<!-- in: crank.json /links/1 without shape -->`: the keys of the block go to that place of that scene, keys named
+//!   last are taken out, and the scene is solved and drawn. The file itself stays as it is.
 //! - `<!-- exit: 1 -->`: the commands of the block end with that code in place of 0.
 //! - `<!-- not run: reason -->`: nothing is done with the block.
 //!
-//! `<!-- copy: examples/figure-2.json -->` stands alone: that file of the repository is there from then on, under the same path.
-//! Each line of a `sh` block is run by the shell; a `text` block right below is what the block prints, where a line `…` stands for any lines.
-//! Blocks of Rust are run as doctests of the library.
+//! `<!-- copy: examples/figure-2.json -->` stands alone: that file of the repository is there from then on, under the same
+//! path. Each line of a `sh` block is run by the shell; a `text` block right below is what the block prints, where a line
+//! `…` stands for any lines. A command within a sentence is run, too; where it is only named, as in `kinegon draw`, it is
+//! asked for its help. `scene.json` and words in capitals stand for any file. Blocks of Rust are doctests of the library.
 
 use crate::support::files;
 use crate::support::program::{kinegon, scratch};
@@ -33,7 +35,7 @@ struct Part<'a> {
     line: usize,
     /// The comment above it, or itself.
     comment: Option<(&'a str, &'a str)>,
-    /// The language of the block; empty where a comment stands alone.
+    /// The language of the block; empty where a comment stands alone, `sentence` for a command within one.
     language: &'a str,
     text: String,
     /// Whether nothing stands between it and the part before.
@@ -63,9 +65,24 @@ fn parts(page: &str) -> Vec<Part<'_>> {
         } else if !line.trim().is_empty() {
             assert!(comment.is_none(), "line {line_number}: a comment for a block, and no block");
             follows = false;
+            let commands = line.split('`').skip(1).step_by(2).filter(|code| code.starts_with("kinegon "));
+            parts.extend(commands.map(|command| {
+                let text = command.to_owned();
+                Part { line: line_number, comment: None, language: "sentence", text, follows }
+            }));
         }
     }
     parts
+}
+
+/// What is to be run where a sentence says `command`; nothing where a word of it stands for any file.
+fn meant(command: &str) -> Option<String> {
+    let mut words = command.split(' ');
+    let stands_for_any = |word: &str| word == "scene.json" || word.chars().all(|c| c.is_ascii_uppercase());
+    match words.clone().count() {
+        2 => Some(format!("{command} --help")),
+        _ => (!words.any(stands_for_any)).then(|| command.to_owned()),
+    }
 }
 
 /// What commands came to.
@@ -75,7 +92,6 @@ struct Outcome {
 }
 
 /// Runs the lines of a block in a folder, all of which are to end with that code.
-#[cfg(unix)]
 fn run(commands: &str, code: i32, folder: &Path) -> Outcome {
     let program = Path::new(env!("CARGO_BIN_EXE_kinegon")).parent().expect("it lies in a folder");
     let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
@@ -132,7 +148,6 @@ fn with_keys(block: &str, place: &str, folder: &Path) -> String {
 }
 
 /// What is wrong on a page, with its lines.
-#[cfg(unix)]
 fn failures(page: &str) -> Vec<String> {
     let text = files::read(page);
     let folder = scratch(&format!("guide-{}", page.replace('/', "-")));
@@ -162,6 +177,10 @@ fn failures(page: &str) -> Vec<String> {
                 outcome.failure.into_iter().for_each(|why| fail(format!("{why}: {}", outcome.printed)));
                 printed = Some(outcome.printed);
             }
+            (None, "sentence") => {
+                let outcome = meant(&part.text).map(|command| run(&command, 0, &folder));
+                outcome.and_then(|outcome| outcome.failure).into_iter().for_each(fail);
+            }
             (None, "text") if output.as_ref().is_some_and(|text| is_shown(text, &part.text)) => {}
             (None, "text") if output.is_some() => {
                 fail(format!("in place of this stands\n{}", output.unwrap_or_default()))
@@ -173,7 +192,6 @@ fn failures(page: &str) -> Vec<String> {
     failures
 }
 
-#[cfg(unix)]
 #[test]
 fn every_page_does_what_it_says() {
     let pages = pages();
