@@ -58,6 +58,7 @@ fn drawable(text: &str) -> Option<Solution> {
     (is_drawn && is_good).then_some(solution)
 }
 
+/// What values are checked against; so many mistakes at once are looked for.
 pub fn answer_key(solution: &Solution, depth: usize) -> AnswerKey<'_> {
     AnswerKey { solution, scales: solution.scales(), tolerance: Tolerance::default(), depth }
 }
@@ -234,10 +235,13 @@ fn is_planted(explanation: &Explanation, mistake: Mistake, blanks: &[String]) ->
 /// How often a mistake was named, and what was named in its place.
 #[derive(Default)]
 pub struct Row {
+    /// Drawings with the mistake.
     pub planted: usize,
+    /// Those of which it was named.
     pub named: usize,
     /// Of those named: how often values could not tell it from the one that stands first.
     pub alike: usize,
+    /// The mistakes that were named in its place, and how often each.
     pub instead: BTreeMap<&'static str, usize>,
 }
 

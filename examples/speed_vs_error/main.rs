@@ -4,13 +4,13 @@
 mod document;
 mod families;
 mod general;
-#[allow(dead_code)] // tests use more of it
+#[expect(dead_code, reason = "tests use more of it")]
 #[path = "../../tests/support/groups.rs"]
 mod groups;
 mod hand;
 mod joints;
 mod kernel;
-#[allow(dead_code)] // tests use more of it
+#[expect(dead_code, reason = "tests use more of it")]
 mod measure;
 mod methods;
 mod naive;
@@ -19,7 +19,7 @@ mod picture;
 mod random;
 mod single;
 mod survey;
-#[allow(dead_code)] // tests use more of it
+#[expect(dead_code, reason = "tests use more of it")]
 mod truth;
 
 use kinegon::format;

@@ -4,13 +4,13 @@
 
 #[path = "../mutations.rs"]
 mod mutations;
-#[allow(dead_code)] // not every target uses all of it
+#[allow(dead_code, reason = "not every target uses all of it")]
 #[path = "../../tests/support/random.rs"]
 mod random;
-#[allow(dead_code)] // not every target uses all of it
+#[allow(dead_code, reason = "not every target uses all of it")]
 #[path = "../../tests/support/stages.rs"]
 mod stages;
-#[allow(dead_code)] // not every target uses all of it
+#[allow(dead_code, reason = "not every target uses all of it")]
 #[path = "../../tests/support/whole_way.rs"]
 mod whole_way;
 

@@ -110,7 +110,7 @@ impl Exercises {
     ///
     /// # Errors
     /// Where a stated number of variants gave none; says what was wrong most often.
-    #[allow(clippy::should_implement_trait)] // there is no end to iterate to
+    #[expect(clippy::should_implement_trait, reason = "there is no end to iterate to")]
     pub fn next(&mut self) -> Result<Exercise, ExerciseError> {
         self.number += 1;
         let mut refused: BTreeMap<Refusal, usize> = BTreeMap::new();

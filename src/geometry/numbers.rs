@@ -66,8 +66,7 @@ pub fn quarters_of(degrees: f64) -> f64 {
 /// With the minimax polynomials of fdlibm (Sun Microsystems, 1993), which are right within one unit in the last place so far and
 /// quickly lose digits further off. Exact at the quarter turns.
 #[inline(always)]
-// The coefficients stand as published.
-#[allow(clippy::excessive_precision)]
+#[expect(clippy::excessive_precision, reason = "the coefficients stand as published")]
 #[must_use]
 pub fn direction_near<T: Number>(degrees: T, quarters: f64) -> Pair<T> {
     let number = |x: f64| degrees.same(x);

@@ -5,7 +5,7 @@ pub struct Random(pub u64);
 
 impl Random {
     /// 64 bits.
-    #[allow(clippy::should_implement_trait)] // there is no end to iterate to
+    #[expect(clippy::should_implement_trait, reason = "there is no end to iterate to")]
     pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;

@@ -34,8 +34,8 @@ mod templates;
 mod worked;
 mod worksheets;
 
-/// Examples whose tables are tested; they are programs, too.
-#[allow(dead_code)]
+/// Examples whose tables are tested.
+#[expect(dead_code, reason = "they are programs, too")]
 #[path = "../../examples"]
 mod examples {
     pub mod gallery;
@@ -47,7 +47,7 @@ mod examples {
 }
 
 /// Hard groups of the example `speed_vs_error`, its methods and their truth.
-#[allow(dead_code)] // the example draws a picture besides
+#[expect(dead_code, reason = "the example draws a picture besides")]
 #[path = "../../examples/speed_vs_error"]
 mod speed_vs_error {
     use crate::support::{groups, random};

@@ -1,5 +1,5 @@
 //! What tests share. Each of the three programs includes all of it once.
-#![allow(dead_code)] // not every program uses all of it
+#![allow(dead_code, reason = "not every program uses all of it")]
 
 pub mod browser;
 pub mod changes;

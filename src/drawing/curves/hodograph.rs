@@ -212,7 +212,7 @@ impl Panel<'_> {
         Line::around(&format!("({letter}) {sentence}"), RichText::math(symbol))
     }
 
-    #[allow(clippy::too_many_arguments)] // the parts of a label
+    #[expect(clippy::too_many_arguments, reason = "the parts of a label")]
     fn label(
         &self,
         canvas: &mut Canvas<'_>,
