@@ -2,8 +2,11 @@
 //! Run with `cargo run --release --example gallery`.
 
 use kinegon::Solution;
+use kinegon::check::{AnswerKey, Measured, check, redrawn};
+use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch};
-use kinegon::drawing::{Drawing, curves, hodographs};
+use kinegon::drawing::{Drawing, curves, hodographs, overlay};
+use kinegon::exercise::Exercises;
 use kinegon::format::structure;
 use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Scene, StyleName};
 use std::error::Error;
@@ -92,10 +95,14 @@ enum Kind {
     Curves(&'static [&'static str]),
     /// Ways of vectors' tips.
     Hodographs(&'static [&'static str]),
+    /// The values of that form over the right figure.
+    Check(&'static str),
+    /// The sheet of the first exercise with that seed.
+    Exercise(u64),
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 9] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 11] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -163,6 +170,20 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 9] = [
         "The ways of vectors' tips over the cycle, marked every 30° of the crank.",
         Kind::Hodographs(&["v(C)", "a(C)"]),
     ),
+    (
+        "exercise",
+        "templates/four-bar.json",
+        "exercise four-bar --seed 11 -o class/",
+        "An exercise: what is given, and a box for every value to be found.",
+        Kind::Exercise(11),
+    ),
+    (
+        "check",
+        "examples/figure-2.json",
+        "check scene.json values.json --draw out/ --mu-l 5 --mu-v 2.5 --mu-a 2.5",
+        "A drawing by hand, checked: what is probably elsewhere, dashed, over the right figure.",
+        Kind::Check("examples/paper-as-student.json"),
+    ),
 ];
 
 /// The scene of a file, with what is asked of its figure, solved.
@@ -191,6 +212,28 @@ fn hodographs_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn
     let branch = turned(solution)?;
     let sampled = Hodographs::new(&branch, [0.0, 360.0], &owned(names))?;
     Ok(hodographs(&solution.scene, &sampled)?)
+}
+
+/// What is probably elsewhere in the drawing from which the values of a form were read, over the right figure; scales as in the command.
+fn checked(path: &str, form: &str) -> Result<Drawing, Box<dyn Error>> {
+    let mut solution = solution(path, |_| ())?;
+    let measured = Measured::read_json(&fs::read_to_string(root().join(form))?)?;
+    let own = {
+        // As deep as the program looks.
+        let (scales, tolerance) = (solution.scales(), Tolerance::default());
+        let key = AnswerKey { solution: &solution, scales, tolerance, depth: 5 };
+        redrawn(&measured, &key, &check(&measured, &key)?, &solution.wording())?
+    };
+    let figure = &mut solution.scene.figure;
+    (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.5), Some(2.5));
+    Ok(overlay(&solution, &own).swap_remove(0))
+}
+
+fn exercise(path: &str, seed: u64) -> Result<Drawing, Box<dyn Error>> {
+    let text = fs::read_to_string(root().join(path))?;
+    let solution = solution(path, |_| ())?;
+    let mut exercises = Exercises::new(&text, &solution.scene.figure, None, &solution.construction, seed)?;
+    Ok(exercises.next()?.sheet)
 }
 
 fn owned(names: &[&str]) -> Vec<String> {
@@ -232,8 +275,11 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
             Kind::Step(number) => solution(path, |_| ())?.stepwise_figure().after_step(number),
             Kind::Curves(names) => curves_of(&solution(path, |_| ())?, names)?,
             Kind::Hodographs(names) => hodographs_of(&solution(path, |_| ())?, names)?,
+            Kind::Check(form) => checked(path, form)?,
+            Kind::Exercise(seed) => exercise(path, seed)?,
         };
-        let _ = write!(page, "\n{purpose}\n\n`kinegon {command}`\n\n![{}](gallery/{name}.svg)\n", drawing.description);
+        let description = if drawing.description.is_empty() { purpose } else { &drawing.description };
+        let _ = write!(page, "\n{purpose}\n\n`kinegon {command}`\n\n![{description}](gallery/{name}.svg)\n");
         pictures.push((format!("docs/gallery/{name}.svg"), drawing.svg()));
     }
     pictures.insert(0, ("docs/gallery.md".to_owned(), page));

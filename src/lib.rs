@@ -48,3 +48,13 @@ pub use construction::Solution;
 pub use error::Error;
 pub use scene::Scene;
 pub use solve::solve;
+
+// The Rust of README.md and of the guide is run as it stands there.
+#[cfg(doctest)]
+mod guide {
+    #[doc = include_str!("../README.md")]
+    mod readme {}
+
+    #[doc = include_str!("../docs/library.md")]
+    mod library {}
+}

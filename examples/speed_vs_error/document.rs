@@ -22,7 +22,7 @@ counts.
 
 This page is made by `cargo run --release --example speed_vs_error`. The errors are the same in every run, the times are not.
 
-![Error against time](../out/speed-vs-error.svg)
+![Error against time](accuracy.svg)
 
 An *error* is |computed − true| over the largest true number of that kind (ω, α, v, a) in the group. In *units of u·condition*
 (u = 2⁻⁵³) 1 is about what rounding the given numbers would do; there rates count with the size of their links, and accelerations against

@@ -1,5 +1,5 @@
 //! Measures, in one run, how long several methods take for velocities and accelerations of fourth-class groups and how wrong they are.
-//! `cargo run --release --example speed_vs_error` prints a table and writes out/speed-vs-error (.svg, .png, .json) and docs/accuracy.md.
+//! `cargo run --release --example speed_vs_error` prints a table and writes out/speed-vs-error (.svg, .png, .json) and docs/accuracy (.md, .svg).
 
 mod document;
 mod families;
@@ -38,6 +38,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&out)?;
     let drawing = picture::picture(&survey, &times);
     fs::write(out.join("speed-vs-error.svg"), drawing.svg())?;
+    // The guide's pictures lie beside its pages.
+    fs::write(root.join("docs/accuracy.svg"), drawing.svg())?;
     #[cfg(feature = "png")]
     fs::write(out.join("speed-vs-error.png"), drawing.png(200.0)?)?;
     let numbers = document::numbers(&survey, &times, &machine);

@@ -12,6 +12,8 @@ mod command_line_paper;
 mod command_line_pencil;
 mod command_line_sweep;
 mod exercises;
+#[cfg(unix)] // it has a shell run what pages say
+mod guide;
 mod overlays;
 mod step_sheets;
 mod styles;
