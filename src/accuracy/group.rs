@@ -1,7 +1,7 @@
 use super::bounds::{BodyErrors, Bounds, SlideErrors};
 use crate::geometry::{LinearSystem, Numbers, UNIT_ROUNDOFF};
 use crate::mechanism::{BodyId, Group, JointId, LoopEquations, SlideRate, SliderId, Spin};
-use crate::scene::Form;
+use crate::scene::GivenBy;
 
 /// Roundings, of the size of the mechanism, by which a loop closed from lengths may stay open; of a radian, by which an angle in a tie.
 const OPEN: f64 = 8.0;
@@ -89,9 +89,9 @@ impl Spread<'_> {
         let Bounds { mechanism, pose, .. } = bounds;
         let largest = pose.points.iter().flat_map(|p| [p.x.abs(), p.y.abs()]);
         let size = largest.fold(0.0, f64::max);
-        let open = match mechanism.form {
-            Form::Lengths => OPEN * UNIT_ROUNDOFF,
-            Form::Drawn => 0.0,
+        let open = match mechanism.given_by {
+            GivenBy::Lengths => OPEN * UNIT_ROUNDOFF,
+            GivenBy::Drawing => 0.0,
         };
         let loops = self.equations.loops.iter().map(|terms| {
             let ends = terms.ends.map_or(0.0, |[start, end]| {

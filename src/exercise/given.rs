@@ -1,7 +1,7 @@
 //! The given numbers of an exercise in sentences, which a student gets beside the scheme.
 
 use crate::quantity::{Kind, Scales};
-use crate::scene::{At, DecimalMark, Form, On, Scene, Shape};
+use crate::scene::{At, DecimalMark, GivenBy, On, Scene, Shape};
 use crate::words::{Medium, NumberStyle, Wording};
 use serde_json::Value;
 
@@ -60,7 +60,7 @@ impl Teller<'_> {
 
     /// Fixed points and lengths of a scene from lengths; none of a drawn scene, whose scheme shows them.
     fn lengths(&self) -> Vec<String> {
-        if self.scene.form == Form::Drawn {
+        if self.scene.given_by == GivenBy::Drawing {
             return Vec::new();
         }
         let unit = self.unit(Kind::Length);

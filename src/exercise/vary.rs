@@ -2,7 +2,7 @@
 
 use super::numbers::{Number, each_number, written};
 use crate::geometry::{Point, Random, span};
-use crate::scene::{Along, Form, Scene};
+use crate::scene::{Along, GivenBy, Scene};
 use serde_json::{Value, json};
 
 /// Largest relative change of lengths and given motions, up or down.
@@ -69,9 +69,9 @@ impl OnGuide {
             let is_on = off <= ON_LINE * size && !line.contains(&at);
             is_on.then_some(OnGuide { at, line })
         });
-        match scene.form {
-            Form::Drawn => blocks.collect(),
-            Form::Lengths => Vec::new(),
+        match scene.given_by {
+            GivenBy::Drawing => blocks.collect(),
+            GivenBy::Lengths => Vec::new(),
         }
     }
 

@@ -4,7 +4,7 @@ use crate::geometry::{Point, Turn, Vector};
 use crate::mechanism::{
     Body, BodyId, GROUND, Group, Joint, JointId, Loop, LoopEquations, Mechanism, Reduction, Role, Slider, SliderId, Tie,
 };
-use crate::scene::Form;
+use crate::scene::GivenBy;
 use std::collections::BTreeSet;
 
 /// A mechanism compiled for many positions.
@@ -79,7 +79,7 @@ impl Kernel {
     /// The kernel of `mechanism`; `None` for a drawn configuration, which has one position only.
     #[must_use]
     pub fn new(mechanism: &Mechanism) -> Option<Kernel> {
-        (mechanism.form == Form::Lengths).then(|| Compiler::new(mechanism).run())
+        (mechanism.given_by == GivenBy::Lengths).then(|| Compiler::new(mechanism).run())
     }
 
     /// Whether `other` is of the same kind: the same actions in the same order, but for lengths.

@@ -6,7 +6,7 @@ use super::shape::local_points;
 use super::structure::{Edge, Structure, structure};
 use super::{Body, BodyId, Group, JointId, Mechanism, PointId, Role, StructureError};
 use crate::geometry::Point;
-use crate::scene::{Form, Scene};
+use crate::scene::{GivenBy, Scene};
 use indexmap::IndexMap;
 
 /// The mechanism that a scene describes.
@@ -93,7 +93,7 @@ struct Builder<'a> {
 impl<'a> Builder<'a> {
     fn new(scene: &'a Scene) -> Self {
         let mechanism = Mechanism {
-            form: scene.form,
+            given_by: scene.given_by,
             points: Vec::new(),
             given: Vec::new(),
             bodies: Vec::new(),
@@ -123,7 +123,7 @@ impl<'a> Builder<'a> {
 
     fn add_bodies(&mut self) -> Result<(), StructureError> {
         let scene = self.scene;
-        let drawn = scene.form == Form::Drawn;
+        let drawn = scene.given_by == GivenBy::Drawing;
         let ground_places: Vec<Point> =
             scene.ground.iter().filter_map(|name| scene.coordinates.get(name).map(|&p| p.into())).collect();
         self.add_body("ground", &scene.ground, Role::Ground, ground_places);

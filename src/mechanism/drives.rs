@@ -1,7 +1,7 @@
 use super::shape::{direction, local_points};
 use super::{Mechanism, Role, StructureError};
 use crate::geometry::{Point, Vector, direction_of_degrees};
-use crate::scene::{self, Along, At, Form, On, Scene};
+use crate::scene::{self, Along, At, GivenBy, On, Scene};
 use indexmap::IndexMap;
 
 /// What makes a link move. The ground's points are in `mechanism` already.
@@ -82,7 +82,7 @@ fn drives(scene: &Scene) -> Vec<Drive> {
 /// # Errors
 /// Unless every drive says where it stands and no link gives an angle, or all drives but one do and just one link does.
 pub(super) fn angle_in_place(scene: &Scene) -> Result<Option<(&str, f64)>, StructureError> {
-    if scene.form == Form::Drawn {
+    if scene.given_by == GivenBy::Drawing {
         return Ok(None);
     }
     let refuse =

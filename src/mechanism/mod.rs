@@ -24,7 +24,7 @@ pub use joint::{Guide, Joint, Mark, Slider, Tie};
 pub use loops::{Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate, Spin, TieTerms};
 
 use crate::geometry::{Point, Vector};
-use crate::scene::Form;
+use crate::scene::GivenBy;
 
 /// Index of a named point in [`Mechanism::points`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -46,7 +46,7 @@ pub struct SliderId(pub usize);
 #[derive(Clone, Debug)]
 pub struct Mechanism {
     /// Whether positions come from lengths or stand in the scene.
-    pub form: Form,
+    pub given_by: GivenBy,
     /// Names of the points, in order of appearance.
     pub points: Vec<String>,
     /// The places that the scene gives, by point: the frame's, or all of them in a drawn configuration.

@@ -6,7 +6,7 @@ use super::rough::Rough;
 use super::{Assembly, AssemblyError, Pose};
 use crate::geometry::{Vector, span};
 use crate::mechanism::{BodyId, Class, Mechanism, Role, SliderId};
-use crate::scene::{Form, Near};
+use crate::scene::{GivenBy, Near};
 
 /// Ways to assemble a whole mechanism beyond which each group is decided by itself.
 const MOST_WAYS: usize = 4096;
@@ -21,7 +21,7 @@ const LARGEST: f64 = 1e70;
 /// # Errors
 /// [`AssemblyError::NoMode`] says which links do not meet, and by how much.
 pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
-    if mechanism.form == Form::Drawn {
+    if mechanism.given_by == GivenBy::Drawing {
         return Ok(drawn_pose(mechanism));
     }
     let rough = Rough::new(mechanism.for_positions(), near);
@@ -44,7 +44,7 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
 /// # Errors
 /// As for [`pose()`].
 pub fn poses(mechanism: &Mechanism, near: &Near) -> Result<Vec<Pose>, AssemblyError> {
-    if mechanism.form == Form::Drawn {
+    if mechanism.given_by == GivenBy::Drawing {
         return Ok(vec![drawn_pose(mechanism)]);
     }
     let ways = ways(mechanism, &Rough::new(mechanism.for_positions(), near))?;

@@ -10,11 +10,11 @@ mod frames;
 mod legs;
 mod levers;
 mod modes;
+mod platform;
 mod pose;
 mod roots;
 mod rough;
 mod search;
-mod truss;
 
 pub use assemble::{pose, poses};
 pub use error::AssemblyError;

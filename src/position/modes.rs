@@ -3,9 +3,9 @@ use std::cmp::Ordering;
 use super::closing::{Assembled, Closer, places};
 use super::frames::Frames;
 use super::levers::Lever;
+use super::platform::Platform;
 use super::rough::Rough;
 use super::search::Search;
-use super::truss::Truss;
 use crate::geometry::{Point, Vector, degrees_of, span};
 use crate::mechanism::{Class, Group, LoopEquations, Mechanism};
 
@@ -46,12 +46,12 @@ pub(super) fn modes(
 ) -> Result<Vec<Assembled>, NoMode> {
     let group = &mechanism.groups[index];
     let mut modes = Modes::new(mechanism, index);
-    if let Some(truss) = Truss::new(mechanism, group, known) {
-        for start in truss.starts(known, slides) {
+    if let Some(platform) = Platform::new(mechanism, group, known) {
+        for start in platform.starts(known, slides) {
             modes.close(start, f64::INFINITY);
         }
         if modes.found.is_empty() {
-            return Err(NoMode::Apart(truss.miss()));
+            return Err(NoMode::Apart(platform.miss()));
         }
     } else {
         let mut search = Search::new(mechanism, group, known, slides, rough);

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::form::{DRAWN, Form};
+use super::given_by::{DRAWN, GivenBy};
 use super::schema::without_defaults;
 use super::units::TimeUnit;
 use super::write::write_keys;
@@ -69,9 +69,9 @@ pub(super) enum LinkDrive {
 
 impl LinkDriveFile {
     /// Errors at what the drawing gives already.
-    pub fn check_form(&self, form: Form, link: &str) -> Result<(), Wrong> {
+    pub fn check_given_by(&self, given_by: GivenBy, link: &str) -> Result<(), Wrong> {
         match first_given(&[("angle", self.angle.is_some()), ("position", self.position.is_some())]) {
-            Some(key) if form == Form::Drawn => {
+            Some(key) if given_by == GivenBy::Drawing => {
                 let message = format!("the drive of link {link} has `{key}`, but this scene is a drawn configuration");
                 Err(Wrong::key(&[key], message).hint(format!("remove `{key}`: {DRAWN}")))
             }

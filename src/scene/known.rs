@@ -2,7 +2,7 @@
 
 use indexmap::IndexMap;
 
-use super::form::Form;
+use super::given_by::GivenBy;
 use super::link::Link;
 use super::motion::PointMotion;
 use super::names::Names;
@@ -12,11 +12,11 @@ use super::wrong::Wrong;
 
 /// The points whose motion is known.
 pub(super) fn known(
-    form: Form,
+    given_by: GivenBy,
     names: &Names<'_>,
     file: Option<Entries<PointMotion>>,
 ) -> Result<IndexMap<String, PointMotion>, Wrong> {
-    if file.is_some() && form == Form::Lengths {
+    if file.is_some() && given_by == GivenBy::Lengths {
         let hint = r#"give the coordinates of every point in "points": { … }, or drive a link"#;
         return Err(Wrong::key(&["known"], "known motions belong to a drawn configuration").hint(hint));
     }

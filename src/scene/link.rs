@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::drive::{Drive, LinkDrive, LinkDriveFile, SliderDrive, first_given};
-use super::form::{DRAWN, Form};
+use super::given_by::{DRAWN, GivenBy};
 use super::motion::LinkMotion;
 use super::name::{check_list, check_name};
 use super::shape::{Shape, lengths, local};
@@ -74,7 +74,7 @@ pub(super) type Pushes = IndexMap<String, SliderDrive>;
 
 /// The links, and the drives written in links that push sliders.
 pub(super) fn links(
-    form: Form,
+    given_by: GivenBy,
     time: TimeUnit,
     file: Entries<LinkFile>,
 ) -> Result<(IndexMap<String, Link>, Pushes), Wrong> {
@@ -84,7 +84,7 @@ pub(super) fn links(
     let mut links = IndexMap::with_capacity(file.0.len());
     let mut pushes = Pushes::new();
     for (name, LinkFile(fields)) in file.0 {
-        let read = check_name("a link", &name).and_then(|()| link(form, time, &name, fields));
+        let read = check_name("a link", &name).and_then(|()| link(given_by, time, &name, fields));
         let (link, push) = read.map_err(|wrong| wrong.inside(&["links", &name]))?;
         if let Some(push) = push {
             pushes.insert(name.clone(), push);
@@ -95,8 +95,13 @@ pub(super) fn links(
 }
 
 /// A link, and the drive in it that pushes its slider.
-fn link(form: Form, time: TimeUnit, name: &str, fields: LinkFields) -> Result<(Link, Option<SliderDrive>), Wrong> {
-    check_form(form, name, &fields)?;
+fn link(
+    given_by: GivenBy,
+    time: TimeUnit,
+    name: &str,
+    fields: LinkFields,
+) -> Result<(Link, Option<SliderDrive>), Wrong> {
+    check_given_by(given_by, name, &fields)?;
     let points = points(name, &fields)?;
     let shape = match (fields.shape, fields.lengths) {
         (Some(_), Some(_)) => {
@@ -104,7 +109,7 @@ fn link(form: Form, time: TimeUnit, name: &str, fields: LinkFields) -> Result<(L
             return Err(Wrong::key(&["lengths"], message).hint("keep one of them"));
         }
         (Some(shape), None) => local(name, &points, shape)?,
-        (None, given) if form == Form::Lengths => lengths(name, &points, given.unwrap_or_default())?,
+        (None, given) if given_by == GivenBy::Lengths => lengths(name, &points, given.unwrap_or_default())?,
         (None, _) => Shape::Bare,
     };
     if fields.drive.is_some() && fields.motion.is_some() {
@@ -129,8 +134,8 @@ fn link(form: Form, time: TimeUnit, name: &str, fields: LinkFields) -> Result<(L
 }
 
 /// Errors at the keys that belong to the other form.
-fn check_form(form: Form, name: &str, fields: &LinkFields) -> Result<(), Wrong> {
-    if form == Form::Lengths {
+fn check_given_by(given_by: GivenBy, name: &str, fields: &LinkFields) -> Result<(), Wrong> {
+    if given_by == GivenBy::Lengths {
         if fields.motion.is_some() {
             let message = format!("link {name}: a known `motion` belongs to a drawn configuration");
             let hint = r#"give the coordinates of every point in "points": { … }, or drive the link"#;
@@ -145,7 +150,7 @@ fn check_form(form: Form, name: &str, fields: &LinkFields) -> Result<(), Wrong> 
         let hint = format!("remove `{key}`: {DRAWN}; or remove `points` and give `ground` its coordinates");
         return Err(Wrong::key(&[key], message).hint(hint));
     }
-    let check = |drive: &LinkDriveFile| drive.check_form(form, name);
+    let check = |drive: &LinkDriveFile| drive.check_given_by(given_by, name);
     fields.drive.as_ref().map_or(Ok(()), check).map_err(|wrong| wrong.inside(&["drive"]))
 }
 

@@ -22,7 +22,7 @@ mod write;
 
 mod choice;
 mod figure;
-mod form;
+mod given_by;
 mod units;
 mod value;
 
@@ -50,7 +50,7 @@ pub use build_parts::{Guide, NewLink, Push, Turn};
 pub use drive::{Drive, SliderDrive};
 pub use error::{Place, SceneError};
 pub use figure::{DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, StyleName};
-pub use form::Form;
+pub use given_by::GivenBy;
 pub use link::Link;
 pub use motion::{LinkMotion, PointMotion};
 pub use points::Near;

@@ -2,7 +2,7 @@
 
 use indexmap::IndexMap;
 
-use super::form::{DRAWN, Form};
+use super::given_by::{DRAWN, GivenBy};
 use super::name::{check_list, check_name};
 use super::names::Names;
 use super::shape::check_apart;
@@ -45,7 +45,7 @@ pub(super) type Coordinates = IndexMap<String, [f64; 2]>;
 
 /// The names of the frame's points and the coordinates that the scene gives.
 pub(super) fn ground(
-    form: Form,
+    given_by: GivenBy,
     ground: Option<Ground>,
     points: Option<Entries<Vector>>,
 ) -> Result<(Vec<String>, Coordinates), Wrong> {
@@ -56,7 +56,7 @@ pub(super) fn ground(
     }
     let names = match ground {
         None => Vec::new(),
-        Some(Ground::Names(_)) if form == Form::Lengths => {
+        Some(Ground::Names(_)) if given_by == GivenBy::Lengths => {
             let hint = r#"write { "A": [x, y], … }; or give the coordinates of every point in "points": { … }"#;
             return Err(Wrong::value(&["ground"], "the frame's points have no coordinates").hint(hint));
         }
@@ -83,7 +83,7 @@ pub(super) fn ground(
 }
 
 /// Errors at points without coordinates, points that are on nothing, names kept for results, and zero-length links.
-pub(super) fn check_points(form: Form, names: &Names<'_>, coordinates: &Coordinates) -> Result<(), Wrong> {
+pub(super) fn check_points(given_by: GivenBy, names: &Names<'_>, coordinates: &Coordinates) -> Result<(), Wrong> {
     let place_of = |point: &str| {
         coordinates.get(point).copied().ok_or_else(|| {
             let near = close(point, coordinates.keys().map(String::as_str));
@@ -101,7 +101,7 @@ pub(super) fn check_points(form: Form, names: &Names<'_>, coordinates: &Coordina
         let mut places = Vec::with_capacity(link.points.len());
         for (index, point) in link.points.iter().enumerate() {
             // In the lengths form points get their places later.
-            let place = || if form == Form::Drawn { place_of(point).map(Some) } else { Ok(None) };
+            let place = || if given_by == GivenBy::Drawing { place_of(point).map(Some) } else { Ok(None) };
             let place = names.check_reserved(point).and_then(|()| place()).map_err(|wrong| {
                 let index = index.to_string();
                 wrong.at_first(&[&["points", &index], &["shape", point], &[&index]]).inside(&["links", name])
@@ -120,8 +120,8 @@ pub(super) fn check_points(form: Form, names: &Names<'_>, coordinates: &Coordina
 }
 
 /// The approximate positions.
-pub(super) fn near(form: Form, names: &Names<'_>, file: Option<Entries<NearValue>>) -> Result<Near, Wrong> {
-    if file.is_some() && form == Form::Drawn {
+pub(super) fn near(given_by: GivenBy, names: &Names<'_>, file: Option<Entries<NearValue>>) -> Result<Near, Wrong> {
+    if file.is_some() && given_by == GivenBy::Drawing {
         let message = "a drawn configuration needs no `near`";
         return Err(Wrong::key(&["near"], message).hint(format!("remove it: {DRAWN}")));
     }

@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::error::SceneError;
 use super::figure::Figure;
-use super::form::Form;
+use super::given_by::GivenBy;
 use super::kind::FileKind;
 use super::known::{check_given_once, check_motions, known};
 use super::link::{Link, LinkFile, links};
@@ -88,7 +88,7 @@ pub struct Scene {
     /// The units of every length and time of the scene.
     pub units: Units,
     /// Whether the scene gives lengths or a drawn configuration.
-    pub form: Form,
+    pub given_by: GivenBy,
     /// Names of the frame's points, in file order.
     pub ground: Vec<String>,
     /// Given positions: of the ground points (lengths form), of every point (drawn form).
@@ -147,22 +147,22 @@ impl Scene {
 
 /// Each part of the file, checked, in the order in which mistakes are told.
 fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
-    let form = if file.points.is_some() { Form::Drawn } else { Form::Lengths };
-    let (links, pushes) = links(form, file.units.time, file.links)?;
-    let (ground, coordinates) = ground(form, file.ground, file.points)?;
+    let given_by = if file.points.is_some() { GivenBy::Drawing } else { GivenBy::Lengths };
+    let (links, pushes) = links(given_by, file.units.time, file.links)?;
+    let (ground, coordinates) = ground(given_by, file.ground, file.points)?;
     let names = Names::new(&ground, &links);
-    check_points(form, &names, &coordinates)?;
-    let sliders = sliders(form, &names, &coordinates, file.sliders.unwrap_or_default(), pushes)?;
-    let known = known(form, &names, file.known)?;
+    check_points(given_by, &names, &coordinates)?;
+    let sliders = sliders(given_by, &names, &coordinates, file.sliders.unwrap_or_default(), pushes)?;
+    let known = known(given_by, &names, file.known)?;
     check_given_once(&names, &known, &sliders)?;
-    let near = near(form, &names, file.near)?;
+    let near = near(given_by, &names, file.near)?;
     check_motions(&names)?;
     let figure = file.figure.unwrap_or_default();
     figure.check().map_err(|wrong| wrong.inside(&["figure"]))?;
     Ok(Scene {
         title: file.title,
         units: file.units,
-        form,
+        given_by,
         ground,
         coordinates,
         known,

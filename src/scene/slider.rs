@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::drive::SliderDrive;
-use super::form::{DRAWN, Form};
+use super::given_by::{DRAWN, GivenBy};
 use super::link::{Link, Pushes};
 use super::name::{no_point, pair};
 use super::names::Names;
@@ -89,7 +89,7 @@ pub enum Along {
 
 /// The sliders; `pushes` are the drives that stand in sliding links, which are moved to their sliders.
 pub(super) fn sliders(
-    form: Form,
+    given_by: GivenBy,
     names: &Names<'_>,
     coordinates: &Coordinates,
     file: Vec<SliderFile>,
@@ -99,7 +99,7 @@ pub(super) fn sliders(
     let mut pushed: HashSet<String> = HashSet::new();
     for (index, given) in file.into_iter().enumerate() {
         let inside = |wrong: Wrong| wrong.inside(&["sliders", &index.to_string()]);
-        let mut slider = slider(form, names, coordinates, given).map_err(inside)?;
+        let mut slider = slider(given_by, names, coordinates, given).map_err(inside)?;
         if let Some((link, push)) = slider.link.as_ref().and_then(|link| pushes.swap_remove_entry(link)) {
             if slider.drive.is_some() {
                 let message = format!("link {link} has a drive, and so has its slider");
@@ -130,7 +130,7 @@ pub(super) fn sliders(
     Ok(sliders)
 }
 
-fn slider(form: Form, names: &Names<'_>, coordinates: &Coordinates, given: SliderFile) -> Result<Slider, Wrong> {
+fn slider(given_by: GivenBy, names: &Names<'_>, coordinates: &Coordinates, given: SliderFile) -> Result<Slider, Wrong> {
     let on = match given.on.as_str() {
         "ground" => On::Ground,
         name => {
@@ -138,12 +138,12 @@ fn slider(form: Form, names: &Names<'_>, coordinates: &Coordinates, given: Slide
             On::Link(given.on)
         }
     };
-    let carrier = Carrier { form, names, on: &on };
+    let carrier = Carrier { given_by, names, on: &on };
     check_who(&carrier, given.link.as_deref(), given.at.as_deref(), given.pin.as_deref())?;
     let through = given.through.map(|through| carrier.through(through)).transpose()?;
     let along = carrier.along(coordinates, given.along)?;
     let placed = through.is_some() || matches!(along, Along::Points(..)) || !carrier.points().is_empty();
-    if form == Form::Lengths && !placed {
+    if given_by == GivenBy::Lengths && !placed {
         let message = format!("nothing says where the guide is: {} has no points", carrier.name());
         let hint = match on {
             On::Ground => r#"add "through": [x, y], a place on the guide"#.into(),
@@ -151,11 +151,11 @@ fn slider(form: Form, names: &Names<'_>, coordinates: &Coordinates, given: Slide
         };
         return Err(Wrong::value(&[], message).hint(hint));
     }
-    if form == Form::Drawn && given.turned.is_some() {
+    if given_by == GivenBy::Drawing && given.turned.is_some() {
         let message = "`turned` has no place in a drawn configuration";
         return Err(Wrong::key(&["turned"], message).hint(format!("remove it: {DRAWN}")));
     }
-    if form == Form::Drawn && given.drive.is_some_and(|drive| drive.position.is_some()) {
+    if given_by == GivenBy::Drawing && given.drive.is_some_and(|drive| drive.position.is_some()) {
         let message = "this drive has `position`, but this scene is a drawn configuration";
         return Err(Wrong::key(&["drive", "position"], message).hint(format!("remove `position`: {DRAWN}")));
     }
@@ -199,7 +199,7 @@ fn check_who(carrier: &Carrier<'_>, link: Option<&str>, at: Option<&str>, pin: O
 
 /// What carries a guide, among the names of the scene.
 struct Carrier<'a> {
-    form: Form,
+    given_by: GivenBy,
     names: &'a Names<'a>,
     on: &'a On,
 }
@@ -249,9 +249,9 @@ impl Carrier<'_> {
             (At::Place(_), Some(link)) if !matches!(link.shape, Shape::Local(_)) => {
                 let name = self.name();
                 let message = format!("coordinates need a frame, and {name} has no `shape`");
-                let or = match self.form {
-                    Form::Lengths => "give the link a `shape`",
-                    Form::Drawn => "leave `through` out: the guide passes through the slider's point",
+                let or = match self.given_by {
+                    GivenBy::Lengths => "give the link a `shape`",
+                    GivenBy::Drawing => "leave `through` out: the guide passes through the slider's point",
                 };
                 Err(Wrong::value(&["through"], message).hint(format!("name a point of {name}, or {or}")))
             }
@@ -269,7 +269,7 @@ impl Carrier<'_> {
             }
             Direction::Vector(direction) => Ok(Along::Direction(direction)),
             Direction::Degrees(_)
-                if self.form == Form::Drawn && self.link().is_some_and(|link| link.points.is_empty()) =>
+                if self.given_by == GivenBy::Drawing && self.link().is_some_and(|link| link.points.is_empty()) =>
             {
                 let message = format!("{} has no points and so no axis to count degrees from", self.name());
                 Err(Wrong::value(path, message).hint(r#"give the direction as drawn: "along": [dx, dy]"#))

@@ -1,4 +1,4 @@
-//! Groups of higher class: random ones of six links, written down by lengths from an assembly that is known, and a truss of bars.
+//! Groups of higher class: random ones of six links, written down by lengths from an assembly that is known, and a platform of bars.
 
 use crate::support::files;
 use crate::support::planted::{KNOWN, Planted};

@@ -13,9 +13,9 @@ fn file(path: &str) -> Scene {
 
 /// Everything that a scene says, in words; its text is another matter.
 fn said(scene: &Scene) -> String {
-    let Scene { title, units, form, ground, coordinates, known, links, sliders, near, figure, want, .. } = scene;
+    let Scene { title, units, given_by, ground, coordinates, known, links, sliders, near, figure, want, .. } = scene;
     format!(
-        "{title:?} {units:?} {form:?} {ground:?} {known:#?} {links:#?} {sliders:#?} {near:#?} {figure:#?} {want:?} {:#?}",
+        "{title:?} {units:?} {given_by:?} {ground:?} {known:#?} {links:#?} {sliders:#?} {near:#?} {figure:#?} {want:?} {:#?}",
         // The order of points is not said by a frame's coordinates and a drawing's together.
         coordinates.iter().collect::<std::collections::BTreeMap<_, _>>()
     )

@@ -1,7 +1,7 @@
 //! What a scene says is what the `Scene` holds.
 
 use kinegon::scene::{
-    Along, At, Form, LengthUnit, MAX_BYTES, On, Page, PageSize, PanelName, Scene, SceneError, Shape, SliderDrive,
+    Along, At, GivenBy, LengthUnit, MAX_BYTES, On, Page, PageSize, PanelName, Scene, SceneError, Shape, SliderDrive,
     TimeUnit,
 };
 
@@ -32,7 +32,7 @@ fn with_links(links: &str, more: &str) -> Result<Scene, SceneError> {
 #[test]
 fn the_lengths_form_is_read_in_file_order() {
     let scene = Scene::read(FIGURE_2).unwrap();
-    assert_eq!(scene.form, Form::Lengths);
+    assert_eq!(scene.given_by, GivenBy::Lengths);
     assert_eq!((scene.units.length, scene.units.time), (LengthUnit::Mm, TimeUnit::S));
     assert_eq!(scene.ground, ["A", "G"]);
     assert_eq!(scene.coordinates["G"], [275.0, 0.0]);
@@ -70,7 +70,7 @@ fn the_drawn_form_is_read() {
           "sliders": [ { "link": "2", "at": "B", "on": "iB", "along": [1, 2] }, { "pin": "C", "on": "5" } ] }"#,
     )
     .unwrap();
-    assert_eq!(scene.form, Form::Drawn);
+    assert_eq!(scene.given_by, GivenBy::Drawing);
     assert!(scene.ground.is_empty());
     assert_eq!(scene.known["D"].acceleration, [0.0, 0.0]);
     let motion = scene.links["iB"].motion.as_ref().unwrap();

@@ -4,7 +4,7 @@ use super::{Joint, Mark, Tie};
 use crate::geometry::{Point, Turn, Vector, direction_of_degrees, turn_of_degrees};
 use crate::mechanism::shape::direction;
 use crate::mechanism::{Body, BodyId, GROUND, JointId, Mechanism, PointId, Role, SliderId};
-use crate::scene::{self, Along, At, Form, On, Scene, SliderDrive};
+use crate::scene::{self, Along, At, GivenBy, On, Scene, SliderDrive};
 use smallvec::smallvec;
 
 /// A link that slides along a straight guide of another body and keeps its angle to it.
@@ -152,9 +152,9 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
 /// Adds the block of a pin that rides in a slot: a body with that one point.
 fn add_block(mechanism: &mut Mechanism, pin: &str) -> Option<(BodyId, PointId)> {
     let point = mechanism.point(pin)?;
-    let local = match mechanism.form {
-        Form::Lengths => vec![Point::origin()],
-        Form::Drawn => Vec::new(),
+    let local = match mechanism.given_by {
+        GivenBy::Lengths => vec![Point::origin()],
+        GivenBy::Drawing => Vec::new(),
     };
     mechanism.bodies.push(Body { name: pin.to_owned(), points: vec![point], local, role: Role::Member, block: true });
     Some((BodyId(mechanism.bodies.len() - 1), point))
@@ -163,7 +163,7 @@ fn add_block(mechanism: &mut Mechanism, pin: &str) -> Option<(BodyId, PointId)> 
 fn guide(mechanism: &Mechanism, slider: &scene::Slider, on: BodyId) -> Guide {
     let body = mechanism.body(on);
     let id = |name: &String| mechanism.point(name).expect("checked by the scene");
-    if mechanism.form == Form::Drawn {
+    if mechanism.given_by == GivenBy::Drawing {
         return match &slider.along {
             Along::Points(a, b) => Guide::DrawnBetween(id(a), id(b)),
             Along::Direction(d) => Guide::Drawn(direction(Vector::from(*d))),

@@ -1,12 +1,12 @@
-//! The two ways to give a mechanism.
+//! The two ways to give a mechanism: by lengths, or by a drawing of it.
 
-/// The two ways to give a mechanism.
+/// What gives the places of a scene's points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum GivenBy {
     /// Ground points, lengths or shapes, and drives with angles: positions have to be found.
     Lengths,
     /// Coordinates of every point: positions are given.
-    Drawn,
+    Drawing,
 }
 
 /// Why the drawn form has no room for something, and what it does instead; for hints.

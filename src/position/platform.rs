@@ -4,12 +4,12 @@ use super::legs::{LegCondition, joined_placements, placements, smallest_miss};
 use crate::geometry::{Placement, cross};
 use crate::mechanism::{BodyId, Class, Group, JointId, Mechanism, SliderId};
 
-/// A group seen as rigid bodies a and b joined by legs, each a middle body with a joint to either.
+/// A group seen as a planar platform: rigid bodies a and b joined by legs, each a middle body with a joint to either.
 ///
 /// Third class: the fixed frame (known bodies, which stand still for this purpose) and the central link, joined by three legs.
 /// Fourth class: the two drag links, joined by the closure links and the fixed frame. Second class: the fixed frame and one
 /// link, joined by a joint and by the other link as a leg.
-pub(super) struct Truss<'a> {
+pub(super) struct Platform<'a> {
     mechanism: &'a Mechanism,
     /// Body b; body a too, where it is not the fixed frame.
     b: BodyId,
@@ -23,9 +23,9 @@ pub(super) struct Truss<'a> {
     sliders: Vec<SliderId>,
 }
 
-impl<'a> Truss<'a> {
-    /// The truss of a group of class II, III or IV; `None` for a higher class.
-    pub(super) fn new(mechanism: &'a Mechanism, group: &Group, known: &Frames) -> Option<Truss<'a>> {
+impl<'a> Platform<'a> {
+    /// The platform of a group of class II, III or IV; `None` for a higher class.
+    pub(super) fn new(mechanism: &'a Mechanism, group: &Group, known: &Frames) -> Option<Platform<'a>> {
         let fixed = |body: BodyId| {
             let frame = known.of(body).copied();
             (body, frame.unwrap_or_else(Placement::identity))
@@ -42,7 +42,7 @@ impl<'a> Truss<'a> {
             let point = |j| mechanism.point_name(mechanism.joint_point(j));
             format!("{}{}", point(near), point(far))
         };
-        let mut truss = Truss {
+        let mut platform = Platform {
             mechanism,
             b: group.links[0],
             a: None,
@@ -53,11 +53,11 @@ impl<'a> Truss<'a> {
             sliders: group.joints.iter().filter_map(|&j| mechanism.joint(j).slider).collect(),
         };
         let mut leg = |near: JointId, a, middle: BodyId, far: JointId, b| {
-            let number = truss.legs.len();
+            let number = platform.legs.len();
             let holds = [hold(near, a, own(middle, near)), hold(far, b, own(middle, far))];
-            truss.legs.push(holds);
-            truss.names.push(name([near, far]));
-            truss.middles.push((number, middle));
+            platform.legs.push(holds);
+            platform.names.push(name([near, far]));
+            platform.middles.push((number, middle));
         };
         match group.class {
             Class::Second => {
@@ -70,8 +70,8 @@ impl<'a> Truss<'a> {
                 let (middle, end) = (bodies[at(2, 1)], bodies[at(3, 0)]);
                 let (near, far, direct) = (joints[at(2, 0)], joints[1], joints[at(0, 2)]);
                 leg(near, fixed(end), middle, far, own(b, far));
-                truss.direct = Some(hold(direct, own(b, direct), fixed(start)));
-                truss.b = b;
+                platform.direct = Some(hold(direct, own(b, direct), fixed(start)));
+                platform.b = b;
             }
             Class::Third => {
                 let central = chain(0).bodies[2];
@@ -82,7 +82,7 @@ impl<'a> Truss<'a> {
                     let (outer, inner) = (joints[at(0, 3)], joints[at(1, 2)]);
                     leg(outer, fixed(base), middle, inner, own(central, inner));
                 }
-                truss.b = central;
+                platform.b = central;
             }
             Class::Fourth => {
                 let (a, b) = (chain(0).bodies[1], chain(0).bodies[3]);
@@ -95,13 +95,13 @@ impl<'a> Truss<'a> {
                     hold(joints[0], own(a, joints[0]), fixed(bodies[0])),
                     hold(joints[3], own(b, joints[3]), fixed(bodies[4])),
                 ];
-                truss.legs.push(base);
-                truss.names.push(name([joints[0], joints[3]]));
-                (truss.a, truss.b) = (Some(a), b);
+                platform.legs.push(base);
+                platform.names.push(name([joints[0], joints[3]]));
+                (platform.a, platform.b) = (Some(a), b);
             }
             Class::Higher => return None,
         }
-        Some(truss)
+        Some(platform)
     }
 
     fn conditions(&self) -> Vec<LegCondition> {
