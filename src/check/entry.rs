@@ -2,7 +2,7 @@ use super::answer_key::AnswerKey;
 use super::precision::Precision;
 use super::sheet::{CheckError, Given, Measured, Positive};
 use super::unit;
-use crate::construction::Sheet;
+use crate::construction::{Sheet, image_name};
 use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
 use indexmap::IndexMap;
 
@@ -241,22 +241,18 @@ impl Reader<'_> {
         self.order.contains_key(&other).then_some(other)
     }
 
-    /// The number of the step after which a quantity that no step names can be read.
+    /// The number of the step after which a quantity that no step names can be read: that which makes the image of its
+    /// point, or else the last of its sheet. 0 on the scheme.
     fn step_of(&self, asked: &Asked, sheet: Sheet) -> usize {
-        let head = match sheet {
-            Sheet::Acceleration => "aplan(",
-            _ => "vplan(",
-        };
-        let subject = asked.subject().split(['/', ',']).next().unwrap_or("");
-        let tail = format!(",{})", crate::construction::image_name(subject));
-        let found = self.order.iter().find(|(name, _)| name.starts_with(head) && name.ends_with(&tail));
-        let steps = self.key.solution.construction.numbered_steps();
-        let last = steps.filter(|s| s.sheet() <= sheet).map(|s| s.number).max();
-        match found {
-            Some((_, &step)) if sheet != Sheet::Scheme => step,
-            _ if sheet == Sheet::Scheme => 0,
-            _ => last.unwrap_or(0),
+        if sheet == Sheet::Scheme {
+            return 0;
         }
+        let point = asked.subject().split(['/', ',']).next().unwrap_or("");
+        let image = image_name(point);
+        let steps = || self.key.solution.construction.numbered_steps();
+        let maker = steps().find(|s| s.sheet() == sheet && s.step.action.image() == Some(image.as_str()));
+        let last = steps().filter(|s| s.sheet() <= sheet).last();
+        maker.or(last).map_or(0, |s| s.number)
     }
 }
 

@@ -168,6 +168,24 @@ pub enum Action {
     },
 }
 
+impl Action {
+    /// Whether it reads a length off a sheet.
+    #[must_use]
+    pub fn is_measured(&self) -> bool {
+        matches!(self, Action::MeasureLength { .. } | Action::Measure { .. })
+    }
+
+    /// The plan point that it makes, if it makes one.
+    #[must_use]
+    pub fn image(&self) -> Option<&str> {
+        match self {
+            Action::LayOff(arrow) => Some(&arrow.to),
+            Action::Cross { point, .. } => Some(point),
+            _ => None,
+        }
+    }
+}
+
 /// The equation of a measured segment: what a leg adds to the motion of the point looked for makes it up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LegEquation {

@@ -41,34 +41,19 @@ pub fn readable_names(solution: &Solution) -> Vec<String> {
 /// Names of everything that the construction measures, in its order.
 #[must_use]
 pub fn measured_names(construction: &Construction) -> Vec<String> {
-    let lengths = construction.scheme.iter().filter_map(|s| match &s.action {
-        Action::MeasureLength { from, to, .. } => Some(format!("L({from},{to})")),
-        _ => None,
-    });
-    let segments = construction.plans().flat_map(|plan| {
-        plan.steps.iter().filter_map(move |s| match &s.action {
-            Action::Measure { from, to, .. } => Some(plan.kind.segment_name(from, to)),
-            _ => None,
-        })
-    });
-    lengths.chain(segments).collect()
+    names(construction, |action| action.is_measured())
 }
 
-/// Names of everything that stands in the construction's steps with a value, in their order.
+/// Names of everything that stands in the construction's steps with a value: what is measured, then the rest of the plans.
 #[must_use]
 pub fn step_names(construction: &Construction) -> Vec<String> {
-    let mut names = measured_names(construction);
-    for plan in construction.plans() {
-        for step in &plan.steps {
-            match &step.action {
-                Action::LayOff(arrow) => names.push(plan.kind.segment_name(&arrow.from, &arrow.to)),
-                Action::Cross { point, .. } => {
-                    names.push(plan.kind.segment_name(plan.kind.pole(), point));
-                }
-                Action::Solve { unknowns, .. } => names.extend(unknowns.iter().map(|u| u.0.clone())),
-                _ => {}
-            }
-        }
-    }
-    names
+    let mut all = measured_names(construction);
+    all.extend(names(construction, |action| !action.is_measured()));
+    all
+}
+
+/// Names that the steps of some kinds give, in their order.
+fn names(construction: &Construction, is_wanted: impl Fn(&Action) -> bool) -> Vec<String> {
+    let steps = construction.numbered_steps().filter(|s| is_wanted(&s.step.action));
+    steps.flat_map(|s| s.names()).collect()
 }
