@@ -7,10 +7,8 @@
 //! finds the quantity of each value, `precision` how finely it is written, `points` the distances between given places;
 //! `checked` gives each value its `verdict`.
 //! `model` predicts all values together with their common errors, `together` the errors that a drawing program makes;
-//! `datum`,
-//! `covariance`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the catalogue, `search`
-//! tries its mistakes,
-//! `diagnosis` chooses the best `explanation`; `report` and `result` write it as text and JSON, `redrawn/` draws the
+//! `datum`, `covariance`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the catalogue,
+//! `search` tries its mistakes, `diagnosis` chooses the best `explanation`; `report` and `result` write it as text and JSON, `redrawn/` draws the
 //! student's sheets as they probably were; `student` draws with mistakes on purpose; `marks` gives the marks that
 //! values earn, `class` sums up many drawings. Nothing is read or printed here, and no plan is computed again.
 
