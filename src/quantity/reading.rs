@@ -3,7 +3,7 @@
 use super::name::{Asked, Component, Normality, Spot, What};
 use crate::construction::{
     Along, Construction, Does, End, How, NumberId, NumberKind, Part, PlaceId, PlanKind, Product, ProductKind, Sheet,
-    Solution, SpecialId, StepId, Writer, image_name, normal_name, written,
+    Solution, SpecialId, StepId, Writer, construction_writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
 use indexmap::IndexMap;
@@ -70,7 +70,7 @@ pub enum Unread {
 /// length are measured once more, with an error of their own.
 #[must_use]
 pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<Result<Reading, Unread>>) {
-    let writer = written(&solution.mechanism, &solution.pose, &solution.motion);
+    let writer = construction_writer(&solution.mechanism, &solution.pose, &solution.motion);
     let mut reader = Reader { steps: writer.construction.steps_of_quantities(), writer };
     let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
     let mut construction = reader.writer.construction;
@@ -93,7 +93,7 @@ enum Drawn {
 impl Reader<'_> {
     fn reading(&mut self, asked: &Asked) -> Result<Reading, Unread> {
         let (number, sense) = self.number(asked)?;
-        match self.writer.is_beyond(number) {
+        match self.writer.is_not_by_hand(number) {
             true => Err(Unread::NoConstruction),
             false => Ok(Reading { number, sense, sheet: asked.sheet() }),
         }
@@ -133,7 +133,7 @@ impl Reader<'_> {
         let sheet = asked.sheet();
         let ends = match (drawn, component) {
             // Points at rest and vectors of nothing are not measured.
-            (Drawn::Segment(ends), _) if ends.iter().any(|&end| self.writer.is_place_beyond(end)) => {
+            (Drawn::Segment(ends), _) if ends.iter().any(|&end| self.writer.is_place_not_by_hand(end)) => {
                 return Err(Unread::NoConstruction);
             }
             (Drawn::Segment([from, to]), _) if from == to => return Err(Unread::Given),
@@ -278,7 +278,7 @@ impl Reader<'_> {
         }
         let place = |name: &str| self.writer.construction.place(sheet, name).ok_or(Unread::NoConstruction);
         let ends = [place(from)?, place(to)?];
-        if ends.iter().any(|&end| self.writer.is_place_beyond(end)) {
+        if ends.iter().any(|&end| self.writer.is_place_not_by_hand(end)) {
             return Err(Unread::NoConstruction);
         }
         if ends[0] == ends[1] {
@@ -319,7 +319,7 @@ impl Reader<'_> {
     /// The end of a named place's vector: the plan's own point of that name where a hand has found it, else laid off.
     fn plan_point(&mut self, sheet: Sheet, spot: &Spot) -> Result<PlaceId, Unread> {
         let named = self.writer.construction.place(sheet, &image_name(spot.name()));
-        match (named.filter(|&place| !self.writer.is_place_beyond(place)), spot) {
+        match (named.filter(|&place| !self.writer.is_place_not_by_hand(place)), spot) {
             (Some(place), _) => Ok(place),
             (None, Spot::Point(body, point, _)) => {
                 let holder = self.holder(sheet, *body, *point);
@@ -338,7 +338,7 @@ impl Reader<'_> {
             bodies.filter(|&b| own && mechanism.body(b).points.contains(&point))
         };
         let known = holders().find(|&b| mechanism.is_known(b));
-        known.or_else(|| holders().find(|&b| self.writer.moved_point(sheet, b, point).is_some())).unwrap_or(body)
+        known.or_else(|| holders().find(|&b| self.writer.place_of_motion(sheet, b, point).is_some())).unwrap_or(body)
     }
 
     /// A part of a relative acceleration: between plan points where the construction lays it off, else computed.
