@@ -1,11 +1,11 @@
-use super::group::carry_group;
+use super::group::add_group_bounds;
 use crate::construction::Special;
 use crate::geometry::{Point, UNIT_ROUNDOFF};
 use crate::mechanism::{BodyId, JointId, Mechanism, SliderId};
 use crate::motion::{Motion, Order};
 use crate::position::Pose;
 
-/// Bounds of the errors of all rates, velocities and accelerations of a motion, in the scene's units.
+/// Bounds of the errors of all rates, velocities and accelerations of a motion, in the scene's units, angles in rad.
 ///
 /// Places and rates that the scene gives count as exact; so do the coordinates of a drawn configuration.
 #[derive(Clone, Debug)]
@@ -17,7 +17,8 @@ pub struct Bounds<'a> {
     pub(super) slides: Vec<SlideErrors>,
 }
 
-/// Bounds of the errors of a body: of its rotation, and of the place to which its motion is referred.
+/// Bounds of the errors of a body: of its rotation, and of its reference point,
+/// [`BodyMotion::at`](crate::motion::BodyMotion::at).
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct BodyErrors {
     /// Of its angle, in radians.
@@ -35,7 +36,7 @@ pub(super) struct SlideErrors {
     pub acceleration: f64,
 }
 
-/// Bounds of the errors of a place of a body; the same for every direction.
+/// Bounds of the errors of a point's position, velocity and acceleration, in any direction.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PlaceErrors {
     pub position: f64,
@@ -56,7 +57,7 @@ pub fn bounds<'a>(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) 
         slides: vec![SlideErrors::default(); mechanism.sliders.len()],
     };
     for group in &mechanism.groups {
-        carry_group(&mut bounds, group);
+        add_group_bounds(&mut bounds, group);
     }
     bounds
 }
@@ -76,22 +77,24 @@ impl Bounds<'_> {
         [errors.velocity, errors.acceleration]
     }
 
-    /// Bounds of the errors of velocity and acceleration, in each component, of the body's point at `p`; rounding included.
+    /// Bounds of the errors of velocity and acceleration, in each component, of the body's point at `p`; rounding
+    /// included.
     #[must_use]
     pub fn motion_at(&self, body: BodyId, p: Point) -> [f64; 2] {
-        let errors = self.at(body, p);
+        let errors = self.inherited_at(body, p);
         let motion = self.motion.body(body);
         let velocity = motion.velocity.norm() + motion.swing(p).norm();
         let turning = motion.tangential(p).norm() + motion.normal(p).norm();
         let acceleration = motion.acceleration.norm() + turning;
-        // What the place's own motion took to compute, and what leads from there to `p`.
+        // Roundings in the motion of the reference point and in the relative motion of `p`.
         let rounding = 8.0 * UNIT_ROUNDOFF;
         [errors.velocity + rounding * velocity, errors.acceleration + rounding * acceleration]
     }
 
-    /// The same for a special point of a construction, whose place is where its cut lines cross; `None` at infinity.
+    /// The same for a special point of a construction; `None` at infinity.
     ///
-    /// A cut line that is off by δ, or turned wrongly by t at the distance r, moves the crossing by (δ + r t) / |sine|.
+    /// A cut line that is displaced by δ, or turned by an error t at the distance r, moves the crossing by (δ + r t) /
+    /// |sine|.
     #[must_use]
     pub fn special(&self, special: &Special) -> Option<[f64; 2]> {
         let place = special.place.finite()?;
@@ -100,7 +103,7 @@ impl Bounds<'_> {
             let start = cut.start().map_or(place, |p| self.pose.point(p));
             let reach = (place - start).norm();
             let [carrier, link] = [cut.carrier, special.link].map(|b| self.bodies[b.0].turn);
-            let off = self.at(cut.leg.base, start).position;
+            let off = self.inherited_at(cut.leg.base, start).position;
             let rounding = 8.0 * UNIT_ROUNDOFF * (size + reach + start.coords.norm());
             off + reach * carrier.max(link) + rounding
         });
@@ -123,8 +126,8 @@ impl Bounds<'_> {
         rates + size * (errors.turn + 4.0 * UNIT_ROUNDOFF)
     }
 
-    /// What is inherited at a place of a body, rounding at the place itself left out.
-    pub(super) fn at(&self, body: BodyId, p: Point) -> PlaceErrors {
+    /// Errors of a body's point at `p` inherited from body and reference point, without the rounding of `p` itself.
+    pub(super) fn inherited_at(&self, body: BodyId, p: Point) -> PlaceErrors {
         let (motion, errors) = (self.motion.body(body), &self.bodies[body.0]);
         let reach = (p - motion.at).norm();
         let omega = motion.omega.abs();
@@ -137,20 +140,20 @@ impl Bounds<'_> {
         }
     }
 
-    /// What is inherited at `joint` by the body on its other side from `from`.
-    pub(super) fn across(&self, joint: JointId, from: BodyId) -> PlaceErrors {
+    /// Errors at `joint` inherited from body `from`, for the body on the joint's other side.
+    pub(super) fn inherited_across(&self, joint: JointId, from: BodyId) -> PlaceErrors {
         let p = self.pose.point(self.mechanism.joint_point(joint));
-        let mut errors = self.at(from, p);
+        let mut errors = self.inherited_at(from, p);
         if let Some(id) = self.mechanism.joint(joint).slider {
-            let (slide, own) = (self.motion.slide(id), &self.slides[id.0]);
+            let (slide, sliding) = (self.motion.slide(id), &self.slides[id.0]);
             let turn = self.bodies[from.0].turn;
             let twice = 2.0 * self.motion.body(from).omega.abs();
             let rate = slide.velocity.abs();
-            errors.position += own.position;
-            errors.velocity += own.velocity + rate * turn;
-            errors.acceleration += own.acceleration
+            errors.position += sliding.position;
+            errors.velocity += sliding.velocity + rate * turn;
+            errors.acceleration += sliding.acceleration
                 + slide.acceleration.abs() * turn
-                + twice * (own.velocity + rate * turn)
+                + twice * (sliding.velocity + rate * turn)
                 + 2.0 * rate * self.bodies[from.0].omega;
         }
         errors

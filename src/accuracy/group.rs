@@ -1,20 +1,21 @@
-use super::bounds::{BodyErrors, Bounds, SlideErrors};
+use super::bounds::{BodyErrors, Bounds, PlaceErrors, SlideErrors};
 use crate::geometry::{LinearSystem, Numbers, UNIT_ROUNDOFF};
-use crate::mechanism::{BodyId, Group, JointId, LoopEquations, SlideRate, SliderId, Spin};
+use crate::mechanism::{BodyId, Group, JointId, LoopEquations, LoopTerms, SlideRate, SliderId, Spin};
 use crate::scene::GivenBy;
 
-/// Roundings, of the size of the mechanism, by which a loop closed from lengths may stay open; of a radian, by which an angle in a tie.
+/// Gap left in a closed loop by rounding, in [`UNIT_ROUNDOFF`] times the mechanism's size; of a tie, times a radian.
 const OPEN: f64 = 8.0;
 
-/// Adds the bounds of a group, whose outer bodies' are there.
+/// Adds the bounds of a group; those of its outer bodies must be known.
 ///
-/// With A the matrix of the loop equations, angles and slides found from lengths are uncertain by |A⁻¹| times what rounding leaves the
-/// loops open. An arm r that is turned wrongly by t changes the velocity equations by |ω| |r| t and those of the acceleration by
-/// (|α| + ω²) |r| t; a wrong motion of the outer joints enters both as it is. |A⁻¹| takes that to the rates.
-pub(super) fn carry_group(bounds: &mut Bounds<'_>, group: &Group) {
+/// With A the matrix of the loop equations, angles and slides found from lengths have errors of |A⁻¹| times the gaps
+/// that rounding leaves in the loops. An arm r with an angle error t changes the velocity equations by |ω| |r| t and
+/// the acceleration equations by (|α| + ω²) |r| t; errors of the outer joints' motions enter both directly. |A⁻¹| takes
+/// these residuals to the rates.
+pub(super) fn add_group_bounds(bounds: &mut Bounds<'_>, group: &Group) {
     let equations = LoopEquations::new(bounds.mechanism, group);
     let pose = bounds.pose;
-    // A group without a definite motion has been refused before.
+    // `motion` has refused singular groups before.
     let Some(system) = equations.factored(&pose.points, &pose.guides) else {
         return;
     };
@@ -23,38 +24,38 @@ pub(super) fn carry_group(bounds: &mut Bounds<'_>, group: &Group) {
         errors.collect::<Vec<f64>>()
     };
     let turns = known(bounds, |b| b.turn);
-    let spread = Spread { equations: &equations, system: &system };
-    let places = spread.places(bounds, &turns);
-    let turn = |spin: Spin| of_spin(spin, &places, &turns);
+    let propagation = ErrorPropagation { equations: &equations, system: &system };
+    let positions = propagation.positions(bounds, &turns);
+    let turn = |spin: Spin| of_spin(spin, &positions, &turns);
     let omegas = known(bounds, |b| b.omega);
-    let rates = spread.velocities(bounds, &turn, &omegas);
+    let velocities = propagation.velocities(bounds, &turn, &omegas);
     let alphas = known(bounds, |b| b.alpha);
-    let seconds = spread.accelerations(bounds, &turn, [&omegas, &alphas], &rates);
+    let accelerations = propagation.accelerations(bounds, &turn, [&omegas, &alphas], &velocities);
 
     for &link in &group.bodies {
-        let own = bounds.motion.errors[link.0];
+        let rounding = bounds.motion.errors[link.0];
         let spin = equations.spin_of(link);
         bounds.bodies[link.0] = BodyErrors {
             turn: turn(spin),
-            omega: own.omega + of_spin(spin, &rates, &omegas),
-            alpha: own.alpha + of_spin(spin, &seconds, &alphas),
+            omega: rounding.omega + of_spin(spin, &velocities, &omegas),
+            alpha: rounding.alpha + of_spin(spin, &accelerations, &alphas),
             ..BodyErrors::default()
         };
     }
     for slider in (0..bounds.slides.len()).map(SliderId) {
         if let Some(unknown) = equations.slide_unknown(slider) {
-            let own = bounds.motion.slide(slider);
+            let rounding = bounds.motion.slide(slider);
             bounds.slides[slider.0] = SlideErrors {
-                position: places[unknown],
-                velocity: own.velocity_error + rates[unknown],
-                acceleration: own.acceleration_error + seconds[unknown],
+                position: positions[unknown],
+                velocity: rounding.velocity_error + velocities[unknown],
+                acceleration: rounding.acceleration_error + accelerations[unknown],
             };
         }
     }
-    carry_places(bounds, group);
+    add_reference_bounds(bounds, group);
 }
 
-/// The element for an unknown rotation, or that of the body whose rotation is known.
+/// The value for an unknown rotation, or else for the body whose rotation is known.
 fn of_spin(spin: Spin, unknowns: &[f64], bodies: &[f64]) -> f64 {
     match spin {
         Spin::Unknown(unknown) => unknowns[unknown],
@@ -62,15 +63,23 @@ fn of_spin(spin: Spin, unknowns: &[f64], bodies: &[f64]) -> f64 {
     }
 }
 
-/// Takes what is uncertain in the loops to their unknowns.
-struct Spread<'a> {
+/// The sum of the inherited errors at both ends of a loop; zero for a loop that closes on itself.
+fn ends(bounds: &Bounds<'_>, terms: &LoopTerms, of: fn(&PlaceErrors) -> f64) -> f64 {
+    terms.ends.map_or(0.0, |[start, end]| {
+        let at = |body: BodyId, point| of(&bounds.inherited_at(body, bounds.pose.point(point)));
+        at(start, terms.first) + at(end, terms.last)
+    })
+}
+
+/// Takes residuals of the loop equations to errors of the unknowns.
+struct ErrorPropagation<'a> {
     equations: &'a LoopEquations,
     system: &'a LinearSystem,
 }
 
-impl Spread<'_> {
-    /// |A⁻¹| times what is uncertain in each loop, the same for both of its equations, and in each tie: by `any` in every rotation, and by
-    /// what is `known` of each body in those that are not looked for.
+impl ErrorPropagation<'_> {
+    /// |A⁻¹| times the residuals: of each loop, equal for both components, and of each tie. A tie's residual is the sum
+    /// of its weights times `any`, and for known rotations times `any` plus the error in `known`, by body.
     fn to_unknowns(&self, loops: impl Iterator<Item = f64>, any: f64, known: &[f64]) -> Numbers {
         let ties = self.equations.ties.iter().map(|terms| {
             let uncertain = terms.iter().map(|&(spin, weight)| match spin {
@@ -84,8 +93,8 @@ impl Spread<'_> {
         self.system.error_bound(&zeros, &zeros, &uncertain)
     }
 
-    /// How uncertain the unknown angles and slides are as found from lengths; not at all as drawn.
-    fn places(&self, bounds: &Bounds<'_>, turns: &[f64]) -> Numbers {
+    /// Errors of the unknown angles and slides found from lengths; zero for a drawn configuration.
+    fn positions(&self, bounds: &Bounds<'_>, turns: &[f64]) -> Numbers {
         let Bounds { mechanism, pose, .. } = bounds;
         let largest = pose.points.iter().flat_map(|p| [p.x.abs(), p.y.abs()]);
         let size = largest.fold(0.0, f64::max);
@@ -94,9 +103,7 @@ impl Spread<'_> {
             GivenBy::Drawing => 0.0,
         };
         let loops = self.equations.loops.iter().map(|terms| {
-            let ends = terms.ends.map_or(0.0, |[start, end]| {
-                bounds.at(start, pose.point(terms.first)).position + bounds.at(end, pose.point(terms.last)).position
-            });
+            let ends = ends(bounds, terms, |errors| errors.position);
             let arms = terms.arms.iter().map(|arm| match arm.spin {
                 Spin::Unknown(_) => 0.0,
                 Spin::Known(body) => pose.arm(arm.from, arm.to).norm() * turns[body.0],
@@ -106,13 +113,11 @@ impl Spread<'_> {
         self.to_unknowns(loops, open, turns)
     }
 
-    /// What inexact places and outer motions add to the errors of the rates.
+    /// Errors of the velocity rates from inexact positions and outer motions.
     fn velocities(&self, bounds: &Bounds<'_>, turn: &dyn Fn(Spin) -> f64, omegas: &[f64]) -> Numbers {
         let Bounds { pose, motion, .. } = bounds;
         let loops = self.equations.loops.iter().map(|terms| {
-            let ends = terms.ends.map_or(0.0, |[start, end]| {
-                bounds.at(start, pose.point(terms.first)).velocity + bounds.at(end, pose.point(terms.last)).velocity
-            });
+            let ends = ends(bounds, terms, |errors| errors.velocity);
             let arms = terms.arms.iter().map(|arm| {
                 let omega = self.rate(bounds, arm.spin)[0].abs();
                 let known = match arm.spin {
@@ -128,7 +133,7 @@ impl Spread<'_> {
         self.to_unknowns(loops, 0.0, omegas)
     }
 
-    /// The same for the accelerations; `rates` are the errors that [`Self::velocities`] has found.
+    /// The same for the accelerations; `rates` are the errors found by [`Self::velocities`].
     fn accelerations(
         &self,
         bounds: &Bounds<'_>,
@@ -138,10 +143,7 @@ impl Spread<'_> {
     ) -> Numbers {
         let Bounds { pose, motion, .. } = bounds;
         let loops = self.equations.loops.iter().map(|terms| {
-            let ends = terms.ends.map_or(0.0, |[start, end]| {
-                bounds.at(start, pose.point(terms.first)).acceleration
-                    + bounds.at(end, pose.point(terms.last)).acceleration
-            });
+            let ends = ends(bounds, terms, |errors| errors.acceleration);
             let arms = terms.arms.iter().map(|arm| {
                 let [omega, alpha] = self.rate(bounds, arm.spin).map(f64::abs);
                 let known = match arm.spin {
@@ -169,7 +171,7 @@ impl Spread<'_> {
         self.to_unknowns(loops, 0.0, alphas)
     }
 
-    /// ω and α of a rotation of the loops.
+    /// ω and α of a rotation in the loops.
     fn rate(&self, bounds: &Bounds<'_>, spin: Spin) -> [f64; 2] {
         let body = match spin {
             Spin::Unknown(unknown) => self.equations.link_of(unknown),
@@ -180,25 +182,26 @@ impl Spread<'_> {
     }
 }
 
-/// Gives the place of each link's motion its bounds: over whichever joint it may have been reached, the largest.
-fn carry_places(bounds: &mut Bounds<'_>, group: &Group) {
+/// Adds the bounds of each link's reference point: the largest over all joints by which its motion may have been
+/// computed.
+fn add_reference_bounds(bounds: &mut Bounds<'_>, group: &Group) {
     let mechanism = bounds.mechanism;
-    let mut waiting = group.bodies.clone();
+    let mut unbounded = group.bodies.clone();
     let mut before = usize::MAX;
-    while waiting.len() < before {
-        before = waiting.len();
-        let reached = |body: BodyId| !waiting.contains(&body);
+    while unbounded.len() < before {
+        before = unbounded.len();
+        let reached = |body: BodyId| !unbounded.contains(&body);
         let at = |body: BodyId| bounds.motion.body(body).at;
-        let found = waiting.iter().find_map(|&link| {
+        let found = unbounded.iter().find_map(|&link| {
             let joints = (0..mechanism.joints.len()).map(JointId);
             let errors = joints.filter_map(|id| {
                 let [a, b] = mechanism.joint(id).bodies;
                 let other = if a == link { b } else { a };
                 let joins = (a == link || b == link) && reached(other) && mechanism.joint(id).holds_places();
                 let place = || bounds.pose.point(mechanism.joint_point(id));
-                (joins && place() == at(link)).then(|| bounds.across(id, other))
+                (joins && place() == at(link)).then(|| bounds.inherited_across(id, other))
             });
-            let largest = errors.reduce(|a, b| super::bounds::PlaceErrors {
+            let largest = errors.reduce(|a, b| PlaceErrors {
                 position: a.position.max(b.position),
                 velocity: a.velocity.max(b.velocity),
                 acceleration: a.acceleration.max(b.acceleration),
@@ -207,7 +210,7 @@ fn carry_places(bounds: &mut Bounds<'_>, group: &Group) {
         });
         if let Some((link, errors)) = found {
             bounds.bodies[link.0].place = errors;
-            waiting.retain(|&other| other != link);
+            unbounded.retain(|&other| other != link);
         }
     }
 }

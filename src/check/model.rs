@@ -5,8 +5,8 @@ use super::entry::Entry;
 use super::sheet::CheckError;
 use super::together::ways_together;
 use crate::construction::{
-    Along, Change, Construction, Disturbance, Does, NumberId, Operation, PlaceId, Reference, Sheet, SheetScales,
-    Solution, Tolerance, Values,
+    Along, Change, Construction, Disturbance, NumberId, Operation, OperationKind, PlaceId, Reference, Sheet,
+    SheetScales, Solution, Tolerance, Values,
 };
 use crate::mechanism::Mechanism;
 use crate::quantity::{Asked, Band, Reading, Unread, read_by_hand};
@@ -70,7 +70,7 @@ pub(super) struct Model {
 #[derive(Clone, Debug)]
 pub(super) enum Edit {
     /// The operation does this instead.
-    Instead(Does),
+    Instead(OperationKind),
     /// This number of the operation is multiplied by the factor.
     Times(NumberId, f64),
 }
@@ -79,7 +79,7 @@ impl Edit {
     /// The edit as a change of a replay.
     pub fn change(&self) -> Change<'_> {
         match self {
-            Edit::Instead(does) => Change::Instead(does),
+            Edit::Instead(kind) => Change::Instead(kind),
             Edit::Times(number, factor) => Change::Times(*number, *factor),
         }
     }
@@ -156,11 +156,11 @@ impl Model {
         self.place_makers = vec![None; places];
         let mut before = 0;
         for (index, operation) in construction.operations.iter().enumerate() {
-            for number in operation.does.numbers() {
+            for number in operation.kind.numbers() {
                 self.makers[number.0] = Some(index);
             }
-            operation.does.each_number_read(|number| self.used[number.0] = true);
-            if let Some(PlaceId(place)) = operation.does.place() {
+            operation.kind.each_number_read(|number| self.used[number.0] = true);
+            if let Some(PlaceId(place)) = operation.kind.place() {
                 self.place_makers[place] = Some(index);
             }
             // An operation without a step counts to the step before it.
@@ -176,9 +176,9 @@ impl Model {
         }
         // The computation of a vector's size counts to the step that lays the vector off.
         for (index, operation) in construction.operations.iter().enumerate().rev() {
-            if let Does::LayOff { size, .. } = operation.does
+            if let OperationKind::LayOff { size, .. } = operation.kind
                 && let Some(maker) = self.makers[size.0]
-                && matches!(construction.operations[maker].does, Does::Compute { .. })
+                && matches!(construction.operations[maker].kind, OperationKind::Compute { .. })
             {
                 self.steps[maker] = self.steps[index];
                 self.sizes.push((size, construction.operations[maker].sheet));
@@ -223,13 +223,13 @@ impl Model {
     /// All elementary errors: operation, which of its errors, limit in mm or degrees, group.
     pub fn errors(&self, tolerance: &Tolerance) -> Vec<(usize, usize, f64, usize)> {
         let all = self.construction.operations.iter().enumerate().flat_map(|(index, operation)| {
-            let group = match (operation.sheet, &operation.does) {
-                (Sheet::Scheme, Does::Plot { .. }) => 0,
+            let group = match (operation.sheet, &operation.kind) {
+                (Sheet::Scheme, OperationKind::Plot { .. }) => 0,
                 (Sheet::Scheme, _) => 1,
                 (Sheet::Velocity, _) => 2,
                 (Sheet::Acceleration, _) => 3,
             };
-            let errors = operation.does.errors().iter().enumerate();
+            let errors = operation.kind.errors().iter().enumerate();
             errors.map(move |(which, e)| (index, which, e.limit(tolerance), group))
         });
         all.collect()
@@ -253,15 +253,15 @@ impl Model {
 fn given_first(operations: &mut [Operation]) {
     let plotted: Vec<PlaceId> = operations
         .iter()
-        .filter_map(|operation| match operation.does {
-            Does::Plot { place, .. } => Some(place),
+        .filter_map(|operation| match operation.kind {
+            OperationKind::Plot { place, .. } => Some(place),
             _ => None,
         })
         .collect();
-    operations.sort_by_key(|operation| match &operation.does {
-        Does::Pole { .. } | Does::Plot { .. } | Does::Take { .. } => 0,
-        Does::Join { from, towards, .. } if plotted.contains(from) && plotted.contains(towards) => 1,
-        Does::Draw { through, along: Along { reference: Reference::Given(_), .. }, .. }
+    operations.sort_by_key(|operation| match &operation.kind {
+        OperationKind::Pole { .. } | OperationKind::Plot { .. } | OperationKind::Take { .. } => 0,
+        OperationKind::Join { from, towards, .. } if plotted.contains(from) && plotted.contains(towards) => 1,
+        OperationKind::Draw { through, along: Along { reference: Reference::Given(_), .. }, .. }
             if plotted.contains(through) =>
         {
             1

@@ -1,4 +1,5 @@
-//! The motion of a body's point, laid off in a plan: from the pole where the scene gives it, else from a point that is there.
+//! Velocity and acceleration of a body's point, laid off in a plan: from the pole where the scene gives the vector,
+//! else from a point of known motion.
 
 use super::name::{coriolis_name, slide_name};
 use super::operation::{Along, NumberKind, PlaceId, Product, ProductKind, Rate, Sheet};
@@ -7,17 +8,17 @@ use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
 use crate::mechanism::{BodyId, DrivenSlide, JointId, PointId, Role, SliderId};
 
-/// How a body hangs on one whose motion is there.
+/// The joint by which the motion of a body follows from that of a neighbour.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Anchor {
     /// The joint.
     pub joint: JointId,
-    /// The body on its other side.
+    /// The neighbour, whose motion is known.
     pub from: BodyId,
 }
 
 impl Writer<'_> {
-    /// The rates that the scene gives: of bodies and of driven sliders.
+    /// Takes the given rates of bodies and of driven sliders from the scene.
     pub(super) fn take_known_rates(&mut self) {
         let mechanism = self.mechanism;
         for body in (0..mechanism.bodies.len()).map(BodyId) {
@@ -41,23 +42,23 @@ impl Writer<'_> {
         }
     }
 
-    /// The end of the vector of the body's point at `point` in a plan.
+    /// The end of the velocity or acceleration of the body's point at `point` in a plan.
     pub(crate) fn motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
-        if let Some(place) = self.moved_point(sheet, body, point) {
+        if let Some(place) = self.place_of_motion(sheet, body, point) {
             return place;
         }
         let place = match self.mechanism.is_known(body) {
             true => self.known_motion(sheet, body, point),
-            false => self.found_motion(sheet, body, point),
+            false => self.connected_motion(sheet, body, point),
         };
-        let place = place.unwrap_or_else(|| self.taken_motion(sheet, body, point));
+        let place = place.unwrap_or_else(|| self.motion_not_by_hand(sheet, body, point));
         self.note_motion(sheet, body, point, place);
         place
     }
 
-    pub(crate) fn moved_point(&self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
-        let mut moved = self.moved.iter();
-        let found = moved.find(|m| (m.0, m.1, m.2) == (sheet, body, point));
+    pub(crate) fn place_of_motion(&self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
+        let mut motions = self.motions.iter();
+        let found = motions.find(|m| (m.0, m.1, m.2) == (sheet, body, point));
         found.map(|m| m.3)
     }
 
@@ -65,23 +66,24 @@ impl Writer<'_> {
         let (mechanism, pole) = (self.mechanism, self.pole_of(sheet)?);
         match mechanism.body(body).role {
             Role::Ground => Some(pole),
-            Role::Driver { pivot, .. } => self.turn(sheet, body, (pivot, pole), point),
+            Role::Driver { pivot, .. } => self.add_rotation(sheet, body, (pivot, pole), point),
             Role::Pushed { .. } => {
                 let root = mechanism.root(body);
                 let start = self.motion(sheet, root, point);
-                self.slides(sheet, start, &mechanism.way(root, body))
+                self.add_slides(sheet, start, &mechanism.way(root, body))
             }
-            // Given as a vector.
-            _ => Some(self.given_motion(sheet, body, point)),
+            // The scene gives the vector itself.
+            _ => Some(self.computed_motion(sheet, body, point)),
         }
     }
 
-    /// A vector as the motion has it.
-    fn given_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
+    /// Lays off a vector from the pole with size and direction of the computed motion.
+    fn computed_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
         let (motion, at) = (self.motion.body(body), self.pose.point(point));
         let errors = self.motion.error(body);
         let swing = motion.swing(at).norm();
-        // The place's vector, and how exactly it is known: by the motion's errors and some roundings of what was added up.
+        // The vector, the error that it inherits from the motion, and the size of the relative motion in it, which adds
+        // rounding.
         let (vector, error, size) = match sheet {
             Sheet::Acceleration => {
                 let turned = motion.normal(at).norm() + motion.tangential(at).norm();
@@ -106,21 +108,22 @@ impl Writer<'_> {
         place
     }
 
-    /// The vector of a point that no construction reaches: beyond what a hand finds.
-    fn taken_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
+    /// The vector of a point that no construction reaches, from the computed motion; marked as not found by hand.
+    fn motion_not_by_hand(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
         let by_hand = core::mem::replace(&mut self.by_hand, false);
-        let place = self.given_motion(sheet, body, point);
+        let place = self.computed_motion(sheet, body, point);
         self.by_hand = by_hand;
         place
     }
 
-    /// From another point of the body that is in the plan, from the body on which it hangs, or from a link of its compound.
-    fn found_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
+    /// Constructs the point's motion from another point of the body, from the neighbour to which the body is anchored,
+    /// or from a link of the same compound link; `None` where the motion of none of these is in the plan.
+    fn connected_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
         self.construction.spins[body.0]?;
         let mechanism = self.mechanism;
-        let own = |m: &&(Sheet, BodyId, PointId, PlaceId)| (m.0, m.1) == (sheet, body);
-        if let Some(&(.., from, place)) = self.moved.iter().find(own) {
-            return self.turn(sheet, body, (from, place), point);
+        let of_body = |m: &&(Sheet, BodyId, PointId, PlaceId)| (m.0, m.1) == (sheet, body);
+        if let Some(&(.., from, place)) = self.motions.iter().find(of_body) {
+            return self.add_rotation(sheet, body, (from, place), point);
         }
         if let Some(Anchor { joint, from }) = self.anchors[body.0] {
             let at = mechanism.joint_point(joint);
@@ -128,28 +131,35 @@ impl Writer<'_> {
             if let Some(slider) = mechanism.joint(joint).slider {
                 let guide_first = mechanism.slider(slider).on == from;
                 let slide = DrivenSlide { slider, from, to: body, sign: if guide_first { 1.0 } else { -1.0 } };
-                place = self.slides(sheet, place, &[slide])?;
+                place = self.add_slides(sheet, place, &[slide])?;
             }
             self.note_motion(sheet, body, at, place);
-            return self.turn(sheet, body, (at, place), point);
+            return self.add_rotation(sheet, body, (at, place), point);
         }
-        // Driven sliders join it to a link that hangs on something.
+        // Driven sliders connect the body with an anchored link of its compound link.
         let root = mechanism.root(body);
         let mut others = mechanism.compound(root).into_iter();
         let is_there = |b: &BodyId| {
-            let moved = || self.moved.iter().any(|m| (m.0, m.1) == (sheet, *b));
+            let moved = || self.motions.iter().any(|m| (m.0, m.1) == (sheet, *b));
             self.anchors[b.0].is_some() || moved()
         };
         let other = others.find(|b| *b != body && is_there(b))?;
         let start = self.motion(sheet, other, point);
-        self.slides(sheet, start, &mechanism.way(other, body))
+        self.add_slides(sheet, start, &mechanism.way(other, body))
     }
 
-    /// What the rotation of a body adds from one of its points to another.
-    fn turn(&mut self, sheet: Sheet, body: BodyId, (from, place): (PointId, PlaceId), to: PointId) -> Option<PlaceId> {
+    /// Adds the relative motion of two points of one body, ω × r or α × r − ω² r, to `place`; `None` where the body's
+    /// rates are unknown.
+    fn add_rotation(
+        &mut self,
+        sheet: Sheet,
+        body: BodyId,
+        (from, place): (PointId, PlaceId),
+        to: PointId,
+    ) -> Option<PlaceId> {
         let [omega, alpha] = self.construction.spins[body.0]?;
         let at_rest = omega.is_none() && alpha.is_none();
-        // Two pins may have one place.
+        // Two pins may coincide.
         if from == to || at_rest || self.pose.arm(from, to).norm() == 0.0 {
             return Some(place);
         }
@@ -164,18 +174,19 @@ impl Writer<'_> {
         Some(self.lay_off(sheet, place, alpha.map(turned).unwrap_or_default(), line.turned(1)))
     }
 
-    /// What sliders add, one after the other; `None` where a rate is not there.
-    fn slides(&mut self, sheet: Sheet, mut place: PlaceId, way: &[DrivenSlide]) -> Option<PlaceId> {
+    /// Adds the relative motions of driven sliders, one after another; `None` where a rate is unknown.
+    fn add_slides(&mut self, sheet: Sheet, mut place: PlaceId, way: &[DrivenSlide]) -> Option<PlaceId> {
         for slide in way {
             for &added in Added::on(sheet) {
-                place = self.added(sheet, place, slide, added)?;
+                place = self.lay_off_slide_part(sheet, place, slide, added)?;
             }
         }
         Some(place)
     }
 
-    /// What driven sliders add from the plan point `start` on, each vector in a step of its own: name and place where the last one ends, which may be called
-    /// `last`. Vectors that are there already, and those of nothing, are not laid off.
+    /// Lays off the relative motions of driven sliders from the plan point `start` on, each vector in a step of its
+    /// own. Returns name and place of the last end, which is called `last` if that is given. Vectors already in the
+    /// plan and zero vectors are not laid off.
     pub(super) fn driven_slides(
         &mut self,
         sheet: Sheet,
@@ -190,7 +201,7 @@ impl Writer<'_> {
             entered.push_str(&self.mechanism.body(slide.to).name);
             for &added in Added::on(sheet) {
                 let name = if added == Added::Coriolis { coriolis_name } else { slide_name };
-                if self.sum_of(slide, added).is_some_and(|sum| !sum.is_empty()) {
+                if self.slide_part_size(slide, added).is_some_and(|sum| !sum.is_empty()) {
                     vectors.push((name(&start.0, &entered), *slide, added));
                 }
             }
@@ -206,7 +217,7 @@ impl Writer<'_> {
                 None => {
                     let of = VectorOf::Driven(slide, added);
                     self.begin(sheet, Action::LayOff(Arrow { from, to: to.clone(), of }));
-                    let place = self.added(sheet, place, &slide, added).unwrap_or(place);
+                    let place = self.lay_off_slide_part(sheet, place, &slide, added).unwrap_or(place);
                     self.show(sheet, &to, place, role);
                     place
                 }
@@ -216,16 +227,23 @@ impl Writer<'_> {
         (from, place)
     }
 
-    /// The end of what a slider adds, laid off from a place.
-    fn added(&mut self, sheet: Sheet, place: PlaceId, slide: &DrivenSlide, added: Added) -> Option<PlaceId> {
+    /// Lays off a slider's relative velocity or acceleration from `place`; returns its end.
+    fn lay_off_slide_part(
+        &mut self,
+        sheet: Sheet,
+        place: PlaceId,
+        slide: &DrivenSlide,
+        added: Added,
+    ) -> Option<PlaceId> {
         let guide = Along::line(self.guide(slide.slider));
         let along = if added == Added::Coriolis { guide.turned(1) } else { guide };
-        let sum = self.sum_of(slide, added)?;
+        let sum = self.slide_part_size(slide, added)?;
         Some(self.lay_off(sheet, place, sum, along))
     }
 
-    /// The size of what a slider adds; empty for nothing, `None` where a rate is not there.
-    fn sum_of(&self, slide: &DrivenSlide, added: Added) -> Option<Vec<Product>> {
+    /// The signed size of a slider's relative velocity or acceleration: an empty sum for zero, `None` where a rate is
+    /// unknown.
+    fn slide_part_size(&self, slide: &DrivenSlide, added: Added) -> Option<Vec<Product>> {
         let [velocity, acceleration] = self.construction.slides[slide.slider.0]?;
         let sliding = |rate| Product::new(ProductKind::Sliding, slide.sign, &[rate]);
         let product = match added {
@@ -233,8 +251,8 @@ impl Writer<'_> {
             Added::SlidingAcceleration => acceleration.map(sliding),
             Added::Coriolis => {
                 let [omega, _] = self.construction.spins[slide.to.0]?;
-                let both = omega.zip(velocity);
-                both.map(|(omega, rate)| Product::new(ProductKind::Coriolis, 2.0 * slide.sign, &[omega, rate]))
+                let rates = omega.zip(velocity);
+                rates.map(|(omega, rate)| Product::new(ProductKind::Coriolis, 2.0 * slide.sign, &[omega, rate]))
             }
         };
         Some(product.into_iter().collect())

@@ -10,47 +10,50 @@ use crate::motion::{Motion, Order};
 use crate::position::Pose;
 use indexmap::IndexMap;
 
-/// Everything that is drawn on the board for a mechanism: special points, then the plans, step by step, and the operations of a hand that make them.
+/// Everything that is drawn for a mechanism: the special points, the plans step by step, and the manual operations
+/// behind them.
 #[derive(Clone, Debug)]
 pub struct Construction {
     /// By group: its special points.
     pub special: Vec<Vec<Special>>,
-    /// By group: how the construction's rates compare with the loop equations'; none where a special point lies at infinity.
+    /// By group: how the construction's rates compare with the loop equations'; none where there is no construction.
     pub agreement: Vec<Option<Agreement>>,
-    /// Steps on the mechanism itself.
+    /// Steps on the scheme.
     pub scheme: Vec<Step>,
     /// The velocity plan.
     pub velocity: Plan,
     /// The acceleration plan, if accelerations were asked for.
     pub acceleration: Option<Plan>,
-    /// What is done with ruler, pencil and calculator, in an order in which it can be done.
+    /// The operations of ruler, pencil and calculator, each after those whose results it uses.
     pub operations: Vec<Operation>,
-    /// From where places of the scheme count, the mechanism's first point: far from it digits would be lost.
+    /// Origin of the places of the scheme, the mechanism's first point: coordinates that count from a far origin would
+    /// lose digits.
     pub origin: Point,
-    /// By number: what it is.
+    /// By number: its kind.
     pub numbers: Vec<NumberKind>,
     /// How many places, lines and numbers the operations make.
     pub(super) counts: [usize; 3],
-    /// Points of the sheets by name: joints and special points of the scheme, points of the plans.
+    /// Named points: joints and special points of the scheme, points of the plans.
     pub(super) places: IndexMap<(Sheet, String), PlaceId>,
-    /// By body: its ω and α; of a given rate that is zero nothing.
+    /// By body: the numbers of ω and α; none for a given rate of zero.
     pub(crate) spins: Vec<Option<[Option<NumberId>; 2]>>,
-    /// By slider, likewise: velocity and acceleration along the guide.
+    /// By slider: the numbers of velocity and acceleration along the guide; none for a given rate of zero.
     pub(crate) slides: Vec<Option<[Option<NumberId>; 2]>>,
 }
 
 /// The construction of both plans from one pole each, for every group of `mechanism`.
 ///
-/// Joints are plotted at their places. Lengths between two points of one link are taken from the scene, other lengths are measured, as
-/// are all in a drawn configuration. A guide that runs through two points of its link is drawn through them, any other in its
-/// direction. Of groups without a construction, and of what hangs on them, nothing is known by hand: there the vectors come from the motion.
+/// Joints are plotted at their places. Lengths between two points of one link are taken from the scene, other lengths
+/// are measured, as are all in a drawn configuration. A guide that runs through two points of its link is drawn through
+/// them, any other in its direction. For a group without a construction, and for bodies whose motion follows from it,
+/// rates and vectors are taken from `motion`.
 #[must_use]
 pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Construction {
-    written(mechanism, pose, motion).construction
+    construction_writer(mechanism, pose, motion).construction
 }
 
-/// The same, with what may still be added to it.
-pub(crate) fn written<'a>(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Writer<'a> {
+/// The same, as a writer that can add further measurements.
+pub(crate) fn construction_writer<'a>(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Writer<'a> {
     let mut writer = Writer::new(mechanism, pose, motion);
     for group in &mechanism.groups {
         writer.group(group);
@@ -89,7 +92,7 @@ impl Construction {
         self.special.iter().flatten().find(|s| s.name == name)
     }
 
-    /// The plans that there are.
+    /// The velocity plan and, if it was asked for, the acceleration plan.
     pub fn plans(&self) -> impl Iterator<Item = &Plan> {
         std::iter::once(&self.velocity).chain(&self.acceleration)
     }
@@ -100,7 +103,8 @@ impl Construction {
         self.plans().find(|plan| plan.kind.sheet() == sheet)
     }
 
-    /// Why groups have no construction: for each the names of its special points at infinity, none where there are no two rays.
+    /// The groups without a construction: for each the names of its special points at infinity; empty where these are
+    /// not the reason.
     pub fn without(&self) -> impl Iterator<Item = &[String]> {
         self.velocity.steps.iter().filter_map(|step| match &step.action {
             Action::NoConstruction { far } => Some(far.as_slice()),
@@ -108,7 +112,7 @@ impl Construction {
         })
     }
 
-    /// How many places, lines and numbers the operations make.
+    /// Numbers of the places, lines and numbers that the operations make.
     #[must_use]
     pub fn counts(&self) -> [usize; 3] {
         self.counts
@@ -125,7 +129,7 @@ impl Construction {
         self.places.iter().map(|((sheet, name), &place)| (*sheet, name.as_str(), place))
     }
 
-    /// What a number is called: the quantity that it is, as in `L(B,S3)`, `vplan(b,s3)`, `omega(2)`; the size of a vector has no name.
+    /// The quantity name of a number, as in `L(B,S3)`, `vplan(b,s3)`, `omega(2)`; empty for the size of a vector.
     #[must_use]
     pub fn number_name(&self, mechanism: &Mechanism, number: NumberId) -> String {
         match &self.numbers[number.0] {
@@ -142,7 +146,7 @@ impl Construction {
         }
     }
 
-    /// The name of an end of a length.
+    /// The name of the joint or special point at an end of a length.
     #[must_use]
     pub fn end_name<'n>(&'n self, mechanism: &'n Mechanism, end: End) -> &'n str {
         match end {
@@ -169,7 +173,7 @@ impl Construction {
         before + index + 1
     }
 
-    /// A step by its place among those of its sheet.
+    /// A step by its sheet and index.
     #[must_use]
     pub fn step(&self, StepId { sheet, index }: StepId) -> Option<&Step> {
         match sheet {
@@ -178,7 +182,7 @@ impl Construction {
         }
     }
 
-    /// Which step gives each quantity, by the quantity's name; the first where several do.
+    /// For each quantity, by name, the first step that yields it.
     #[must_use]
     pub fn steps_of_quantities(&self) -> IndexMap<String, StepId> {
         let mut steps = IndexMap::new();
@@ -192,7 +196,8 @@ impl Construction {
         steps
     }
 
-    /// Carries out all operations with `disturbances` in their order; without any the values are those of the plans.
+    /// Carries out all operations with `disturbances`, which are sorted by operation; without any the values are those
+    /// of the plans.
     #[must_use]
     pub fn run(&self, scales: SheetScales, disturbances: &[Disturbance<'_>]) -> Values {
         let mut values = Values::default();
@@ -205,7 +210,7 @@ impl Construction {
 /// A step of the construction with its number.
 #[derive(Clone, Copy, Debug)]
 pub struct NumberedStep<'a> {
-    /// Counted from 1 through all sheets.
+    /// Number of the step, from 1 through all sheets.
     pub number: usize,
     /// The plan to which it belongs; none for the scheme.
     pub plan: Option<&'a Plan>,
@@ -214,13 +219,13 @@ pub struct NumberedStep<'a> {
 }
 
 impl NumberedStep<'_> {
-    /// Where it is drawn.
+    /// The sheet on which it is drawn.
     #[must_use]
     pub fn sheet(&self) -> Sheet {
         self.plan.map_or(Sheet::Scheme, |plan| plan.kind.sheet())
     }
 
-    /// The quantities that the step gives, by name.
+    /// Names of the quantities that the step yields.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
         let segment = |from: &str, to: &str| self.plan.map(|p| p.kind.segment_name(from, to)).into_iter().collect();

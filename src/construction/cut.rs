@@ -5,17 +5,18 @@ use crate::position::Pose;
 use crate::words::Wording;
 use smallvec::{SmallVec, smallvec};
 
-/// Index of a special point (or a dyad's joint) among all of a mechanism, group by group.
+/// Index of a special point (or a dyad's inner joint) in the mechanism, group by group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SpecialId(pub usize);
 
-/// What a leg adds to the motion of the point that it leads to.
+/// Contribution of a joint of a leg to the motion of the sought point.
 ///
-/// A velocity's part along the ray is the sum of these; so is the segment that is measured there (Eqs. 7, 8, 15, 16 and 35 to 38 of Quintero et al.,
-/// 2011).
+/// The sum of the contributions is the velocity's component along the ray, and so the segment that is measured on the
+/// ray (Eqs. 7, 8, 15, 16 and 35 to 38 of Quintero et al., 2011).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Term {
-    /// A link turns: its rate of rotation times the length from one point to another, none for the point looked for.
+    /// Rotation of a link: its angular rate times the length from one joint to another; none stands for the sought
+    /// point.
     Turn {
         /// The link.
         link: BodyId,
@@ -24,49 +25,51 @@ pub enum Term {
         /// … to this one.
         to: Option<PointId>,
     },
-    /// A slider slides: its rate along the guide.
+    /// Sliding along a guide: the slider's rate.
     Slide {
         /// The slider.
         slider: SliderId,
-        /// The body that the way leaves, with which the guide turns.
+        /// The body on the base's side of the slider; the guide turns with it.
         from: BodyId,
     },
 }
 
-/// How a cut line runs.
+/// Course of a cut line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
-    /// Through two joints; none in second place means the point looked for.
+    /// Through two joints; none in second place stands for the sought point.
     Through(PointId, Option<PointId>),
     /// Through a joint, normal to the guide of a slider.
     Normal(SliderId, PointId),
-    /// At infinity: both joints of the leg slide, and the link turns as its base does.
+    /// At infinity: both joints of the leg are prismatic, and the link turns as its base does.
     AtInfinity,
 }
 
-/// The cut line of a leg: the line along which the motion of the link is known whatever the carrying link does.
+/// The cut line of a leg: the velocity component along it is known for the link's points on it, whatever the rate of
+/// the carrying link.
 #[derive(Clone, Debug)]
 pub struct CutLine {
     /// The leg.
     pub leg: Leg,
-    /// How the line runs.
+    /// The course of the line.
     pub course: Course,
-    /// The line; at infinity, too, where two joints of the leg coincide and give no direction.
+    /// The line; at infinity also where the leg's two points coincide and give no direction.
     pub line: Line,
-    /// What the leg adds to the motion of the point looked for, in order.
+    /// Contributions to the motion of the sought point, from the base on.
     pub terms: SmallVec<[Term; 2]>,
-    /// The carrying link, or the link itself where it hangs on the known body.
+    /// The carrying link, or the link itself where it is joined to the base directly.
     pub carrier: BodyId,
-    /// The driven sliders within its compound links, from the outer joint to the point looked for: what they add is known.
+    /// The driven sliders within the leg's compound links, from the outer joint to the sought point: their rates are
+    /// given.
     pub slides: Vec<DrivenSlide>,
 }
 
 impl CutLine {
-    /// The cut line of a leg of `point`.
+    /// The cut line of leg `leg` of `point`.
     #[must_use]
     pub fn new(mechanism: &Mechanism, pose: &Pose, point: &SpecialPoint, leg: &Leg) -> Self {
         let carrier = leg.carried.map_or(point.link, |c| c.carrier);
-        // Each joint of the leg with the bodies that the way over it leaves and enters.
+        // The joints of the leg, each with the body before it and the body after it, from the base on.
         let way: SmallVec<[(BodyId, &Joint, BodyId); 2]> = match leg.carried {
             None => smallvec![(leg.base, mechanism.joint(leg.outer), point.link)],
             Some(Carried { carrier, inner }) => smallvec![
@@ -107,6 +110,15 @@ impl CutLine {
         }
     }
 
+    /// The slider to whose guide the line is normal, if it is a slider's.
+    #[must_use]
+    pub fn guide(&self) -> Option<SliderId> {
+        match self.course {
+            Course::Normal(slider, _) => Some(slider),
+            Course::Through(..) | Course::AtInfinity => None,
+        }
+    }
+
     /// The point from which the plan's ray starts: the outer pin, or the inner one where the outer joint is prismatic.
     #[must_use]
     pub fn start(&self) -> Option<PointId> {
@@ -116,7 +128,7 @@ impl CutLine {
         }
     }
 
-    /// The joint from which the length to the point looked for is measured, where one enters an equation.
+    /// The joint from which the length to the sought point is measured; none where no equation contains it.
     #[must_use]
     pub fn measured_from(&self) -> Option<PointId> {
         self.terms.iter().find_map(|term| match term {
@@ -125,7 +137,8 @@ impl CutLine {
         })
     }
 
-    /// Name of the line, as in `BC`, or `the normal to the guide of 3/2 through B`; `point` is the name of the point looked for.
+    /// Name of the line, as in `BC`, or `the normal to the guide of 3/2 through B`; `point` is the name of the sought
+    /// point.
     #[must_use]
     pub fn name(&self, words: &Wording, mechanism: &Mechanism, point: &str) -> String {
         let name = |p: PointId| mechanism.point_name(p);
@@ -137,7 +150,7 @@ impl CutLine {
     }
 }
 
-/// The driven sliders of a leg: those of the carrying link, then those of the link itself up to the point looked for.
+/// The driven sliders of a leg: those of the carrying link, then those of the link itself up to the sought point.
 fn driven_slides(mechanism: &Mechanism, point: &SpecialPoint, leg: &Leg) -> Vec<DrivenSlide> {
     let link = mechanism.lead(point.link);
     let mut slides = leg.carrier_slides(mechanism);
@@ -146,27 +159,29 @@ fn driven_slides(mechanism: &Mechanism, point: &SpecialPoint, leg: &Leg) -> Vec<
     slides
 }
 
-/// A point of a link found by two legs: a special (Assur) point, where their cut lines cross, or a dyad's joint.
+/// A point of a link found by two legs: a special (Assur) point, the crossing of their cut lines, or a dyad's inner
+/// joint.
 #[derive(Clone, Debug)]
 pub struct Special {
     /// Its name, as in `S3`.
     pub name: String,
     /// Whether it is a special (Assur) point, not a joint.
     pub is_assur: bool,
-    /// The joint at which it is, where it is not a special (Assur) point.
+    /// The joint, where it is not a special (Assur) point.
     pub target: Option<PointId>,
     /// The link to which it belongs.
     pub link: BodyId,
     /// The two cut lines.
     pub cuts: [CutLine; 2],
-    /// Their crossing, with its sine.
+    /// The crossing of the cut lines, with the sine of their angle.
     pub crossing: Crossing,
-    /// Where it is.
+    /// Its place on the scheme, finite or at infinity.
     pub place: Place,
 }
 
 impl Special {
-    /// The ends of the normal parts on both legs, as in `n_b3`; a prime tells two apart that start from one point.
+    /// Names of the ends of the normal parts of both legs, as in `n_b3`; where both legs start from the same point, the
+    /// second name has a prime.
     #[must_use]
     pub fn normal_names(&self, mechanism: &Mechanism) -> [String; 2] {
         let name = |cut: &CutLine| {
@@ -181,7 +196,7 @@ impl Special {
     }
 }
 
-/// The points by which the plans of `group` are drawn.
+/// The special points (and dyads' inner joints) by which the plans of `group` are drawn.
 #[must_use]
 pub fn special_points(mechanism: &Mechanism, pose: &Pose, group: &Group) -> Vec<Special> {
     let points = group.special.iter().map(|point| {

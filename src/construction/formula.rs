@@ -1,27 +1,28 @@
-/// The equation of a step as it stands on the board, term by term.
+/// The vector equation of a step, term by term.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Formula {
-    /// Its vectors, and what stands between them, in reading order.
+    /// Its vectors, and the signs and words between them, in reading order.
     pub terms: Vec<FormulaTerm>,
 }
 
-/// A vector of a formula, or what stands between two of them.
+/// A vector of a formula, or a sign, number or words beside it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FormulaTerm {
-    /// As it is written: `_{…}` low, `^{…}` high.
+    /// The term in markup: `_{…}` low, `^{…}` high.
     pub markup: String,
-    /// How much of it is known when it is drawn.
+    /// How much of the vector is known when it is drawn.
     pub known: Known,
-    /// Which part of an acceleration or a velocity it is, where that has a name.
+    /// Its kind, for parts of a velocity or an acceleration that have a name.
     pub part: Option<NamedPart>,
 }
 
-/// How much of a vector is known: on the board two lines under what is known entirely, one under what is known in direction.
+/// How much of a vector is known: on the board a vector known entirely is underlined twice, one known in direction
+/// once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Known {
-    /// It is no vector but a sign or a number.
+    /// A sign or a number, no vector.
     Sign,
-    /// It is words.
+    /// Words, no vector.
     Words,
     /// Neither size nor direction.
     Nothing,
@@ -31,27 +32,27 @@ pub enum Known {
     Entirely,
 }
 
-/// A part that has a name of its own.
+/// A part of a velocity or acceleration that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NamedPart {
-    /// Towards the centre of the turning.
+    /// Normal (centripetal) acceleration.
     Normal,
-    /// Square to it.
+    /// Tangential acceleration.
     Tangential,
-    /// Along a guide.
+    /// Relative velocity or acceleration along a guide.
     Sliding,
-    /// Of what slides along a turning guide.
+    /// Coriolis acceleration.
     Coriolis,
 }
 
 impl Formula {
-    /// Whether there is none.
+    /// Whether there is no equation.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.terms.iter().all(|term| term.markup.is_empty())
     }
 
-    /// The whole of it, as it is written.
+    /// The whole equation in markup.
     #[must_use]
     pub fn markup(&self) -> String {
         self.terms.iter().map(|t| t.markup.as_str()).collect()
@@ -67,14 +68,14 @@ impl Formula {
         self.vector(words.to_owned(), Known::Words, None);
     }
 
-    /// Adds a vector, or what stands between two.
+    /// Adds a term.
     pub(super) fn vector(&mut self, markup: String, known: Known, part: Option<NamedPart>) {
         self.terms.push(FormulaTerm { markup, known, part });
     }
 }
 
 impl From<String> for Formula {
-    /// An equation of numbers, in one piece.
+    /// An equation of scalars, as one term.
     fn from(markup: String) -> Self {
         let mut formula = Self::default();
         if !markup.is_empty() {

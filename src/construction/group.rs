@@ -1,10 +1,11 @@
-//! A group's construction: special points, rays, crossings, what is measured, and the motions of its points.
+//! Construction of a group: special points, rays and their crossings, measured segments, rates, and images of its
+//! points.
 
 use super::body::Anchor;
-use super::cut::{Course, CutLine, Special, SpecialId, special_points};
+use super::cut::{CutLine, Special, SpecialId, special_points};
 use super::leg::Drawn;
 use super::name::{coincident_name, image_name, point_on};
-use super::operation::{Does, How, LineId, NumberId, NumberKind, Part, PlaceId, Rate, Sheet};
+use super::operation::{LineId, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, Rate, Sheet};
 use super::step::{Action, Arrow, LegEquation, PointRole, Ray, Relation, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn, span};
@@ -12,13 +13,14 @@ use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, R
 
 /// The ray of a leg.
 struct DrawnRay {
-    /// Where it begins: the plan point's name, and its place.
+    /// Its first point in the plan: name and place.
     from: (String, PlaceId),
     line: LineId,
 }
 
 impl Writer<'_> {
-    /// The construction of the next group: where two rays cross for each of its points, to the rates; else what the motion says.
+    /// Constructs the next group: each of its special points by two rays, then the rates from measured segments.
+    /// Without such a construction the rates come from the motion.
     pub(super) fn group(&mut self, group: &Group) {
         let first = self.construction.special.iter().map(Vec::len).sum();
         let special = special_points(self.mechanism, self.pose, group);
@@ -28,9 +30,10 @@ impl Writer<'_> {
                 self.construction.spins[link.0] = self.construction.spins[body.0];
             }
         }
-        let crosses = |s: &Special| s.place.finite().is_some() && s.cuts.iter().all(|c| c.line.direction().is_some());
-        let found = 2 * special.len() + equations.ties.len();
-        let has_rays = found == equations.unknowns && special.iter().all(crosses);
+        let has_crossing =
+            |s: &Special| s.place.finite().is_some() && s.cuts.iter().all(|c| c.line.direction().is_some());
+        let equation_count = 2 * special.len() + equations.ties.len();
+        let has_rays = equation_count == equations.unknowns && special.iter().all(has_crossing);
         let ids = (first..).map(SpecialId);
         let drawn: Vec<Option<Drawn<'_>>> =
             special.iter().zip(ids).map(|(special, id)| self.special_point(special, id, has_rays)).collect();
@@ -47,7 +50,7 @@ impl Writer<'_> {
         let drawn: Option<Vec<Drawn<'_>>> = drawn.into_iter().collect();
         let constructed = drawn.filter(|_| has_rays).and_then(|drawn| self.rates(group, &equations, &drawn));
         if constructed.is_none() {
-            self.without_rays(group, &equations, &special);
+            self.without_construction(group, &equations, &special);
         }
         let points = group.bodies.iter().flat_map(|&link| &self.mechanism.body(link).points);
         let size = span(points.map(|&p| self.pose.point(p)));
@@ -57,36 +60,37 @@ impl Writer<'_> {
         self.step = None;
     }
 
-    /// Both plans up to the rates; `None` where the equations have no solution.
+    /// Constructs both plans; `None` where rays are parallel or the equations have no solution.
     fn rates(&mut self, group: &Group, equations: &LoopEquations, drawn: &[Drawn<'_>]) -> Option<()> {
         for &sheet in self.plans() {
             self.rays(sheet, group, equations, drawn)?;
             if sheet == Sheet::Velocity {
-                self.hang(group);
+                self.note_anchors(group);
             }
             self.images(sheet, group);
         }
-        self.images_told(group);
+        self.image_steps(group);
         Some(())
     }
 
-    /// Says that there is no construction, and takes the rates from the motion.
-    fn without_rays(&mut self, group: &Group, equations: &LoopEquations, special: &[Special]) {
+    /// Notes that the group has no construction, and takes its rates from the motion.
+    fn without_construction(&mut self, group: &Group, equations: &LoopEquations, special: &[Special]) {
         let far = special.iter().filter(|s| s.place.finite().is_none()).map(|s| s.name.clone());
         let far: Vec<String> = far.collect();
         for &sheet in self.plans() {
             self.begin(sheet, Action::NoConstruction { far: far.clone() });
         }
         self.step = None;
-        self.take_found_rates(group, equations);
-        self.hang(group);
+        self.take_computed_rates(group, equations);
+        self.note_anchors(group);
         for &sheet in self.plans() {
             self.images(sheet, group);
         }
-        self.images_told(group);
+        self.image_steps(group);
     }
 
-    /// The cut lines and where they cross; for a dyad's joint nothing is crossed. `None` for a special point at infinity.
+    /// Draws the cut lines and has_crossing them; a dyad's inner joint is only plotted. `None` for a special point at
+    /// infinity.
     fn special_point<'s>(&mut self, special: &'s Special, id: SpecialId, has_rays: bool) -> Option<Drawn<'s>> {
         self.step = None;
         if special.is_assur {
@@ -108,15 +112,15 @@ impl Writer<'_> {
                 place?
             }
         };
-        let mut drawn = Drawn { special, id, legs, place, reaches: [None; 2] };
+        let mut drawn = Drawn { special, id, legs, place, lengths: [None; 2] };
         for side in 0..2 {
-            drawn.reaches[side] = self.measured_reach(&drawn, side);
+            drawn.lengths[side] = self.measured_length(&drawn, side);
         }
         Some(drawn)
     }
 
-    /// The length from a leg's joint to the point looked for; to a special point it is measured in a step of its own.
-    fn measured_reach(&mut self, drawn: &Drawn<'_>, side: usize) -> Option<NumberId> {
+    /// The length from the joint of a leg to the sought point; to a special point it is measured, in a step of its own.
+    fn measured_length(&mut self, drawn: &Drawn<'_>, side: usize) -> Option<NumberId> {
         let special = drawn.special;
         let from = special.cuts[side].measured_from()?;
         if let Some(place) = special.place.finite().filter(|_| special.is_assur) {
@@ -124,22 +128,23 @@ impl Writer<'_> {
             let (from, to) = (self.mechanism.point_name(from).to_owned(), special.name.clone());
             self.begin(Sheet::Scheme, Action::MeasureLength { from, to, value });
         }
-        self.reach(drawn, side)
+        self.length_to_point(drawn, side)
     }
 
-    /// The name in the plans of the point from which a leg starts: `b`, or `c_iB` for the known body's point under C.
+    /// The plan name of the point from which a leg starts: `b`, or `c_iB` for the point of base `iB` that coincides
+    /// with C.
     fn start_name(&self, base: BodyId, point: PointId) -> String {
         image_name(&point_on(self.mechanism, base, point))
     }
 
-    /// Lays off the known vector of a point from which rays start.
+    /// Lays off the known vector of the point from which a ray starts.
     fn known_vector(&mut self, sheet: Sheet, base: BodyId, point: PointId) {
         let name = self.start_name(base, point);
         match self.mechanism.body(base).role {
             Role::Pushed { from, .. } if from != GROUND && self.mechanism.is_known(base) => {
                 self.pushed_vector(sheet, base, point, &name);
             }
-            // At rest: its image is the pole, under a name of its own where it lies beneath a slider.
+            // A fixed point: its image is the pole, with a name of its own where the point coincides with a slider's.
             Role::Ground => {
                 let pole = self.motion(sheet, base, point);
                 self.show(sheet, &name, pole, PointRole::Pole);
@@ -149,7 +154,7 @@ impl Writer<'_> {
                 let of = VectorOf::Point(base, point);
                 self.begin(sheet, Action::LayOff(Arrow { from, to: name.clone(), of }));
                 let place = self.motion(sheet, base, point);
-                // Where rays start it is known, whatever it was before.
+                // The start of a ray has the role of a known point, even if it was another point's image before.
                 self.show(sheet, &name, place, PointRole::Known);
                 if let Some(shown) = self.plan(sheet).points.get_mut(&name) {
                     shown.role = PointRole::Known;
@@ -159,8 +164,8 @@ impl Writer<'_> {
         self.step = None;
     }
 
-    /// Lays off the vector of a body that drives push from one of known motion: that one's own point first, then what the driven
-    /// sliders add.
+    /// Lays off the vector of a body that driven sliders connect with one of known motion: first the coincident point
+    /// of that body, then the sliders' relative motions.
     fn pushed_vector(&mut self, sheet: Sheet, base: BodyId, point: PointId, name: &str) {
         let root = self.mechanism.root(base);
         self.known_vector(sheet, root, point);
@@ -171,8 +176,8 @@ impl Writer<'_> {
         self.note_motion(sheet, base, point, place);
     }
 
-    /// Rays, crossings and measured segments of a plan, and the rates that follow from them and from ties; `None` where rays cross nowhere or the equations
-    /// have no solution.
+    /// Draws rays, has_crossing them, measures segments, and solves for the rates with the ties' equations. `None`
+    /// where rays are parallel or the equations have no solution.
     fn rays(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, drawn: &[Drawn<'_>]) -> Option<()> {
         let (mut rows, mut written) = (Vec::new(), Vec::new());
         for point in drawn {
@@ -191,35 +196,36 @@ impl Writer<'_> {
             for (side, DrawnRay { from: (from, start), line }) in rays.into_iter().enumerate() {
                 let kind = NumberKind::Segment(sheet, [from.clone(), image.clone()]);
                 self.begin(sheet, Action::Measure { from: from.clone(), to: image.clone(), value: 0.0 });
-                let segment = self.measure(sheet, kind, [start, crossing], How::Along(line));
+                let segment = self.measure(sheet, kind, [start, crossing], MeasuredAs::Along(line));
                 let length = self.exact.exact_number(segment).high;
                 self.set_measured(sheet, length.abs());
                 rows.push(self.equation(sheet, equations, point, side, segment)?);
                 written.push(LegEquation { special: point.id, side, from, segment: length });
             }
-            self.note_holders(sheet, point, crossing);
+            self.note_joint_motion(sheet, point, crossing);
         }
         for terms in &equations.ties {
-            rows.push(self.tied(sheet, terms)?);
+            rows.push(self.tie_equation(sheet, terms)?);
         }
         let rates = self.unknown_rates(sheet, group, equations);
-        // What ties alone give is only computed.
+        // Rates that follow from ties alone are computed without a step.
         let is_step = !written.is_empty();
         if is_step {
-            let unknowns = self.told_rates(sheet, group, equations);
+            let unknowns = self.solved_rates(sheet, group, equations);
             self.begin(sheet, Action::Solve { equations: written, unknowns });
         }
         let numbers = self.solve(sheet, &rates, rows);
         if numbers.is_none() && is_step {
             self.plan(sheet).steps.pop();
         }
-        self.keep_rates(sheet, group, equations, &numbers?);
+        self.note_rates(sheet, group, equations, &numbers?);
         self.step = None;
         Some(())
     }
 
-    /// A dyad's joint belongs to both of its links; a point under a slider to one.
-    fn note_holders(&mut self, sheet: Sheet, point: &Drawn<'_>, place: PlaceId) {
+    /// Notes the image of a dyad's inner joint: it is the image of a pin for both links, of a slider's point for its
+    /// own link only.
+    fn note_joint_motion(&mut self, sheet: Sheet, point: &Drawn<'_>, place: PlaceId) {
         let Some(target) = point.special.target else { return };
         self.note_motion(sheet, point.special.link, target, place);
         for Carried { carrier, inner } in point.special.cuts.iter().filter_map(|cut| cut.leg.carried) {
@@ -229,7 +235,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The rate that each unknown of a group stands for.
+    /// The rate behind each unknown of the group's equations.
     fn unknown_rates(&self, sheet: Sheet, group: &Group, equations: &LoopEquations) -> Vec<Rate> {
         let is_second = sheet == Sheet::Acceleration;
         let mut rates = vec![Rate::Omega(GROUND); equations.unknowns];
@@ -247,8 +253,8 @@ impl Writer<'_> {
         rates
     }
 
-    /// Notes whose the solved rates are.
-    fn keep_rates(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, numbers: &[NumberId]) {
+    /// Notes the numbers of the solved rates by link and by slider.
+    fn note_rates(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, numbers: &[NumberId]) {
         let order = sheet.order();
         for &link in &group.bodies {
             if let Some(unknown) = equations.spin_unknown(link) {
@@ -262,8 +268,8 @@ impl Writer<'_> {
         }
     }
 
-    /// The rates that a group is solved for, with their values.
-    fn told_rates(&self, sheet: Sheet, group: &Group, equations: &LoopEquations) -> Vec<(String, f64)> {
+    /// Names and values of the rates that a group is solved for.
+    fn solved_rates(&self, sheet: Sheet, group: &Group, equations: &LoopEquations) -> Vec<(String, f64)> {
         let (motion, order) = (self.motion, sheet.order());
         let links = group.bodies.iter().filter(|&&link| equations.spin_unknown(link).is_some()).map(|&link| {
             let body = motion.body(link);
@@ -278,15 +284,15 @@ impl Writer<'_> {
         links.chain(slides).map(|(rate, value)| (rate.name(self.mechanism), value)).collect()
     }
 
-    /// The rates of a group without a construction, as the motion has them: beyond what a hand finds.
-    fn take_found_rates(&mut self, group: &Group, equations: &LoopEquations) {
+    /// Takes the rates of a group without a construction from the motion; marked as not found by hand.
+    fn take_computed_rates(&mut self, group: &Group, equations: &LoopEquations) {
         for &link in &group.bodies {
             if equations.spin_unknown(link).is_none() {
                 continue;
             }
             let (body, errors) = (*self.motion.body(link), *self.motion.error(link));
-            let omega = self.take_found(Sheet::Velocity, Rate::Omega(link), body.omega, errors.omega);
-            let alpha = self.take_found(Sheet::Acceleration, Rate::Alpha(link), body.alpha, errors.alpha);
+            let omega = self.take_computed(Sheet::Velocity, Rate::Omega(link), body.omega, errors.omega);
+            let alpha = self.take_computed(Sheet::Acceleration, Rate::Alpha(link), body.alpha, errors.alpha);
             self.construction.spins[link.0] = Some([Some(omega), Some(alpha)]);
         }
         for id in (0..self.mechanism.sliders.len()).map(SliderId) {
@@ -295,14 +301,15 @@ impl Writer<'_> {
             }
             let slide = *self.motion.slide(id);
             let velocity =
-                self.take_found(Sheet::Velocity, Rate::SlideVelocity(id), slide.velocity, slide.velocity_error);
+                self.take_computed(Sheet::Velocity, Rate::SlideVelocity(id), slide.velocity, slide.velocity_error);
             let rate = Rate::SlideAcceleration(id);
-            let acceleration = self.take_found(Sheet::Acceleration, rate, slide.acceleration, slide.acceleration_error);
+            let acceleration =
+                self.take_computed(Sheet::Acceleration, rate, slide.acceleration, slide.acceleration_error);
             self.construction.slides[id.0] = Some([Some(velocity), Some(acceleration)]);
         }
     }
 
-    /// The ray of a leg, with the vectors that lead to where it begins.
+    /// Draws the ray of a leg, after the driven sliders' vectors and the normal part that lead to its start.
     fn ray(&mut self, sheet: Sheet, point: &Drawn<'_>, side: usize) -> Option<DrawnRay> {
         let (cut, leg) = (&point.special.cuts[side], &point.legs[side]);
         let base = cut.leg.base;
@@ -314,14 +321,12 @@ impl Writer<'_> {
             let normal = if side == 0 { first } else { second };
             let of = VectorOf::Normal(point.id, side);
             self.begin(sheet, Action::LayOff(Arrow { from: from.0, to: normal.clone(), of }));
-            let place = self.normal(point, side, from.1)?;
+            let place = self.lay_off_normal_part(point, side, from.1)?;
             self.show(sheet, &normal, place, PointRole::Normal);
             from = (normal, place);
         }
-        let relation = match cut.course {
-            Course::Through(..) => Relation::Perpendicular,
-            Course::Normal(..) | Course::AtInfinity => Relation::Parallel,
-        };
+        // The ray is drawn against the guide where there is one, else against the line through two joints.
+        let relation = if cut.guide().is_some() { Relation::Parallel } else { Relation::Perpendicular };
         self.begin(
             sheet,
             Action::Ray(Ray {
@@ -333,17 +338,17 @@ impl Writer<'_> {
                 side,
             }),
         );
-        // A ray that another special point has needed already.
-        let drawn = self.construction.operations.iter().find_map(|operation| match operation.does {
-            Does::Draw { line, through, along } if (through, along) == (from.1, leg.ray) => Some(line),
+        // Two special points may have a ray in common.
+        let drawn = self.construction.operations.iter().find_map(|operation| match operation.kind {
+            OperationKind::Draw { line, through, along } if (through, along) == (from.1, leg.ray) => Some(line),
             _ => None,
         });
         let line = drawn.unwrap_or_else(|| self.draw(sheet, Part::Ray, from.1, leg.ray));
         Some(DrawnRay { from, line })
     }
 
-    /// Notes on what each link hangs, now that the rates are there.
-    fn hang(&mut self, group: &Group) {
+    /// Notes an anchor for each link, whose motion can follow from that joint once the rates are known.
+    fn note_anchors(&mut self, group: &Group) {
         let mechanism = self.mechanism;
         let legs = || group.special.iter().flat_map(|s| s.legs.map(|leg| (s, leg)));
         for (special, leg) in legs() {
@@ -364,65 +369,66 @@ impl Writer<'_> {
         }
     }
 
-    /// Tells in the velocity plan how the images of a group's inner joints come from those of its outer ones.
+    /// Adds the velocity plan's steps from the images of a group's outer joints to those of its inner ones.
     ///
-    /// With the rates known every point of a carrying link follows from its outer joint; at a prismatic joint
-    /// the point of the guide's body under the slider comes first, then the sliding velocity.
-    fn images_told(&mut self, group: &Group) {
+    /// With known rates every point of a carrying link follows from its outer joint. At a prismatic joint the point of
+    /// the guide's body under the slider comes first, then the sliding velocity.
+    fn image_steps(&mut self, group: &Group) {
         let mut carried: Vec<(crate::mechanism::Leg, Carried)> = Vec::new();
         for leg in group.special.iter().flat_map(|s| s.legs) {
             if let Some(second) = leg.carried.filter(|_| !carried.iter().any(|(known, _)| *known == leg)) {
                 carried.push((leg, second));
             }
         }
-        // Pins first, so that a slider's point has its image before the point under it is joined to it.
+        // Pins first: the image of a slider's point is there before the step of its sliding velocity.
         carried.sort_by_key(|(_, second)| self.mechanism.joint(second.inner).pin.is_none());
         for (leg, second) in &carried {
-            self.image_of_leg(leg, second);
+            self.image_step_of_leg(leg, second);
         }
         self.step = None;
     }
 
-    fn image_of_leg(&mut self, leg: &crate::mechanism::Leg, second: &Carried) {
+    fn image_step_of_leg(&mut self, leg: &crate::mechanism::Leg, second: &Carried) {
         let (mechanism, sheet) = (self.mechanism, Sheet::Velocity);
         let outer = mechanism.joint_point(leg.outer);
-        // The links of a compound one that hold the outer and the inner joint.
-        let [near, far] = [leg.outer, second.inner].map(|joint| mechanism.side(joint, second.carrier));
+        // The links of the carrying compound link at the outer and at the inner joint.
+        let [outer_link, inner_link] = [leg.outer, second.inner].map(|joint| mechanism.side(joint, second.carrier));
         let mut from = image_name(mechanism.point_name(outer));
         if let Some(slider) = mechanism.joint(leg.outer).slider {
-            let [under, own] = self.slide_told(slider);
+            let [under, own] = self.sliding_velocity_step(slider);
             from = if mechanism.slide_sign(slider, second.carrier) > 0.0 { under } else { own };
         }
         let way = leg.carrier_slides(mechanism);
         if !way.is_empty() {
-            let start = (from, self.motion(sheet, near, outer));
+            let start = (from, self.motion(sheet, outer_link, outer));
             let (name, place) = self.driven_slides(sheet, start, &way, PointRole::Slid, None);
-            self.note_motion(sheet, far, outer, place);
+            self.note_motion(sheet, inner_link, outer, place);
             from = name;
         }
         let inner = mechanism.joint_point(second.inner);
         let name = mechanism.point_name(inner);
         let slider = mechanism.joint(second.inner).slider;
-        let own = match slider.is_some_and(|id| mechanism.slider(id).on == far) {
-            true => coincident_name(name, &mechanism.body(far).name),
+        let own = match slider.is_some_and(|id| mechanism.slider(id).on == inner_link) {
+            true => coincident_name(name, &mechanism.body(inner_link).name),
             false => name.to_owned(),
         };
         let to = image_name(&own);
-        // A dyad's joint has its image already, where the rays cross.
+        // A dyad's inner joint has its image already, the crossing of its rays.
         if !self.plan(sheet).points.contains_key(&to) {
-            let of = VectorOf::Relative { link: far, from: mechanism.point_name(outer).to_owned(), to: own };
+            let of = VectorOf::Relative { link: inner_link, from: mechanism.point_name(outer).to_owned(), to: own };
             self.begin(sheet, Action::LayOff(Arrow { from, to: to.clone(), of }));
-            let place = self.motion(sheet, far, inner);
+            let place = self.motion(sheet, inner_link, inner);
             self.show(sheet, &to, place, PointRole::Image);
             self.claim(place);
         }
         if let Some(slider) = slider {
-            self.slide_told(slider);
+            self.sliding_velocity_step(slider);
         }
     }
 
-    /// The sliding velocity at a slider, from the image of the guide's point to that of the slider's; both names.
-    fn slide_told(&mut self, id: SliderId) -> [String; 2] {
+    /// Adds the step of a sliding velocity, from the image of the guide's point to that of the slider's; returns both
+    /// names.
+    fn sliding_velocity_step(&mut self, id: SliderId) -> [String; 2] {
         let (mechanism, sheet) = (self.mechanism, Sheet::Velocity);
         let slider = mechanism.slider(id);
         let at = mechanism.point_name(slider.at);
@@ -438,7 +444,7 @@ impl Writer<'_> {
         names
     }
 
-    /// The images of the group's joints, pins first: each over the link that carries it.
+    /// Names the images of the group's joints: first of pins, each by the motion of its carrying link, then of sliders.
     fn images(&mut self, sheet: Sheet, group: &Group) {
         let mechanism = self.mechanism;
         for (special, leg) in group.special.iter().flat_map(|s| s.legs.map(|leg| (s, leg))) {
@@ -447,7 +453,7 @@ impl Writer<'_> {
                 let place = self.motion(sheet, mechanism.side(inner, carrier), point);
                 self.name_place(sheet, &image_name(mechanism.point_name(point)), place);
                 let other = mechanism.side(inner, mechanism.lead(special.link));
-                if self.moved_point(sheet, other, point).is_none() {
+                if self.place_of_motion(sheet, other, point).is_none() {
                     self.note_motion(sheet, other, point, place);
                 }
             }

@@ -1,46 +1,48 @@
-//! The legs of a special point: their lines, the equations of what is measured along them (Eqs. 7, 8, 15, 16 and 35 to 38 of Quintero et al., 2011), their
-//! normal parts.
+//! The legs of a special point: cut lines, equations of the segments measured along the rays (Eqs. 7, 8, 15, 16 and 35
+//! to 38 of Quintero et al., 2011), and normal parts.
 
 use super::cut::{Course, CutLine, Special, SpecialId, Term};
 use super::operation::{
-    Along, End, Equation, How, LineId, NumberId, NumberKind, Part, PlaceId, Product, ProductKind, Sheet,
+    Along, End, Equation, LineId, MeasuredAs, NumberId, NumberKind, Part, PlaceId, Product, ProductKind, Sheet,
 };
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
 use crate::mechanism::{BodyId, LoopEquations, PointId, SliderId, Spin, TieTerms};
 
-/// A leg as it is drawn.
+/// Directions of a leg on the sheets.
 #[derive(Clone, Copy)]
 pub(super) struct Leg {
-    /// Along the cut line.
+    /// Direction of the cut line.
     pub along: Along,
-    /// Of the rays.
+    /// Direction of the rays, a quarter turn counter-clockwise from the cut line.
     pub ray: Along,
-    /// The cut line where it is drawn.
+    /// The cut line, once drawn on the scheme.
     line: Option<LineId>,
 }
 
-/// A special point as it is drawn.
+/// A special point on the scheme, with its legs.
 pub(super) struct Drawn<'a> {
     pub special: &'a Special,
     pub id: SpecialId,
     pub legs: [Leg; 2],
-    /// Where it is on the scheme.
+    /// Its place on the scheme.
     pub place: PlaceId,
-    /// By leg: the length from its joint to it, where one enters an equation.
-    pub reaches: [Option<NumberId>; 2],
+    /// By leg: the length from its joint to the point, where an equation contains it.
+    pub lengths: [Option<NumberId>; 2],
 }
 
-/// What a leg adds, in numbers.
+/// A [`Term`] with its number.
 enum Summand {
-    /// A link turns with this length.
+    /// The rotating link and its arm's length.
     Turn(BodyId, NumberId),
-    /// A slider slides; the body with which its guide turns; +1 or −1: how the guide, signed away from that body, lies to the ray.
+    /// The slider; the body that carries the guide's rotation; +1 where the guide, signed away from that body, has the
+    /// direction of the ray, else −1.
     Slide(SliderId, BodyId, f64),
 }
 
 impl Writer<'_> {
-    /// The directions of a leg whose cut line is not at infinity. A cut line through two pins is joined; one normal to a guide has the guide for reference.
+    /// The directions of a leg; `None` for a cut line at infinity. A cut line through two pins is drawn through them,
+    /// one normal to a guide is set to the guide.
     pub(super) fn leg(&mut self, cut: &CutLine, target: Option<PointId>) -> Option<Leg> {
         cut.line.direction()?;
         match cut.course {
@@ -57,7 +59,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The cut line of a leg, drawn on the scheme.
+    /// The cut line of a leg; draws it on the scheme unless it is there.
     pub(super) fn cut_line(&mut self, leg: &mut Leg, cut: &CutLine, special: SpecialId) -> Option<LineId> {
         if leg.line.is_none() {
             let through = self.plot(cut.start()?);
@@ -68,8 +70,9 @@ impl Writer<'_> {
         leg.line
     }
 
-    /// The length from a leg's joint to the point looked for, where one enters an equation: to a special point it is measured.
-    pub(super) fn reach(&mut self, drawn: &Drawn<'_>, side: usize) -> Option<NumberId> {
+    /// The length from a leg's joint to the sought point, where an equation contains it; to a special point it is
+    /// measured along the cut line.
+    pub(super) fn length_to_point(&mut self, drawn: &Drawn<'_>, side: usize) -> Option<NumberId> {
         let from = drawn.special.cuts[side].measured_from()?;
         if let Some(target) = drawn.special.target {
             return (target != from).then(|| self.length(from, target));
@@ -77,15 +80,15 @@ impl Writer<'_> {
         let line = drawn.legs[side].line?;
         let ends = [self.plot(from), drawn.place];
         let kind = NumberKind::Length([End::Joint(from), End::Special(drawn.id)]);
-        Some(self.measure(Sheet::Scheme, kind, ends, How::Along(line)))
+        Some(self.measure(Sheet::Scheme, kind, ends, MeasuredAs::Along(line)))
     }
 
-    /// What a leg adds, in numbers; lengths that are nothing are left out.
+    /// The terms of a leg with their numbers; arms of length zero are left out.
     fn summands(&mut self, drawn: &Drawn<'_>, side: usize) -> Vec<Summand> {
         let cut = &drawn.special.cuts[side];
         let summand = |term: &Term| match *term {
             Term::Turn { link, from, to: Some(to) } => Some(Summand::Turn(link, self.length(from, to))),
-            Term::Turn { link, to: None, .. } => drawn.reaches[side].map(|length| Summand::Turn(link, length)),
+            Term::Turn { link, to: None, .. } => drawn.lengths[side].map(|length| Summand::Turn(link, length)),
             Term::Slide { slider, from } => {
                 let ray = quarter_turn(cut.line.direction()?);
                 let guide = self.pose.guide(slider) * self.mechanism.slide_sign(slider, from);
@@ -95,7 +98,7 @@ impl Writer<'_> {
         cut.terms.iter().filter_map(summand).collect()
     }
 
-    /// The equation of a measured segment: what the leg adds makes it up.
+    /// The equation of a measured segment, which is the sum of the leg's terms.
     pub(super) fn equation(
         &mut self,
         sheet: Sheet,
@@ -125,8 +128,8 @@ impl Writer<'_> {
         Some(Equation { left, right })
     }
 
-    /// The equation of a tie; `None` where the rate of a known body is not there.
-    pub(super) fn tied(&self, sheet: Sheet, terms: &TieTerms) -> Option<Equation> {
+    /// The equation of a tie of rotations; `None` where the rate of a known body has no number.
+    pub(super) fn tie_equation(&self, sheet: Sheet, terms: &TieTerms) -> Option<Equation> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
         for &(spin, weight) in terms {
             match spin {
@@ -140,8 +143,8 @@ impl Writer<'_> {
         Some(Equation { left, right })
     }
 
-    /// The end of a leg's normal part, Coriolis's included, laid off along the cut line.
-    pub(super) fn normal(&mut self, drawn: &Drawn<'_>, side: usize, from: PlaceId) -> Option<PlaceId> {
+    /// Lays off a leg's normal part, Coriolis acceleration included, along the cut line; returns its end.
+    pub(super) fn lay_off_normal_part(&mut self, drawn: &Drawn<'_>, side: usize, from: PlaceId) -> Option<PlaceId> {
         let mut sum = Vec::new();
         for summand in self.summands(drawn, side) {
             match summand {
@@ -150,11 +153,12 @@ impl Writer<'_> {
                         sum.push(Product::new(ProductKind::Normal, -1.0, &[omega, omega, length]));
                     }
                 }
-                Summand::Slide(slider, carries, sign) => {
-                    let omega = self.construction.spins[carries.0]?[0];
+                Summand::Slide(slider, body, sign) => {
+                    let omega = self.construction.spins[body.0]?[0];
                     let velocity = self.construction.slides[slider.0]?[0];
                     if let (Some(omega), Some(velocity)) = (omega, velocity) {
-                        // The guide turned by a quarter lies along the cut line, against the ray turned by one.
+                        // The Coriolis acceleration has the direction of the guide turned by +90°: against the cut line
+                        // where the guide has the direction of the ray, which is the cut line turned by +90°.
                         sum.push(Product::new(ProductKind::Coriolis, -2.0 * sign, &[omega, velocity]));
                     }
                 }

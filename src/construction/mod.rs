@@ -1,9 +1,12 @@
-//! In: a mechanism, its pose and its motion. Out: a [`Construction`]: the velocity and acceleration plans as the [`Operation`]s of ruler, pencil and calculator
-//! that make them, and as the [`Step`]s that a teacher takes at the board. Each operation is carried out when it is put down, with bounds of its rounding
-//! errors: so the construction is a second route to every rate, compared with the loop equations. The same operations run with a hand's errors,
-//! or with mistakes put in ([`Values`]). Drawings, texts and checks read steps and values and cross nothing again; a [`Solution`] is all that is known of a scene.
+//! In: a mechanism, its pose and its motion. Out: a [`Construction`]: the velocity and acceleration plans as the
+//! [`Operation`]s of ruler, pencil and calculator that draw them, and as the [`Step`]s that a teacher takes at the
+//! board. Each operation is carried out when it is written, with bounds of its rounding errors; so the construction is
+//! a second, independent computation of every rate, compared with the loop equations. The same operations can be
+//! repeated with a hand's errors or with mistakes ([`Values`]). Drawings, texts and checks read steps and values and
+//! construct nothing again. A [`Solution`] holds all results of a scene.
 //!
-//! In reading order: `cut` (cut lines and special points), `operation`, `run`, `writer`, `body`, `leg`, `group`, `construct`; `step` and `sentence` for what is told.
+//! In reading order: `cut` (cut lines and special points), `operation`, `run`, `writer`, `body`, `leg`, `group`,
+//! `construct`; `step` and `sentence` for captions and equations.
 
 mod agreement;
 mod body;
@@ -21,14 +24,14 @@ mod step;
 mod writer;
 
 pub use agreement::Agreement;
-pub(crate) use construct::written;
+pub(crate) use construct::construction_writer;
 pub use construct::{Construction, NumberedStep, construct};
 pub use cut::{Course, CutLine, Special, SpecialId, Term, special_points};
 pub use formula::{Formula, FormulaTerm, Known, NamedPart};
 pub use name::{coincident_name, coriolis_name, display, image_name, normal_name, point_on, slide_name};
 pub use operation::{
-    Along, Does, End, Equation, ErrorUnit, How, LineId, NumberId, NumberKind, Operation, Part, PlaceId, Product,
-    ProductKind, Rate, Reference, Sheet, StepId,
+    Along, End, Equation, ErrorUnit, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, Part, PlaceId,
+    Product, ProductKind, Rate, Reference, Sheet, StepId,
 };
 pub use run::{Change, Disturbance, Drawable, SheetScales, Tolerance, Values};
 pub use sentence::{Teller, plain_text, rate_symbol, shown_text};

@@ -1,10 +1,10 @@
-//! Names of plan points and how they are written.
+//! Names of plan points, and their subscripts.
 
 use crate::mechanism::{BodyId, Mechanism, PointId};
 
-/// The image of a point: its name in lower case, but for a link's name after `_`, as in `d_2` for `D_2`.
+/// Name of the image of a point: in lower case, but for a link's name after `_`, as in `d_2` for `D_2`.
 ///
-/// The poles' own names are taken: the image of P is `p'`, that of P' is `p''`.
+/// `p` and `π` are the poles: the image of P is `p'`, that of P' is `p''`.
 #[must_use]
 pub fn image_name(point: &str) -> String {
     let (point, link) = match point.split_once('_') {
@@ -21,40 +21,40 @@ pub fn image_name(point: &str) -> String {
     }
 }
 
-/// The end of the normal part laid off from the image of `start` on the way to special point `special`, as in `n_b3`.
+/// Name of the end of the normal part laid off from the image of `start` towards special point `special`, as in `n_b3`.
 #[must_use]
 pub fn normal_name(start: &str, special: &str) -> String {
     let link = special.strip_prefix('S').unwrap_or(special);
     format!("n_{}{link}", image_name(start))
 }
 
-/// The end of what a driven slider adds along its guide, laid off from plan point `start`, as in `r_a3`: sliding velocity or
-/// acceleration of link 3. `entered` are the names of the links that the driven sliders lead to, one after the other.
+/// Name of the end of a driven slider's relative velocity or acceleration, laid off from plan point `start`, as in
+/// `r_a3` for link 3. `entered` are the names of the links that the driven sliders lead to, one after another.
 #[must_use]
 pub fn slide_name(start: &str, entered: &str) -> String {
     format!("r_{start}{entered}")
 }
 
-/// The end of the Coriolis acceleration of a driven slider, laid off after its sliding acceleration, as in `k_a3`.
+/// Name of the end of a driven slider's Coriolis acceleration, laid off after its relative acceleration, as in `k_a3`.
 #[must_use]
 pub fn coriolis_name(start: &str, entered: &str) -> String {
     format!("k_{start}{entered}")
 }
 
-/// The point of `body` that lies under `point`, as in `D_2`.
+/// Name of the point of `body` that coincides with `point`, as in `D_2`.
 #[must_use]
 pub fn coincident_name(point: &str, body: &str) -> String {
     format!("{point}_{body}")
 }
 
-/// The point of a body at `point`, as it is called: `B` where it is the body's own, else `B_2`.
+/// Name of a body's point at `point`: `B` where the body has that point, else `B_2`.
 #[must_use]
 pub fn point_on(mechanism: &Mechanism, body: BodyId, point: PointId) -> String {
     let (name, body) = (mechanism.point_name(point), mechanism.body(body));
     if body.points.contains(&point) { name.to_owned() } else { coincident_name(name, &body.name) }
 }
 
-/// A name as it is written: what follows the first `_` and trailing digits are set low, as in `n_{b3}`, `S_{3}`.
+/// A name with its subscript in braces: the part after the first `_`, else trailing digits, as in `n_{b3}`, `S_{3}`.
 #[must_use]
 pub fn display(name: &str) -> String {
     let (base, low) = match name.split_once('_') {

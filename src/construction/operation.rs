@@ -11,11 +11,11 @@ pub struct PlaceId(pub usize);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct LineId(pub usize);
 
-/// Index of a number that the person has: given, measured or computed.
+/// Index of a number: given, measured or computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct NumberId(pub usize);
 
-/// Where something is drawn; each has its own scale.
+/// A sheet; each has its own scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Sheet {
     /// The mechanism to scale.
@@ -26,34 +26,34 @@ pub enum Sheet {
     Acceleration,
 }
 
-/// A step of the construction: its place among those of its sheet.
+/// A step of the construction, by its sheet and its index there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct StepId {
     /// The sheet on which it is done.
     pub sheet: Sheet,
-    /// How many steps of the sheet come before it.
+    /// Index among the steps of the sheet, from 0.
     pub index: usize,
 }
 
 /// One operation of ruler, pencil and calculator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Operation {
-    /// The sheet on which it happens; of a computation the sheet for which it is done.
+    /// The sheet on which it is drawn or measured; for a computation the sheet that uses the result.
     pub sheet: Sheet,
-    /// The step that it belongs to; none for what comes before all steps or is only read off.
+    /// The step that it belongs to; none for what precedes all steps or is only a reading.
     pub step: Option<StepId>,
-    /// What it is in the construction.
+    /// Its role in the construction.
     pub part: Part,
     /// What is done.
-    pub does: Does,
-    /// Whether a person can do it with ruler and pencil: not where it builds on rates that no construction gives.
+    pub kind: OperationKind,
+    /// Whether it can be done with ruler and pencil: false where it uses rates taken from the computed motion.
     pub by_hand: bool,
 }
 
-/// What an operation is in the construction: what mistakes, steps and sentences ask for.
+/// Role of an operation in the construction; mistakes, steps and sentences refer to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// Where the values of a sheet count from.
+    /// The origin of a plan.
     Pole,
     /// A joint of the mechanism.
     Joint(PointId),
@@ -77,24 +77,24 @@ pub enum Part {
     Rates,
 }
 
-/// What an operation does: what it reads and what it makes.
+/// The action of an operation, with its arguments and results.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Does {
-    /// Chooses where the sheet's values count from: exact.
+pub enum OperationKind {
+    /// Chooses the origin of a sheet: exact.
     Pole {
         /// The place made.
         place: PlaceId,
-        /// Where it is, in units of the sheet.
+        /// Its coordinates, in units of the sheet.
         at: Vector,
     },
-    /// Sets a joint of the mechanism at its place.
+    /// Plots a joint of the mechanism.
     Plot {
         /// The place made.
         place: PlaceId,
-        /// Where it belongs, in units of the sheet.
+        /// Its exact coordinates, in units of the sheet.
         at: Vector,
     },
-    /// Lays the ruler on two places: what is off with this line is off with them.
+    /// Joins two places by a line: its only errors are those of the two places.
     Join {
         /// The line made, from the first place towards the second.
         line: LineId,
@@ -125,7 +125,7 @@ pub enum Does {
         place: PlaceId,
         /// Where it begins.
         from: PlaceId,
-        /// Its size; a negative one runs against the direction.
+        /// Its signed size; a negative one runs against the direction.
         size: NumberId,
         /// Its direction.
         along: Along,
@@ -138,8 +138,8 @@ pub enum Does {
         from: PlaceId,
         /// The second place.
         to: PlaceId,
-        /// What is measured.
-        how: How,
+        /// The measured quantity.
+        how: MeasuredAs,
     },
     /// Takes a number from the scene.
     Take {
@@ -152,46 +152,46 @@ pub enum Does {
     Compute {
         /// The number made.
         number: NumberId,
-        /// What is summed.
+        /// The products.
         sum: Vec<Product>,
     },
     /// Solves equations for rates.
     Solve {
         /// The numbers made, in the order of the unknowns.
         unknowns: Vec<NumberId>,
-        /// As many equations, at most four.
+        /// As many equations as unknowns, at most four.
         equations: Vec<Equation>,
     },
 }
 
-/// A direction, by what is on the sheets.
+/// A direction relative to a line on a sheet or to the scene's axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Along {
-    /// To what it is set …
+    /// The reference direction …
     pub reference: Reference,
-    /// … turned by so many quarter turns counter-clockwise.
+    /// … and the number of quarter turns from it, counter-clockwise.
     pub quarter_turns: u8,
 }
 
-/// To what a direction is set.
+/// A reference direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reference {
-    /// A line that is drawn already.
+    /// The direction of a line that is drawn already.
     Line(LineId),
-    /// A direction that the scene gives, of length 1.
+    /// A unit vector that the scene gives.
     Given(Vector),
 }
 
-/// What is measured from one place to another.
+/// What is measured between two places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum How {
+pub enum MeasuredAs {
     /// The distance.
     Size,
-    /// The distance, positive in the direction of a line.
+    /// The component along a line, positive in its direction.
     Along(LineId),
-    /// The distance along x.
+    /// The component along x.
     X,
-    /// The distance along y.
+    /// The component along y.
     Y,
     /// The direction, in degrees from +x, in (−180, 180].
     Direction,
@@ -200,7 +200,7 @@ pub enum How {
 /// A product of numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Product {
-    /// What it stands for.
+    /// Its meaning.
     pub kind: ProductKind,
     /// A constant, often a sign.
     pub factor: f64,
@@ -208,7 +208,7 @@ pub struct Product {
     pub of: SmallVec<[NumberId; 3]>,
 }
 
-/// What a product stands for.
+/// Meaning of a product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProductKind {
     /// A number as it is.
@@ -217,33 +217,33 @@ pub enum ProductKind {
     Turning,
     /// ω² times a length: a normal acceleration.
     Normal,
-    /// 2 ω v_r.
+    /// Coriolis acceleration 2 ω v_r.
     Coriolis,
-    /// A rate along a guide.
+    /// A slide rate, along its guide.
     Sliding,
 }
 
 /// An equation for rates: Σ coefficient · unknown = Σ right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
-    /// The index of an unknown and its coefficient.
+    /// Indices of unknowns with their coefficients.
     pub left: Vec<(usize, Product)>,
     /// The right side.
     pub right: Vec<Product>,
 }
 
-/// What a number is.
+/// Kind of a number.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NumberKind {
-    /// The distance of two places of the scheme.
+    /// The distance of two points of the scheme.
     Length([End; 2]),
-    /// A segment of the plan on this sheet, by the names of its ends.
+    /// A segment of the plan on this sheet, with the names of its ends.
     Segment(Sheet, [String; 2]),
     /// A rate: given, or solved for.
     Rate(Rate),
-    /// The size of a vector that is laid off.
+    /// The signed size of a vector that is laid off.
     Size,
-    /// What is measured for a reader alone, by the name of the quantity.
+    /// A measurement that no later operation uses, with the name of its quantity.
     Reading(String),
 }
 
@@ -256,7 +256,7 @@ pub enum End {
     Special(SpecialId),
 }
 
-/// A rate of a link or a slider.
+/// A rate of a link or a slider, in the scene's units, angles in rad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rate {
     /// Angular velocity.
@@ -269,7 +269,7 @@ pub enum Rate {
     SlideAcceleration(SliderId),
 }
 
-/// In what an elementary error is counted.
+/// Unit of an elementary error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorUnit {
     /// Millimetres of paper.
@@ -282,7 +282,7 @@ impl Sheet {
     /// All sheets, in the order in which they are drawn.
     pub const ALL: [Sheet; 3] = [Sheet::Scheme, Sheet::Velocity, Sheet::Acceleration];
 
-    /// What it is called.
+    /// Its English name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -292,7 +292,7 @@ impl Sheet {
         }
     }
 
-    /// 0 for rates, 1 for their derivatives.
+    /// 0 for scheme and velocities, 1 for accelerations: the index of a rate and its derivative.
     #[must_use]
     pub fn order(self) -> usize {
         usize::from(self == Sheet::Acceleration)
@@ -313,19 +313,19 @@ impl Rate {
 }
 
 impl Along {
-    /// In the direction of a line.
+    /// The direction of a line.
     #[must_use]
     pub fn line(line: LineId) -> Along {
         Along { reference: Reference::Line(line), quarter_turns: 0 }
     }
 
-    /// In a given direction.
+    /// A given direction, of length 1.
     #[must_use]
     pub fn given(direction: Vector) -> Along {
         Along { reference: Reference::Given(direction), quarter_turns: 0 }
     }
 
-    /// The same turned by so many quarter turns counter-clockwise.
+    /// The same direction, turned by so many further quarter turns counter-clockwise.
     #[must_use]
     pub fn turned(self, quarter_turns: u8) -> Along {
         Along { quarter_turns: self.quarter_turns + quarter_turns, ..self }
@@ -345,47 +345,49 @@ impl Product {
         Product::new(ProductKind::Plain, 1.0, &[number])
     }
 
-    /// The same, so many times as large.
+    /// The same product times `factor`.
     #[must_use]
     pub fn times(&self, factor: f64) -> Product {
         Product { factor: self.factor * factor, ..self.clone() }
     }
 }
 
-impl Does {
-    /// The elementary errors that a hand brings into it, independent of each other and of those of other operations.
+impl OperationKind {
+    /// The elementary errors of the hand in this operation, independent of each other and of other operations' errors.
     #[must_use]
     pub fn errors(&self) -> &'static [ErrorUnit] {
         match self {
             // Along x and y.
-            Does::Plot { .. } | Does::Cross { .. } => &[ErrorUnit::Length, ErrorUnit::Length],
-            Does::Draw { .. } => &[ErrorUnit::Direction],
-            Does::LayOff { .. } => &[ErrorUnit::Direction, ErrorUnit::Length],
-            Does::Measure { how: How::Direction, .. } => &[ErrorUnit::Direction],
-            Does::Measure { .. } => &[ErrorUnit::Length],
-            Does::Pole { .. } | Does::Join { .. } | Does::Take { .. } | Does::Compute { .. } | Does::Solve { .. } => {
-                &[]
-            }
+            OperationKind::Plot { .. } | OperationKind::Cross { .. } => &[ErrorUnit::Length, ErrorUnit::Length],
+            OperationKind::Draw { .. } => &[ErrorUnit::Direction],
+            OperationKind::LayOff { .. } => &[ErrorUnit::Direction, ErrorUnit::Length],
+            OperationKind::Measure { how: MeasuredAs::Direction, .. } => &[ErrorUnit::Direction],
+            OperationKind::Measure { .. } => &[ErrorUnit::Length],
+            OperationKind::Pole { .. }
+            | OperationKind::Join { .. }
+            | OperationKind::Take { .. }
+            | OperationKind::Compute { .. }
+            | OperationKind::Solve { .. } => &[],
         }
     }
 
-    /// The place that it makes.
+    /// The place that it makes; none for other results.
     #[must_use]
     pub fn place(&self) -> Option<PlaceId> {
         match self {
-            Does::Pole { place, .. }
-            | Does::Plot { place, .. }
-            | Does::Cross { place, .. }
-            | Does::LayOff { place, .. } => Some(*place),
+            OperationKind::Pole { place, .. }
+            | OperationKind::Plot { place, .. }
+            | OperationKind::Cross { place, .. }
+            | OperationKind::LayOff { place, .. } => Some(*place),
             _ => None,
         }
     }
 
-    /// The line that it draws.
+    /// The line that it draws; none for other results.
     #[must_use]
     pub fn line(&self) -> Option<LineId> {
         match self {
-            Does::Join { line, .. } | Does::Draw { line, .. } => Some(*line),
+            OperationKind::Join { line, .. } | OperationKind::Draw { line, .. } => Some(*line),
             _ => None,
         }
     }
@@ -394,28 +396,28 @@ impl Does {
     #[must_use]
     pub fn numbers(&self) -> &[NumberId] {
         match self {
-            Does::Measure { number, .. } | Does::Take { number, .. } | Does::Compute { number, .. } => {
-                core::slice::from_ref(number)
-            }
-            Does::Solve { unknowns, .. } => unknowns,
+            OperationKind::Measure { number, .. }
+            | OperationKind::Take { number, .. }
+            | OperationKind::Compute { number, .. } => core::slice::from_ref(number),
+            OperationKind::Solve { unknowns, .. } => unknowns,
             _ => &[],
         }
     }
 
-    /// The places and lines that it builds on.
+    /// The places and lines that it uses.
     pub(super) fn places_and_lines_read(&self) -> (SmallVec<[PlaceId; 2]>, SmallVec<[LineId; 2]>) {
         let line = |along: &Along| match along.reference {
             Reference::Line(line) => SmallVec::from_slice(&[line]),
             Reference::Given(_) => SmallVec::new(),
         };
         match self {
-            Does::Join { from, towards, .. } => (SmallVec::from_slice(&[*from, *towards]), SmallVec::new()),
-            Does::Draw { through, along, .. } => (SmallVec::from_slice(&[*through]), line(along)),
-            Does::Cross { lines, .. } => (SmallVec::new(), SmallVec::from_slice(lines)),
-            Does::LayOff { from, along, .. } => (SmallVec::from_slice(&[*from]), line(along)),
-            Does::Measure { from, to, how, .. } => {
+            OperationKind::Join { from, towards, .. } => (SmallVec::from_slice(&[*from, *towards]), SmallVec::new()),
+            OperationKind::Draw { through, along, .. } => (SmallVec::from_slice(&[*through]), line(along)),
+            OperationKind::Cross { lines, .. } => (SmallVec::new(), SmallVec::from_slice(lines)),
+            OperationKind::LayOff { from, along, .. } => (SmallVec::from_slice(&[*from]), line(along)),
+            OperationKind::Measure { from, to, how, .. } => {
                 let lines = match how {
-                    How::Along(line) => SmallVec::from_slice(&[*line]),
+                    MeasuredAs::Along(line) => SmallVec::from_slice(&[*line]),
                     _ => SmallVec::new(),
                 };
                 (SmallVec::from_slice(&[*from, *to]), lines)
@@ -424,18 +426,18 @@ impl Does {
         }
     }
 
-    /// Calls `see` with each number that it builds on.
+    /// Calls `see` with each number that it uses.
     pub fn each_number_read(&self, mut see: impl FnMut(NumberId)) {
         let mut products = |all: &[Product]| all.iter().for_each(|product| product.of.iter().for_each(|&n| see(n)));
         match self {
-            Does::Compute { sum, .. } => products(sum),
-            Does::Solve { equations, .. } => {
+            OperationKind::Compute { sum, .. } => products(sum),
+            OperationKind::Solve { equations, .. } => {
                 for equation in equations {
                     equation.left.iter().for_each(|(_, coefficient)| products(core::slice::from_ref(coefficient)));
                     products(&equation.right);
                 }
             }
-            Does::LayOff { size, .. } => see(*size),
+            OperationKind::LayOff { size, .. } => see(*size),
             _ => {}
         }
     }

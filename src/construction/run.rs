@@ -1,7 +1,7 @@
-//! Carries operations out: with the numbers of a person, or with bounds of their rounding errors.
+//! Carries out operations, in f64 with a hand's errors and mistakes, or with bounds of the rounding errors.
 
 use super::operation::{
-    Along, Does, Equation, ErrorUnit, How, LineId, NumberId, Operation, PlaceId, Product, Reference,
+    Along, Equation, ErrorUnit, LineId, MeasuredAs, NumberId, Operation, OperationKind, PlaceId, Product, Reference,
 };
 use crate::geometry::{Ball, Number, Pair, Vector, degrees_of, turn_of_degrees};
 use smallvec::SmallVec;
@@ -9,16 +9,17 @@ use smallvec::SmallVec;
 /// The scales of the sheets, in units of the scene per millimetre of paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SheetScales {
-    /// Of the scheme, the velocity plan and the acceleration plan. One for a sheet that there is not: no error there means anything.
+    /// Of the scheme, the velocity plan and the acceleration plan; 1 for a sheet that is not drawn, where errors of the
+    /// hand have no meaning.
     pub per_mm: [f64; 3],
 }
 
-/// How far an honest hand may be off: limits within which every error is equally likely.
+/// Limits of the errors of a careful hand; within the limits every error is equally likely.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// Millimetres of paper: of a point set, along x and along y, and of a length laid off or measured.
+    /// Limit for coordinates of a plotted point and for lengths laid off or measured, in millimetres of paper.
     pub mm: f64,
-    /// Degrees: of a direction drawn or read.
+    /// Limit for directions drawn or read, in degrees.
     pub degrees: f64,
 }
 
@@ -29,29 +30,31 @@ impl Default for Tolerance {
     }
 }
 
-/// Something that goes otherwise than it should at an operation.
+/// An error or a mistake in an operation.
 #[derive(Clone, Debug)]
 pub struct Disturbance<'a> {
     /// The index of the operation.
     pub operation: usize,
-    /// What goes otherwise.
+    /// The error or mistake.
     pub change: Change<'a>,
 }
 
-/// What goes otherwise at an operation.
+/// An error or a mistake in an operation.
 #[derive(Clone, Debug)]
 pub enum Change<'a> {
-    /// An error of the hand: which of the operation's [`errors`](Does::errors), and its size in millimetres of paper or degrees.
+    /// An error of the hand: index among the operation's [`errors`](OperationKind::errors), and its size in millimetres of paper
+    /// or degrees.
     Error(usize, f64),
-    /// A mistake: this is done instead. It must make what the operation makes and read nothing that is made later.
-    Instead(&'a Does),
-    /// A number that the operation makes comes out so many times as large.
+    /// A mistake: the action carried out in place of the right one. It must make the same results and use none that are
+    /// made later.
+    Instead(&'a OperationKind),
+    /// A number that the operation makes is multiplied by a factor.
     Times(NumberId, f64),
-    /// The person goes on with this value for a number that the operation makes.
+    /// A number that the operation makes is replaced by this value in later operations.
     Written(NumberId, f64),
 }
 
-/// With which numbers a construction is carried out.
+/// A number type in which a construction can be carried out.
 pub trait Drawable: Number + Default + From<f64> {
     /// The number, rounded to f64.
     fn rounded(self) -> f64;
@@ -69,12 +72,12 @@ impl Drawable for Ball {
     }
 }
 
-/// Everything that stands on the sheets and beside them: places and lines in units of their sheet, numbers in the scene's units; angles in degrees, rates in
-/// rad.
+/// The results of operations: places and lines in units of their sheet, numbers in the scene's units; angles in
+/// degrees, rates in rad.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Values<S = f64> {
     places: Vec<Pair<S>>,
-    /// A place of each line and its direction, of length 1.
+    /// By line: a place of it and its unit direction.
     lines: Vec<(Pair<S>, Pair<S>)>,
     numbers: Vec<S>,
 }
@@ -87,7 +90,7 @@ impl Values {
         Vector::new(x, y)
     }
 
-    /// A line, in units of its sheet: a place of it and its direction, of length 1.
+    /// A line, in units of its sheet: a place of it and its unit direction.
     #[must_use]
     pub fn line(&self, id: LineId) -> (Vector, Vector) {
         let (place, along) = self.lines[id.0];
@@ -100,10 +103,11 @@ impl Values {
         self.numbers[id.0]
     }
 
-    /// Carries out the operations from that of index `first` on, on values that hold what those before it make; with `disturbances` in the order of the
-    /// operations.
+    /// Carries out the operations from index `first` on; the results of those before it must be present. `disturbances`
+    /// are sorted by operation.
     ///
-    /// What cannot be done, as to cross parallel lines, gives numbers that are not finite, and so do the operations that build on it.
+    /// An impossible operation, as the crossing of parallel lines, yields numbers that are not finite, and so do the
+    /// operations that use them.
     pub fn carry_out(
         &mut self,
         operations: &[Operation],
@@ -113,16 +117,16 @@ impl Values {
     ) {
         let mut waiting = disturbances.iter().peekable();
         for (index, operation) in operations.iter().enumerate().skip(first) {
-            let (mut does, mut errors) = (&operation.does, [0.0; 2]);
+            let (mut kind, mut errors) = (&operation.kind, [0.0; 2]);
             let mut afterwards: SmallVec<[&Change<'_>; 2]> = SmallVec::new();
             while let Some(next) = waiting.next_if(|d| d.operation == index) {
                 match &next.change {
                     Change::Error(which, size) => errors[*which] += size,
-                    Change::Instead(other) => does = other,
+                    Change::Instead(other) => kind = other,
                     number => afterwards.push(number),
                 }
             }
-            self.run(does, errors, scales.per_mm[operation.sheet as usize]);
+            self.run(kind, errors, scales.per_mm[operation.sheet as usize]);
             for change in afterwards {
                 match change {
                     Change::Times(number, factor) => self.numbers[number.0] *= factor,
@@ -145,17 +149,17 @@ impl Values<Ball> {
         self.numbers[id.0]
     }
 
-    /// Says where a place is with more digits than its operation has.
+    /// Replaces a place by one known to more digits than the operation's f64 arguments.
     pub(super) fn set_place(&mut self, id: PlaceId, at: Pair<Ball>) {
         self.places[id.0] = at;
     }
 
-    /// Says in which direction a line runs with more digits than its operation has.
+    /// Replaces the direction of a line by one known to more digits.
     pub(super) fn set_direction(&mut self, id: LineId, along: Pair<Ball>) {
         self.lines[id.0].1 = along;
     }
 
-    /// Says what a number is with more digits than its operation has.
+    /// Replaces a number by one known to more digits.
     pub(super) fn set_number(&mut self, id: NumberId, number: Ball) {
         self.numbers[id.0] = number;
     }
@@ -169,37 +173,37 @@ impl<S: Drawable> Values<S> {
         self.numbers.resize(numbers, S::default());
     }
 
-    /// Carries out one operation, with errors in millimetres or degrees on a sheet of that scale.
-    pub(super) fn run(&mut self, does: &Does, errors: [f64; 2], per_mm: f64) {
+    /// Carries out one operation, with errors in millimetres or degrees; `per_mm` is the sheet's scale.
+    pub(super) fn run(&mut self, kind: &OperationKind, errors: [f64; 2], per_mm: f64) {
         let pair = |v: Vector| Pair { x: S::from(v.x), y: S::from(v.y) };
-        let off = Vector::from(errors) * per_mm;
-        match does {
-            Does::Pole { place, at } => self.places[place.0] = pair(*at),
-            Does::Plot { place, at } => self.places[place.0] = pair(at + off),
-            Does::Join { line, from, towards } => {
+        let offset = Vector::from(errors) * per_mm;
+        match kind {
+            OperationKind::Pole { place, at } => self.places[place.0] = pair(*at),
+            OperationKind::Plot { place, at } => self.places[place.0] = pair(at + offset),
+            OperationKind::Join { line, from, towards } => {
                 let (from, towards) = (self.places[from.0], self.places[towards.0]);
                 self.lines[line.0] = (from, unit(towards - from));
             }
-            Does::Draw { line, through, along } => {
+            OperationKind::Draw { line, through, along } => {
                 self.lines[line.0] = (self.places[through.0], self.direction(along, errors[0]));
             }
-            Does::Cross { place, lines } => {
+            OperationKind::Cross { place, lines } => {
                 let [(p, d), (q, e)] = lines.map(|LineId(line)| self.lines[line]);
-                // p + t d on the other line: t = ((q − p) × e) / (d × e).
+                // A place p + t d of the first line is on the second, through q along e: t = ((q − p) × e) / (d × e).
                 let t = (q - p).cross(e) / d.cross(e);
-                self.places[place.0] = displaced(p + d * t, off);
+                self.places[place.0] = displaced(p + d * t, offset);
             }
-            Does::LayOff { place, from, size, along } => {
+            OperationKind::LayOff { place, from, size, along } => {
                 let direction = self.direction(along, errors[0]);
-                let size = moved(self.numbers[size.0], errors[1] * per_mm);
+                let size = increased(self.numbers[size.0], errors[1] * per_mm);
                 self.places[place.0] = self.places[from.0] + direction * size;
             }
-            Does::Measure { number, from, to, how } => {
+            OperationKind::Measure { number, from, to, how } => {
                 self.numbers[number.0] = self.measured(*from, *to, *how, errors[0], per_mm);
             }
-            Does::Take { number, value } => self.numbers[number.0] = S::from(*value),
-            Does::Compute { number, sum } => self.numbers[number.0] = self.sum(sum),
-            Does::Solve { unknowns, equations } => {
+            OperationKind::Take { number, value } => self.numbers[number.0] = S::from(*value),
+            OperationKind::Compute { number, sum } => self.numbers[number.0] = self.sum(sum),
+            OperationKind::Solve { unknowns, equations } => {
                 let rates = self.solved(equations);
                 for (index, number) in unknowns.iter().enumerate() {
                     self.numbers[number.0] = rates.get(index).copied().unwrap_or(S::from(f64::NAN));
@@ -208,15 +212,15 @@ impl<S: Drawable> Values<S> {
         }
     }
 
-    fn measured(&self, PlaceId(from): PlaceId, PlaceId(to): PlaceId, how: How, error: f64, per_mm: f64) -> S {
+    fn measured(&self, PlaceId(from): PlaceId, PlaceId(to): PlaceId, how: MeasuredAs, error: f64, per_mm: f64) -> S {
         let vector = self.places[to] - self.places[from];
-        let length = |exact: S| moved(exact, error * per_mm);
+        let length = |exact: S| increased(exact, error * per_mm);
         match how {
-            How::Size => length(vector.dot(vector).sqrt()),
-            How::Along(LineId(line)) => length(vector.dot(self.lines[line].1)),
-            How::X => length(vector.x),
-            How::Y => length(vector.y),
-            How::Direction => S::from(degrees_of(Vector::new(vector.x.rounded(), vector.y.rounded())) + error),
+            MeasuredAs::Size => length(vector.dot(vector).sqrt()),
+            MeasuredAs::Along(LineId(line)) => length(vector.dot(self.lines[line].1)),
+            MeasuredAs::X => length(vector.x),
+            MeasuredAs::Y => length(vector.y),
+            MeasuredAs::Direction => S::from(degrees_of(Vector::new(vector.x.rounded(), vector.y.rounded())) + error),
         }
     }
 
@@ -243,13 +247,14 @@ impl<S: Drawable> Values<S> {
         sum.iter().fold(S::default(), |all, product| all + self.product(product))
     }
 
-    /// The solution of equations, by Gauss's elimination with the largest element left for pivot; not a number where there is none.
+    /// Solution of linear equations by Gaussian elimination with complete pivoting; NaN where they are singular.
     ///
-    /// Written out here, so that not even the elimination is shared with the loop equations.
+    /// Independent of the solver of the loop equations, with which the results are compared.
     fn solved(&self, equations: &[Equation]) -> SmallVec<[S; 4]> {
         let count = equations.len();
         // By row: the coefficients of the unknowns, and the right side.
-        let mut rows: SmallVec<[[S; 5]; 4]> = equations.iter().map(|equation| self.row(equation)).collect();
+        let mut rows: SmallVec<[[S; 5]; 4]> =
+            equations.iter().map(|equation| self.coefficients_and_side(equation)).collect();
         let mut columns: SmallVec<[usize; 4]> = (0..count).collect();
         for step in 0..count {
             let all = (step..count).flat_map(|row| (step..count).map(move |column| (row, column)));
@@ -274,7 +279,7 @@ impl<S: Drawable> Values<S> {
         solution
     }
 
-    fn row(&self, equation: &Equation) -> [S; 5] {
+    fn coefficients_and_side(&self, equation: &Equation) -> [S; 5] {
         let mut row = [S::default(); 5];
         for (unknown, coefficient) in &equation.left {
             row[*unknown] = row[*unknown] + self.product(coefficient);
@@ -284,21 +289,21 @@ impl<S: Drawable> Values<S> {
     }
 }
 
-/// Where the right side stands behind the coefficients of at most four unknowns.
+/// Column of the right side, after the coefficients of at most four unknowns.
 const RIGHT: usize = 4;
 
-/// An exact amount added, unless there is none: then nothing is rounded.
-fn moved<S: Drawable>(number: S, by: f64) -> S {
+/// Adds an exact amount; for zero the number stays as it is, without a rounding.
+fn increased<S: Drawable>(number: S, by: f64) -> S {
     if by == 0.0 { number } else { number + S::from(by) }
 }
 
 fn displaced<S: Drawable>(place: Pair<S>, by: Vector) -> Pair<S> {
-    Pair { x: moved(place.x, by.x), y: moved(place.y, by.y) }
+    Pair { x: increased(place.x, by.x), y: increased(place.y, by.y) }
 }
 
-/// The vector of length 1 in the same direction; not a number for one of no length.
+/// The unit vector in the same direction; NaN for the zero vector.
 fn unit<S: Drawable>(v: Pair<S>) -> Pair<S> {
-    // Scaled first, so that squares stay within the range of f64.
+    // Scaled first, so that the squares stay within the range of f64.
     let largest = S::from(v.x.rounded().abs().max(v.y.rounded().abs()));
     let scaled = Pair { x: v.x / largest, y: v.y / largest };
     let size = scaled.dot(scaled).sqrt();
@@ -306,7 +311,7 @@ fn unit<S: Drawable>(v: Pair<S>) -> Pair<S> {
 }
 
 impl ErrorUnit {
-    /// Its limit where hands are as good as `tolerance` says.
+    /// Limit of an error of this unit.
     #[must_use]
     pub fn limit(self, tolerance: &Tolerance) -> f64 {
         match self {

@@ -1,7 +1,7 @@
-//! What is said of steps: captions and equations. Names of points stand between backticks; `_{…}` is low, `^{…}` high.
+//! Captions and equations of steps. Names of points stand between backticks; `_{…}` is low, `^{…}` high.
 
 use super::construct::{Construction, NumberedStep};
-use super::cut::{Course, CutLine, Special, Term};
+use super::cut::{CutLine, Special, Term};
 use super::formula::{Formula, Known, NamedPart};
 use super::name::{image_name, point_on};
 use super::solution::Solution;
@@ -11,8 +11,8 @@ use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role};
 use crate::position::Pose;
 use crate::words::{Language, NumberStyle, Wording};
 
-/// A name within a caption.
-fn written(name: &str) -> String {
+/// A point's name, marked for a caption.
+fn marked(name: &str) -> String {
     format!("`{name}`")
 }
 
@@ -24,7 +24,7 @@ pub fn plain_text(markup: &str) -> String {
     text
 }
 
-/// A caption or an equation as plain text, names of plan points as the notation has them.
+/// A caption or an equation as plain text, with the names of plan points in the notation of `words`.
 #[must_use]
 pub fn shown_text(markup: &str, plan: Option<&Plan>, words: &Wording) -> String {
     let mut text = String::with_capacity(markup.len());
@@ -40,7 +40,7 @@ pub fn shown_text(markup: &str, plan: Option<&Plan>, words: &Wording) -> String 
     text
 }
 
-/// Adds markup without its marks.
+/// Adds markup without braces and backticks; `^2` becomes `²`.
 fn push_plain(text: &mut String, markup: &str) {
     let mut letters = markup.chars().peekable();
     while let Some(letter) = letters.next() {
@@ -52,8 +52,8 @@ fn push_plain(text: &mut String, markup: &str) {
     }
 }
 
-/// A subscript made of several names, as in `S3B`.
-fn low(names: &[&str]) -> String {
+/// A subscript of several names, as in `_{S3B}`.
+fn subscript(names: &[&str]) -> String {
     format!("_{{{}}}", names.concat())
 }
 
@@ -68,18 +68,18 @@ pub fn rate_symbol(name: &str) -> String {
     found.unwrap_or_else(|| name.to_owned())
 }
 
-/// Why there is no construction; `far` are the names of special points at infinity.
+/// The sentence that there is no construction; `far` are the names of special points at infinity.
 #[must_use]
 pub fn no_construction(words: &Wording, far: &[String]) -> String {
     let language = words.language;
     if far.is_empty() {
         return language.no_construction().to_owned();
     }
-    let far: Vec<String> = far.iter().map(|name| written(name)).collect();
-    language.no_construction_far(&far.join(language.and()))
+    let names: Vec<String> = far.iter().map(|name| marked(name)).collect();
+    language.no_construction_far(&names.join(language.and()))
 }
 
-/// Tells steps in a language and a notation.
+/// Writes steps in a language and a notation.
 #[derive(Clone, Copy, Debug)]
 pub struct Teller<'a> {
     mechanism: &'a Mechanism,
@@ -89,31 +89,31 @@ pub struct Teller<'a> {
 }
 
 impl<'a> Teller<'a> {
-    /// One that tells the steps of a solved scene.
+    /// A teller of the steps of a solved scene.
     #[must_use]
     pub fn new(solution: &'a Solution, words: &'a Wording) -> Self {
         let Solution { mechanism, pose, construction, .. } = solution;
         Self { mechanism, pose, construction, words }
     }
 
-    /// What to do, in one line of words; names of points between backticks, the rest in markup.
+    /// The caption of a step, one line; names of points between backticks, the rest in markup.
     #[must_use]
     pub fn caption(&self, NumberedStep { plan, step, .. }: &NumberedStep<'_>) -> String {
         let language = self.words.language;
         match &step.action {
             Action::Pole { images } => self.pole(plan.map_or(PlanKind::Velocity, |plan| plan.kind), images),
             Action::SpecialPoint { special, .. } => self.special_point(self.construction.special(*special)),
-            Action::MeasureLength { from, to, .. } => language.measure_length(&written(from), &written(to)),
+            Action::MeasureLength { from, to, .. } => language.measure_length(&marked(from), &marked(to)),
             Action::LayOff(arrow) => self.lay_off(plan.map_or(PlanKind::Velocity, |plan| plan.kind), arrow).1,
             Action::Ray(ray) => {
                 let sentence = match ray.relation {
                     Relation::Perpendicular => Language::ray_normal,
                     Relation::Parallel => Language::ray_parallel,
                 };
-                sentence(language, &written(&ray.through), &self.line_of(ray), &written(&ray.to))
+                sentence(language, &marked(&ray.through), &self.line_of(ray), &marked(&ray.to))
             }
-            Action::Cross { point, .. } => language.cross(&written(point)),
-            Action::Measure { from, to, .. } => language.measure_segment(&written(from), &written(to)),
+            Action::Cross { point, .. } => language.cross(&marked(point)),
+            Action::Measure { from, to, .. } => language.measure_segment(&marked(from), &marked(to)),
             Action::Solve { unknowns, .. } => {
                 let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
                 language.solve(&names.join(", "))
@@ -127,9 +127,9 @@ impl<'a> Teller<'a> {
     pub fn formula(&self, NumberedStep { plan, step, .. }: &NumberedStep<'_>) -> Formula {
         let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
         match &step.action {
-            Action::MeasureLength { from, to, .. } => format!("L{}", low(&[from, to])).into(),
+            Action::MeasureLength { from, to, .. } => format!("L{}", subscript(&[from, to])).into(),
             Action::LayOff(arrow) => self.lay_off(kind, arrow).0,
-            Action::Ray(ray) => self.behind_ray(kind, ray),
+            Action::Ray(ray) => self.ray_equation(kind, ray),
             Action::Measure { from, to, .. } => measured(kind, from, to).into(),
             Action::Pole { .. }
             | Action::SpecialPoint { .. }
@@ -144,9 +144,9 @@ impl<'a> Teller<'a> {
     pub fn line_of(&self, ray: &Ray) -> String {
         let special = self.construction.special(ray.special);
         let cut = &special.cuts[ray.side];
-        match cut.course {
-            Course::Normal(slider, _) => self.words.language.guide_of(&self.mechanism.slider_name(slider)),
-            Course::Through(..) | Course::AtInfinity => cut.name(self.words, self.mechanism, &special.name),
+        match cut.guide() {
+            Some(slider) => self.words.language.guide_of(&self.mechanism.slider_name(slider)),
+            None => cut.name(self.words, self.mechanism, &special.name),
         }
     }
 
@@ -155,12 +155,12 @@ impl<'a> Teller<'a> {
         if images.is_empty() {
             return self.words.language.choose_pole(pole, scale);
         }
-        let images: Vec<String> = images.iter().map(|i| written(i)).collect();
+        let images: Vec<String> = images.iter().map(|i| marked(i)).collect();
         self.words.language.choose_pole_with(pole, scale, &images.join(", "))
     }
 
     fn special_point(&self, special: &Special) -> String {
-        let (name, language) = (written(&special.name), self.words.language);
+        let (name, language) = (marked(&special.name), self.words.language);
         let link = &self.mechanism.body(special.link).name;
         let cut = |side: usize| special.cuts[side].name(self.words, self.mechanism, &special.name);
         match special.place {
@@ -175,28 +175,28 @@ impl<'a> Teller<'a> {
     /// Equation and caption of a vector that is laid off.
     fn lay_off(&self, kind: PlanKind, Arrow { from, to, of }: &Arrow) -> (Formula, String) {
         match of {
-            VectorOf::Point(body, point) => self.known(*body, *point, kind),
-            VectorOf::Normal(special, side) => self.normal(self.construction.special(*special), *side, from, to),
+            VectorOf::Point(body, point) => self.known_vector(*body, *point, kind),
+            VectorOf::Normal(special, side) => self.normal_part(self.construction.special(*special), *side, from, to),
             VectorOf::Relative { link, from, to } => {
                 let link = &self.mechanism.body(*link).name;
-                let formula = format!("v{0} = ω_{link} L{0}", low(&[to, from])).into();
+                let formula = format!("v{0} = ω_{link} L{0}", subscript(&[to, from])).into();
                 let language = self.words.language;
                 let line = format!("{from}{to}");
-                (formula, language.lay_off_relative(link, &written(to), &written(from), &line))
+                (formula, language.lay_off_relative(link, &marked(to), &marked(from), &line))
             }
             VectorOf::Sliding(slider, under) => {
                 let name = self.mechanism.slider_name(*slider);
                 let at = self.mechanism.point_name(self.mechanism.slider(*slider).at);
                 let (language, notation) = (self.words.language, self.words.notation);
-                let caption = language.lay_off_sliding_velocity(&name, &written(under), &written(at));
+                let caption = language.lay_off_sliding_velocity(&name, &marked(under), &marked(at));
                 (format!("v_{}({name})", notation.relative).into(), caption)
             }
-            VectorOf::Driven(slide, added) => self.driven(slide, *added, [from, to]),
+            VectorOf::Driven(slide, added) => self.driven_part(slide, *added, [from, to]),
         }
     }
 
-    /// Equation and caption of a known vector: that of body `base` at a point.
-    fn known(&self, base: BodyId, point: PointId, kind: PlanKind) -> (Formula, String) {
+    /// Equation and caption of the known velocity or acceleration of body `base` at a point.
+    fn known_vector(&self, base: BodyId, point: PointId, kind: PlanKind) -> (Formula, String) {
         let (mechanism, language, notation) = (self.mechanism, self.words.language, self.words.notation);
         let body = mechanism.body(base);
         let under = mechanism.point_name(point);
@@ -208,21 +208,21 @@ impl<'a> Teller<'a> {
         match &body.role {
             Role::Driver { pivot, alpha, .. } => {
                 let (k, link) = (mechanism.point_name(*pivot), &body.name);
-                let (arm, line) = (format!("L{}", low(&[k, name])), format!("{k}{name}"));
-                let (own, both) = (low(&[name]), low(&[name, k]));
+                let (arm, line) = (format!("L{}", subscript(&[k, name])), format!("{k}{name}"));
+                let (of_point, relative) = (subscript(&[name]), subscript(&[name, k]));
                 let (n, t) = (notation.normal, notation.tangential);
                 match kind {
                     PlanKind::Velocity => (
-                        format!("v{own} = ω_{link} {arm}").into(),
+                        format!("v{of_point} = ω_{link} {arm}").into(),
                         language.lay_off_velocity(name, &line, link),
                     ),
                     PlanKind::Acceleration if *alpha == 0.0 => (
-                        format!("a{own} = a^{n}{both} = ω_{link}^2 {arm}").into(),
+                        format!("a{of_point} = a^{n}{relative} = ω_{link}^2 {arm}").into(),
                         language.lay_off_normal_acceleration(name, k, link),
                     ),
                     PlanKind::Acceleration => (
                         format!(
-                            "a{own} = a^{n}{both} + a^{t}{both}, a^{n}{both} = ω_{link}^2 {arm}, a^{t}{both} = α_{link} {arm}"
+                            "a{of_point} = a^{n}{relative} + a^{t}{relative}, a^{n}{relative} = ω_{link}^2 {arm}, a^{t}{relative} = α_{link} {arm}"
                         )
                         .into(),
                         language.lay_off_whole_acceleration(name, k, &line),
@@ -232,25 +232,25 @@ impl<'a> Teller<'a> {
             Role::Carrier { .. } => {
                 let vector = format!("{letter}_{name}");
                 let caption = language.lay_off_given(&vector);
-                (self.given(vector), caption)
+                (self.given_vector(vector), caption)
             }
             _ => (
-                format!("{letter}{}", low(&[under, &body.name])).into(),
-                language.lay_off_point_under(&body.name, &written(under)),
+                format!("{letter}{}", subscript(&[under, &body.name])).into(),
+                language.lay_off_point_under(&body.name, &marked(under)),
             ),
         }
     }
 
-    /// A vector that the scene gives.
-    fn given(&self, vector: String) -> Formula {
+    /// The formula of a given vector: its symbol and the word for "given".
+    fn given_vector(&self, vector: String) -> Formula {
         let mut formula = Formula::default();
         formula.vector(vector, Known::Entirely, None);
         formula.words(self.words.language.given());
         formula
     }
 
-    /// The equation behind a ray: the motion of the point looked for from that of the leg's start.
-    fn behind_ray(&self, kind: PlanKind, ray: &Ray) -> Formula {
+    /// The vector equation behind a ray: motion of the sought point relative to the leg's start.
+    fn ray_equation(&self, kind: PlanKind, ray: &Ray) -> Formula {
         let special = self.construction.special(ray.special);
         let cut = &special.cuts[ray.side];
         let start = cut.start().map(|point| point_on(self.mechanism, cut.leg.base, point)).unwrap_or_default();
@@ -260,12 +260,12 @@ impl<'a> Teller<'a> {
         }
     }
 
-    /// The equation behind a velocity ray; driven sliders on the way add their sliding velocities.
+    /// The vector equation behind a velocity ray; driven sliders of the leg add their relative velocities.
     fn relative_velocity(&self, slides: &[DrivenSlide], special: &str, start: &str) -> Formula {
         let mut formula = Formula::default();
-        formula.vector(format!("v{}", low(&[special])), Known::Nothing, None);
+        formula.vector(format!("v{}", subscript(&[special])), Known::Nothing, None);
         formula.sign(" = ");
-        formula.vector(format!("v{}", low(&[start])), Known::Entirely, None);
+        formula.vector(format!("v{}", subscript(&[start])), Known::Entirely, None);
         for slide in slides {
             let name = self.mechanism.slider_name(slide.slider);
             formula.sign(&format!(" {} ", plus_or_minus(slide)));
@@ -274,20 +274,21 @@ impl<'a> Teller<'a> {
             formula.vector(added, Known::Entirely, sliding);
         }
         formula.sign(" + ");
-        let relative = format!("v{}", low(&[special, start]));
+        let relative = format!("v{}", subscript(&[special, start]));
         formula.vector(relative, Known::Direction, None);
         formula
     }
 
-    /// The equation behind an acceleration ray; driven sliders on the way add their sliding and Coriolis accelerations.
+    /// The vector equation behind an acceleration ray; driven sliders of the leg add their relative and Coriolis
+    /// accelerations.
     fn relative_acceleration(&self, cut: &CutLine, special: &str, start: &str) -> Formula {
         let has_normal = cut.terms.iter().any(|term| matches!(term, Term::Turn { .. }));
         let has_coriolis = cut.terms.iter().any(|term| matches!(term, Term::Slide { .. }));
         let notation = self.words.notation;
         let mut formula = Formula::default();
-        formula.vector(format!("a{}", low(&[special])), Known::Nothing, None);
+        formula.vector(format!("a{}", subscript(&[special])), Known::Nothing, None);
         formula.sign(" = ");
-        formula.vector(format!("a{}", low(&[start])), Known::Entirely, None);
+        formula.vector(format!("a{}", subscript(&[start])), Known::Entirely, None);
         for slide in &cut.slides {
             let name = self.mechanism.slider_name(slide.slider);
             for (letter, part) in [(notation.relative, NamedPart::Sliding), (notation.coriolis, NamedPart::Coriolis)] {
@@ -296,7 +297,7 @@ impl<'a> Teller<'a> {
                 formula.vector(added, Known::Entirely, Some(part));
             }
         }
-        let both = low(&[special, start]);
+        let points = subscript(&[special, start]);
         let (known, direction) = (Known::Entirely, Known::Direction);
         for (letter, known, part) in [
             (notation.normal, known, NamedPart::Normal),
@@ -312,23 +313,23 @@ impl<'a> Teller<'a> {
                 continue;
             }
             formula.sign(" + ");
-            formula.vector(format!("a^{letter}{both}"), known, Some(part));
+            formula.vector(format!("a^{letter}{points}"), known, Some(part));
         }
         formula
     }
 
-    /// Equation and caption of a normal part.
-    fn normal(&self, point: &Special, side: usize, from: &str, to: &str) -> (Formula, String) {
+    /// Equation and caption of a leg's normal part.
+    fn normal_part(&self, point: &Special, side: usize, from: &str, to: &str) -> (Formula, String) {
         let (mechanism, words, s) = (self.mechanism, self.words, &point.name);
         let cut = &point.cuts[side];
         let body = |b: BodyId| mechanism.body(b).name.as_str();
         let (mut normals, mut coriolis) = (Vec::new(), None);
         for term in &cut.terms {
             match *term {
-                // A length that is nothing has no place in an equation.
+                // A zero arm is left out of the equation.
                 Term::Turn { link, from, to } if self.arm(point, from, to) != Vector::zeros() || to.is_some() => {
                     let to = to.map_or(s.as_str(), |to| mechanism.point_name(to));
-                    normals.push(format!("ω_{}^2 L{}", body(link), low(&[to, mechanism.point_name(from)])));
+                    normals.push(format!("ω_{}^2 L{}", body(link), subscript(&[to, mechanism.point_name(from)])));
                 }
                 Term::Turn { .. } => {}
                 Term::Slide { slider, from } => {
@@ -346,7 +347,7 @@ impl<'a> Teller<'a> {
         let language = words.language;
         let start = cut.start().map_or("", |start| mechanism.point_name(start));
         let mut formula = Formula::default();
-        formula.vector(format!("a^{}{}", words.notation.normal, low(&[s, start])), Known::Entirely, None);
+        formula.vector(format!("a^{}{}", words.notation.normal, subscript(&[s, start])), Known::Entirely, None);
         let mut between = language.made_from();
         for part in normals {
             formula.words(between);
@@ -358,18 +359,18 @@ impl<'a> Teller<'a> {
             formula.sign(&part);
         }
         let line = cut.name(words, mechanism, s);
-        (formula, sentence(language, &line, &written(from), &written(to)))
+        (formula, sentence(language, &line, &marked(from), &marked(to)))
     }
 
-    /// The arm of a term, to the point looked for where it does not end at another joint.
+    /// The arm of a rotation term, to joint `to` or else to the sought point; zero for a point at infinity.
     fn arm(&self, point: &Special, from: PointId, to: Option<PointId>) -> Vector {
-        let own = || point.crossing.vector_from(self.pose.point(from)).unwrap_or_else(Vector::zeros);
-        to.map_or_else(own, |to| self.pose.arm(from, to))
+        let to_point = || point.crossing.vector_from(self.pose.point(from)).unwrap_or_else(Vector::zeros);
+        to.map_or_else(to_point, |to| self.pose.arm(from, to))
     }
 
-    /// The equation of a leg: its rates, counter-clockwise positive, times lengths make up the measured segment.
+    /// The equation of a leg: rates, counter-clockwise positive, times lengths, equal to the measured segment.
     ///
-    /// Every term has the sign that it takes along the segment from its start to the special point's image.
+    /// Each term has the sign of its component along the segment from its start to the special point's image.
     #[must_use]
     pub fn equation(&self, kind: PlanKind, LegEquation { special, side, from, segment }: &LegEquation) -> String {
         let (rate, slide) = match kind {
@@ -385,7 +386,7 @@ impl<'a> Teller<'a> {
             let (along, written) = match *term {
                 Term::Turn { link, from, to } => {
                     let end = to.map_or(point.name.as_str(), |to| mechanism.point_name(to));
-                    let length = low(&[end, mechanism.point_name(from)]);
+                    let length = subscript(&[end, mechanism.point_name(from)]);
                     let along = self.arm(point, from, to).dot(&direction);
                     (along, format!("{rate}_{{{}}} L{length}", mechanism.body(link).name))
                 }
@@ -396,7 +397,7 @@ impl<'a> Teller<'a> {
                     (along, format!("{slide}_{}({name})", self.words.notation.relative))
                 }
             };
-            // A length that is nothing has no place in an equation.
+            // Terms with a zero length are left out.
             if along == 0.0 {
                 continue;
             }
@@ -412,12 +413,12 @@ impl<'a> Teller<'a> {
         format!("{left} = {}", measured(kind, from, &image_name(&point.name)))
     }
 
-    /// Equation and caption of what a driven slider adds between two plan points.
-    fn driven(&self, slide: &DrivenSlide, added: Added, [from, to]: [&str; 2]) -> (Formula, String) {
+    /// Equation and caption of a driven slider's relative velocity, relative acceleration or Coriolis acceleration.
+    fn driven_part(&self, slide: &DrivenSlide, added: Added, [from, to]: [&str; 2]) -> (Formula, String) {
         let mechanism = self.mechanism;
         let name = mechanism.slider_name(slide.slider);
         let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
-        // The way may lead from the sliding link to the guide.
+        // The leg may pass the slider from the sliding link to the guide: then the sign is reversed.
         let backwards = slide.sign < 0.0;
         let minus = if backwards { "−" } else { "" };
         let (language, notation) = (self.words.language, self.words.notation);
@@ -435,7 +436,7 @@ impl<'a> Teller<'a> {
             (Added::Coriolis, false) => Language::lay_off_coriolis,
             (Added::Coriolis, true) => Language::lay_off_coriolis_reversed,
         };
-        let caption = sentence(language, &name, &written(from), &written(to));
+        let caption = sentence(language, &name, &marked(from), &marked(to));
         (equation.into(), caption)
     }
 }
@@ -444,7 +445,7 @@ fn plus_or_minus(slide: &DrivenSlide) -> char {
     if slide.sign < 0.0 { '−' } else { '+' }
 }
 
-/// A segment as it is written in an equation.
+/// A plan segment times its scale, as written in an equation.
 fn measured(kind: PlanKind, from: &str, to: &str) -> String {
-    format!("{} ({} {})", kind.scale_name(), written(from), written(to))
+    format!("{} ({} {})", kind.scale_name(), marked(from), marked(to))
 }

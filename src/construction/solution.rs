@@ -6,26 +6,24 @@ use crate::position::Pose;
 use crate::scene::Scene;
 use crate::words::Wording;
 
-/// A solved scene: the mechanism in one position with its motion and its plans. Figures, results, steps and checks start from here.
+/// A solved scene: the mechanism in one position with its motion and its plans. Input of figures, results, steps and
+/// checks.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// What was asked for.
+    /// The scene as read.
     pub scene: Scene,
     /// Its bodies, joints and groups.
     pub mechanism: Mechanism,
-    /// Where everything is.
+    /// Places of all points and directions of all guides.
     pub pose: Pose,
-    /// How everything moves.
+    /// Velocities and accelerations.
     pub motion: Motion,
     /// The plans of that motion.
     pub construction: Construction,
 }
 
 impl Solution {
-    /// Motion and plans of a mechanism in a position that has been found.
-    ///
-    /// # Errors
-    /// [`MotionError`] in a singular position.
+    /// Motion and plans of a mechanism at a pose.
     pub fn new(scene: Scene, mechanism: Mechanism, pose: Pose, order: Order) -> Result<Self, MotionError> {
         let motion = motion(&mechanism, &pose, order)?;
         let construction = construct(&mechanism, &pose, &motion);
@@ -46,10 +44,10 @@ impl Solution {
         Wording::of(&self.scene.figure)
     }
 
-    /// What the reader should know of these numbers, in the order in which they were found.
+    /// The warnings of all stages, in English, in the order in which they were found.
     pub fn warnings(&self) -> impl Iterator<Item = String> {
         let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings];
-        // Warnings are messages, which are in English whatever the figure says.
+        // Warnings are in English whatever the language of the figure.
         let without = self.construction.without().map(|far| plain_text(&no_construction(&Wording::default(), far)));
         found.into_iter().flatten().cloned().chain(without)
     }

@@ -5,7 +5,7 @@ use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
 use crate::words::{Notation, with_prime};
 use indexmap::IndexMap;
 
-/// Which plan.
+/// Velocity or acceleration plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlanKind {
     /// Of velocities, from the pole p.
@@ -24,7 +24,7 @@ impl PlanKind {
         }
     }
 
-    /// How the pole is written, in markup.
+    /// The pole's symbol in a notation, in markup.
     #[must_use]
     pub fn pole_in(self, notation: &Notation) -> &'static str {
         match self {
@@ -65,24 +65,24 @@ impl PlanKind {
 /// A velocity or acceleration plan: its points and the steps by which it is drawn.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// Which plan.
+    /// Velocity or acceleration plan.
     pub kind: PlanKind,
     /// Its points by name, in order of construction; vectors from the pole, in units of the plan.
     pub points: IndexMap<String, PlanPoint>,
-    /// How it is drawn, in order.
+    /// The steps by which it is drawn, in order.
     pub steps: Vec<Step>,
 }
 
 /// A point of a plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanPoint {
-    /// From the pole, in units of velocity or acceleration.
+    /// Vector from the pole, in the scene's units of velocity or acceleration.
     pub vector: Vector,
-    /// What it is.
+    /// Its role.
     pub role: PointRole,
 }
 
-/// What a plan point is.
+/// Role of a plan point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointRole {
     /// The pole, or the image of a point at rest.
@@ -91,7 +91,7 @@ pub enum PointRole {
     Known,
     /// The end of a normal part.
     Normal,
-    /// The end of what a driven slider adds.
+    /// The end of a driven slider's relative velocity or acceleration.
     Slid,
     /// The image of a special point.
     Special,
@@ -99,28 +99,28 @@ pub enum PointRole {
     Image,
 }
 
-/// One thing that a teacher does at the board: facts, from which [`Teller`](super::Teller) makes sentences and equations.
+/// A step at the board: the facts from which [`Teller`](super::Teller) makes sentences and equations.
 #[derive(Clone, Debug)]
 pub struct Step {
     /// What is done.
     pub action: Action,
 }
 
-/// What a step does.
+/// The action of a step.
 #[derive(Clone, Debug)]
 pub enum Action {
-    /// Choose a pole; these points at rest have their images there.
+    /// Choose a pole; it is the image of all fixed points.
     Pole {
-        /// Images that coincide with the pole.
+        /// Names of the images that coincide with the pole.
         images: Vec<String>,
     },
-    /// Find a special point on the mechanism: cut lines cross there.
+    /// Find a special point on the scheme by crossing cut lines.
     SpecialPoint {
         /// Its name.
         point: String,
-        /// Which it is.
+        /// Its index.
         special: SpecialId,
-        /// Sine of the angle of crossing.
+        /// Sine of the angle between the cut lines.
         sine: f64,
     },
     /// Lay off a vector.
@@ -129,11 +129,11 @@ pub enum Action {
     Ray(Ray),
     /// Mark where two rays cross.
     Cross {
-        /// The point found.
+        /// The plan point at the crossing.
         point: String,
-        /// The points from which the two rays were drawn.
+        /// The plan points from which the two rays were drawn.
         from: [String; 2],
-        /// Sine of the angle of crossing.
+        /// Sine of the angle between the rays.
         sine: f64,
     },
     /// Measure a segment.
@@ -142,16 +142,16 @@ pub enum Action {
         from: String,
         /// … to this one.
         to: String,
-        /// Its length in units of the plan.
+        /// Its length, in units of velocity or acceleration.
         value: f64,
     },
-    /// Measure a length on the mechanism.
+    /// Measure a length on the scheme.
     MeasureLength {
         /// From this point …
         from: String,
         /// … to this one.
         to: String,
-        /// Its length.
+        /// Its value, in units of length.
         value: f64,
     },
     /// Solve equations for unknowns.
@@ -161,9 +161,9 @@ pub enum Action {
         /// The unknowns' quantity names and values.
         unknowns: Vec<(String, f64)>,
     },
-    /// There is no construction by two rays; these special points lie at infinity, where that is the reason.
+    /// There is no construction by two rays.
     NoConstruction {
-        /// Their names.
+        /// Names of the special points at infinity, where these are the reason; else empty.
         far: Vec<String>,
     },
 }
@@ -186,12 +186,12 @@ impl Action {
     }
 }
 
-/// The equation of a measured segment: what a leg adds to the motion of the point looked for makes it up.
+/// The equation of a measured segment, which is the sum of the terms of a leg.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LegEquation {
-    /// The point looked for …
+    /// The sought point …
     pub special: SpecialId,
-    /// … over which of its legs.
+    /// … and the leg, 0 or 1.
     pub side: usize,
     /// The plan point from which the segment is measured.
     pub from: String,
@@ -206,45 +206,46 @@ pub struct Arrow {
     pub from: String,
     /// … to this one.
     pub to: String,
-    /// What it is.
+    /// Its meaning.
     pub of: VectorOf,
 }
 
-/// What a vector of a plan is.
+/// Meaning of a vector of a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum VectorOf {
     /// The whole velocity or acceleration of a body's point.
     Point(BodyId, PointId),
-    /// The normal part of a leg, Coriolis's included.
+    /// The normal part of a leg, Coriolis acceleration included: special point and leg.
     Normal(SpecialId, usize),
     /// The velocity of one point of a link relative to another, by their names.
     Relative {
         /// The link.
         link: BodyId,
-        /// Relative to this point …
+        /// From this point …
         from: String,
-        /// … that of this one.
+        /// … to this one.
         to: String,
     },
-    /// The sliding velocity at a slider, from the point of the guide's body, by its name, to the slider's.
+    /// The sliding velocity at a slider, from the coincident point of the guide's body, given by name, to the slider's
+    /// point.
     Sliding(SliderId, String),
-    /// What a driven slider adds.
+    /// The relative motion of a driven slider.
     Driven(DrivenSlide, Added),
 }
 
-/// What a driven slider adds to the motion of a point.
+/// A part of the relative motion at a driven slider.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Added {
-    /// v_r.
+    /// Relative velocity v_r, along the guide.
     SlidingVelocity,
-    /// a_r.
+    /// Relative acceleration a_r, along the guide.
     SlidingAcceleration,
-    /// 2 ω ẑ × v_r.
+    /// Coriolis acceleration 2 ω ẑ × v_r.
     Coriolis,
 }
 
 impl Added {
-    /// What a slider adds on a sheet, in the order in which it is laid off.
+    /// The parts that are laid off on a sheet, in order.
     #[must_use]
     pub fn on(sheet: Sheet) -> &'static [Added] {
         match sheet {
@@ -254,7 +255,7 @@ impl Added {
     }
 }
 
-/// What kind of vector an arrow stands for.
+/// Kind of a vector of a plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArrowKind {
     /// A whole velocity or acceleration, from the pole.
@@ -270,7 +271,7 @@ pub enum ArrowKind {
 }
 
 impl Arrow {
-    /// What kind of vector it stands for.
+    /// The kind of the vector.
     #[must_use]
     pub fn kind(&self) -> ArrowKind {
         match self.of {
@@ -283,24 +284,24 @@ impl Arrow {
     }
 }
 
-/// A line of known direction through a plan point, on which a crossing will lie.
+/// A line of known direction through a plan point, for a crossing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ray {
     /// The plan point.
     pub through: String,
-    /// The point that it will lead to.
+    /// The sought plan point on it.
     pub to: String,
     /// Unit direction.
     pub direction: Vector,
-    /// How it lies to the line of the mechanism that gives the direction.
+    /// Its relation to the line of the mechanism that gives the direction.
     pub relation: Relation,
-    /// The point looked for …
+    /// The sought point …
     pub special: SpecialId,
-    /// … and over which of its legs.
+    /// … and the leg, 0 or 1.
     pub side: usize,
 }
 
-/// How a ray lies to a line of the mechanism.
+/// Relation of a ray to a line of the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
     /// Normal to it.
@@ -310,13 +311,13 @@ pub enum Relation {
 }
 
 impl Plan {
-    /// The vector from one plan point to another; `None` for a name that the plan does not have.
+    /// The vector from one plan point to another; `None` for an unknown name.
     #[must_use]
     pub fn segment(&self, from: &str, to: &str) -> Option<Vector> {
         Some(self.points.get(to)?.vector - self.points.get(from)?.vector)
     }
 
-    /// How a name within the plan is shown where it would be `written` otherwise: poles and images follow the notation.
+    /// The symbol of a plan point in a notation; `written` is the symbol without its changes for poles and images.
     #[must_use]
     pub fn shown(&self, name: &str, written: String, notation: &Notation) -> String {
         use PointRole::{Image, Known, Pole, Special};
@@ -332,7 +333,7 @@ impl Plan {
             Pole | Known | Special | Image if primes => with_prime(&written),
             _ => written,
         };
-        // The pole's letter is taken, but for a point at rest, whose image is the pole.
+        // The pole's symbol is taken, but the image of a fixed point is the pole.
         match shown == pole && point.role != Pole {
             true => with_prime(&shown),
             false => shown,

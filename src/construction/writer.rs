@@ -1,10 +1,11 @@
-//! Puts operations down one after the other, carries each out at once, and knows what is there already.
+//! Writes operations one after another, carries out each at once, and keeps an index of what has been drawn.
 
 use super::body::Anchor;
 use super::construct::Construction;
 use super::name::image_name;
 use super::operation::{
-    Along, Does, End, How, LineId, NumberId, NumberKind, Operation, Part, PlaceId, Product, Rate, Sheet, StepId,
+    Along, End, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, Part, PlaceId, Product, Rate,
+    Sheet, StepId,
 };
 use super::run::Values;
 use super::step::{Action, Plan, PlanPoint, PointRole, Step};
@@ -13,37 +14,38 @@ use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
 use crate::motion::{Motion, Order};
 use crate::position::Pose;
 
-/// Roundings that a guide's unit direction carries from the scene's own direction.
+/// Number of roundings in a guide's unit direction, computed from the scene's direction.
 const GUIDE_ROUNDINGS: f64 = 4.0;
 
-/// A construction while it is written.
+/// A construction in progress.
 pub(crate) struct Writer<'a> {
     pub mechanism: &'a Mechanism,
     pub pose: &'a Pose,
     pub motion: &'a Motion,
-    /// What has been written.
+    /// The operations and steps written so far.
     pub construction: Construction,
-    /// What the operations give, with bounds of the rounding errors.
+    /// The results of the operations, with bounds of their rounding errors.
     pub(super) exact: Values<Ball>,
-    /// Where the motions of bodies' points stand in the plans.
-    pub(super) moved: Vec<(Sheet, BodyId, PointId, PlaceId)>,
-    /// By body: how it hangs on one whose motion is there.
+    /// Places in the plans of the motions of bodies' points.
+    pub(super) motions: Vec<(Sheet, BodyId, PointId, PlaceId)>,
+    /// By body: the joint by which its motion follows from a known one.
     pub(super) anchors: Vec<Option<Anchor>>,
-    /// Nearer to a line or a place than this counts as being there.
+    /// Tolerance for a point on a line and for coincident points, in units of length.
     pub near: f64,
-    /// The step to which operations belong.
+    /// The current step, to which operations belong.
     pub step: Option<StepId>,
-    /// Whether a hand could do what is written now, as far as that depends on nothing else.
+    /// False while rates are taken from the computed motion: operations then are not done by hand.
     pub(super) by_hand: bool,
     guides: Vec<Option<LineId>>,
     joins: Vec<(PlaceId, PlaceId, LineId)>,
     lengths: Vec<([PointId; 2], NumberId)>,
-    /// What builds on something that cannot be done by hand: by place, by line, by number.
-    beyond: [Vec<bool>; 3],
+    /// Results that depend on rates taken from the computed motion, which ruler and pencil do not find: by place, by
+    /// line, by number.
+    not_by_hand: [Vec<bool>; 3],
 }
 
 impl<'a> Writer<'a> {
-    /// A writer that has put down the poles of the plans and the rates that the scene gives.
+    /// A writer with the poles of the plans and the rates that the scene gives.
     pub(super) fn new(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Self {
         let origin = pose.points.first().copied().unwrap_or_default();
         let mut writer = Writer {
@@ -52,7 +54,7 @@ impl<'a> Writer<'a> {
             motion,
             construction: Construction::empty(mechanism, motion.order, origin),
             exact: Values::default(),
-            moved: Vec::new(),
+            motions: Vec::new(),
             anchors: vec![None; mechanism.bodies.len()],
             near: 64.0 * UNIT_ROUNDOFF * span(pose.points.iter().copied()),
             step: None,
@@ -60,7 +62,7 @@ impl<'a> Writer<'a> {
             guides: vec![None; mechanism.sliders.len()],
             joins: Vec::new(),
             lengths: Vec::new(),
-            beyond: Default::default(),
+            not_by_hand: Default::default(),
         };
         for &sheet in writer.plans() {
             writer.begin_plan(sheet);
@@ -69,7 +71,7 @@ impl<'a> Writer<'a> {
         writer
     }
 
-    /// The pole of a plan, with the images of the points at rest.
+    /// Draws the pole of a plan, the image of all fixed points.
     fn begin_plan(&mut self, sheet: Sheet) {
         let grounded = &self.mechanism.body(GROUND).points;
         let images: Vec<String> = grounded.iter().map(|&p| image_name(self.mechanism.point_name(p))).collect();
@@ -83,7 +85,7 @@ impl<'a> Writer<'a> {
         self.step = None;
     }
 
-    /// The sheets of the plans that are drawn.
+    /// The plans that are drawn.
     pub(super) fn plans(&self) -> &'static [Sheet] {
         match self.motion.order {
             Order::Velocity => &[Sheet::Velocity],
@@ -91,7 +93,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The plan of a sheet; there is none of the scheme.
+    /// The plan of a sheet; never called for the scheme.
     pub(super) fn plan(&mut self, sheet: Sheet) -> &mut Plan {
         match (sheet, &mut self.construction.acceleration) {
             (Sheet::Acceleration, Some(plan)) => plan,
@@ -110,73 +112,77 @@ impl<'a> Writer<'a> {
         self.step = Some(StepId { sheet, index });
     }
 
-    /// Gives the operation that has made a place to the step that was begun last, if it belongs to none.
+    /// Assigns the operation that made a place to the current step, if it belongs to none.
     pub(super) fn claim(&mut self, place: PlaceId) {
         let step = self.step;
-        let made = self.construction.operations.iter_mut().find(|operation| operation.does.place() == Some(place));
+        let made = self.construction.operations.iter_mut().find(|operation| operation.kind.place() == Some(place));
         if let Some(operation) = made.filter(|operation| operation.step.is_none()) {
             operation.step = step;
         }
     }
 
-    /// Gives the measuring step that was begun last its value.
+    /// Sets the value of the last step, a measurement.
     pub(super) fn set_measured(&mut self, sheet: Sheet, measured: f64) {
         if let Some(Action::Measure { value, .. }) = self.plan(sheet).steps.last_mut().map(|step| &mut step.action) {
             *value = measured;
         }
     }
 
-    /// Notes where the motion of a body's point stands in a plan.
+    /// Notes the place of the motion of a body's point in a plan.
     pub(super) fn note_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
-        self.moved.push((sheet, body, point, place));
+        self.motions.push((sheet, body, point, place));
     }
 
-    /// Adds a point to the points of a plan, unless there is one of that name.
+    /// Adds a point to a plan; an existing point of that name stays.
     pub(super) fn show(&mut self, sheet: Sheet, name: &str, place: PlaceId, role: PointRole) {
         self.name_place(sheet, name, place);
         let point = PlanPoint { vector: self.exact.exact_place(place).rounded(), role };
         self.plan(sheet).points.entry(name.to_owned()).or_insert(point);
     }
 
-    /// Puts an operation down and carries it out.
-    fn push(&mut self, sheet: Sheet, part: Part, does: Does) {
-        let (places, lines) = does.places_and_lines_read();
+    /// Adds an operation and carries it out.
+    fn push(&mut self, sheet: Sheet, part: Part, kind: OperationKind) {
+        let (places, lines) = kind.places_and_lines_read();
         let mut by_hand = self.by_hand;
-        by_hand &= !places.iter().any(|p| self.beyond[0][p.0]) && !lines.iter().any(|l| self.beyond[1][l.0]);
-        does.each_number_read(|n| by_hand &= !self.beyond[2][n.0]);
+        by_hand &= !places.iter().any(|p| self.not_by_hand[0][p.0]) && !lines.iter().any(|l| self.not_by_hand[1][l.0]);
+        kind.each_number_read(|n| by_hand &= !self.not_by_hand[2][n.0]);
         let counts = self.construction.counts;
-        for (beyond, count) in self.beyond.iter_mut().zip(counts) {
-            beyond.resize(count, false);
+        for (not_by_hand, count) in self.not_by_hand.iter_mut().zip(counts) {
+            not_by_hand.resize(count, false);
         }
-        let beyond = !by_hand;
-        if let Some(place) = does.place() {
-            self.beyond[0][place.0] = beyond;
+        let not_by_hand = !by_hand;
+        if let Some(place) = kind.place() {
+            self.not_by_hand[0][place.0] = not_by_hand;
         }
-        if let Some(line) = does.line() {
-            self.beyond[1][line.0] = beyond;
+        if let Some(line) = kind.line() {
+            self.not_by_hand[1][line.0] = not_by_hand;
         }
-        for number in does.numbers() {
-            self.beyond[2][number.0] = beyond;
+        for number in kind.numbers() {
+            self.not_by_hand[2][number.0] = not_by_hand;
         }
         self.exact.resize(counts);
-        self.exact.run(&does, [0.0; 2], 1.0);
-        // What is given, and sums and lines between points, can be there long before the step that needs them.
-        let is_own = matches!(
-            does,
-            Does::Draw { .. } | Does::Cross { .. } | Does::LayOff { .. } | Does::Measure { .. } | Does::Solve { .. }
+        self.exact.run(&kind, [0.0; 2], 1.0);
+        // Given numbers, sums and joining lines may be used by several steps: they belong to none.
+        let belongs_to_step = matches!(
+            kind,
+            OperationKind::Draw { .. }
+                | OperationKind::Cross { .. }
+                | OperationKind::LayOff { .. }
+                | OperationKind::Measure { .. }
+                | OperationKind::Solve { .. }
         );
-        let step = self.step.filter(|step| is_own && step.sheet == sheet);
-        self.construction.operations.push(Operation { sheet, step, part, does, by_hand });
+        let step = self.step.filter(|step| belongs_to_step && step.sheet == sheet);
+        self.construction.operations.push(Operation { sheet, step, part, kind, by_hand });
     }
 
-    /// Whether a number needs more than ruler and pencil.
-    pub(crate) fn is_beyond(&self, number: NumberId) -> bool {
-        self.beyond[2][number.0]
+    /// Whether a number cannot be found with ruler and pencil.
+    pub(crate) fn is_not_by_hand(&self, number: NumberId) -> bool {
+        self.not_by_hand[2][number.0]
     }
 
-    /// Whether a place needs more than ruler and pencil.
-    pub(crate) fn is_place_beyond(&self, place: PlaceId) -> bool {
-        self.beyond[0][place.0]
+    /// Whether a place cannot be found with ruler and pencil.
+    pub(crate) fn is_place_not_by_hand(&self, place: PlaceId) -> bool {
+        self.not_by_hand[0][place.0]
     }
 
     fn new_place(&mut self) -> PlaceId {
@@ -195,22 +201,22 @@ impl<'a> Writer<'a> {
         NumberId(self.construction.counts[2] - 1)
     }
 
-    /// A place may have several names; the first place of a name stays.
+    /// Names a place. A place may have several names; a name keeps its first place.
     pub(super) fn name_place(&mut self, sheet: Sheet, name: &str, place: PlaceId) {
         self.construction.places.entry((sheet, name.to_owned())).or_insert(place);
     }
 
     pub(crate) fn pole(&mut self, sheet: Sheet, name: &str, at: Vector) -> PlaceId {
         let place = self.new_place();
-        self.push(sheet, Part::Pole, Does::Pole { place, at });
+        self.push(sheet, Part::Pole, OperationKind::Pole { place, at });
         self.name_place(sheet, name, place);
         place
     }
 
     /// The pole of a plan.
     pub(crate) fn pole_of(&self, sheet: Sheet) -> Option<PlaceId> {
-        self.construction.operations.iter().find_map(|operation| match operation.does {
-            Does::Pole { place, .. } if operation.sheet == sheet => Some(place),
+        self.construction.operations.iter().find_map(|operation| match operation.kind {
+            OperationKind::Pole { place, .. } if operation.sheet == sheet => Some(place),
             _ => None,
         })
     }
@@ -223,9 +229,9 @@ impl<'a> Writer<'a> {
         }
         let place = self.new_place();
         let at = self.pose.point(point) - self.construction.origin;
-        // A hand can always plot a joint.
+        // Joints are plotted by hand in any case.
         let by_hand = core::mem::replace(&mut self.by_hand, true);
-        self.push(Sheet::Scheme, Part::Joint(point), Does::Plot { place, at });
+        self.push(Sheet::Scheme, Part::Joint(point), OperationKind::Plot { place, at });
         self.by_hand = by_hand;
         self.exact.set_place(place, Pair::between(self.construction.origin, self.pose.point(point)));
         self.name_place(Sheet::Scheme, name, place);
@@ -245,57 +251,63 @@ impl<'a> Writer<'a> {
         }
         let line = self.new_line();
         self.joins.push((from, towards, line));
-        self.push(Sheet::Scheme, part, Does::Join { line, from, towards });
+        self.push(Sheet::Scheme, part, OperationKind::Join { line, from, towards });
         line
     }
 
     pub(super) fn draw(&mut self, sheet: Sheet, part: Part, through: PlaceId, along: Along) -> LineId {
         let line = self.new_line();
-        self.push(sheet, part, Does::Draw { line, through, along });
+        self.push(sheet, part, OperationKind::Draw { line, through, along });
         line
     }
 
-    /// Where two lines cross; `None` where that is nowhere.
+    /// The crossing of two lines; `None` for parallel lines.
     pub(super) fn cross(&mut self, sheet: Sheet, part: Part, lines: [LineId; 2]) -> Option<PlaceId> {
         let place = self.new_place();
-        self.push(sheet, part, Does::Cross { place, lines });
+        self.push(sheet, part, OperationKind::Cross { place, lines });
         let at = self.exact.exact_place(place);
         (is_known(at.x) && is_known(at.y)).then_some(place)
     }
 
-    pub(crate) fn measure(&mut self, sheet: Sheet, kind: NumberKind, [from, to]: [PlaceId; 2], how: How) -> NumberId {
+    pub(crate) fn measure(
+        &mut self,
+        sheet: Sheet,
+        kind: NumberKind,
+        [from, to]: [PlaceId; 2],
+        how: MeasuredAs,
+    ) -> NumberId {
         let number = self.new_number(kind);
-        self.push(sheet, Part::Number, Does::Measure { number, from, to, how });
+        self.push(sheet, Part::Number, OperationKind::Measure { number, from, to, how });
         number
     }
 
-    /// A number of the scene; none for zero.
+    /// Takes a number of the scene; none for zero.
     pub(super) fn take(&mut self, sheet: Sheet, kind: NumberKind, value: f64) -> Option<NumberId> {
         if value == 0.0 {
             return None;
         }
         let number = self.new_number(kind);
-        self.push(sheet, Part::Number, Does::Take { number, value });
+        self.push(sheet, Part::Number, OperationKind::Take { number, value });
         Some(number)
     }
 
     pub(crate) fn compute(&mut self, sheet: Sheet, kind: NumberKind, sum: Vec<Product>) -> NumberId {
         let number = self.new_number(kind);
-        self.push(sheet, Part::Number, Does::Compute { number, sum });
+        self.push(sheet, Part::Number, OperationKind::Compute { number, sum });
         number
     }
 
-    /// A rate as the motion has it, with the bound of its error.
-    pub(super) fn take_found(&mut self, sheet: Sheet, rate: Rate, value: f64, error: f64) -> NumberId {
+    /// Takes a rate from the computed motion, with the bound of its error.
+    pub(super) fn take_computed(&mut self, sheet: Sheet, rate: Rate, value: f64, error: f64) -> NumberId {
         let number = self.new_number(NumberKind::Rate(rate));
         let by_hand = core::mem::replace(&mut self.by_hand, false);
-        self.push(sheet, Part::Number, Does::Take { number, value });
+        self.push(sheet, Part::Number, OperationKind::Take { number, value });
         self.by_hand = by_hand;
         self.exact.set_number(number, Ball::from(value).widened(error));
         number
     }
 
-    /// Solves equations for rates; `None` where there is no solution.
+    /// Solves linear equations for rates; `None` where they are singular.
     pub(super) fn solve(
         &mut self,
         sheet: Sheet,
@@ -303,22 +315,22 @@ impl<'a> Writer<'a> {
         equations: Vec<super::operation::Equation>,
     ) -> Option<Vec<NumberId>> {
         let unknowns: Vec<NumberId> = rates.iter().map(|&rate| self.new_number(NumberKind::Rate(rate))).collect();
-        self.push(sheet, Part::Rates, Does::Solve { unknowns: unknowns.clone(), equations });
+        self.push(sheet, Part::Rates, OperationKind::Solve { unknowns: unknowns.clone(), equations });
         unknowns.iter().all(|&number| is_known(self.exact.exact_number(number))).then_some(unknowns)
     }
 
-    /// The end of a vector whose size is a sum of products, laid off from a place; that place itself where nothing is summed.
+    /// Lays off a vector whose size is a sum of products; returns its end, which is `from` for an empty sum.
     pub(crate) fn lay_off(&mut self, sheet: Sheet, from: PlaceId, sum: Vec<Product>, along: Along) -> PlaceId {
         if sum.is_empty() {
             return from;
         }
         let size = self.compute(sheet, NumberKind::Size, sum);
         let place = self.new_place();
-        self.push(sheet, Part::Vector, Does::LayOff { place, from, size, along });
+        self.push(sheet, Part::Vector, OperationKind::LayOff { place, from, size, along });
         place
     }
 
-    /// The distance of two joints: taken from the scene where it is one of a link, else measured.
+    /// The distance of two joints: given where both belong to one body, else measured.
     pub(super) fn length(&mut self, a: PointId, b: PointId) -> NumberId {
         if let Some((_, number)) = self.lengths.iter().find(|(ends, _)| [[a, b], [b, a]].contains(ends)) {
             return *number;
@@ -328,14 +340,14 @@ impl<'a> Writer<'a> {
         let number = if given {
             let value = self.pose.arm(a, b).norm();
             let number = self.new_number(kind);
-            self.push(Sheet::Scheme, Part::Number, Does::Take { number, value });
+            self.push(Sheet::Scheme, Part::Number, OperationKind::Take { number, value });
             let arm = Pair::between(self.pose.point(a), self.pose.point(b));
             self.exact.set_number(number, arm.dot(arm).sqrt());
             number
         } else {
             let line = self.join(a, b);
             let ends = [self.plot(a), self.plot(b)];
-            self.measure(Sheet::Scheme, kind, ends, How::Along(line))
+            self.measure(Sheet::Scheme, kind, ends, MeasuredAs::Along(line))
         };
         self.lengths.push(([a, b], number));
         number
@@ -357,7 +369,7 @@ impl<'a> Writer<'a> {
                 self.draw(Sheet::Scheme, Part::Guide(id), at, Along::given(direction))
             }
         };
-        // The scene says the direction; rounded joints on the guide would turn it by a last digit.
+        // The scene gives the direction itself; a join of rounded joints would be less exact.
         let error = GUIDE_ROUNDINGS * UNIT_ROUNDOFF + 0.5 * (direction.norm_squared() - 1.0).abs();
         let Pair { x, y } = Pair::<Ball>::from(direction);
         self.exact.set_direction(line, Pair { x: x.widened(error), y: y.widened(error) });
@@ -365,7 +377,8 @@ impl<'a> Writer<'a> {
         line
     }
 
-    /// The two points of the guide's body farthest from each other between which it runs, in its direction.
+    /// The two points of the guide on its body that are farthest apart, in the guide's direction; `None` without two
+    /// distinct points.
     fn points_of_guide(&self, id: SliderId) -> Option<[PointId; 2]> {
         let slider = self.mechanism.slider(id);
         let (u, at) = (self.pose.guide(id), self.pose.point(slider.at));
@@ -385,7 +398,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Whether anything is known of a number.
+/// Whether a number and the bound of its error are finite.
 fn is_known(number: Ball) -> bool {
     number.high.is_finite() && number.error().is_finite()
 }

@@ -98,7 +98,7 @@ impl Construction {
     #[must_use]
     pub fn bands(&self, scales: SheetScales, tolerance: &Tolerance, readings: &[Reading]) -> Vec<Band> {
         let errors = self.operations.iter().enumerate().flat_map(|(index, operation)| {
-            let errors = operation.does.errors().iter().enumerate();
+            let errors = operation.kind.errors().iter().enumerate();
             errors.map(move |(which, error)| (index, which, error.limit(tolerance)))
         });
         let hand =

@@ -2,8 +2,8 @@
 
 use super::name::{Asked, Component, Normality, Spot, What};
 use crate::construction::{
-    Along, Construction, Does, End, How, NumberId, NumberKind, Part, PlaceId, PlanKind, Product, ProductKind, Sheet,
-    Solution, SpecialId, StepId, Writer, image_name, normal_name, written,
+    Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, PlanKind, Product,
+    ProductKind, Sheet, Solution, SpecialId, StepId, Writer, construction_writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
 use indexmap::IndexMap;
@@ -70,7 +70,7 @@ pub enum Unread {
 /// length are measured once more, with an error of their own.
 #[must_use]
 pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<Result<Reading, Unread>>) {
-    let writer = written(&solution.mechanism, &solution.pose, &solution.motion);
+    let writer = construction_writer(&solution.mechanism, &solution.pose, &solution.motion);
     let mut reader = Reader { steps: writer.construction.steps_of_quantities(), writer };
     let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
     let mut construction = reader.writer.construction;
@@ -93,7 +93,7 @@ enum Drawn {
 impl Reader<'_> {
     fn reading(&mut self, asked: &Asked) -> Result<Reading, Unread> {
         let (number, sense) = self.number(asked)?;
-        match self.writer.is_beyond(number) {
+        match self.writer.is_not_by_hand(number) {
             true => Err(Unread::NoConstruction),
             false => Ok(Reading { number, sense, sheet: asked.sheet() }),
         }
@@ -108,7 +108,7 @@ impl Reader<'_> {
             What::SlideAcceleration(id) => self.slide_rate(*id, 1)?,
             What::Angle(link) => return Ok((self.axis(name, *link)?, Sense::Angle)),
             What::SlidePosition(id) => self.slide_position(name, *id)?,
-            What::Coordinate(axis, spot) => self.coordinate(name, [How::X, How::Y][*axis], spot)?,
+            What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
             What::Segment { kind, from, to, .. } => return self.segment(*kind, from, to),
             What::Velocity(a, b) | What::Acceleration(a, b) => {
@@ -133,7 +133,7 @@ impl Reader<'_> {
         let sheet = asked.sheet();
         let ends = match (drawn, component) {
             // Points at rest and vectors of nothing are not measured.
-            (Drawn::Segment(ends), _) if ends.iter().any(|&end| self.writer.is_place_beyond(end)) => {
+            (Drawn::Segment(ends), _) if ends.iter().any(|&end| self.writer.is_place_not_by_hand(end)) => {
                 return Err(Unread::NoConstruction);
             }
             (Drawn::Segment([from, to]), _) if from == to => return Err(Unread::Given),
@@ -146,16 +146,16 @@ impl Reader<'_> {
             }
         };
         let (how, sense) = match component {
-            Component::X => (How::X, Sense::Signed),
-            Component::Y => (How::Y, Sense::Signed),
-            Component::Size => (How::Size, Sense::Distance),
-            Component::Angle => (How::Direction, Sense::Angle),
+            Component::X => (MeasuredAs::X, Sense::Signed),
+            Component::Y => (MeasuredAs::Y, Sense::Signed),
+            Component::Size => (MeasuredAs::Size, Sense::Distance),
+            Component::Angle => (MeasuredAs::Direction, Sense::Angle),
         };
         Ok((self.measure(sheet, asked.name(), ends, how), sense))
     }
 
     /// Measures for a reader.
-    fn measure(&mut self, sheet: Sheet, name: &str, ends: [PlaceId; 2], how: How) -> NumberId {
+    fn measure(&mut self, sheet: Sheet, name: &str, ends: [PlaceId; 2], how: MeasuredAs) -> NumberId {
         self.writer.step = self.steps.get(name).copied();
         self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how)
     }
@@ -231,7 +231,7 @@ impl Reader<'_> {
             return Err(Unread::NotDrawn);
         }
         let ends = [self.writer.plot(from), self.writer.plot(to)];
-        Ok(self.measure(Sheet::Scheme, name, ends, How::Direction))
+        Ok(self.measure(Sheet::Scheme, name, ends, MeasuredAs::Direction))
     }
 
     /// The position along a guide, where a point of the guide's body stands at the place from which it counts.
@@ -246,12 +246,12 @@ impl Reader<'_> {
         let mut points = mechanism.body(slider.on).points.iter().copied();
         let from = points.find(|&p| (pose.point(p) - start).norm() <= self.writer.near);
         let from = from.ok_or(Unread::NotDrawn)?;
-        let how = How::Along(self.writer.guide(id));
+        let how = MeasuredAs::Along(self.writer.guide(id));
         let ends = [self.writer.plot(from), self.writer.plot(slider.at)];
         Ok(self.measure(Sheet::Scheme, name, ends, how))
     }
 
-    fn coordinate(&mut self, name: &str, how: How, spot: &Spot) -> Result<NumberId, Unread> {
+    fn coordinate(&mut self, name: &str, how: MeasuredAs, spot: &Spot) -> Result<NumberId, Unread> {
         let place = self.scheme_point(spot)?;
         let origin = -self.writer.construction.origin.coords;
         let zero = self.writer.pole(Sheet::Scheme, "origin", origin);
@@ -266,7 +266,7 @@ impl Reader<'_> {
             return Ok((number, Sense::Magnitude));
         }
         let ends = [self.scheme_point(a)?, self.scheme_point(b)?];
-        Ok((self.measure(Sheet::Scheme, name, ends, How::Size), Sense::Distance))
+        Ok((self.measure(Sheet::Scheme, name, ends, MeasuredAs::Size), Sense::Distance))
     }
 
     /// A segment of a plan: that which the construction measures, else measured for this reading.
@@ -278,20 +278,20 @@ impl Reader<'_> {
         }
         let place = |name: &str| self.writer.construction.place(sheet, name).ok_or(Unread::NoConstruction);
         let ends = [place(from)?, place(to)?];
-        if ends.iter().any(|&end| self.writer.is_place_beyond(end)) {
+        if ends.iter().any(|&end| self.writer.is_place_not_by_hand(end)) {
             return Err(Unread::NoConstruction);
         }
         if ends[0] == ends[1] {
             return Err(Unread::Given);
         }
-        Ok((self.measure(sheet, &kind.segment_name(from, to), ends, How::Size), Sense::Distance))
+        Ok((self.measure(sheet, &kind.segment_name(from, to), ends, MeasuredAs::Size), Sense::Distance))
     }
 
     /// A number that the construction measures.
     fn measured(&self, kind: &NumberKind) -> Option<NumberId> {
         let construction = &self.writer.construction;
-        construction.operations.iter().find_map(|operation| match operation.does {
-            Does::Measure { number, .. } if construction.numbers[number.0] == *kind => Some(number),
+        construction.operations.iter().find_map(|operation| match operation.kind {
+            OperationKind::Measure { number, .. } if construction.numbers[number.0] == *kind => Some(number),
             _ => None,
         })
     }
@@ -319,7 +319,7 @@ impl Reader<'_> {
     /// The end of a named place's vector: the plan's own point of that name where a hand has found it, else laid off.
     fn plan_point(&mut self, sheet: Sheet, spot: &Spot) -> Result<PlaceId, Unread> {
         let named = self.writer.construction.place(sheet, &image_name(spot.name()));
-        match (named.filter(|&place| !self.writer.is_place_beyond(place)), spot) {
+        match (named.filter(|&place| !self.writer.is_place_not_by_hand(place)), spot) {
             (Some(place), _) => Ok(place),
             (None, Spot::Point(body, point, _)) => {
                 let holder = self.holder(sheet, *body, *point);
@@ -338,7 +338,7 @@ impl Reader<'_> {
             bodies.filter(|&b| own && mechanism.body(b).points.contains(&point))
         };
         let known = holders().find(|&b| mechanism.is_known(b));
-        known.or_else(|| holders().find(|&b| self.writer.moved_point(sheet, b, point).is_some())).unwrap_or(body)
+        known.or_else(|| holders().find(|&b| self.writer.place_of_motion(sheet, b, point).is_some())).unwrap_or(body)
     }
 
     /// A part of a relative acceleration: between plan points where the construction lays it off, else computed.
@@ -363,7 +363,7 @@ impl Reader<'_> {
         let rate = self.rate_or_given(link, order)?.ok_or(Unread::Given)?;
         let (from, to) = (self.scheme_point(b)?, self.scheme_point(a)?);
         let line = self.writer.join_places(from, to, Part::Line);
-        let length = self.measure(Sheet::Scheme, name, [from, to], How::Along(line));
+        let length = self.measure(Sheet::Scheme, name, [from, to], MeasuredAs::Along(line));
         let (product, turns) = match part {
             Normality::Normal => (Product::new(ProductKind::Normal, -1.0, &[rate, rate, length]), 0),
             Normality::Tangential => (Product::new(ProductKind::Turning, 1.0, &[rate, length]), 1),

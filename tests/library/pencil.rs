@@ -7,8 +7,8 @@ use crate::support::random::Random;
 use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::construction::{
-    Change, Construction, Disturbance, Does, ErrorUnit, NumberId, Operation, Product, ProductKind, Sheet, SheetScales,
-    Tolerance,
+    Change, Construction, Disturbance, ErrorUnit, NumberId, Operation, OperationKind, Product, ProductKind, Sheet,
+    SheetScales, Tolerance,
 };
 use kinegon::quantity::{Asked, Band, Quantity, Reading, Sense, Unread, read_by_hand, readable_names, step_names};
 
@@ -195,7 +195,7 @@ fn honest_drawings_keep_to_the_bands() {
             .iter()
             .enumerate()
             .flat_map(|(index, operation)| {
-                let errors = operation.does.errors().iter().enumerate();
+                let errors = operation.kind.errors().iter().enumerate();
                 errors.map(move |(which, error)| (index, which, *error))
             })
             .collect();
@@ -246,10 +246,10 @@ fn a_vector_laid_off_backwards_propagates() {
     let scales = SheetScales { per_mm: [1.0; 3] };
     let drawn = &sheets.drawn;
     let b = drawn.place(Sheet::Velocity, "b").expect("v_B is there");
-    let laid = |operation: &Operation| operation.does.place() == Some(b);
+    let laid = |operation: &Operation| operation.kind.place() == Some(b);
     let operation = drawn.operations.iter().position(laid).expect("it is laid off");
-    let mut backwards = drawn.operations[operation].does.clone();
-    if let Does::LayOff { along, .. } = &mut backwards {
+    let mut backwards = drawn.operations[operation].kind.clone();
+    if let OperationKind::LayOff { along, .. } = &mut backwards {
         *along = along.turned(2);
     }
     let mistake = Disturbance { operation, change: Change::Instead(&backwards) };
@@ -271,13 +271,13 @@ fn a_forgotten_coriolis_part_propagates() {
     let scales = SheetScales { per_mm: [1.0; 3] };
     let drawn = &sheets.drawn;
     let coriolis = |p: &Product| p.kind == ProductKind::Coriolis;
-    let is_twice = |operation: &Operation| match &operation.does {
-        Does::Compute { sum, .. } => sum.iter().any(coriolis),
+    let is_twice = |operation: &Operation| match &operation.kind {
+        OperationKind::Compute { sum, .. } => sum.iter().any(coriolis),
         _ => false,
     };
     let operation = drawn.operations.iter().position(is_twice).expect("2 ω v_r is computed");
-    let mut forgotten = drawn.operations[operation].does.clone();
-    if let Does::Compute { sum, .. } = &mut forgotten {
+    let mut forgotten = drawn.operations[operation].kind.clone();
+    if let OperationKind::Compute { sum, .. } = &mut forgotten {
         sum.retain(|p| !coriolis(p));
     }
     let mistake = Disturbance { operation, change: Change::Instead(&forgotten) };

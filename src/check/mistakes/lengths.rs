@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
-use crate::construction::{Disturbance, Does, End, How, NumberId, NumberKind, PlaceId, Sheet};
+use crate::construction::{Disturbance, End, MeasuredAs, NumberId, NumberKind, OperationKind, PlaceId, Sheet};
 
 /// The candidate, with the right sign of the number measured: people take the sign from the sheets, not from the
 /// measurement.
@@ -19,8 +19,8 @@ fn with_same_sense(site: &Site<'_>, mut candidate: Candidate, operation: usize, 
 
 /// The operations that measure a length: index, sheet, number, ends.
 fn measures<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, Sheet, NumberId, [PlaceId; 2])> {
-    site.operations().filter_map(|(index, operation)| match operation.does {
-        Does::Measure { number, from, to, how: How::Along(_) | How::Size } => {
+    site.operations().filter_map(|(index, operation)| match operation.kind {
+        OperationKind::Measure { number, from, to, how: MeasuredAs::Along(_) | MeasuredAs::Size } => {
             Some((index, operation.sheet, number, [from, to]))
         }
         _ => None,
@@ -30,8 +30,8 @@ fn measures<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, Sheet, Numbe
 pub(super) fn component(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, _, number, [from, to]) in measures(site) {
-        for (how, axis) in [(How::X, "x"), (How::Y, "y")] {
-            let edit = Edit::Instead(Does::Measure { number, from, to, how });
+        for (how, axis) in [(MeasuredAs::X, "x"), (MeasuredAs::Y, "y")] {
+            let edit = Edit::Instead(OperationKind::Measure { number, from, to, how });
             let blanks = [site.number_name(number), axis, site.place_name(from), site.place_name(to)];
             let candidate = site.candidate(Mistake::Component, index, edit, &blanks);
             found.push(with_same_sense(site, candidate, index, number));
@@ -53,7 +53,7 @@ fn ends_elsewhere(site: &Site<'_>, mistake: Mistake, is_meant: fn(Sheet) -> bool
                 continue;
             }
             for [from, to] in [[other, to], [from, other]] {
-                let edit = Edit::Instead(Does::Measure { number, from, to, how: How::Size });
+                let edit = Edit::Instead(OperationKind::Measure { number, from, to, how: MeasuredAs::Size });
                 let blanks = [site.number_name(number), site.place_name(from), site.place_name(to)];
                 let candidate = site.candidate(mistake, index, edit, &blanks);
                 found.push(with_same_sense(site, candidate, index, number));
@@ -95,7 +95,7 @@ pub(super) fn wrong_length(site: &Site<'_>) -> Vec<Candidate> {
                 // The sign comes from the scheme, not from the length.
                 let exact = |n: NumberId| site.model.exact.number(n);
                 sum[at].factor *= (exact(wrong) * exact(right)).signum();
-                let edit = Edit::Instead(Does::Compute { number, sum });
+                let edit = Edit::Instead(OperationKind::Compute { number, sum });
                 let solution = site.key.solution;
                 let [a, b] = [a, b].map(|end| solution.construction.end_name(&solution.mechanism, end));
                 found.push(site.candidate(mistake, operation, edit, &[site.number_name(right), a, b]));

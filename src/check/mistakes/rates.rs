@@ -4,13 +4,13 @@ use super::candidate::{Candidate, Reinterpretation};
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
-use crate::construction::{Does, NumberId, NumberKind, Rate, Sheet};
+use crate::construction::{NumberId, NumberKind, OperationKind, Rate, Sheet};
 use crate::quantity::{Kind, What};
 
 /// Rates that are solved for or given: the operation that gives each, its number, which rate it is.
 fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)> {
     site.operations().flat_map(move |(index, operation)| {
-        let rates = operation.does.numbers().iter().map(move |&number| (number, site.number_kind(number)));
+        let rates = operation.kind.numbers().iter().map(move |&number| (number, site.number_kind(number)));
         rates.filter_map(move |(number, kind)| match kind {
             NumberKind::Rate(rate) => Some((index, number, *rate)),
             _ => None,
@@ -78,8 +78,8 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
         let measured: Vec<(usize, NumberId, &str)> = site
             .operations()
             .filter(|(_, operation)| operation.sheet == sheet)
-            .filter_map(|(index, operation)| match operation.does {
-                Does::Measure { number, .. } => Some((index, number, site.number_name(number))),
+            .filter_map(|(index, operation)| match operation.kind {
+                OperationKind::Measure { number, .. } => Some((index, number, site.number_name(number))),
                 _ => None,
             })
             .collect();

@@ -3,7 +3,7 @@ use super::mistake::Mistake;
 use crate::check::answer_key::AnswerKey;
 use crate::check::entry::Entry;
 use crate::check::model::{Edit, Model};
-use crate::construction::{Does, NumberId, NumberKind, Operation, PlaceId, Product};
+use crate::construction::{NumberId, NumberKind, Operation, OperationKind, PlaceId, Product};
 
 /// A construction in which mistakes are looked for.
 pub(in crate::check) struct Site<'a> {
@@ -50,11 +50,11 @@ impl Site<'_> {
     /// The sums from which vectors' sizes are computed: the operation, the number it makes, the sum, the names of the
     /// vector's ends.
     pub fn sums(&self) -> Vec<(usize, NumberId, &[Product], [&str; 2])> {
-        let laid = self.operations().filter_map(|(_, operation)| match &operation.does {
-            Does::LayOff { place, from, size, .. } => {
+        let laid = self.operations().filter_map(|(_, operation)| match &operation.kind {
+            OperationKind::LayOff { place, from, size, .. } => {
                 let maker = self.model.makers[size.0]?;
-                match &self.operation(maker).does {
-                    Does::Compute { number, sum } => {
+                match &self.operation(maker).kind {
+                    OperationKind::Compute { number, sum } => {
                         Some((maker, *number, sum.as_slice(), [self.place_name(*from), self.place_name(*place)]))
                     }
                     _ => None,

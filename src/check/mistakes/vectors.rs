@@ -5,20 +5,20 @@ use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
 use crate::construction::{
-    Along, Does, NumberId, NumberKind, PlaceId, Product, ProductKind, Reference, Sheet, image_name,
+    Along, NumberId, NumberKind, OperationKind, PlaceId, Product, ProductKind, Reference, Sheet, image_name,
 };
 use crate::geometry::Vector;
 
 pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
     let laid = site.operations().filter_map(|(index, operation)| {
-        let Does::LayOff { place, from, size, along } = operation.does else {
+        let OperationKind::LayOff { place, from, size, along } = operation.kind else {
             return None;
         };
         let (start, end) = (site.place_name(from), site.place_name(place));
         if end.is_empty() {
             return None;
         }
-        let edit = Edit::Instead(Does::LayOff { place, from, size, along: along.turned(2) });
+        let edit = Edit::Instead(OperationKind::LayOff { place, from, size, along: along.turned(2) });
         Some(site.candidate(Mistake::ReversedVector, index, edit, &[start, end]))
     });
     laid.collect()
@@ -42,7 +42,12 @@ fn products(
             }
             let name = |number: Option<&NumberId>| number.map_or("", |&n| site.number_name(n));
             let blanks = [from, to, name(product.of.first()), name(product.of.last())];
-            found.push(site.candidate(mistake, operation, Edit::Instead(Does::Compute { number, sum }), &blanks));
+            found.push(site.candidate(
+                mistake,
+                operation,
+                Edit::Instead(OperationKind::Compute { number, sum }),
+                &blanks,
+            ));
         }
     }
     found
@@ -88,7 +93,7 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
     // Where the plan has no such velocity, the mistake cannot be made.
     found.retain(|candidate| {
         candidate.edits.iter().all(|(_, edit)| match edit {
-            Edit::Instead(Does::Compute { sum, .. }) => sum.iter().all(|p| p.factor.is_finite()),
+            Edit::Instead(OperationKind::Compute { sum, .. }) => sum.iter().all(|p| p.factor.is_finite()),
             _ => true,
         })
     });
@@ -118,13 +123,17 @@ pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
     // Vectors of the plans that are normal to lines of the mechanism: operation, ends, size, direction of the line.
     let mut laid: Vec<(usize, [PlaceId; 2], NumberId, Vector)> = Vec::new();
     for (index, operation) in site.operations().filter(|(_, operation)| operation.sheet != Sheet::Scheme) {
-        let Does::LayOff { place, from, size, along: Along { reference: Reference::Line(line), quarter_turns: 1 } } =
-            operation.does
+        let OperationKind::LayOff {
+            place,
+            from,
+            size,
+            along: Along { reference: Reference::Line(line), quarter_turns: 1 },
+        } = operation.kind
         else {
             continue;
         };
-        let joined = site.operations().find_map(|(_, other)| match other.does {
-            Does::Join { line: own, from, towards } if own == line => Some([from, towards]),
+        let joined = site.operations().find_map(|(_, other)| match other.kind {
+            OperationKind::Join { line: own, from, towards } if own == line => Some([from, towards]),
             _ => None,
         });
         let Some([a, b]) = joined.map(|ends| ends.map(|end| site.model.exact.place(end))) else { continue };
@@ -143,7 +152,8 @@ pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
                 continue;
             }
             let mirrored = axis * (2.0 * along.dot(&axis)) - along;
-            let edit = Edit::Instead(Does::LayOff { place, from, size, along: Along::given(mirrored).turned(1) });
+            let edit =
+                Edit::Instead(OperationKind::LayOff { place, from, size, along: Along::given(mirrored).turned(1) });
             let blanks = [from, place, place_other].map(|place| site.place_name(place));
             found.push(site.candidate(Mistake::MirroredImage, index, edit, &blanks));
         }

@@ -7,7 +7,7 @@ use super::super::report::significant;
 use super::super::sheet::Measured;
 use super::super::verdict::Judged;
 use super::panel;
-use crate::construction::{Change, Disturbance, Does, How, LineId, PlaceId, Sheet, Values};
+use crate::construction::{Change, Disturbance, LineId, MeasuredAs, OperationKind, PlaceId, Sheet, Values};
 use crate::drawing::{OwnKind, OwnLine, OwnPoint};
 use crate::geometry::{Point, Vector, cross, degrees_of, turn_of_degrees, unit};
 use crate::quantity::Kind;
@@ -28,7 +28,7 @@ pub(super) struct Sheets<'a> {
     own: &'a Model,
     values: Values,
     /// The operations that mistakes replaced, with what was done instead.
-    instead: Vec<(usize, &'a Does)>,
+    instead: Vec<(usize, &'a OperationKind)>,
     /// Places of given plan points, by sheet and name.
     given: IndexMap<(Sheet, String), Vector>,
     words: &'a Wording,
@@ -50,8 +50,8 @@ impl<'a> Sheets<'a> {
             for (operation, edit) in &candidate.edits {
                 let change = edit.change();
                 changes.push(Disturbance { operation: *operation, change });
-                if let Edit::Instead(does) = edit {
-                    instead.push((*operation, does));
+                if let Edit::Instead(kind) = edit {
+                    instead.push((*operation, kind));
                 }
             }
             for &(operation, number, value) in &candidate.goes_on {
@@ -118,10 +118,10 @@ impl<'a> Sheets<'a> {
             let sheet = self.own.construction.operations[index].sheet;
             let is_changed = self.instead.iter().any(|(operation, _)| *operation == index);
             match *self.done(index) {
-                Does::Plot { place, .. } if self.is_elsewhere(sheet, place) => {
+                OperationKind::Plot { place, .. } if self.is_elsewhere(sheet, place) => {
                     self.mark(sheet, place);
                 }
-                Does::LayOff { place, from, .. } => {
+                OperationKind::LayOff { place, from, .. } => {
                     let end = self.leads_to(place);
                     if self.is_elsewhere(sheet, end) {
                         self.mark(sheet, place);
@@ -129,10 +129,10 @@ impl<'a> Sheets<'a> {
                         self.line(sheet, end, ends, OwnKind::Vector, None);
                     }
                 }
-                Does::Cross { place, ref lines } if self.is_elsewhere(sheet, place) => {
+                OperationKind::Cross { place, ref lines } if self.is_elsewhere(sheet, place) => {
                     self.crossing(sheet, place, lines);
                 }
-                Does::Measure { number, from, to, how } if is_changed => {
+                OperationKind::Measure { number, from, to, how } if is_changed => {
                     let value = self.values.number(number);
                     self.measured(sheet, [from, to], how, value);
                 }
@@ -165,11 +165,15 @@ impl<'a> Sheets<'a> {
             return;
         };
         let mut operations = self.own.construction.operations.iter();
-        let drawn = operations.find_map(|operation| match operation.does {
-            Does::Measure { number, from, to, how: How::Size | How::Along(_) } if number == reading.number => {
+        let drawn = operations.find_map(|operation| match operation.kind {
+            OperationKind::Measure { number, from, to, how: MeasuredAs::Size | MeasuredAs::Along(_) }
+                if number == reading.number =>
+            {
                 Some((operation.sheet, from, to))
             }
-            Does::LayOff { place, from, size, .. } if size == reading.number => Some((operation.sheet, from, place)),
+            OperationKind::LayOff { place, from, size, .. } if size == reading.number => {
+                Some((operation.sheet, from, place))
+            }
             _ => None,
         });
         let Some((sheet, from, to)) = drawn else {
@@ -193,11 +197,11 @@ impl<'a> Sheets<'a> {
     }
 
     /// Draws a length that was measured between other places, or along an axis.
-    fn measured(&mut self, sheet: Sheet, [from, to]: [PlaceId; 2], how: How, value: f64) {
+    fn measured(&mut self, sheet: Sheet, [from, to]: [PlaceId; 2], how: MeasuredAs, value: f64) {
         let (start, end) = (self.at(sheet, from), self.at(sheet, to));
         let foot = match how {
-            How::X => Vector::new(end.x, start.y),
-            How::Y => Vector::new(start.x, end.y),
+            MeasuredAs::X => Vector::new(end.x, start.y),
+            MeasuredAs::Y => Vector::new(start.x, end.y),
             _ => end,
         };
         let label = self.with_unit(sheet, value);
@@ -238,24 +242,24 @@ impl<'a> Sheets<'a> {
     /// Places through which a line was drawn.
     fn starts(&self, line: LineId) -> Vec<PlaceId> {
         let starts = (0..self.own.construction.operations.len()).find_map(|index| match self.done(index) {
-            Does::Draw { line: drawn, through, .. } if *drawn == line => Some(vec![*through]),
-            Does::Join { line: drawn, from, towards } if *drawn == line => Some(vec![*from, *towards]),
+            OperationKind::Draw { line: drawn, through, .. } if *drawn == line => Some(vec![*through]),
+            OperationKind::Join { line: drawn, from, towards } if *drawn == line => Some(vec![*from, *towards]),
             _ => None,
         });
         starts.unwrap_or_default()
     }
 
     /// What the student did at an operation.
-    fn done(&self, index: usize) -> &'a Does {
+    fn done(&self, index: usize) -> &'a OperationKind {
         let changed = self.instead.iter().find(|(operation, _)| *operation == index);
-        changed.map_or(&self.own.construction.operations[index].does, |(_, does)| does)
+        changed.map_or(&self.own.construction.operations[index].kind, |(_, kind)| kind)
     }
 
     /// The pole of a plan; the scheme has none.
     fn pole(&self, sheet: Sheet) -> Option<PlaceId> {
         let mut operations = self.own.construction.operations.iter().filter(|a| a.sheet == sheet);
-        operations.find_map(|operation| match operation.does {
-            Does::Pole { place, .. } if sheet != Sheet::Scheme => Some(place),
+        operations.find_map(|operation| match operation.kind {
+            OperationKind::Pole { place, .. } if sheet != Sheet::Scheme => Some(place),
             _ => None,
         })
     }
@@ -316,8 +320,8 @@ impl<'a> Sheets<'a> {
         if self.own.place_names[place.0].is_some() {
             return place;
         }
-        let next = self.own.construction.operations.iter().find_map(|operation| match operation.does {
-            Does::LayOff { place: end, from, .. } if from == place => Some(end),
+        let next = self.own.construction.operations.iter().find_map(|operation| match operation.kind {
+            OperationKind::LayOff { place: end, from, .. } if from == place => Some(end),
             _ => None,
         });
         next.map_or(place, |end| self.leads_to(end))

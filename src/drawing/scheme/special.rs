@@ -6,7 +6,7 @@ use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet, towards};
 use super::{JOINT, Scheme};
-use crate::construction::{Course, Special};
+use crate::construction::Special;
 use crate::geometry::{Place, span};
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
@@ -55,7 +55,7 @@ impl Scheme<'_> {
             if let Some((a, b)) = clipped_segment(bounds, from, end) {
                 canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b));
             }
-            if let Course::Normal(slider, _) = cut.course {
+            if let Some(slider) = cut.guide() {
                 let along = on_sheet(self.pose.guide(slider));
                 self.right_angle(canvas, from, along, way);
             }
