@@ -85,13 +85,9 @@ pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, C
 
 /// The names of all quantities of the steps, in order, with the numbers of their steps.
 fn order(key: &AnswerKey<'_>) -> IndexMap<String, usize> {
-    let mut order = IndexMap::new();
-    for step in key.solution.construction.numbered_steps() {
-        for name in step.names() {
-            order.entry(name).or_insert(step.number);
-        }
-    }
-    order
+    let construction = &key.solution.construction;
+    let steps = construction.steps_of_quantities().into_iter();
+    steps.map(|(name, step)| (name, construction.step_number(step))).collect()
 }
 
 /// Sets the precision and rounding of each entry from all values of its kind.
