@@ -4,19 +4,17 @@ use super::shape::{Shape, around, on_circle};
 
 /// Length of an arrowhead in mm where its vector leaves room for it.
 const HEAD_LENGTH: f64 = 2.6;
-/// Longest share of its vector that a head may take, so that a head never hides how long a short
-/// vector is.
+/// Largest length of a head over that of its vector, so that the length of a short vector remains visible.
 const HEAD_SHARE: f64 = 0.5;
 /// Half width of a head over its length: slim, as drawn with a ruling pen.
 const HEAD_SLIMNESS: f64 = 0.17;
-/// Where the notch between the barbs is, from the tip, over the length of the head.
+/// Distance of the notch between the barbs from the tip, over the length of the head.
 const HEAD_NOTCH: f64 = 0.84;
-/// Where the shaft ends, from the tip, over the length of the head: inside the head, so that its
-/// blunt end never shows.
+/// Distance of the shaft's end from the tip, over the length of the head: inside the head, which hides the blunt end.
 const SHAFT_END: f64 = 0.7;
 
-/// The head of an arrow from `from` to `to`: tip, one barb, the notch where the shaft enters, the
-/// other barb; none for an arrow without length.
+/// The head of an arrow from `from` to `to`: tip, one barb, the notch where the shaft enters, the other barb; none for
+/// an arrow of length zero or not finite.
 ///
 /// The head is `min(2.6 mm, half the arrow)` long.
 pub fn arrow_head(from: Point, to: Point) -> Option<[Point; 4]> {
@@ -24,11 +22,11 @@ pub fn arrow_head(from: Point, to: Point) -> Option<[Point; 4]> {
     Some(head_at(to, unit, length))
 }
 
-/// The direction of an arrow and the length of its head.
+/// Unit vector of an arrow and the length of its head; none for a length that is zero or not finite.
 fn head_along(from: Point, to: Point) -> Option<(Vec2, f64)> {
     let along = to - from;
     let size = along.hypot2().sqrt();
-    // Written so that a NaN has no head either.
+    // A NaN length gives false.
     (size > 0.0 && size.is_finite()).then(|| (along / size, head_length(size)))
 }
 
@@ -36,7 +34,7 @@ fn head_length(arrow: f64) -> f64 {
     HEAD_LENGTH.min(HEAD_SHARE * arrow)
 }
 
-/// A head of the given length whose tip is at `tip` and which points along `unit`.
+/// A head of the given length with its tip at `tip`, in the direction of `unit`.
 fn head_at(tip: Point, unit: Vec2, length: f64) -> [Point; 4] {
     let across = Vec2::new(-unit.y, unit.x) * (HEAD_SLIMNESS * length);
     let back = tip - unit * length;
@@ -55,8 +53,7 @@ impl Shape {
                     return None;
                 }
                 let length = head_length(run);
-                // The head is straight and lies along the chord of the arc it covers, so that both
-                // its ends are on the circle.
+                // The straight head is a chord of its arc: both its ends lie on the circle.
                 let end = start + sweep;
                 let tip = on_circle(center, radius, end);
                 let back = on_circle(center, radius, end - (length / radius.abs()).copysign(sweep));
@@ -67,8 +64,8 @@ impl Shape {
         }
     }
 
-    /// The line of an arrow as it is drawn, ending inside its head: a [`Line`](Shape::Line) or an
-    /// [`Arc`](Shape::Arc); none where there is no head.
+    /// The line of an arrow, which ends inside its head: a [`Line`](Shape::Line) or an [`Arc`](Shape::Arc); none where
+    /// there is no head.
     pub fn shaft(&self) -> Option<Self> {
         match *self {
             Shape::Arrow { from, to } => {
@@ -84,8 +81,7 @@ impl Shape {
         }
     }
 
-    /// The box around the arrowhead, for keeping labels off it; none where [`head`](Shape::head)
-    /// gives none.
+    /// The bounding box of the arrowhead; none where [`head`](Shape::head) gives none.
     pub fn head_box(&self) -> Option<Rect> {
         self.head().map(|corners| around(&corners))
     }

@@ -7,11 +7,11 @@ use super::text::RichText;
 use super::worksheet::{CELLS, Worksheet, table};
 use crate::quantity::{Asked, What};
 
-/// Widths of the boxes for millimetres and values.
+/// Widths of the boxes for millimetres and values, in mm.
 const BOXES: [f64; 2] = [15.0, 21.0];
 
 impl Worksheet {
-    /// A table with boxes for what is to be found.
+    /// A table with boxes for the quantities to be found.
     pub(super) fn blank(scheme: &Scheme<'_>, asked: &[Asked]) -> Self {
         let language = scheme.words.language;
         let rows = asked.iter().zip(1..).map(|(asked, number)| blank_row(scheme, asked, number)).collect();
@@ -21,7 +21,7 @@ impl Worksheet {
     }
 }
 
-/// The row of a quantity that is to be found. What has no length on paper has no scale.
+/// The row of a quantity to be found. Only lengths on paper have a scale.
 fn blank_row(scheme: &Scheme<'_>, asked: &Asked, number: usize) -> Cells<CELLS> {
     let plan = match asked.what() {
         What::Segment { kind, .. } => scheme.construction.plans().find(|plan| plan.kind == *kind),

@@ -7,34 +7,34 @@ use super::text::{LABEL, RichText};
 use indexmap::IndexMap;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
 
-/// A panel being drawn: what is drawn is remembered as an obstacle, labels are placed when all is drawn.
+/// A panel in progress: drawn marks become obstacles; labels are placed when all is drawn.
 pub(super) struct Canvas<'a> {
     pub drawing: &'a mut Drawing,
-    /// Prefix of the marks' ids, one for each panel.
+    /// Prefix of the marks' ids, different for each panel.
     prefix: &'static str,
     obstacles: Obstacles,
     requests: Vec<(Wanted, u16)>,
     frame: Rect,
-    /// How many marks the drawing has that are not of the content.
-    before: usize,
-    /// With which step that which is drawn now comes.
-    since: u16,
+    /// Index of the first mark of the panel's content; earlier marks are not cut off at its edge.
+    content_start: usize,
+    /// The step of the construction with which new marks appear.
+    step: u16,
     renamed: &'a IndexMap<String, String>,
-    /// Circles that only names of what is shown in them enter: centre and radius.
-    closed: Vec<(Point, f64)>,
-    /// Whether something is drawn over the panel's own content.
+    /// Enlarged details under an overlay: centre and radius of circles that only labels of points inside may enter.
+    reserved_circles: Vec<(Point, f64)>,
+    /// Whether a student's drawing is laid over the content: labels from outside then keep off enlarged details.
     is_overlaid: bool,
 }
 
-/// A label that wants a place.
+/// A label without a place yet.
 pub(super) struct Wanted {
     pub request: LabelRequest,
     /// Its mark's id without the prefix.
     pub name: String,
     pub pen: Pen,
-    /// The link or the curve that it belongs to.
+    /// Number of the link or curve that it belongs to.
     pub number: Option<usize>,
-    /// Whether it is left out where there is no free place for it.
+    /// Whether it is left out if no place is free.
     pub optional: bool,
 }
 
@@ -46,15 +46,15 @@ impl<'a> Canvas<'a> {
         renamed: &'a IndexMap<String, String>,
     ) -> Self {
         Self {
-            before: drawing.marks.len(),
+            content_start: drawing.marks.len(),
             drawing,
             prefix,
             obstacles: Obstacles { boxes: Vec::new(), lines: Vec::new(), bounds: frame.inset(-1.2) },
             requests: Vec::new(),
             frame,
-            since: 0,
+            step: 0,
             renamed,
-            closed: Vec::new(),
+            reserved_circles: Vec::new(),
             is_overlaid: false,
         }
     }
@@ -64,9 +64,9 @@ impl<'a> Canvas<'a> {
         self.frame
     }
 
-    /// Lets stand what has been drawn so far: it is not cut off at the panel's edge, and no part of the content.
-    pub(super) fn settle(&mut self) {
-        self.before = self.drawing.marks.len();
+    /// Excludes the marks drawn so far from the panel's content: they are not cut off at its edge.
+    pub(super) fn exclude_drawn(&mut self) {
+        self.content_start = self.drawing.marks.len();
     }
 
     /// The panel without its border.
@@ -74,48 +74,48 @@ impl<'a> Canvas<'a> {
         self.obstacles.bounds
     }
 
-    /// The panel without its border and heading: where lines may run.
+    /// The panel without its border and heading, the area for lines.
     pub(super) fn room(&self) -> Rect {
         let mut room = self.bounds();
         room.y0 += HEADING;
         room
     }
 
-    /// Draws a mark and remembers it as something that labels keep off: joints and arrowheads entirely, lines where they can.
+    /// Draws a mark that labels keep off: off joints and arrowheads always, off lines if possible.
     pub(super) fn draw(&mut self, pen: Pen, shape: Shape) -> &mut Mark {
-        self.remember(pen, &shape);
-        self.put(None, pen, shape)
+        self.add_obstacle(pen, &shape);
+        self.add_mark(None, pen, shape)
     }
 
-    /// What is drawn and asked for from now on comes with this step.
-    pub(super) fn since(&mut self, step: u16) {
-        self.since = step;
+    /// Sets the step with which further marks and labels appear.
+    pub(super) fn set_step(&mut self, step: u16) {
+        self.step = step;
     }
 
-    fn put(&mut self, id: Option<String>, pen: Pen, shape: Shape) -> &mut Mark {
-        self.drawing.add(Mark { id, since: self.since, ..Mark::new(pen, shape) })
+    fn add_mark(&mut self, id: Option<String>, pen: Pen, shape: Shape) -> &mut Mark {
+        self.drawing.add(Mark { id, since: self.step, ..Mark::new(pen, shape) })
     }
 
-    /// A broad line under what the step is about; nothing keeps off it.
+    /// Draws a broad line under the subject of a step; it is no obstacle.
     pub(super) fn hint(&mut self, step: u16, from: Point, to: Point) {
         if let Some((a, b)) = clipped_segment(self.room(), from, to) {
-            self.passing(step, Pen::Hint, Shape::Line(a, b));
+            self.draw_in_step(step, Pen::Hint, Shape::Line(a, b));
         }
     }
 
-    /// A mark that is there in one step alone; nothing keeps off it.
-    pub(super) fn passing(&mut self, step: u16, pen: Pen, shape: Shape) -> &mut Mark {
+    /// Draws a mark that appears in one step only; it is no obstacle.
+    pub(super) fn draw_in_step(&mut self, step: u16, pen: Pen, shape: Shape) -> &mut Mark {
         self.drawing.add(Mark { since: step, passing: true, ..Mark::new(pen, shape) })
     }
 
-    /// The same, findable by a name such as `velocity-ray-b-s3`.
+    /// Draws a mark with an id, such as `velocity-ray-b-s3`, that labels keep off.
     pub(super) fn draw_named(&mut self, name: &str, pen: Pen, shape: Shape) -> &mut Mark {
-        self.remember(pen, &shape);
+        self.add_obstacle(pen, &shape);
         let id = format!("{}-{}", self.prefix, ascii(name));
-        self.put(Some(id), pen, shape)
+        self.add_mark(Some(id), pen, shape)
     }
 
-    fn remember(&mut self, pen: Pen, shape: &Shape) {
+    fn add_obstacle(&mut self, pen: Pen, shape: &Shape) {
         match shape {
             Shape::Circle { .. } | Shape::Text(_) => self.obstacles.boxes.push(shape.bounds()),
             Shape::Line(..) if pen == Pen::Hatch => self.obstacles.boxes.push(shape.bounds()),
@@ -123,32 +123,32 @@ impl<'a> Canvas<'a> {
                 let boxes = pieces(corners).map(|piece| piece.inflate(0.4, 0.4));
                 self.obstacles.boxes.extend(boxes);
             }
-            // Areas without outline: names may stand in them.
+            // Areas without outline are no obstacles.
             _ if matches!(pen, Pen::LinkFill | Pen::ImageFill) => {}
             _ => self.obstacles.lines.extend(shape.lines()),
         }
         self.obstacles.boxes.extend(shape.head_box());
     }
 
-    /// Keeps circles and labels off something that is drawn later.
-    pub(super) fn expect(&mut self, shape: &Shape) {
-        self.remember(Pen::Student, shape);
+    /// Reserves the place of a shape that is drawn later: enlarged details and labels keep off it.
+    pub(super) fn reserve(&mut self, shape: &Shape) {
+        self.add_obstacle(Pen::Student, shape);
     }
 
-    /// From now on something is drawn over the panel's content: names are more than usual, and none may go astray.
-    pub(super) fn overlay(&mut self) {
+    /// Notes that a student's drawing is laid over the content: with more labels none may be taken for another's.
+    pub(super) fn set_overlaid(&mut self) {
         self.is_overlaid = true;
     }
 
-    /// Lets names of what lies outside a circle keep off it, under an overlay.
-    pub(super) fn close(&mut self, centre: Point, radius: f64) {
+    /// Reserves a circle for labels of points in it, under an overlay.
+    pub(super) fn reserve_circle(&mut self, centre: Point, radius: f64) {
         if self.is_overlaid {
-            self.closed.push((centre, radius));
+            self.reserved_circles.push((centre, radius));
         }
     }
 
-    /// How many of the lines and things drawn so far a short segment would cross.
-    pub(super) fn in_the_way(&self, from: Point, to: Point) -> usize {
+    /// Number of obstacles, lines and boxes, that a short segment crosses.
+    pub(super) fn crossings_with(&self, from: Point, to: Point) -> usize {
         let side = |a: Point, b: Point, p: Point| (b - a).cross(p - a);
         let crosses = |&&(a, b): &&(Point, Point)| {
             side(a, b, from) * side(a, b, to) < 0.0 && side(from, to, a) * side(from, to, b) < 0.0
@@ -159,12 +159,12 @@ impl<'a> Canvas<'a> {
         lines + self.obstacles.boxes.iter().filter(touches).count()
     }
 
-    /// What has been drawn of the content so far.
+    /// The marks of the panel's content so far.
     pub(super) fn marks(&self) -> &[Mark] {
-        &self.drawing.marks[self.before..]
+        &self.drawing.marks[self.content_start..]
     }
 
-    /// Whether nothing has been drawn within a circle, and none that shows a crowded place reaches into it.
+    /// Whether a circle is off all obstacles and enlarged details.
     pub(super) fn is_free(&self, centre: Point, radius: f64) -> bool {
         let far = radius * radius;
         let is_off_line = |&(a, b): &(Point, Point)| Line::new(a, b).nearest(centre, 1e-3).distance_sq > far;
@@ -174,7 +174,7 @@ impl<'a> Canvas<'a> {
         };
         self.obstacles.lines.iter().all(is_off_line)
             && self.obstacles.boxes.iter().all(is_off_box)
-            && self.closed.iter().all(|(other, own)| (*other - centre).hypot() > own + radius)
+            && self.reserved_circles.iter().all(|(other, own)| (*other - centre).hypot() > own + radius)
     }
 
     /// Keeps labels off a box.
@@ -182,7 +182,7 @@ impl<'a> Canvas<'a> {
         self.obstacles.boxes.push(area);
     }
 
-    /// Asks for a label beside `anchor`, at least `clearance` away; `name` is its text unless the scene renames it.
+    /// Requests a label beside `anchor`, at least `clearance` mm away: `standard`, unless the scene renames `name`.
     pub(super) fn label(
         &mut self,
         name: &str,
@@ -197,18 +197,24 @@ impl<'a> Canvas<'a> {
         self.ask(name, request)
     }
 
-    /// Asks for a label of the usual look; `name` is the end of its mark's id.
+    /// Requests a label of the usual look; `name` is the end of its mark's id.
     pub(super) fn ask(&mut self, name: &str, request: LabelRequest) -> &mut Wanted {
-        self.want(Wanted { request, name: format!("label-{name}"), pen: Pen::Label, number: None, optional: false })
+        self.request_label(Wanted {
+            request,
+            name: format!("label-{name}"),
+            pen: Pen::Label,
+            number: None,
+            optional: false,
+        })
     }
 
-    /// Asks for a label of any look.
-    pub(super) fn want(&mut self, wanted: Wanted) -> &mut Wanted {
-        self.requests.push((wanted, self.since));
+    /// Requests a label of any look.
+    pub(super) fn request_label(&mut self, wanted: Wanted) -> &mut Wanted {
+        self.requests.push((wanted, self.step));
         &mut self.requests.last_mut().expect("a request was added").0
     }
 
-    /// Asks for words beside `anchor`.
+    /// Requests plain words beside `anchor`.
     pub(super) fn words(&mut self, name: &str, words: &str, anchor: Point) {
         let request = LabelRequest {
             text: RichText::plain(words),
@@ -221,21 +227,23 @@ impl<'a> Canvas<'a> {
         self.ask(name, request);
     }
 
-    /// The text that a name is shown by.
+    /// The text shown for a name: `standard` unless the scene renames it.
     pub(super) fn shown(&self, name: &str, standard: &str) -> String {
         let renamed = self.renamed.get(name);
         renamed.map_or_else(|| standard.to_owned(), Clone::clone)
     }
 
-    /// Places and draws the labels, and cuts off what leaves the panel; what lies outside has no name.
+    /// Places and draws the labels, and cuts off marks at the panel's edge. Labels of points outside the panel are left
+    /// out.
     pub(super) fn finish(mut self) {
         let mut requests = std::mem::take(&mut self.requests);
         requests.retain(|(wanted, _)| holds(self.frame, wanted.request.anchor));
-        let shown = |anchor: Point| self.closed.iter().any(|(centre, radius)| (anchor - *centre).hypot() < *radius);
+        let shown =
+            |anchor: Point| self.reserved_circles.iter().any(|(centre, radius)| (anchor - *centre).hypot() < *radius);
         let (within, outside): (Vec<_>, Vec<_>) =
             requests.into_iter().partition(|(wanted, _)| shown(wanted.request.anchor));
         self.place(within);
-        for (centre, radius) in std::mem::take(&mut self.closed) {
+        for (centre, radius) in std::mem::take(&mut self.reserved_circles) {
             self.obstacles.boxes.extend(strips(centre, radius));
         }
         self.place(outside);
@@ -249,24 +257,24 @@ impl<'a> Canvas<'a> {
             if label.crowded && wanted.optional {
                 continue;
             }
-            self.since = since;
+            self.step = since;
             if let Some((a, b)) = label.leader {
-                self.put(None, Pen::Leader, Shape::Line(a, b));
+                self.add_mark(None, Pen::Leader, Shape::Line(a, b));
             }
             let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
-            let mark = self.put(Some(id), wanted.pen, Shape::Text(label.text));
+            let mark = self.add_mark(Some(id), wanted.pen, Shape::Text(label.text));
             mark.number = wanted.number;
         }
     }
 
-    /// Cuts off what leaves the panel.
+    /// Cuts off the content's marks at the panel's edge.
     fn cut_off(&mut self) {
         let marks = &mut self.drawing.marks;
         let leaves = |mark: &Mark| !is_within(self.frame, &mark.shape);
-        if !marks[self.before..].iter().any(leaves) {
+        if !marks[self.content_start..].iter().any(leaves) {
             return;
         }
-        for mark in marks.split_off(self.before) {
+        for mark in marks.split_off(self.content_start) {
             let mut id = mark.id;
             for shape in clipped(self.frame, mark.shape) {
                 marks.push(Mark { id: id.take(), shape, ..mark });
@@ -275,20 +283,20 @@ impl<'a> Canvas<'a> {
     }
 }
 
-/// Boxes that cover a circle together.
+/// Boxes that together cover a circle.
 fn strips(centre: Point, radius: f64) -> impl Iterator<Item = Rect> {
     const COUNT: usize = 8;
     let height = 2.0 * radius / COUNT as f64;
     (0..COUNT).map(move |index| {
         let low = height * index as f64 - radius;
-        // Widest where the strip is nearest to the middle.
+        // The strip's widest chord is the one nearest to the centre.
         let nearest = 0.0_f64.clamp(low, low + height);
         let half = (radius * radius - nearest * nearest).max(0.0).sqrt();
         Rect::new(-half, low, half, low + height) + centre.to_vec2()
     })
 }
 
-/// Boxes that cover a polygon together; along a turned block several small ones leave more room than a large one.
+/// Boxes that together cover a polygon; several small ones along a rotated block take less area than one.
 fn pieces(corners: &[Point]) -> impl Iterator<Item = Rect> {
     let cuts = match corners {
         &[a, b, c, d] => {
@@ -302,7 +310,8 @@ fn pieces(corners: &[Point]) -> impl Iterator<Item = Rect> {
     cuts.into_iter().map(move |piece| around(&piece))
 }
 
-/// A name fit for an XML id: other letters than ASCII ones by their code, so that names stay different.
+/// A name as part of an XML id: characters other than ASCII letters and digits become their codes, so that different
+/// names stay different.
 fn ascii(name: &str) -> String {
     let mut id = String::new();
     for c in name.chars() {

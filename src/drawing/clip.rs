@@ -1,20 +1,20 @@
-//! Shapes cut off at the edge of a panel.
+//! Clipping of shapes to the area of a panel.
 
 use super::shape::Shape;
 use kurbo::{Point, Rect, Vec2};
 
-/// Whether a shape lies in `area`.
+/// Whether a shape lies within `area`.
 pub(super) fn is_within(area: Rect, shape: &Shape) -> bool {
     area.union(shape.drawn_box()) == area
 }
 
-/// Whether a point is in `area` or, but for rounding, on its border.
+/// Whether a point is in `area` or, up to rounding, on its border.
 pub(super) fn holds(area: Rect, point: Point) -> bool {
     area.inflate(1e-9, 1e-9).contains(point)
 }
 
-/// What of a shape is in `area`: the shape itself where it does not leave it; lines cut off at the edge, an arrow whose tip is outside
-/// as a line; of round things and texts nothing where their middle is outside.
+/// The parts of a shape in `area`. Lines are cut at its border; an arrow whose tip is outside becomes a line; round
+/// shapes and texts are kept whole if their centre is inside, else dropped.
 pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
     if is_within(area, &shape) {
         return vec![shape];
@@ -80,7 +80,7 @@ pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, 
 
 /// The part of a polygon in a box, edge by edge (Sutherland and Hodgman 1974).
 fn inside(area: Rect, corners: &[Point]) -> Vec<Point> {
-    // Distance inwards from each of the four edges.
+    // Distance of a point from each of the four edges, positive inside.
     let depths: [&dyn Fn(Point) -> f64; 4] =
         [&|p| p.x - area.x0, &|p| area.x1 - p.x, &|p| p.y - area.y0, &|p| area.y1 - p.y];
     let mut corners = corners.to_vec();

@@ -1,4 +1,4 @@
-//! How every sheet is composed: a title, panels in their places, items beside and below them.
+//! Composition of a sheet: a title, panels in their places, items beside and below them.
 
 use super::layout::{Aside, Item, Layout, MARGIN, Needs, layout};
 use super::legend;
@@ -11,37 +11,37 @@ use crate::scene::Scene;
 use crate::words::Wording;
 use kurbo::{Point, Rect};
 
-/// Size of the title.
+/// Size of the title, in mm of one em.
 pub(super) const TITLE_SIZE: f64 = 5.2;
-/// Where its baseline is.
+/// Baseline of the title, in mm from the upper edge.
 pub(super) const TITLE_LINE: f64 = MARGIN + 5.6;
 
-/// A sheet of panels true to scale, before it is laid out and drawn.
+/// The contents of a sheet, before layout.
 pub(super) struct Composition<'a> {
     pub scene: &'a Scene,
     pub words: Wording,
     pub title: String,
-    /// What it shows, in a sentence for those who cannot see it.
+    /// One sentence about the figure, for readers who cannot see it.
     pub description: String,
-    /// What is done in each step of the construction.
+    /// Captions of the construction's steps.
     pub steps: Vec<String>,
     pub panels: Vec<Panel<'a>>,
-    /// What stands beside and below the panels, in drawing order.
+    /// Items beside and below the panels, in drawing order.
     pub items: Vec<Box<dyn Item + 'a>>,
 }
 
 impl Composition<'_> {
     /// Height that the items need below the scales, in mm.
-    pub(super) fn below(&self) -> f64 {
+    pub(super) fn height_below(&self) -> f64 {
         self.items.iter().map(|item| item.height()).fold(0.0, f64::max)
     }
 
-    /// The sheet divided up.
+    /// The layout of the sheet.
     pub(super) fn layout(&self) -> Layout {
-        self.layout_above(self.below())
+        self.layout_above(self.height_below())
     }
 
-    /// The sheet with so much room below the scales, which stand in as few rows as hold them.
+    /// The layout with `below` mm of height below the scales, which are in as few rows as possible.
     pub(super) fn layout_above(&self, below: f64) -> Layout {
         let page = self.scene.figure.page.size_mm();
         let needs: Vec<Needs> = self.panels.iter().map(|panel| panel.needs).collect();
@@ -66,7 +66,7 @@ impl Composition<'_> {
     }
 }
 
-/// A sheet of the scene's size and style with nothing but its title.
+/// An empty sheet of the scene's size and style, with its title.
 pub(super) fn titled(scene: &Scene, words: &Wording, title: String) -> Drawing {
     let [width, height] = scene.figure.page.size_mm();
     let mut drawing = Drawing::new(width, height);
@@ -77,7 +77,7 @@ pub(super) fn titled(scene: &Scene, words: &Wording, title: String) -> Drawing {
     drawing
 }
 
-/// Writes the title above the panels, smaller where it would not fit.
+/// Writes the title above the panels, in a smaller size if it is too wide.
 pub(super) fn draw_title(drawing: &mut Drawing) {
     let title = RichText::verbatim(&drawing.title);
     let room = drawing.width - MARGIN - MARGIN;

@@ -1,4 +1,5 @@
-//! The sheets of a student's drawing: the overlay on the right figure, and where the words about it and the table of values find room.
+//! The sheets of a corrected drawing: the student's drawing over the right figure, sentences about it, and the table of
+//! values.
 
 use super::compose::{Composition, draw_title};
 use super::figure::{composition, content, extents, hints, panels};
@@ -15,27 +16,27 @@ use crate::construction::Solution;
 use crate::scene::PanelName;
 use kurbo::Rect;
 
-/// The parts of a page that words beside the panels may take.
+/// Widths of a column of words beside the panels, in parts of the page's width.
 const BESIDE: [f64; 5] = [0.23, 0.235, 0.24, 0.25, 0.28];
-/// Between words and the table below them.
+/// White between words and the table below them, in mm.
 const GAP: f64 = 4.0;
 
-/// A way to divide the sheet.
-struct Way<'a> {
+/// A division of the sheet.
+struct Division<'a> {
     place: WordsPlace,
     sheet: Composition<'a>,
     layout: Layout,
 }
 
-/// A student's drawing over the right figure, with the words about it; last a table of the values.
+/// A student's drawing over the right figure, with sentences about it; last a table of the values.
 ///
-/// Words stand below or beside the panels, where these come out larger, unless something would not fit any more that fits on a sheet
-/// without words: then they stand above the table. The table is on the figure's sheet where that takes nothing from the panels, else on
-/// sheets of its own. What lies outside a panel is cut off there and named at its edge.
+/// The sentences are below or beside the panels, where the panels are larger, unless something would no longer fit that
+/// fits on a sheet without sentences: then they are above the table. The table is on the figure's sheet if the panels
+/// are not smaller for it, else on further sheets. Content outside a panel is cut off and named at its edge.
 #[must_use]
 pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
     let scheme = Scheme::new(solution);
-    let Way { place, mut sheet, layout } = best_way(&scheme, overlay);
+    let Division { place, mut sheet, layout } = best_division(&scheme, overlay);
     let table = overlay.table();
     if place == WordsPlace::Below {
         sheet.items.push(Box::new(table.clone()));
@@ -52,7 +53,7 @@ pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
     std::iter::once(figure).chain(tables).collect()
 }
 
-/// The right figure under the student's drawing, and the words in their place.
+/// The right figure under the student's drawing, with the sentences in their place.
 fn sheet<'a>(
     scheme: &'a Scheme<'a>,
     overlay: &'a Overlay,
@@ -69,31 +70,31 @@ fn sheet<'a>(
     sheet
 }
 
-/// The way in which most panels show all that they should, of these the one in which the student's points lie on the sheet, the words beside the figure,
-/// its contents large.
-fn best_way<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Way<'a> {
+/// The division with which most panels show their whole contents; of equals the one that shows more of the student's
+/// points, then the one with the sentences beside the figure, then the one with larger contents.
+fn best_division<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Division<'a> {
     let page = scheme.figure.page.size_mm();
     let notes = |place| Notes { overlay, words: scheme.words, page, place };
-    let way = |extents: &[(PanelName, Extent)], place: WordsPlace| {
+    let division = |extents: &[(PanelName, Extent)], place: WordsPlace| {
         let sheet = sheet(scheme, overlay, extents, notes(place));
-        Way { place, layout: sheet.layout(), sheet }
+        Division { place, layout: sheet.layout(), sheet }
     };
-    let ways_for = |extents: &[(PanelName, Extent)]| {
-        let mut words = way(extents, WordsPlace::Below);
+    let divisions_for = |extents: &[(PanelName, Extent)]| {
+        let mut words = division(extents, WordsPlace::Below);
         for part in BESIDE {
-            let beside = way(extents, WordsPlace::Beside(part * page[0]));
-            let fits = beside.layout.aside.is_some_and(|column| notes(beside.place).fit(column));
+            let beside = division(extents, WordsPlace::Beside(part * page[0]));
+            let fits = beside.layout.aside.is_some_and(|column| notes(beside.place).fits(column));
             if fits && beside.layout.worth > words.layout.worth {
                 words = beside;
             }
         }
-        [words, way(extents, WordsPlace::Apart)]
+        [words, division(extents, WordsPlace::Apart)]
     };
-    // Whether all panels have room, and how many show all of their contents.
-    let shows = |way: &Way| [way.layout.worth[0], way.layout.worth[1]];
+    // First whether all panels are large enough, then how many show their whole contents.
+    let shows = |division: &Division| [division.layout.worth[0], division.layout.worth[1]];
     let own = extents(scheme);
-    let mut best: Option<Way> = None;
-    // All panels with the student's points first, then without those of one, of two, of all.
+    let mut best: Option<Division> = None;
+    // Panels extended for the student's points: all, then all but one, all but two …, none.
     let mut kept: Vec<u32> = (0..1 << own.len()).collect();
     kept.sort_by_key(|panels| std::cmp::Reverse(panels.count_ones()));
     for panels in kept {
@@ -102,17 +103,17 @@ fn best_way<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Way<'a> {
             let is_kept = panels & (1 << index) != 0;
             (panel, if is_kept { overlay.extended(panel, extent, is_given) } else { extent })
         });
-        for way in ways_for(&extents.collect::<Vec<_>>()) {
-            if best.as_ref().is_none_or(|best| shows(&way) > shows(best)) {
-                best = Some(way);
+        for division in divisions_for(&extents.collect::<Vec<_>>()) {
+            if best.as_ref().is_none_or(|best| shows(&division) > shows(best)) {
+                best = Some(division);
             }
         }
     }
     best.expect("there is a way to keep no panel's points")
 }
 
-/// Sheets with the title, the words that the figure has no room for, and the table, as many as its rows need; upright, as lists are, where its rows
-/// are not too wide.
+/// Sheets with the title, the sentences without room on the figure, and the table, as many as its rows need; portrait
+/// unless the rows are too wide.
 fn tables<const N: usize>(figure: &Drawing, said: Option<&Overlay>, mut table: Table<N>) -> Vec<Drawing> {
     let narrow = figure.width.min(figure.height);
     let [width, height] = match table.column() <= narrow - 2.0 * MARGIN {
@@ -133,7 +134,7 @@ fn tables<const N: usize>(figure: &Drawing, said: Option<&Overlay>, mut table: T
             lines::draw(&mut drawing, room, 0, &std::mem::take(&mut said));
             own.y0 = room.y1 + GAP;
         }
-        let later = table.rows.split_off(table.most(own).clamp(1, table.rows.len()));
+        let later = table.rows.split_off(table.capacity(own).clamp(1, table.rows.len()));
         table.draw_in(&mut drawing, table.needed(own));
         table.rows = later;
         sheets.push(drawing);

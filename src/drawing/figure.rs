@@ -1,4 +1,4 @@
-//! The figure of a scene: its panels and their layers, finished, with all steps, and moving.
+//! The figure of a scene: its panels and their layers, finished or with all steps; and the frames of an animation.
 
 use super::canvas::Canvas;
 use super::compose::Composition;
@@ -29,10 +29,10 @@ impl Solution {
         sheet.draw(&sheet.layout())
     }
 
-    /// The same figure with every step of the construction in it: [`Drawing::after_step`] gives the sheet as it stands after one of them,
-    /// with what to do and the equation below the panels.
+    /// The same figure with every step of the construction: [`Drawing::after_step`] gives the sheet after one of them,
+    /// with its caption and equation below the panels.
     ///
-    /// Plans that the figure has no panel for are not drawn, but their steps are told.
+    /// Steps of plans without a panel have captions, too.
     #[must_use]
     pub fn stepwise_figure(&self) -> Drawing {
         let scheme = Scheme::new(self);
@@ -40,7 +40,7 @@ impl Solution {
         sheet.draw(&sheet.layout())
     }
 
-    /// The scales of the figure; a plan without a panel has the scale that the scene gives, or none.
+    /// The scales of the figure; for a plan without a panel the scene's scale, if there is one.
     #[must_use]
     pub fn scales(&self) -> Scales {
         let scheme = Scheme::new(self);
@@ -53,8 +53,8 @@ impl Solution {
         }
     }
 
-    /// What the figure leaves out because it does not fit at a scale that the scene gives: a sentence for each such panel, with a scale that
-    /// fits. Special points far away count as fitting: they are shown by their cut lines.
+    /// A warning for each panel whose content is cut off at a scale that the scene gives, with a scale that fits.
+    /// Special points far away count as fitting: their cut lines are shown.
     #[must_use]
     pub fn overflow_warnings(&self) -> Vec<String> {
         let figure = &self.scene.figure;
@@ -72,9 +72,9 @@ impl Solution {
     }
 }
 
-/// What is said of a panel whose content is larger than it.
+/// The warning for a panel whose content is larger than its frame.
 fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Option<String> {
-    // Within the panel, even if not within the white around its content.
+    // Content may reach into the white margin of the frame.
     let (size, frame) = (extent.size() / placed.mu, placed.frame);
     if size.x <= frame.width() && size.y <= frame.height() {
         return None;
@@ -92,12 +92,12 @@ fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Optio
     ))
 }
 
-/// The stepwise figures of one mechanism in several positions, all with the same panels and scales, so that they can be shown one
-/// after another.
+/// The stepwise figures of one mechanism in several positions, all with the same panels and scales, as frames of an
+/// animation.
 ///
-/// Panels are large enough for all that the position `own` has, and for the joints and their images in the others, but for plans
-/// several times as large as most: near a limit position rates grow without bound, and special points run to infinity. What does not
-/// fit is cut off at the panel's edge. Moving figures are for the screen: none is a work sheet.
+/// Panels are large enough for the whole content of position `own` and for the joints and their images in the other
+/// positions, except for plans several times as large as most: near a limit position rates and special points go to
+/// infinity. Content that does not fit is cut off at the panel's edge. There is no work sheet.
 #[must_use]
 pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
     let schemes: Vec<Scheme<'_>> =
@@ -116,7 +116,7 @@ pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
         })
         .collect();
     let sheets: Vec<Composition<'_>> = schemes.iter().map(|scheme| stepwise(scheme, &extents, false)).collect();
-    let below = sheets.iter().map(Composition::below).fold(0.0, f64::max);
+    let below = sheets.iter().map(Composition::height_below).fold(0.0, f64::max);
     let layout = sheets[own].layout_above(below);
     sheets.iter().map(|sheet| sheet.draw(&layout)).collect()
 }
@@ -137,13 +137,13 @@ fn stepwise<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], workshe
     composition(scheme, panels, table, vec![Box::new(StepWords(scheme)), Box::new(agreement)])
 }
 
-/// How the construction and the loop equations agree.
+/// The sentence on how the construction agrees with the loop equations.
 fn agreement(scheme: &Scheme<'_>) -> Lines {
     let sentence = legend::agreement(&scheme.words, scheme.construction);
     Lines::of([&sentence], scheme.figure.page.size_mm())
 }
 
-/// A sheet with these panels, a table beside them, their scales, and what stands below.
+/// A sheet with these panels, a table beside them, their scales, and items below.
 pub(super) fn composition<'a>(
     scheme: &'a Scheme<'a>,
     panels: Vec<Panel<'a>>,
@@ -165,7 +165,7 @@ pub(super) fn composition<'a>(
     }
 }
 
-/// The panels that have something to show, and how much.
+/// The panels with content, and its extents.
 pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(PanelName, Extent)> {
     let extent = |&panel: &PanelName| match panel {
         PanelName::Scheme => Some((panel, scheme.extent())),
@@ -174,7 +174,7 @@ pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(PanelName, Extent)> {
     scheme.figure.panels.iter().filter_map(extent).collect()
 }
 
-/// Panels of these extents, with what `layers` gives each of them in its frame.
+/// Panels of these extents, with layers from `layers`.
 pub(super) fn panels<'a>(
     scheme: &Scheme<'a>,
     extents: &[(PanelName, Extent)],
@@ -187,7 +187,7 @@ pub(super) fn panels<'a>(
         Panel {
             name: name.to_owned(),
             prefix: panel.as_str(),
-            // As wide as the first panel's heading: a place does not depend on the letter.
+            // The width of the first panel's heading: it must not depend on the panel's letter.
             needs: Needs { kind: kind(panel), extent, heading: frame(0).width(), mu: scheme.figure.mu(panel) },
             layers: std::iter::once(lowest).chain(layers(panel)).collect(),
         }
@@ -195,7 +195,7 @@ pub(super) fn panels<'a>(
     extents.iter().enumerate().map(panel).collect()
 }
 
-/// The layer of the scheme or a plan itself.
+/// The layer with the scheme or a plan.
 pub(super) fn content<'a>(scheme: &'a Scheme<'a>, panel: PanelName) -> Box<dyn Layer + 'a> {
     Box::new(move |canvas: &mut Canvas<'_>, view: &View| match (panel, scheme.plan(panel)) {
         (PanelName::Scheme, _) => scheme.draw(canvas, view),
@@ -204,7 +204,7 @@ pub(super) fn content<'a>(scheme: &'a Scheme<'a>, panel: PanelName) -> Box<dyn L
     })
 }
 
-/// The layer of what each step is about.
+/// The layer with the hints at the subject of each step.
 pub(super) fn hints<'a>(scheme: &'a Scheme<'a>, panel: PanelName) -> Box<dyn Layer + 'a> {
     Box::new(move |canvas: &mut Canvas<'_>, view: &View| match (panel, scheme.plan(panel)) {
         (PanelName::Scheme, _) => scheme.hints(canvas, view),
@@ -213,7 +213,7 @@ pub(super) fn hints<'a>(scheme: &'a Scheme<'a>, panel: PanelName) -> Box<dyn Lay
     })
 }
 
-/// The kind of quantity that a millimetre of a panel stands for.
+/// The kind of quantity that a panel shows to scale.
 fn kind(panel: PanelName) -> Kind {
     match panel {
         PanelName::Scheme => Kind::Length,
@@ -230,7 +230,7 @@ fn name(language: &Language, panel: PanelName) -> &str {
     }
 }
 
-/// The figure in a sentence, for those who cannot see it.
+/// One sentence about the figure, for readers who cannot see it.
 fn description(scheme: &Scheme<'_>, panels: &[Panel<'_>]) -> String {
     let language = scheme.words.language;
     let described = |panel: &Panel<'_>| match panel.needs.kind {

@@ -23,55 +23,53 @@ pub static ITALIC: &[u8] = include_bytes!("fonts/LibertinusSerif-Italic.sub.otf"
 /// Width and ink of a stretch of text, in em, y down, from the left end of its baseline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extent {
-    /// How far the text moves the pen.
+    /// Advance of the pen.
     pub(super) advance: f64,
     /// The box around the ink; none for spaces.
     pub(super) ink: Option<Rect>,
 }
 
-/// What a letter that neither face has is taken to fill: about a capital, so that labels keep off
-/// whatever a viewer puts there.
+/// Extent assumed for a letter that the face lacks: about a capital, so that labels keep off what a viewer may draw.
 const UNKNOWN: Extent = Extent { advance: 0.6, ink: Some(Rect::new(0.0, -0.75, 0.6, 0.15)) };
 
 /// Letters before this code point (Latin, basic signs) have their glyphs looked up when a face is parsed.
 const COMMON: u32 = 0x80;
 
-/// A face of the bundled fonts, ready to measure.
+/// A face of the bundled fonts, parsed for measuring.
 pub(super) struct Face {
     letters: Charmap<'static>,
     metrics: GlyphMetrics<'static>,
     shapes: OutlineGlyphCollection<'static>,
     em: f64,
-    /// The glyphs measured so far, by number: reading an outline takes far longer than looking it
-    /// up.
+    /// By glyph: its extent, once measured; reading an outline takes far longer than looking it up.
     glyphs: Vec<OnceLock<Extent>>,
-    /// Which glyph draws each common letter, none where the face lacks it: looked up once for all.
+    /// By letter below [`COMMON`]: its glyph, none where the face lacks it.
     indices: Vec<Option<GlyphId>>,
-    /// The outlines drawn so far, by number.
+    /// By glyph: its outline, once read.
     outlines: Vec<OnceLock<BezPath>>,
-    /// Kerning by script: what all tables say is added up, for each lookup of these fonts has one table.
+    /// Kerning by script. Values of all tables are added, because in these fonts each lookup has one table.
     kerning: [Vec<Kerning>; 3],
     ligatures: Vec<Ligature>,
 }
 
-/// How glyphs stand closer or wider, by classes of glyphs (OpenType GPOS, pair adjustment format 2).
+/// Kerning of pairs, by classes of glyphs (OpenType GPOS, pair adjustment format 2).
 struct Kerning {
-    /// Class of each glyph as the left one, none where there is no rule for it.
+    /// By glyph: its class as the left one of a pair, none without a rule.
     left: Vec<Option<u16>>,
-    /// Class of each glyph as the right one.
+    /// By glyph: its class as the right one of a pair.
     right: Vec<u16>,
-    /// By how much the right one is moved, in em: a row for each class of the left one.
+    /// By class of the left and of the right glyph: displacement of the right one, in em.
     moves: Vec<Vec<f64>>,
 }
 
-/// Glyphs that melt into one.
+/// A ligature: the glyph that replaces several ones.
 struct Ligature {
     first: GlyphId,
     following: Vec<GlyphId>,
     glyph: GlyphId,
 }
 
-/// The scripts whose letters are kerned by rules of their own.
+/// The scripts with kerning rules of their own.
 #[derive(Clone, Copy, PartialEq)]
 enum Script {
     Latin,
@@ -122,8 +120,7 @@ impl Face {
         }
     }
 
-    /// Width and ink of a text set as the renderers set it: with the font's kerning and its
-    /// ligatures.
+    /// Width and ink of a text, with the font's kerning and ligatures, as renderers set it.
     pub(super) fn measure(&self, text: &str) -> Extent {
         let mut ink: Option<Rect> = None;
         let advance = self.set(text, |glyph, _, pen| {
@@ -135,15 +132,14 @@ impl Face {
         Extent { advance, ink }
     }
 
-    /// Shows the outlines of a text's glyphs one by one, each with the place of its left end; in em,
-    /// y down, set as [`measure`](Face::measure) measures. A letter that the face lacks is an empty
-    /// box.
+    /// Calls `show` with the outline of each glyph of a text and its left end, in em, y down, set as
+    /// [`measure`](Face::measure) measures. A letter that the face lacks is an empty box.
     pub(super) fn outline(&'static self, text: &str, mut show: impl FnMut(&'static BezPath, f64)) {
         self.set(text, |glyph, _, pen| show(self.outline_of(glyph), pen));
     }
 
-    /// Shows the numbers of a text's glyphs one by one, 0 for a letter that the face lacks, each with the bytes of the text that it draws
-    /// and the place of its left end in em. Returns how far the text moves the pen.
+    /// Calls `show` for each glyph of a text with its number, 0 for a letter that the face lacks, the bytes of the text
+    /// that it draws, and its left end in em. Returns the advance of the pen.
     pub(super) fn glyphs(&self, text: &str, mut show: impl FnMut(u16, Range<usize>, f64)) -> f64 {
         self.set(text, |glyph, letters, pen| {
             // Numbers of glyphs in a font have 16 bits.
@@ -151,8 +147,8 @@ impl Face {
         })
     }
 
-    /// Sets a text glyph by glyph: `put` gets each, none for a letter that the face lacks, with the bytes of the text that it draws and the
-    /// place of its left end. Returns how far the text moves the pen.
+    /// Sets a text: calls `put` for each glyph, none for a letter that the face lacks, with the bytes of the text that
+    /// it draws and its left end in em. Returns the advance of the pen.
     fn set(&self, text: &str, mut put: impl FnMut(Option<GlyphId>, Range<usize>, f64)) -> f64 {
         let mut pen = 0.0;
         let mut previous: Option<GlyphId> = None;
@@ -169,7 +165,7 @@ impl Face {
                 previous = None;
                 continue;
             };
-            // A run is shaped script by script; signs and digits go with the letters before them.
+            // Kerning does not cross scripts; signs and digits belong to the script before them.
             if let Some(own) = script_of(letter)
                 && own != script
             {
@@ -231,30 +227,29 @@ impl Face {
         self.kerning[script as usize].iter().filter_map(moved).sum()
     }
 
-    /// The glyph that a glyph and the letters after it melt into, as f and i do, and how many
-    /// letters those are.
+    /// The ligature that a glyph forms with the letters after it, as f with i, and the number of these letters.
     fn ligature(&self, first: GlyphId, next: &Chars<'_>) -> Option<(GlyphId, usize)> {
-        let melts = |ligature: &&Ligature| {
+        let forms = |ligature: &&Ligature| {
             let mut letters = next.clone();
             let mut following = ligature.following.iter();
             ligature.first == first
                 && following.all(|part| letters.next().and_then(|letter| self.index(letter)) == Some(*part))
         };
-        let found = self.ligatures.iter().find(melts)?;
+        let found = self.ligatures.iter().find(forms)?;
         Some((found.glyph, found.following.len()))
     }
 }
 
-/// Draws what stands for a letter that the face lacks: the sides of a box, on a capital's place.
+/// The outline for a letter that the face lacks: a box of a capital's size.
 fn empty_box() -> BezPath {
     let outer = Rect::new(0.06, -0.66, 0.54, 0.0);
     let mut path = outer.to_path(0.0);
-    // Wound the other way, so that the inside stays clear.
+    // Wound in the opposite sense, so that the inside stays clear.
     path.extend(outer.inset(-0.05).to_path(0.0).reverse_subpaths());
     path
 }
 
-/// Takes down an outline in em, y down.
+/// Records an outline in em, y down.
 struct EmPen {
     path: BezPath,
     em: f64,
@@ -376,7 +371,7 @@ fn ligatures(font: &FontRef<'static>) -> Result<Vec<Ligature>, ReadError> {
     Ok(found)
 }
 
-/// The numbers of the lookups of a feature, of those features that are asked for by their numbers.
+/// The lookups of the features with a tag whose indices are `asked` for.
 fn lookups(features: &FeatureList<'_>, tag: Tag, asked: impl Fn(u16) -> bool) -> Result<Vec<u16>, ReadError> {
     let mut found = Vec::new();
     for (number, record) in (0..).zip(features.feature_records()) {

@@ -1,4 +1,4 @@
-//! What is too small to be seen, shown larger in a circle beside the plan.
+//! Enlarged detail: a crowd of plan points, drawn larger in a circle beside it.
 
 use super::canvas::Canvas;
 use super::shape::Shape;
@@ -8,35 +8,36 @@ use crate::words::{NumberStyle, Wording};
 use kurbo::{Point, Rect, Vec2};
 use std::f64::consts::PI;
 
-/// Places closer than this, in mm, belong together: their names would hide them.
+/// Points closer than this, in mm, belong to one crowd: their names would cover them.
 const NEAR: f64 = 2.0;
-/// How many places make a crowd.
+/// Fewest points of a crowd.
 const CROWD: usize = 3;
 /// Radii of the circle that are tried, in mm.
 const RADII: [f64; 3] = [16.0, 13.0, 10.5];
-/// The part of the circle's radius that the crowd fills; the rest is for names.
+/// Radius of the enlarged crowd over that of the circle; the rest is for names.
 const FILLED: f64 = 0.62;
-/// How many times larger, least first.
+/// Factors of enlargement, in rising order.
 const FACTORS: [f64; 8] = [2.0, 2.5, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0];
 /// White around the circle, in mm.
 const APART: f64 = 1.5;
-/// Steps in which places for it are tried, in mm.
+/// Grid of the places that are tried, in mm.
 const STEP: f64 = 2.0;
 
-/// A circle in which a crowd of places is shown larger.
+/// A circle with an enlarged crowd of points.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Inset {
-    /// The middle of the crowd.
+    /// Centre of the crowd, on the sheet.
     crowd: Point,
-    /// The circle's centre and radius.
+    /// Centre and radius of the circle, on the sheet.
     centre: Point,
     radius: f64,
-    /// How many times larger.
+    /// Factor of enlargement.
     factor: f64,
 }
 
 impl Inset {
-    /// A circle for the largest crowd among some places, near it where the panel is free; `None` without a crowd, or without room.
+    /// An enlarged detail for the largest crowd of `places`, in the free place nearest to it; `None` without a crowd or
+    /// without room.
     pub(super) fn new(canvas: &Canvas<'_>, places: &[Point]) -> Option<Inset> {
         let (crowd, reach) = crowd(places)?;
         RADII.into_iter().find_map(|radius| {
@@ -44,33 +45,33 @@ impl Inset {
             let factor = FACTORS.into_iter().rfind(fits)?;
             let centre = free_place(canvas, crowd, radius)?;
             let inset = Inset { crowd, centre, radius, factor };
-            // Nothing is shown twice in the same place.
+            // The circle must not cover what it shows.
             let apart = (centre - crowd).hypot() > radius + inset.shown();
             apart.then_some(inset)
         })
     }
 
-    /// The radius of what it shows.
+    /// Radius of the enlarged region, on the sheet.
     fn shown(&self) -> f64 {
         self.radius / self.factor
     }
 
-    /// Whether it shows a place.
+    /// Whether a point is in the enlarged crowd.
     pub(super) fn shows(&self, place: Point) -> bool {
         (place - self.crowd).hypot() < FILLED * self.shown() * 1.001
     }
 
-    /// Where it shows a place.
+    /// The enlarged place of a point.
     pub(super) fn at(&self, place: Point) -> Point {
         self.centre + (place - self.crowd) * self.factor
     }
 
-    /// Draws the circles and, larger, all that the canvas shows of the crowd.
+    /// Draws the two circles and the enlarged marks of the crowd.
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, words: &Wording) {
         let marks: Vec<Mark> = canvas.marks().iter().filter(|mark| !mark.passing).cloned().collect();
         for mark in &marks {
             for shape in self.enlarged(&mark.shape) {
-                canvas.since(mark.since);
+                canvas.set_step(mark.since);
                 canvas.draw(mark.pen, shape).number = mark.number;
             }
         }
@@ -78,8 +79,8 @@ impl Inset {
             .iter()
             .filter(|mark| matches!(mark.shape, Shape::Circle { .. }) && self.shows(mark.shape.bounds().center()));
         let since = first.map(|mark| mark.since).min();
-        canvas.since(since.unwrap_or_default());
-        canvas.close(self.centre, self.radius);
+        canvas.set_step(since.unwrap_or_default());
+        canvas.reserve_circle(self.centre, self.radius);
         let small = self.shown().max(FILLED * self.shown() + 0.8);
         for (center, radius) in [(self.crowd, small), (self.centre, self.radius)] {
             for start in [0.0, PI] {
@@ -96,7 +97,7 @@ impl Inset {
         canvas.draw(Pen::Label, Shape::Text(text));
     }
 
-    /// What the circle shows of a shape.
+    /// The enlarged parts of a shape in the circle.
     fn enlarged(&self, shape: &Shape) -> Vec<Shape> {
         let line = |a: Point, b: Point| self.within(self.at(a), self.at(b));
         let lines = |points: &[Point], closed: bool| {
@@ -130,7 +131,7 @@ impl Inset {
         if size == 0.0 {
             return None;
         }
-        // Where |from + t along| is the radius.
+        // Solutions of |from + t along| = radius.
         let middle = -from.dot(along) / size;
         let rest = middle * middle - (from.hypot2() - self.radius * self.radius) / size;
         let half = libm::sqrt(rest.max(0.0));
@@ -139,7 +140,7 @@ impl Inset {
     }
 }
 
-/// The middle of the largest crowd, and how far from it its places lie.
+/// Centre of the largest crowd, and the largest distance of its points from it.
 fn crowd(places: &[Point]) -> Option<(Point, f64)> {
     let mut left: Vec<Point> = places.to_vec();
     let mut largest: Vec<Point> = Vec::new();
@@ -165,7 +166,7 @@ fn crowd(places: &[Point]) -> Option<(Point, f64)> {
     Some((middle, reach.fold(0.0, f64::max)))
 }
 
-/// The free place for a circle of this radius that is nearest to a point.
+/// Centre of the free circle of this radius that is nearest to a point.
 fn free_place(canvas: &Canvas<'_>, near: Point, radius: f64) -> Option<Point> {
     let room = canvas.room().inset(-(radius + APART));
     if room.width() < 0.0 || room.height() < 0.0 {

@@ -3,31 +3,31 @@ use super::view::{Extent, fitting_scale, next_scale};
 use crate::quantity::Kind;
 use kurbo::Rect;
 
-/// Blank paper around everything, in mm.
+/// White around the sheet's content, in mm.
 pub(super) const MARGIN: f64 = 8.0;
-/// Room for the title above the panels.
+/// Height of the title above the panels, in mm.
 pub(super) const TITLE: f64 = 9.0;
-/// Between panels.
+/// White between panels, in mm.
 const GAP: f64 = 4.0;
-/// Inside a panel, kept free for labels and its heading.
+/// White inside a panel around its content, for labels, in mm.
 const PADDING: f64 = 7.0;
-/// Height of a panel's heading.
+/// Height of a panel's heading, in mm.
 pub(super) const HEADING: f64 = 7.2;
 /// Rounding of sizes on paper, in mm.
 const ROUNDING: f64 = 1e-6;
-/// No panel's content gets less than this, in mm, either way.
+/// Smallest width and height of a panel's content area, in mm.
 const LEAST: f64 = 20.0;
 
-/// How much room a panel wants.
+/// The room that a panel needs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Needs {
-    /// The kind of quantity that a millimetre stands for.
+    /// The kind of quantity that is shown to scale.
     pub kind: Kind,
-    /// What must find room.
+    /// Extent of the content, in units of that quantity.
     pub extent: Extent,
-    /// Width that its heading needs.
+    /// Width of its heading, in mm.
     pub heading: f64,
-    /// The scale that is asked for.
+    /// The scale that the scene gives, in units per mm.
     pub mu: Option<f64>,
 }
 
@@ -36,17 +36,17 @@ pub(super) struct Needs {
 pub(super) struct Placed {
     pub kind: Kind,
     pub frame: Rect,
-    /// Where its content goes.
+    /// The area of its content.
     pub area: Rect,
     pub mu: f64,
 }
 
-/// Paper that is kept free of panels, for a table.
+/// An area of the sheet without panels, for a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Aside {
-    /// This high, between panels and legend.
+    /// Between panels and legend, of this height in mm.
     Below(f64),
-    /// This wide, to the right of the panels.
+    /// To the right of the panels, of this width in mm.
     Right(f64),
 }
 
@@ -57,7 +57,7 @@ pub(super) trait Item {
         0.0
     }
 
-    /// The parts of the panels' room that it may take, if it stands beside them.
+    /// The areas beside the panels that it can be drawn in.
     fn asides(&self, _room: Rect) -> Vec<Aside> {
         Vec::new()
     }
@@ -66,16 +66,16 @@ pub(super) trait Item {
     fn draw(&self, drawing: &mut Drawing, layout: &Layout);
 }
 
-/// The sheet divided up.
+/// Frames of all parts of a sheet.
 pub(super) struct Layout {
     pub legend: Rect,
-    /// Height of the legend's upper part, which the scales take, and in how many columns they stand.
+    /// Height of the legend's upper part with the scales, and their number of columns.
     pub scales: f64,
     pub columns: usize,
-    /// Paper that is kept free of panels.
+    /// The area without panels.
     pub aside: Option<Rect>,
     pub panels: Vec<Placed>,
-    /// How good it is, what counts first before the rest.
+    /// Its quality, compared element by element.
     pub worth: [f64; 3],
 }
 
@@ -85,26 +85,26 @@ impl Layout {
         Rect { y0: self.legend.y0 + self.scales, ..self.legend }
     }
 
-    /// The scale of the panel in which lengths stand for this kind of quantity.
+    /// The scale of the panel for this kind of quantity, in units per mm.
     pub(super) fn mu(&self, kind: Kind) -> Option<f64> {
         self.panels.iter().find(|placed| placed.kind == kind).map(|placed| placed.mu)
     }
 }
 
-/// The room above a legend of some height, for panels and a table.
+/// The area above a legend of some height, for panels and a table.
 pub(super) fn room([width, height]: [f64; 2], legend: f64) -> Rect {
     let bottom = height - MARGIN - legend - GAP;
     Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, bottom)
 }
 
-/// A way to divide a sheet: what is kept aside, and the panels.
-type Way = (Option<Rect>, Vec<Placed>);
+/// A division of a sheet: the area without panels, and the panels.
+type Division = (Option<Rect>, Vec<Placed>);
 
-/// Divides a sheet so that the panels' contents come out largest at round scales.
+/// Divides a sheet so that the panels' contents are largest at round scales.
 ///
-/// All of a few arrangements are tried: side by side, one beside two, one above two, each with every way to keep room `aside`. Those
-/// come first in which contents of given scales fit into their panels; then the one wins in which the contents come out largest, their
-/// sizes multiplied. The legend has a part for the scales and one `below` it.
+/// A few arrangements are tried: side by side, one beside two, one above two, each with every area of `asides`. The
+/// best has most contents within their panels, then the largest product of the contents' sizes. The legend has a part
+/// for the scales and one `below` it.
 pub(super) fn layout(
     page: [f64; 2],
     needs: &[Needs],
@@ -118,7 +118,7 @@ pub(super) fn layout(
         true => vec![(whole, None)],
         false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
     };
-    let mut best: Option<([f64; 3], Way)> = None;
+    let mut best: Option<([f64; 3], Division)> = None;
     for (room, aside) in rooms {
         for frames in arrangements(room, needs) {
             let placed: Vec<Placed> = needs.iter().zip(frames).map(|(own, frame)| place(own, frame)).collect();
@@ -140,7 +140,7 @@ pub(super) fn layout(
     }
 }
 
-/// What is left of a room, and what is kept aside.
+/// The rest of a room, and the area cut off from it.
 fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
     let (mut left, mut kept) = (room, room);
     match aside {
@@ -156,10 +156,10 @@ fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
     (left, Some(kept))
 }
 
-/// How good an arrangement is, by what counts first: no panel is a mere strip, contents fit, and they come out large.
+/// Quality of an arrangement: first whether no panel is too narrow, then how many contents fit, then their sizes.
 fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 3] {
     let all = || needs.iter().zip(placed);
-    // How large a content comes out on paper.
+    // Size of a content on paper.
     let drawn = |(w, p): (&Needs, &Placed)| w.extent.size() / p.mu;
     let roomy =
         |(w, p): (&Needs, &Placed)| p.area.width().min(p.area.height()) >= LEAST && p.frame.width() >= w.heading;
@@ -171,7 +171,7 @@ fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 3] {
     [
         yes(all().all(roomy)),
         all().filter(|pair| fits(*pair)).count() as f64,
-        // The product of the diagonals: no content is made large at a greater loss of another.
+        // The product of the diagonals: enlarging one content must not reduce another by a larger factor.
         all().map(|pair| drawn(pair).norm()).product(),
     ]
 }
@@ -196,7 +196,7 @@ fn arrangements(room: Rect, needs: &[Needs]) -> Vec<Vec<Rect>> {
         }
         [a, others @ ..] => {
             for (down, then) in [(false, true), (false, false), (true, false)] {
-                // Beside each other two panels share a width; one above the other each has it all.
+                // Two panels side by side share the width; one above the other both have all of it.
                 let second = if down == then { &others[..0] } else { others };
                 for (first, rest) in splits(room, down, &[*a], second) {
                     for (b, c) in splits(rest, then, &others[..1], &others[1..]) {
@@ -209,7 +209,7 @@ fn arrangements(room: Rect, needs: &[Needs]) -> Vec<Vec<Rect>> {
     ways
 }
 
-/// Ways to cut `room` in two: in the middle, and where the content on either side just fits at a round scale.
+/// Divisions of `room` into two: at the middle, and where the content of either side just fits at a round scale.
 fn splits(room: Rect, down: bool, first: &[Needs], second: &[Needs]) -> Vec<(Rect, Rect)> {
     let whole = if down { room.height() } else { room.width() } - GAP;
     let widths = |w: &Needs| {
@@ -217,7 +217,7 @@ fn splits(room: Rect, down: bool, first: &[Needs], second: &[Needs]) -> Vec<(Rec
         let (size, extra) = if down { (size.y, HEADING - 2.0) } else { (size.x, 0.0) };
         let least = if down { 0.0 } else { w.heading };
         let at = move |mu: f64| (size / mu + 2.0 * PADDING + extra).max(least) + ROUNDING;
-        // The scale that fits the whole room, and the next coarser ones.
+        // The scale that fits the whole room, and the next larger one.
         let mut mu = w.mu.unwrap_or_else(|| place(w, room).mu);
         std::array::from_fn::<f64, 2, _>(|_| {
             let need = at(mu);

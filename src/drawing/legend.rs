@@ -9,21 +9,21 @@ use crate::scene::Units;
 use crate::words::{Medium, NumberStyle, Wording};
 use kurbo::Point;
 
-/// Height of a row of scales.
+/// Height of a row of scales, in mm.
 const ROW: f64 = 7.2;
-/// Length of the bar beside a scale.
+/// Length of the bar beside a scale, in mm.
 const BAR: f64 = 10.0;
-/// How scales are written.
+/// Number style of scales.
 pub(super) const SCALE: NumberStyle = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
-/// How it is written how far two routes differ.
+/// Number style of the difference between construction and loop equations.
 const BOUND: NumberStyle = NumberStyle::bound().on(Medium::Figure);
 
-/// Room for the scales of some panels in so many columns, in mm.
+/// Height of the scales of some panels in so many columns, in mm.
 pub(super) fn height(panels: usize, columns: usize) -> f64 {
     ROW * panels.max(1).div_ceil(columns) as f64 + EDGE
 }
 
-/// The symbol of the scale in which quantities of a kind are drawn.
+/// The symbol of the scale for a kind of quantity.
 pub(super) fn symbol(kind: Kind) -> &'static str {
     match kind {
         Kind::Velocity => "μ_v",
@@ -57,14 +57,14 @@ impl Entry {
         self.places()[2]
     }
 
-    /// Where bar and its value begin, from the entry's own begin, and where it ends.
+    /// Distances from the entry's start, in mm: of its bar, of the bar's value, of its end.
     fn places(&self) -> [f64; 3] {
         let bar = self.symbol.width(CAPTION) + 1.2 + self.value.width(CAPTION) + 3.0;
         let value = bar + BAR + 1.4;
         [bar, value, value + self.bar.width(CAPTION)]
     }
 
-    /// Draws it from the left end of its baseline.
+    /// Draws it from the left end `from` of its baseline.
     pub(super) fn draw(&self, drawing: &mut Drawing, from: Point) {
         let mut put = |text: &RichText, x: f64| {
             drawing.caption(text.clone(), Point::new(from.x + x, from.y));
@@ -83,13 +83,13 @@ impl Entry {
     }
 }
 
-/// Whether the scales find room in the layout's columns.
+/// Whether the scales fit into the layout's columns.
 pub(super) fn fits(layout: &Layout, words: &Wording, units: Units) -> bool {
     let column = layout.legend.width() / layout.columns as f64;
     layout.panels.iter().all(|placed| Entry::new(placed.kind, placed.mu, words, units).width() <= column - PAD)
 }
 
-/// The box with the scales of the panels, and room for words.
+/// The box with the scales of the panels, and room for words below them.
 pub(super) struct Legend {
     pub words: Wording,
     pub units: Units,
@@ -109,7 +109,7 @@ impl Item for Legend {
     }
 }
 
-/// How the construction and the loop equations agree, in words.
+/// The sentence on the agreement of the construction with the loop equations.
 pub(super) fn agreement(words: &Wording, construction: &Construction) -> String {
     let language = words.language;
     let known = construction.agreement.iter().flatten();

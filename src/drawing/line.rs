@@ -3,7 +3,7 @@ use super::sheet::{Drawing, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use kurbo::{Point, Rect};
 
-/// A line of text in which symbols are slanted and words are upright.
+/// A line of text of several parts, with slanted symbols and upright words.
 pub(super) struct Line(Vec<RichText>);
 
 impl Line {
@@ -14,7 +14,7 @@ impl Line {
         Line(parts)
     }
 
-    /// A sentence with a symbol in its blank.
+    /// A sentence with a symbol inserted.
     pub(super) fn around(sentence: impl Fn(&str) -> String, symbol: RichText) -> Line {
         const BLANK: &str = "\u{fffc}";
         let sentence = sentence(BLANK);
@@ -28,19 +28,19 @@ impl Line {
         spaces + self.0.iter().map(|part| part.width(size)).sum::<f64>()
     }
 
-    /// Draws it as a caption with its middle at a point of its baseline.
+    /// Draws it as a caption, centred at a point of its baseline.
     pub(super) fn centred(&self, drawing: &mut Drawing, middle: Point) {
         let from = Point::new(middle.x - 0.5 * self.width(CAPTION), middle.y);
         self.starting(drawing, Pen::Caption, from, CAPTION);
     }
 
-    /// Draws it as a caption with its end at a point of its baseline.
+    /// Draws it as a caption that ends at a point of its baseline.
     pub(super) fn ending(&self, drawing: &mut Drawing, end: Point) {
         let from = Point::new(end.x - self.width(CAPTION), end.y);
         self.starting(drawing, Pen::Caption, from, CAPTION);
     }
 
-    /// Draws it from a point of its baseline; the box of its ink.
+    /// Draws it from a point of its baseline; returns the box around its ink.
     pub(super) fn starting(&self, drawing: &mut Drawing, pen: Pen, from: Point, size: f64) -> Rect {
         let mut at = from;
         let mut ink: Option<Rect> = None;

@@ -1,26 +1,26 @@
-//! Lines of words: below the scales, or in an area of their own.
+//! Lines of words, below the scales or in another area.
 
 use super::layout::{Item, Layout, MARGIN};
 use super::sheet::Drawing;
 use super::text::{CAPTION, RichText};
 use kurbo::{Point, Rect};
 
-/// White left and right of words and of scales.
+/// White on the left and on the right of words and of scales, in mm.
 pub(super) const PAD: f64 = 4.0;
-/// White below the words.
+/// White below the words, in mm.
 pub(super) const EDGE: f64 = 2.2;
-/// Height of a line of words.
+/// Height of a line of words, in mm.
 const LINE: f64 = 6.0;
 
 /// Lines below the scales.
 pub(super) struct Lines {
     pub lines: Vec<RichText>,
-    /// The step in which alone they are there; none: they are always there.
+    /// The only step with these lines; none for all.
     pub step: Option<u16>,
 }
 
 impl Lines {
-    /// Sentences, each on lines of its own, on a sheet of that width.
+    /// Sentences, each on new lines, for a sheet of that size.
     pub(super) fn of<'a>(sentences: impl IntoIterator<Item = &'a String>, page: [f64; 2]) -> Lines {
         let lines = |sentence: &'a String| RichText::lines(sentence, CAPTION, width(page));
         Lines { lines: sentences.into_iter().flat_map(lines).collect(), step: None }
@@ -43,24 +43,24 @@ impl Item for Lines {
     }
 }
 
-/// How wide lines below the scales may be.
+/// Width of lines below the scales on a sheet of that size, in mm.
 pub(super) fn width([width, _]: [f64; 2]) -> f64 {
     width - 2.0 * (MARGIN + PAD)
 }
 
-/// Room for so many lines, in mm.
+/// Height of so many lines, in mm.
 pub(super) fn height(lines: usize) -> f64 {
     LINE * lines as f64 + EDGE
 }
 
-/// Writes lines from the upper edge of an area, below as many others.
+/// Writes lines from the upper edge of an area, after `before` other lines.
 pub(super) fn draw(drawing: &mut Drawing, area: Rect, before: usize, lines: &[RichText]) {
     for (line, number) in lines.iter().zip(before..) {
         drawing.caption(line.clone(), baseline(area, number));
     }
 }
 
-/// Where a line of an area begins.
+/// Left end of a line's baseline in an area.
 pub(super) fn baseline(area: Rect, line: usize) -> Point {
     Point::new(area.x0 + PAD, area.y0 + 4.6 + LINE * line as f64)
 }

@@ -3,7 +3,7 @@ use serde::Deserialize;
 use smallvec::SmallVec;
 use std::fmt;
 
-/// A colour of the screen, sRGB; black unless it says otherwise.
+/// An sRGB colour of the screen; black by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Colour {
     /// Red, 0 to 255.
@@ -20,7 +20,7 @@ impl Colour {
         Self { red: (rgb >> 16) as u8, green: (rgb >> 8) as u8, blue: rgb as u8 }
     }
 
-    /// So far (0 to 1) on the way to another colour.
+    /// The colour at a share (0 to 1) of the way to another, component by component.
     pub(super) fn towards(self, other: Colour, share: f64) -> Colour {
         let mix = |a: u8, b: u8| {
             let mixed = f64::from(a) + share * (f64::from(b) - f64::from(a));
@@ -31,7 +31,7 @@ impl Colour {
 }
 
 impl fmt::Display for Colour {
-    /// The colour as SVG and style files write it: `#b5361c`.
+    /// The colour in the notation of SVG and style files: `#b5361c`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Colour { red, green, blue } = self;
         write!(f, "#{red:02x}{green:02x}{blue:02x}")
@@ -53,7 +53,7 @@ pub enum Cap {
     Round,
 }
 
-/// How a mark looks. Lengths are in mm of paper.
+/// The look of a mark. Lengths are in mm of paper.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
     /// Colour of lines and arrowheads; none for areas without outline.
@@ -62,7 +62,7 @@ pub struct Look {
     pub width: f64,
     /// Lengths of dashes and gaps in turn; empty for full lines.
     pub dash: Dash,
-    /// Colour inside polygons and circles; none leaves them clear.
+    /// Colour inside polygons and circles; none for transparent ones.
     pub fill: Option<Colour>,
     /// How lines end.
     pub cap: Cap,

@@ -1,27 +1,25 @@
-//! From letters with markup to runs: which face each letter takes, where scripts stand.
+//! Typesetting of text with markup: the face of each letter, and the positions of subscripts and superscripts.
 
 use kurbo::{Point, Rect};
 
 use super::fonts::{self, Extent};
 
-// Proportions of scripts, in em of what they hang on; near those of TeX for a serif of this
-// x-height.
+// Proportions of scripts, in em of their base; near those of TeX for a serif font of this x-height.
 const SCRIPT_SCALE: f64 = 0.7;
 const SMALLEST_SCALE: f64 = 0.5;
 const SUBSCRIPT_DROP: f64 = 0.2;
-/// Deeper where a superscript stands above, so that the two keep apart.
+/// Deeper under a superscript, to keep the two apart.
 const SUBSCRIPT_DROP_BELOW_SUPERSCRIPT: f64 = 0.27;
 const SUPERSCRIPT_RISE: f64 = 0.38;
-/// White before and after scripts, and after a slanted letter that leans towards an upright one.
+/// White before and after scripts, and after a slanted letter that leans towards an upright one, in em.
 const SCRIPT_GAP: f64 = 0.03;
-/// Scripts of scripts of scripts are as deep as any label goes; beyond, markup is taken literally.
+/// Deepest nesting of scripts; deeper markup is taken literally.
 const DEEPEST: usize = 3;
 
 /// A stretch of a text in one face, size and height. Lengths are in em of the whole text, y down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// The letters; neither starts nor ends with a space, nor has two in a row, because viewers
-    /// drop such spaces.
+    /// The letters; without leading, trailing or double spaces, which viewers drop.
     pub content: String,
     /// Whether the face is the slanted one.
     pub italic: bool,
@@ -32,18 +30,18 @@ pub struct Run {
     pub x: f64,
     /// Baseline of the run, from that of the text; positive in subscripts.
     pub y: f64,
-    /// From which script to which script one goes down from the baseline to the run; empty on the baseline.
+    /// The scripts from the baseline to the run, outermost first; empty on the baseline.
     pub scripts: Vec<Script>,
-    /// Whether a space stands before the run.
+    /// Whether a space precedes the run.
     pub spaced: bool,
 }
 
-/// Where letters stand beside those that they hang on.
+/// Position of a script relative to its base.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Script {
-    /// Below them.
+    /// Subscript.
     Sub,
-    /// Above them.
+    /// Superscript.
     Super,
 }
 
@@ -56,17 +54,17 @@ pub(super) enum Style {
     Plain,
 }
 
-/// Which face a letter takes and whether it must stand in a run of its own.
+/// The face of a letter, and whether it must be a run of its own.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Italic,
     Upright,
-    /// A sign that only some fonts have. One missing glyph makes some viewers take another font for
-    /// the whole run, so such signs stand alone.
+    /// A sign that only some fonts have, in a run of its own: for one missing glyph some viewers replace the font of
+    /// the whole run.
     Sign,
 }
 
-/// A letter as it will be drawn, or none for one that must not reach a file.
+/// A letter as it is drawn; none for one that must not reach a file.
 fn printable(letter: char) -> Option<char> {
     match letter {
         letter if letter.is_whitespace() => Some(' '),
@@ -77,26 +75,26 @@ fn printable(letter: char) -> Option<char> {
     }
 }
 
-/// Sets letters one after another and keeps the runs, the pen and the ink.
+/// Sets letters one after another; collects runs, pen position and ink.
 pub(super) struct Setter {
     style: Style,
     pub(super) runs: Vec<Run>,
     pub(super) ink: Option<Rect>,
     pub(super) pen: Point,
     scale: f64,
-    /// The run being gathered.
+    /// The letters of the present run.
     content: String,
     kind: Kind,
-    /// By how much the last run leans over the pen.
+    /// Overhang of the last run beyond the pen, for a slanted letter.
     lean: f64,
-    /// The scripts that the pen is in, from the baseline on.
+    /// The scripts at the pen, from the baseline on.
     scripts: Vec<Script>,
-    /// Whether a space stands between the last run and the pen.
+    /// Whether a space precedes the pen.
     spaced: bool,
 }
 
 impl Setter {
-    /// Sets a line of text; without `markup` letter by letter.
+    /// Sets a line of text; without `markup` all letters are literal.
     pub(super) fn set(source: &str, style: Style, markup: bool) -> Self {
         let letters: Vec<char> = source.chars().filter_map(printable).collect();
         let mut setter = Setter::new(style);
@@ -120,7 +118,7 @@ impl Setter {
         }
     }
 
-    /// Sets letters with scripts up to a depth, and ends the last run.
+    /// Sets letters with scripts of a nesting depth, and ends the last run.
     fn line(&mut self, letters: &[char], depth: usize) {
         let mut rest = letters;
         while let Some((&letter, after)) = rest.split_first() {
@@ -134,7 +132,7 @@ impl Setter {
         self.end_run();
     }
 
-    /// Sets the one or two scripts that `letters` starts with; returns what follows.
+    /// Sets the one or two scripts at the start of `letters`; returns the rest.
     fn scripts<'a>(&mut self, letters: &'a [char], depth: usize) -> &'a [char] {
         self.end_run();
         let (base, scale, lean) = (self.pen, self.scale, self.lean);
@@ -176,7 +174,7 @@ impl Setter {
             (Style::Math, '-') => '−',
             _ => letter,
         };
-        // Two primes are one sign of their own, closer together.
+        // Two primes become one double prime.
         if letter == '′' && self.content == "′" {
             self.content.clear();
             self.content.push('″');
@@ -193,7 +191,7 @@ impl Setter {
         self.content.push(letter);
     }
 
-    /// A space joins the run it stands in; where a run cannot keep it, the pen moves instead.
+    /// A space belongs to the run around it; where a run cannot keep it, the pen moves.
     fn space(&mut self) {
         if self.content.is_empty() || self.content.ends_with(' ') {
             self.end_run();
@@ -207,7 +205,7 @@ impl Setter {
 
     fn kind_of(&self, letter: char) -> Kind {
         let slanted = self.style == Style::Math && letter.is_alphabetic() && fonts::face(true).has(letter);
-        // Latin, Greek, Cyrillic and the marks of Western texts are in every serif font.
+        // Latin, Greek, Cyrillic and Western punctuation are in every serif font.
         let common = matches!(letter, ' '..='~' | '\u{A0}'..='\u{4FF}' | '–' | '—' | '‘' | '’' | '“' | '”' | '…')
             && fonts::face(false).has(letter);
         match (slanted, common) {
@@ -217,7 +215,7 @@ impl Setter {
         }
     }
 
-    /// Measures the run gathered so far and moves the pen past it.
+    /// Measures the present run and moves the pen past it.
     fn end_run(&mut self) {
         let content = std::mem::take(&mut self.content);
         let letters = content.trim_end();
@@ -249,8 +247,7 @@ impl Setter {
     }
 }
 
-/// The script that letters start with: its mark, its body, what follows; none where the mark is
-/// literal.
+/// The script at the start of `letters`: its mark, its body, the rest; none where the mark is literal.
 fn script(letters: &[char]) -> Option<(char, &[char], &[char])> {
     let (&mark, after) = letters.split_first()?;
     if !matches!(mark, '_' | '^') {

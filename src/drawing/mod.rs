@@ -1,12 +1,11 @@
-//! Drawing: what goes on the sheet, in millimetres of paper, y down.
+//! Drawing: the marks on the sheet, in millimetres of paper, y down.
 //!
-//! In comes the geometry of a figure already brought to scale; out goes a [`Drawing`], a flat list
-//! of marks in drawing order with every text measured and every label placed. The formats write
-//! that list and decide nothing.
+//! Input is the geometry of a figure already brought to scale; output is a [`Drawing`], a flat list of marks in drawing
+//! order with every text measured and every label placed. The formats write that list and decide nothing.
 
 // In reading order: `figure` lists `panel`s and `item`s, `compose` makes a sheet of them with a `layout`; `scheme` and
-// `plan_panel` draw on a `canvas`. `exercise`, `correction` and `curves` make other lists. Then the display list:
-// `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its `text`, where `labels` go.
+// `plan_panel` draw on a `canvas`. `exercise`, `correction` and `curves` compose other sheets. Then the display list:
+// `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its `text`, the places of its `labels`.
 mod arrow;
 mod blank;
 mod canvas;

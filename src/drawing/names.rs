@@ -2,8 +2,9 @@ use crate::construction::{Construction, Special, display, image_name, point_on};
 use crate::mechanism::Mechanism;
 use indexmap::IndexMap;
 
-/// How names are shown: as [`display`] writes them, but a special point's with commas where its links have longer names than a
-/// letter: `S24` as `S_{24}`, `Srodarm` of the legs rod and arm as `S_{rod,arm}`, `n_b_rodC` as `n_{b_{rod}C}`.
+/// Markup of names: as [`display`] gives it, but with commas between a special point's links where these have names
+/// longer than a letter: `S24` as `S_{24}`, `Srodarm` of the legs rod and arm as `S_{rod,arm}`, `n_b_rodC` as
+/// `n_{b_{rod}C}`.
 pub(super) struct Names(IndexMap<String, String>);
 
 impl Names {
@@ -41,7 +42,7 @@ impl Names {
     }
 }
 
-/// The links by which a special point is called: its legs, or its own link.
+/// The links in a special point's name: those of its legs, or its own link.
 fn links<'a>(mechanism: &'a Mechanism, special: &'a Special) -> Vec<&'a str> {
     let own = special.name.strip_prefix('S').unwrap_or(&special.name);
     let legs = special.cuts.each_ref().map(|cut| cut.carrier);

@@ -1,4 +1,4 @@
-//! Panels: boxes of a sheet, each with a stack of layers.
+//! Panels of a sheet, each with layers.
 
 use super::canvas::Canvas;
 use super::layout::{Needs, Placed};
@@ -10,35 +10,35 @@ use super::view::View;
 use indexmap::IndexMap;
 use kurbo::Vec2;
 
-/// Size of panels' headings.
+/// Size of panels' headings, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
-/// White before them.
+/// White before them, in mm.
 const BEFORE: f64 = 2.5;
 
-/// A box of a sheet.
+/// A panel of a sheet.
 pub(super) struct Panel<'a> {
-    /// What it is called.
+    /// Its name, in the figure's language.
     pub name: String,
-    /// Its marks' ids begin with this.
+    /// Prefix of its marks' ids.
     pub prefix: &'static str,
-    /// How much room it wants.
+    /// The room that it needs.
     pub needs: Needs,
-    /// What is drawn in it, the lowest layer first.
+    /// Its layers, the lowest first.
     pub layers: Layers<'a>,
 }
 
-/// What is drawn in a panel, the lowest layer first.
+/// Layers of a panel, the lowest first.
 pub(super) type Layers<'a> = Vec<Box<dyn Layer + 'a>>;
 
-/// Something that is drawn in a panel, over the layers before it.
+/// A layer of a panel, drawn over those before it.
 pub(super) trait Layer {
-    /// Keeps the layers below, and all names, off what it is going to draw.
-    fn announce(&self, _canvas: &mut Canvas<'_>, _view: &View) {}
+    /// Reserves room before the layers below are drawn: they and all labels keep off it.
+    fn reserve(&self, _canvas: &mut Canvas<'_>, _view: &View) {}
 
     /// Draws it.
     fn draw(&self, canvas: &mut Canvas<'_>, view: &View);
 
-    /// Changes the marks of the whole panel, when all names have their places.
+    /// Changes the marks of all layers after labels have been placed.
     fn retouch(&self, _marks: &mut Vec<Mark>) {}
 }
 
@@ -49,14 +49,14 @@ impl<F: Fn(&mut Canvas<'_>, &View)> Layer for F {
 }
 
 impl Panel<'_> {
-    /// Draws the panel in its place; names are shown as `renamed` says.
+    /// Draws the panel in its place; `renamed` replaces names of points and links.
     pub(super) fn draw(&self, drawing: &mut Drawing, placed: &Placed, renamed: &IndexMap<String, String>) {
         drawing.panels.push((self.name.clone(), placed.frame));
         let view = View::new(placed.mu, &self.needs.extent, placed.area);
         let before = drawing.marks.len();
         let mut canvas = Canvas::new(drawing, self.prefix, placed.frame, renamed);
         for layer in &self.layers {
-            layer.announce(&mut canvas, &view);
+            layer.reserve(&mut canvas, &view);
         }
         for layer in &self.layers {
             layer.draw(&mut canvas, &view);
@@ -70,11 +70,11 @@ impl Panel<'_> {
     }
 }
 
-/// A panel's border and its heading: its lowest layer.
+/// A panel's border and heading: its lowest layer.
 pub(super) struct Frame {
     pub heading: Line,
     pub pen: Pen,
-    /// Where the heading begins, from the panel's upper left corner.
+    /// Start of the heading, from the panel's upper left corner, in mm.
     pub at: Vec2,
 }
 
@@ -84,7 +84,7 @@ impl Frame {
         Frame { heading, pen, at: Vec2::new(BEFORE, 6.0) }
     }
 
-    /// How wide a panel must be for the heading.
+    /// Smallest width of a panel with this heading, in mm.
     pub(super) fn width(&self) -> f64 {
         self.heading.width(SIZE) + 2.0 * BEFORE
     }
@@ -96,11 +96,11 @@ impl Layer for Frame {
         canvas.drawing.draw(Pen::Frame, Shape::Polygon(corners(frame)));
         let ink = self.heading.starting(canvas.drawing, self.pen, frame.origin() + self.at, SIZE);
         canvas.keep_off(ink);
-        canvas.settle();
+        canvas.exclude_drawn();
     }
 }
 
-/// The heading of the panel of this number, as in `(a) Scheme`.
+/// The heading of the panel with this index, as in `(a) Scheme`.
 pub(super) fn numbered(index: usize, name: &str) -> String {
     format!("({}) {name}", char::from(b'a' + index as u8))
 }

@@ -13,12 +13,12 @@ use crate::quantity::Kind;
 use crate::scene::Figure;
 use kurbo::{Point, Vec2};
 
-/// Plan points closer than this on paper (mm) share one label.
+/// Plan points closer than this on paper, in mm, share one label.
 const SHARED: f64 = 0.35;
-/// How far a ray runs beyond the crossing, in mm.
+/// Length of a ray beyond the crossing, in mm.
 const BEYOND: f64 = 5.0;
 
-/// The kind of quantity that a millimetre of a plan stands for; of the scheme, where there is no plan.
+/// The kind of quantity that a plan shows to scale; length for the scheme.
 pub(super) fn kind(plan: Option<PlanKind>) -> Kind {
     match plan {
         None => Kind::Length,
@@ -27,18 +27,18 @@ pub(super) fn kind(plan: Option<PlanKind>) -> Kind {
     }
 }
 
-/// What must find room: all points of the plan.
+/// The extent of all points of the plan.
 pub(super) fn extent(plan: &Plan) -> Extent {
     Extent::of(plan.points.values().map(|p| p.vector.into()))
 }
 
-/// The same without special points and what leads to them.
+/// The same without special points and the points that lead to them.
 pub(super) fn extent_of_images(plan: &Plan) -> Extent {
     let own = |role| matches!(role, PointRole::Pole | PointRole::Known | PointRole::Image);
     Extent::of(plan.points.values().filter(|p| own(p.role)).map(|p| p.vector.into()))
 }
 
-/// Whether a plan point is only on the way to others, and a figure shows no such points.
+/// Whether a plan point only leads to others, in a figure that does not show such points.
 pub(super) fn is_hidden(figure: &Figure, plan: &Plan, name: &str) -> bool {
     let role = plan.points.get(name).map(|p| p.role);
     let on_the_way = match plan.kind {
@@ -54,20 +54,20 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
     let plan = PlanOnPaper { view, scheme, plan, stages, images: images(scheme.mechanism, plan) };
     plan.areas(canvas);
     plan.rays(canvas);
-    // Over all areas and rays, so that a line that lies on a ray is seen as one.
+    // Outlines are over all areas and rays: a line on a ray must be visible.
     plan.outlines(canvas);
     plan.vectors(canvas);
     plan.points(canvas);
-    canvas.since(0);
+    canvas.set_step(0);
 }
 
-/// A plan that is being drawn.
+/// A plan in progress.
 struct PlanOnPaper<'a> {
     view: &'a View,
     scheme: &'a Scheme<'a>,
     plan: &'a Plan,
     stages: &'a PlanStages,
-    /// The points that make the image of each link.
+    /// By link: the points of its image.
     images: Vec<Vec<String>>,
 }
 
@@ -91,13 +91,13 @@ impl PlanOnPaper<'_> {
         for (number, image) in self.images.iter().enumerate() {
             if image.len() > 2 {
                 let (corners, since) = self.corners(image);
-                canvas.since(since);
+                canvas.set_step(since);
                 canvas.draw(Pen::ImageFill, Shape::Polygon(corners)).number = Some(number);
             }
         }
     }
 
-    /// The lines of known direction.
+    /// The rays, lines of known direction.
     fn rays(&self, canvas: &mut Canvas<'_>) {
         if !(self.scheme.figure.construction && self.scheme.figure.special_points) {
             return;
@@ -111,7 +111,7 @@ impl PlanOnPaper<'_> {
             let ends = (from - along * (0.5 * BEYOND), to + along * BEYOND);
             if let Some((a, b)) = clipped_segment(canvas.room(), ends.0, ends.1) {
                 let name = format!("ray-{}-{}", ray.through, ray.to);
-                canvas.since(self.stages.ray(&ray.through, &ray.to));
+                canvas.set_step(self.stages.ray(&ray.through, &ray.to));
                 canvas.draw_named(&name, Pen::Ray, Shape::Line(a, b));
             }
         }
@@ -126,12 +126,12 @@ impl PlanOnPaper<'_> {
                 [_, _, _] => Shape::Polygon(corners),
                 _ => continue,
             };
-            canvas.since(since);
+            canvas.set_step(since);
             canvas.draw(Pen::Image, outline).number = Some(number);
         }
     }
 
-    /// The vectors, whole ones from the pole first.
+    /// The vectors, those from the pole first.
     fn vectors(&self, canvas: &mut Canvas<'_>) {
         let plan = self.plan;
         let whole = match plan.kind {
@@ -144,11 +144,11 @@ impl PlanOnPaper<'_> {
             (special || plan.rays().any(|ray| ray.to == name)) && !self.is_hidden(name)
         };
         for name in plan.points.keys().filter(|name| from_pole(name)) {
-            canvas.since(self.stages.point(name));
+            canvas.set_step(self.stages.point(name));
             self.arrow(canvas, pole, name, whole);
         }
         for laid in plan.arrows() {
-            // What slides on the ground has the vector from the pole already.
+            // For a slider on the ground this vector has been drawn from the pole.
             let again = self.at(&laid.from) == self.at(pole) && from_pole(&laid.to);
             if self.is_hidden(&laid.to) || again {
                 continue;
@@ -160,9 +160,9 @@ impl PlanOnPaper<'_> {
                 ArrowKind::Sliding => Pen::Vector,
                 ArrowKind::Coriolis => Pen::Coriolis,
             };
-            canvas.since(self.stages.vector(&laid.from, &laid.to));
+            canvas.set_step(self.stages.vector(&laid.from, &laid.to));
             let drawn = self.arrow(canvas, &laid.from, &laid.to, pen);
-            // A side of a link's image looks like the image.
+            // The side of a link's image has the look of the image.
             if let (Some(mark), Pen::Image) = (drawn, pen) {
                 let has_both = |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));
                 mark.number = self.images.iter().position(has_both);
@@ -170,20 +170,20 @@ impl PlanOnPaper<'_> {
         }
     }
 
-    /// The vector from one point to another, if it has a length.
+    /// Draws the vector from one point to another, unless it is zero.
     fn arrow<'c>(&self, canvas: &'c mut Canvas<'_>, from: &str, to: &str, pen: Pen) -> Option<&'c mut Mark> {
         let name = format!("vector-{from}-{to}");
         let (from, to) = self.at(from).zip(self.at(to))?;
         ((to - from).hypot() > 1e-3).then(|| canvas.draw_named(&name, pen, Shape::Arrow { from, to }))
     }
 
-    /// Dots and names of the points; points in one place share a label.
+    /// Draws dots and labels of the points; coincident points share a label.
     fn points(&self, canvas: &mut Canvas<'_>) {
         let places = self.places();
         let since = |here: &[&str]| here.iter().map(|name| self.stages.point(name)).min().unwrap_or_default();
         for (center, here, role) in &places {
             let (center, (pen, radius)) = (*center, dot(*role));
-            canvas.since(since(here));
+            canvas.set_step(since(here));
             canvas.draw_named(&format!("point-{}", here[0]), pen, Shape::Circle { center, radius });
         }
         let crowded: Vec<Point> = places.iter().map(|(place, ..)| *place).collect();
@@ -194,26 +194,26 @@ impl PlanOnPaper<'_> {
         let extent = extent(self.plan);
         let middle = self.view.at(nalgebra::center(&extent.low, &extent.high));
         for (place, here, role) in places {
-            // The pole is looked for in the plan itself.
+            // The pole is named in the plan itself, not in the detail.
             let (anchor, away) = match inset.filter(|inset| inset.shows(place) && role != PointRole::Pole) {
                 Some(inset) => (inset.at(place), Vec2::ZERO),
                 None => (place, place - middle),
             };
             let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
-            canvas.since(since(&here));
-            // The renamed names are joined already; the joint label goes by the first one's id.
+            canvas.set_step(since(&here));
+            // The text is joined from renamed names already; the trailing space keeps the id from being renamed again.
             let joined = format!("{} ", here[0]);
             canvas.label(&joined, &self.shown(&here), anchor, dot(role).1 + 0.7, prefer, 2);
         }
     }
 
-    /// The visible points, those in one place together.
+    /// The visible points, grouped by place.
     fn places(&self) -> Vec<(Point, Vec<&str>, PointRole)> {
         let plan = self.plan;
         let mut places: Vec<(Point, Vec<&str>, PointRole)> = Vec::new();
         let at_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
         for (name, point) in &plan.points {
-            // A point of the ground under a slider says no more than the pole.
+            // The image of a ground point under a slider coincides with the pole: it is left out.
             if self.is_hidden(name) || at_pole(name) || is_vanished(plan, name) {
                 continue;
             }
@@ -227,16 +227,16 @@ impl PlanOnPaper<'_> {
         places
     }
 
-    /// The names of points in one place.
+    /// The names of coincident points.
     fn shown(&self, names: &[&str]) -> String {
         let mut shown: Vec<String> = names.iter().map(|name| self.scheme.shown(name, Some(self.plan))).collect();
-        // The fixed point O has its image at the pole o.
+        // A fixed point O and the pole o have the same symbol.
         shown.dedup();
         shown.join(", ")
     }
 }
 
-/// The pen of a point's dot, and its radius.
+/// Pen and radius of a point's dot.
 fn dot(role: PointRole) -> (Pen, f64) {
     match role {
         PointRole::Pole => (Pen::Pole, 0.9),
@@ -245,8 +245,8 @@ fn dot(role: PointRole) -> (Pen, f64) {
     }
 }
 
-/// What each step of a plan is about: the segment that it measures, and where its ray starts the line of the mechanism that gives
-/// the direction, with a mark of the right angle.
+/// Draws the hints of a plan's steps: the measured segment; at the start of a ray the direction of the mechanism's line
+/// with a right angle.
 pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, plan: &Plan) {
     let at = |name: &str| plan.points.get(name).map(|p| view.at(p.vector.into()));
     let steps = scheme.construction.numbered_steps();
@@ -269,18 +269,18 @@ pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, p
     }
 }
 
-/// A piece of the line to which a ray from `corner` is square, and the mark of the right angle.
+/// Draws a piece of the line normal to a ray from `corner`, and the sign of the right angle.
 fn right_angle(canvas: &mut Canvas<'_>, step: u16, corner: Point, ray: Vec2) {
     const SIDE: f64 = 2.0;
     const PIECE: f64 = 7.0;
     let line = Vec2::new(-ray.y, ray.x);
     let ends = Shape::Line(corner - line * PIECE, corner + line * PIECE);
-    canvas.passing(step, Pen::Construction, ends);
+    canvas.draw_in_step(step, Pen::Construction, ends);
     let chain = [line * SIDE, (line + ray) * SIDE, ray * SIDE].map(|v| corner + v);
-    canvas.passing(step, Pen::Frame, Shape::Polyline(chain.to_vec()));
+    canvas.draw_in_step(step, Pen::Frame, Shape::Polyline(chain.to_vec()));
 }
 
-/// The plan points that make the images of all links, in their order: a link's image is the link turned and scaled.
+/// By link: the plan points of its image, in the order of the link's points. The image is the link rotated and scaled.
 fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
     let image = |body: &Body| {
         let own = body.points.iter().map(|&p| mechanism.point_name(p).to_owned());
@@ -293,7 +293,7 @@ fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
     mechanism.links().map(|(_, body)| image(body)).collect()
 }
 
-/// Whether a name is that of the end of a normal acceleration that is nothing at all: it lies on another kind of point.
+/// Whether a name is that of the end of a vanishing normal acceleration, which coincides with another point.
 fn is_vanished(plan: &Plan, name: &str) -> bool {
     let own = &plan.points[name];
     let mut others = plan.points.values();

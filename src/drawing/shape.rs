@@ -25,9 +25,9 @@ pub enum Shape {
         center: Point,
         /// The circle's radius in mm.
         radius: f64,
-        /// Where the arc starts.
+        /// Angle of the arc's start.
         start: f64,
-        /// How far it runs, signed.
+        /// Signed angle from start to end.
         sweep: f64,
     },
     /// Part of a circle with an arrowhead at its end: the sense of a rotation.
@@ -36,9 +36,9 @@ pub enum Shape {
         center: Point,
         /// The circle's radius in mm.
         radius: f64,
-        /// Where the arc starts.
+        /// Angle of the arc's start.
         start: f64,
-        /// How far it runs, signed; the head is at the end.
+        /// Signed angle from start to end; the head is at the end.
         sweep: f64,
     },
     /// A vector: a straight line with a slim filled head at its end.
@@ -53,8 +53,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// Where the arc of an [`Arc`](Shape::Arc) or [`ArcArrow`](Shape::ArcArrow) starts and ends;
-    /// none for other shapes.
+    /// Start and end of an [`Arc`](Shape::Arc) or [`ArcArrow`](Shape::ArcArrow); none for other shapes.
     pub fn ends_of_arc(&self) -> Option<(Point, Point)> {
         match *self {
             Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep } => {
@@ -64,8 +63,7 @@ impl Shape {
         }
     }
 
-    /// The box around the shape in mm, without the width of its line; for an arc that of its whole
-    /// circle.
+    /// The bounding box in mm, without the width of lines; for an arc that of its whole circle.
     ///
     /// A chain without points gives an empty box at the origin.
     pub fn bounds(&self) -> Rect {
@@ -83,8 +81,8 @@ impl Shape {
         }
     }
 
-    /// The box around what is drawn of the shape, in mm, without the width of its line: for an arc
-    /// that of its own stretch of the circle, to a hundredth of its radius.
+    /// The bounding box of what is drawn, in mm, without the width of lines: for an arc that of the arc itself, exact
+    /// to a hundredth of its radius.
     pub fn drawn_box(&self) -> Rect {
         const PARTS: u8 = 64;
         match *self {
@@ -100,7 +98,7 @@ impl Shape {
         }
     }
 
-    /// Its straight lines; an arc in eight pieces, none for a circle or a text.
+    /// Its straight lines; an arc as eight of them, none for a circle or a text.
     pub(super) fn lines(&self) -> Vec<(Point, Point)> {
         let chain = |points: &[Point]| points.windows(2).map(|ends| (ends[0], ends[1])).collect();
         match self {
@@ -119,8 +117,7 @@ impl Shape {
         }
     }
 
-    /// Whether the lines of the shape come through a box; for an arc those of its whole circle, and
-    /// no line of a text does.
+    /// Whether lines of the shape cross a box; for an arc those of its whole circle, false for a text.
     pub(super) fn lines_cross(&self, area: Rect) -> bool {
         match self {
             Shape::Circle { center, radius }
@@ -140,7 +137,7 @@ impl Shape {
         }
     }
 
-    /// Whether every number of the shape is finite; a format leaves out a mark whose shape is not.
+    /// Whether all numbers of the shape are finite; formats leave out marks for which they are not.
     pub fn is_finite(&self) -> bool {
         match self {
             Shape::Line(a, b) | Shape::Arrow { from: a, to: b } => a.is_finite() && b.is_finite(),
@@ -164,7 +161,7 @@ pub(super) fn overlap(a: Rect, b: Rect) -> bool {
     a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1
 }
 
-/// Whether a line comes through a box: their shadows overlap on both axes and across the line.
+/// Whether a line crosses a box: their projections overlap on both axes, and the box has corners on both sides.
 fn crosses(a: Point, b: Point, area: Rect) -> bool {
     let along = b - a;
     let sides = [area.x0, area.x1].map(|x| [area.y0, area.y1].map(|y| along.cross(Point::new(x, y) - a)));
@@ -173,7 +170,7 @@ fn crosses(a: Point, b: Point, area: Rect) -> bool {
     overlap(Rect::from_points(a, b), area) && some_left && some_right
 }
 
-/// The smallest box around some points.
+/// The bounding box of some points.
 pub(super) fn around(points: &[Point]) -> Rect {
     let Some(&first) = points.first() else {
         return Rect::ZERO;
@@ -181,7 +178,7 @@ pub(super) fn around(points: &[Point]) -> Rect {
     points.iter().fold(Rect::from_points(first, first), |all, &point| all.union_pt(point))
 }
 
-/// The corners of a box, in turn.
+/// The corners of a box, in order around it.
 pub(super) fn corners(r: Rect) -> Vec<Point> {
     vec![Point::new(r.x0, r.y0), Point::new(r.x1, r.y0), Point::new(r.x1, r.y1), Point::new(r.x0, r.y1)]
 }

@@ -13,20 +13,19 @@ pub struct Drawing {
     pub width: f64,
     /// Height of the sheet in mm.
     pub height: f64,
-    /// What the figure is called; written into the file, not drawn.
+    /// Title of the figure; written into the file, not drawn.
     pub title: String,
     /// Code of the language of its texts, as in `en`; written into the file, not drawn.
     pub language: &'static str,
-    /// What the figure shows, in a sentence for readers who cannot see it; written into the file,
-    /// not drawn.
+    /// One sentence about the figure for readers who cannot see it; written into the file, not drawn.
     pub description: String,
-    /// How it looks.
+    /// The looks of its marks.
     pub style: Style,
-    /// Everything drawn, in drawing order.
+    /// The marks, in drawing order.
     pub marks: Vec<Mark>,
     /// Boxes of the panels, in order, each with its name.
     pub panels: Vec<(String, Rect)>,
-    /// What is done in each step of the construction, in plain words, which [`Mark::since`] counts.
+    /// Captions of the steps of the construction, in plain text; [`Mark::since`] counts these steps.
     pub steps: Vec<String>,
 }
 
@@ -46,7 +45,7 @@ impl Drawing {
         }
     }
 
-    /// Draws a nameless mark on top of the others.
+    /// Draws a mark without id on top of the others.
     pub fn draw(&mut self, pen: Pen, shape: Shape) -> &mut Mark {
         self.add(Mark::new(pen, shape))
     }
@@ -56,23 +55,23 @@ impl Drawing {
         self.draw(Pen::Caption, Shape::Text(PlacedText::new(text, CAPTION, from)));
     }
 
-    /// Draws a mark that slide programs and scripts can find by `id`.
+    /// Draws a mark with an `id` for slide programs and scripts.
     pub fn draw_named(&mut self, id: impl Into<String>, pen: Pen, shape: Shape) -> &mut Mark {
         self.add(Mark { id: Some(id.into()), ..Mark::new(pen, shape) })
     }
 
-    /// Puts a mark on top of the others.
+    /// Adds a mark on top of the others.
     pub fn add(&mut self, mark: Mark) -> &mut Mark {
         self.marks.push(mark);
         self.marks.last_mut().expect("a mark was added")
     }
 
-    /// How one of its marks looks.
+    /// The look of a mark.
     #[must_use]
     pub fn look(&self, mark: &Mark) -> Look {
         let look = self.style.look(mark.pen, mark.number);
         match mark.emphasis {
-            // Words are read, not looked for.
+            // Words are not emphasized.
             _ if matches!(mark.pen, Pen::Caption | Pen::Heading | Pen::Hint) => look,
             Emphasis::Plain => look,
             Emphasis::New => self.style.accented(look),
@@ -80,9 +79,9 @@ impl Drawing {
         }
     }
 
-    /// The sheet as it stands after a step, from 1: what comes with the step in the accent colour, what came before it calm.
+    /// The sheet after a step, from 1: marks of this step in the accent colour, earlier ones paler.
     ///
-    /// Everything keeps its place from step to step. After the last step the figure is finished.
+    /// All marks keep their places. After the last step the figure is finished.
     #[must_use]
     pub fn after_step(&self, step: usize) -> Drawing {
         let shown = self.marks.iter().filter_map(|mark| {
@@ -110,10 +109,9 @@ impl Drawing {
 }
 
 impl Drawing {
-    /// For each mark, whether it is a text that needs its halo: one with lines of earlier marks
-    /// running through it.
+    /// By mark: whether it is a text that needs its halo, because lines of earlier marks cross it.
     ///
-    /// Over blank paper a halo is not seen, and over a tinted area it would be a stain.
+    /// On blank paper a halo is invisible, and on a tinted area it would be a stain.
     pub fn halos(&self) -> Vec<bool> {
         let below = |mark: &Mark| (mark.shape.bounds(), self.look(mark).stroke.is_some());
         let drawn: Vec<(Rect, bool)> = self.marks.iter().map(below).collect();
@@ -133,40 +131,39 @@ impl Drawing {
     }
 }
 
-/// One thing drawn on the sheet.
+/// A mark on the sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// A stable name such as `point-S3`, unique in its drawing, or none.
     pub id: Option<String>,
-    /// What the mark is; its look follows from that.
+    /// The kind of mark, which determines its look.
     pub pen: Pen,
-    /// The number of the link or the curve that it belongs to, counted from 0, by which a style picks its colour; none for a
-    /// mark of neither.
+    /// Number of its link or curve, from 0, by which a style picks its colour; none for other marks.
     pub number: Option<usize>,
-    /// Where it is.
+    /// Its geometry.
     pub shape: Shape,
-    /// With which step of the construction it comes, from 1; 0 for what stands there from the start.
+    /// The step of the construction with which it appears, from 1; 0 for marks of all steps.
     pub since: u16,
-    /// Whether it is there in that step alone: words, or a hint at what is meant.
+    /// Whether it is shown in that step only, as words and hints are.
     pub passing: bool,
-    /// How it stands out.
+    /// Its emphasis.
     pub emphasis: Emphasis,
 }
 
-/// How a mark stands out among the others.
+/// Emphasis of a mark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Emphasis {
-    /// As its pen has it.
+    /// The look of its pen.
     #[default]
     Plain,
     /// In the accent colour.
     New,
-    /// Paler, so that new marks are seen first.
+    /// Paler, so that new marks stand out.
     Earlier,
 }
 
 impl Mark {
-    /// A nameless mark that stands there from the start.
+    /// A mark without id, of all steps.
     pub fn new(pen: Pen, shape: Shape) -> Self {
         Self { id: None, pen, number: None, shape, since: 0, passing: false, emphasis: Emphasis::Plain }
     }

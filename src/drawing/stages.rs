@@ -1,8 +1,8 @@
 use crate::construction::{Action, Construction, Plan, PlanKind};
 use indexmap::IndexMap;
 
-/// With which step of the construction each thing comes. Steps count from 1, through the scheme, the velocity plan and the
-/// acceleration plan.
+/// For points, rays and vectors the step of the construction that makes them. Steps count from 1, through the scheme,
+/// the velocity plan and the acceleration plan.
 pub(super) struct Stages {
     /// Special points on the scheme.
     special: IndexMap<String, u16>,
@@ -10,10 +10,10 @@ pub(super) struct Stages {
     acceleration: PlanStages,
 }
 
-/// The same of a plan.
+/// The steps that make a plan's points, rays and vectors.
 #[derive(Default)]
 pub(super) struct PlanStages {
-    /// Its last.
+    /// The plan's last step.
     last: u16,
     points: IndexMap<String, u16>,
     rays: IndexMap<[String; 2], u16>,
@@ -59,21 +59,21 @@ impl PlanStages {
         let mut stages = Self { last: number(plan.steps.len().saturating_sub(1)), ..Self::default() };
         for (index, step) in plan.steps.iter().enumerate() {
             let number = number(index);
-            let mut come = |point: &String| {
+            let mut made = |point: &String| {
                 stages.points.entry(point.clone()).or_insert(number);
             };
             match &step.action {
                 Action::Pole { images } => {
-                    come(&plan.kind.pole().to_owned());
-                    images.iter().for_each(come);
+                    made(&plan.kind.pole().to_owned());
+                    images.iter().for_each(made);
                 }
-                // Where a vector starts may be a point that no step made by itself.
+                // The start of a vector may have no step of its own.
                 Action::LayOff(arrow) => {
-                    [&arrow.from, &arrow.to].into_iter().for_each(come);
+                    [&arrow.from, &arrow.to].into_iter().for_each(made);
                     let ends = [arrow.from.clone(), arrow.to.clone()];
                     stages.vectors.entry(ends).or_insert(number);
                 }
-                Action::Cross { point, .. } => come(point),
+                Action::Cross { point, .. } => made(point),
                 Action::Ray(ray) => {
                     let ends = [ray.through.clone(), ray.to.clone()];
                     stages.rays.entry(ends).or_insert(number);
@@ -84,7 +84,7 @@ impl PlanStages {
         stages
     }
 
-    /// The step that makes a point; the plan's last for one that none makes.
+    /// The step that makes a point; the plan's last for a point without a step.
     pub(super) fn point(&self, name: &str) -> u16 {
         self.points.get(name).copied().unwrap_or(self.last)
     }

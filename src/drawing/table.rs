@@ -1,4 +1,4 @@
-//! A table on a sheet: rows of cells under a head, in as many columns beside each other as the area holds.
+//! A table on a sheet: rows of cells under a head, in as many columns side by side as fit.
 
 use super::layout::{Aside, Item, Layout};
 use super::shape::{Shape, corners};
@@ -8,32 +8,32 @@ use kurbo::{Point, Rect};
 
 /// Height of a row, in mm.
 const ROW: f64 = 6.2;
-/// Height of the row with what the columns show.
+/// Height of the row of headings, in mm.
 const HEAD: f64 = 7.6;
-/// White inside the frame.
+/// White inside the frame, in mm.
 pub(super) const PAD: f64 = 3.0;
-/// White between the cells of a row.
+/// White between the cells of a row, in mm.
 const GUTTER: f64 = 3.2;
-/// How far a box reaches above and below the line of letters.
+/// Height of a box above and below the baseline, in mm.
 const BOX: [f64; 2] = [4.1, 1.3];
-/// Rows are not set smaller than this part of their size.
+/// Smallest size of rows, in parts of the usual size.
 const SMALLEST: f64 = 0.1;
-/// The table takes no more than this part of a sheet that it shares.
+/// Largest part of a shared sheet's width or height for the table.
 const MOST: f64 = 0.6;
 
-/// A table of rows of `N` cells, not yet placed.
+/// A table of rows of `N` cells, without a place.
 #[derive(Clone)]
 pub(super) struct Table<const N: usize> {
-    /// What the columns show.
+    /// Headings of the cells.
     pub head: [RichText; N],
-    /// Which of the cells end in one line; the others begin in one.
-    pub ending: [bool; N],
+    /// Which cells are aligned on the right; the others are aligned on the left.
+    pub right_aligned: [bool; N],
     /// Ends of the ids of a row's cells.
     pub names: [&'static str; N],
     /// Width of each cell, in mm.
     pub widths: [f64; N],
     pub rows: Vec<Cells<N>>,
-    /// What is kept free below the last column: width and height in mm, and how many rows that takes.
+    /// Room below the last column: width and height in mm, and the height in rows.
     pub foot: ([f64; 2], usize),
 }
 
@@ -41,17 +41,17 @@ pub(super) struct Table<const N: usize> {
 #[derive(Clone)]
 pub(super) struct Cells<const N: usize> {
     pub texts: [RichText; N],
-    /// The beginning of their marks' ids.
+    /// Prefix of the ids of their marks.
     pub id: Option<String>,
-    /// With which step they come.
+    /// The step with which they appear.
     pub since: u16,
-    /// Whether they are names and values that the eye should find.
+    /// Whether they are emphasized.
     pub stands_out: bool,
     /// Which of them are boxes to be filled in.
     pub boxes: [bool; N],
 }
 
-/// How rows stand: in how many columns, how many in each and in the last, and by how much smaller than they should be.
+/// Arrangement of rows: number of columns, rows in each and in the last, size in parts of the usual size.
 struct Grid {
     columns: usize,
     depth: usize,
@@ -82,27 +82,32 @@ impl<const N: usize> Item for Table<N> {
 }
 
 impl<const N: usize> Table<N> {
-    /// A table whose cells are wide enough for all texts.
-    pub(super) fn new(head: [RichText; N], ending: [bool; N], names: [&'static str; N], rows: Vec<Cells<N>>) -> Self {
+    /// A table with cells wide enough for all texts.
+    pub(super) fn new(
+        head: [RichText; N],
+        right_aligned: [bool; N],
+        names: [&'static str; N],
+        rows: Vec<Cells<N>>,
+    ) -> Self {
         let texts = || std::iter::once(&head).chain(rows.iter().map(|row| &row.texts));
         let widest = |cell: usize| texts().map(|texts| texts[cell].width(CAPTION)).fold(0.0, f64::max);
-        Self { widths: std::array::from_fn(widest), head, ending, names, rows, foot: ([0.0; 2], 0) }
+        Self { widths: std::array::from_fn(widest), head, right_aligned, names, rows, foot: ([0.0; 2], 0) }
     }
 
-    /// Width of a row with white on both sides.
+    /// Width of a column with white on both sides, in mm.
     pub(super) fn column(&self) -> f64 {
         let cells: f64 = self.widths.iter().sum();
         let row = cells + GUTTER * (N - 1) as f64;
         row.max(self.foot.0[0]) + 2.0 * PAD
     }
 
-    /// How many columns of rows a width holds, at least one.
+    /// Number of columns in a width, at least one.
     fn columns(&self, width: f64) -> usize {
         let fitting = ((width + 1e-6) / self.column()) as usize;
         fitting.clamp(1, self.rows.len().max(1))
     }
 
-    /// How many rows each of some columns has, where the foot stands below the last one's.
+    /// Number of rows in each column, with the foot below the last.
     fn depth(&self, columns: usize) -> usize {
         let foot = self.foot.1;
         (self.rows.len() + foot).div_ceil(columns).max(foot)
@@ -112,7 +117,7 @@ impl<const N: usize> Table<N> {
         HEAD + ROW * self.depth(columns) as f64 + 2.0 * PAD
     }
 
-    /// How the rows stand in an area: as large as they fit; only far more rows than a sheet has room for are set smaller.
+    /// Arrangement of the rows in an area, at the usual size if they fit; for far more rows than fit it is smaller.
     fn grid(&self, area: Rect) -> Grid {
         let mut small = 1.0;
         loop {
@@ -125,7 +130,7 @@ impl<const N: usize> Table<N> {
             let last = rows_in(area.height() - self.foot.0[1]).min(depth);
             let fits = depth * (columns - 1) + last >= self.rows.len();
             if fits || small < SMALLEST {
-                // The last column has what the others leave, but no column is filled more than need be.
+                // Rows are distributed evenly; the last column has the rest.
                 let even = (self.rows.len() + depth - last).div_ceil(columns);
                 let depth = even.min(depth);
                 return Grid { columns, depth, last: self.rows.len().saturating_sub(depth * (columns - 1)), small };
@@ -134,13 +139,13 @@ impl<const N: usize> Table<N> {
         }
     }
 
-    /// Whether its rows are set at their full size in an area.
+    /// Whether its rows fit into an area at their usual size.
     pub(super) fn fits(&self, area: Rect) -> bool {
         self.column() <= area.width() && self.grid(area).small == 1.0
     }
 
-    /// How many rows an area holds at their full size.
-    pub(super) fn most(&self, area: Rect) -> usize {
+    /// Number of rows that an area holds at their usual size.
+    pub(super) fn capacity(&self, area: Rect) -> usize {
         let rows = (area.height() - 2.0 * PAD - HEAD) / ROW + 1e-6;
         let columns = ((area.width() + 1e-6) / self.column()) as usize;
         rows.max(0.0) as usize * columns.max(1)
@@ -152,7 +157,7 @@ impl<const N: usize> Table<N> {
         Rect::new(area.x0, area.y0, area.x1, (area.y0 + height).min(area.y1))
     }
 
-    /// Draws the table in its area. Where the foot's lower left corner is.
+    /// Draws the table in an area; returns the lower left corner of the foot.
     pub(super) fn draw_in(&self, drawing: &mut Drawing, area: Rect) -> Point {
         drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
         let Grid { columns, depth, last, small } = self.grid(area);
@@ -184,14 +189,14 @@ impl<const N: usize> Table<N> {
         Point::new(area.x1 - pitch + PAD, area.y1 - PAD)
     }
 
-    /// Writes a row from the left end of its baseline.
+    /// Writes a row from the left end `from` of its baseline.
     fn row(&self, drawing: &mut Drawing, from: Point, small: f64, row: Option<&Cells<N>>, texts: &[RichText; N]) {
         let size = CAPTION * small;
         let stands_out = row.is_some_and(|row| row.stands_out);
         let mut x = from.x;
         for (cell, text) in texts.iter().enumerate() {
             let width = self.widths[cell] * small;
-            let start = if self.ending[cell] { x + width - text.width(size) } else { x };
+            let start = if self.right_aligned[cell] { x + width - text.width(size) } else { x };
             let id = row.and_then(|row| row.id.as_ref());
             let id = id.map(|id| format!("{id}-{}", self.names[cell]));
             if row.is_some_and(|row| row.boxes[cell]) {

@@ -5,10 +5,10 @@ use kurbo::{BezPath, Point, Rect, Vec2};
 use super::fonts;
 use super::markup::{Run, Setter, Style};
 
-/// Size of labels: mm of one em. Small letters of the bundled font are 0.429 em high: 2 mm. What stands high or low beside a letter is
+/// Size of labels, in mm of one em. Lower-case letters of the bundled font are 0.429 em high: 2 mm; scripts are
 /// smaller.
 pub(super) const LABEL: f64 = 4.7;
-/// Size of captions; no words of a figure are smaller.
+/// Size of captions, in mm of one em; no words of a figure are smaller.
 pub(super) const CAPTION: f64 = 4.7;
 
 /// A line of text with subscripts and superscripts, measured.
@@ -41,7 +41,8 @@ impl RichText {
         Self::set(source, Style::Plain, false)
     }
 
-    /// Lines of [`plain`](Self::plain) text, broken at spaces, each at most `width` mm wide at a size as far as its words allow.
+    /// Lines of [`plain`](Self::plain) text, broken at spaces, each at most `width` mm wide at a size, unless a single
+    /// word is wider.
     pub fn lines(source: &str, size: f64, width: f64) -> Vec<Self> {
         let whole = Self::plain(source);
         if whole.width(size) <= width {
@@ -76,13 +77,13 @@ impl RichText {
         &self.runs
     }
 
-    /// How far the text moves the pen, in mm at a size (mm of one em).
+    /// The advance of the pen in mm, at a size in mm of one em.
     pub fn width(&self, size: f64) -> f64 {
         self.advance * size
     }
 
-    /// The tight box around the ink in mm at a size (mm of one em), from the left end of the
-    /// baseline, y down; empty at the origin for a text without ink.
+    /// The tight box around the ink in mm at a size (mm of one em), from the left end of the baseline, y down; empty at
+    /// the origin for a text without ink.
     pub fn ink_box(&self, size: f64) -> Rect {
         Rect::new(self.ink.x0 * size, self.ink.y0 * size, self.ink.x1 * size, self.ink.y1 * size)
     }
@@ -101,13 +102,13 @@ impl RichText {
 /// A text at its place on the sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedText {
-    /// What it says.
+    /// The text.
     pub text: RichText,
     /// Its size: mm of one em.
     pub size: f64,
     /// The left end of its baseline.
     pub origin: Point,
-    /// What of it stays in place where another font sets it wider or narrower than measured.
+    /// The point that stays in place where another font sets the text wider or narrower than measured.
     pub anchor: Anchor,
 }
 
@@ -136,17 +137,17 @@ pub struct PlacedRun<'a> {
 }
 
 impl PlacedRun<'_> {
-    /// Shows the outlines of the run's glyphs one by one, each in em, y down, with the left end of
-    /// its baseline on the sheet; they are filled by the nonzero rule.
+    /// Calls `show` with the outline of each glyph, in em, y down, and the left end of its baseline on the sheet;
+    /// outlines are filled by the nonzero rule.
     pub fn outline(&self, mut show: impl FnMut(&'static BezPath, Point)) {
         fonts::face(self.italic).outline(self.content, |glyph, pen| {
             show(glyph, self.origin + Vec2::new(pen * self.size, 0.0));
         });
     }
 
-    /// Shows the numbers that the run's glyphs have in its face ([`REGULAR`](super::REGULAR) or [`ITALIC`](super::ITALIC)), 0 for a letter
-    /// that the face lacks: each with the bytes of `content` that it draws and the place of its left end from that of the run, in em.
-    /// Returns how far the run moves the pen, in em.
+    /// Calls `show` for each glyph with its number in the face ([`REGULAR`](super::REGULAR) or
+    /// [`ITALIC`](super::ITALIC)), 0 for a letter that the face lacks, the bytes of `content` that it draws, and its
+    /// left end from that of the run, in em. Returns the advance of the run, in em.
     pub fn glyphs(&self, show: impl FnMut(u16, Range<usize>, f64)) -> f64 {
         fonts::face(self.italic).glyphs(self.content, show)
     }
@@ -158,7 +159,7 @@ impl PlacedText {
         Self { text, size, origin, anchor: Anchor::Start }
     }
 
-    /// The same text where it stands, with another part of it that stays in place.
+    /// The same text in the same place, with another fixed point.
     pub fn anchored(self, anchor: Anchor) -> Self {
         Self { anchor, ..self }
     }

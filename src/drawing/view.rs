@@ -1,7 +1,7 @@
 use crate::geometry;
 use kurbo::{Point, Rect, Vec2};
 
-/// Where a panel's content lies in its own units, x right, y up.
+/// Extent of a panel's content in its own units, x right, y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
     /// Lower left corner.
@@ -11,7 +11,7 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// The extent of some points; a lone place at the origin for none.
+    /// The bounding box of some points; the origin for none.
     #[must_use]
     pub fn of(points: impl IntoIterator<Item = geometry::Point>) -> Extent {
         let mut extent: Option<Extent> = None;
@@ -23,7 +23,7 @@ impl Extent {
         extent.unwrap_or(Extent { low: geometry::Point::origin(), high: geometry::Point::origin() })
     }
 
-    /// The extent that holds this and all of the others but large ones: larger than the middle one and twice as large as this.
+    /// The extent of this content and the others, without large ones: larger than the median and than twice this one.
     pub(super) fn with_most(self, others: impl Iterator<Item = Extent>) -> Extent {
         let size = |extent: &Extent| extent.size().norm();
         let mut others: Vec<Extent> = others.collect();
@@ -42,7 +42,7 @@ impl Extent {
     }
 }
 
-/// The bridge from mechanism or plan (own units, y up) to the sheet (mm, y down): a scale and a place.
+/// Transformation from mechanism or plan (own units, y up) to the sheet (mm, y down): scale and translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     mu: f64,
@@ -51,13 +51,13 @@ pub struct View {
 }
 
 impl View {
-    /// Shows the middle of `extent` in the middle of `area`, at `mu` units per millimetre.
+    /// Shows the centre of `extent` at the centre of `area`, at `mu` units per millimetre.
     #[must_use]
     pub fn new(mu: f64, extent: &Extent, area: Rect) -> View {
         View { mu, origin: nalgebra::center(&extent.low, &extent.high), centre: area.center() }
     }
 
-    /// Where a place comes to lie on the sheet.
+    /// The place on the sheet, in mm.
     #[must_use]
     pub fn at(&self, p: geometry::Point) -> Point {
         self.centre + self.along(p - self.origin)
@@ -69,20 +69,20 @@ impl View {
         self.mu
     }
 
-    /// A difference of places on the sheet.
+    /// A displacement on the sheet, in mm.
     #[must_use]
     pub fn along(&self, v: geometry::Vector) -> Vec2 {
         Vec2::new(v.x / self.mu, -v.y / self.mu)
     }
 }
 
-/// A direction of the mechanism on the sheet: y turned down, length kept.
+/// A direction on the sheet, y down, of the same length.
 #[must_use]
 pub fn on_sheet(direction: geometry::Vector) -> Vec2 {
     Vec2::new(direction.x, -direction.y)
 }
 
-/// The direction from one place of the sheet to another; `otherwise` where they are the same.
+/// The unit vector from one place of the sheet to another; `otherwise` where they coincide.
 #[must_use]
 pub fn towards(from: Point, to: Point, otherwise: Vec2) -> Vec2 {
     let way = to - from;
@@ -103,14 +103,15 @@ pub fn next_scale(least: f64) -> f64 {
     next_of(&[1.0, 2.0, 2.5, 5.0], least)
 }
 
-/// The smallest number of a series, from 1 to below 10, times a power of ten that is not below `least`, which must be positive.
+/// The smallest number not below `least` that is a power of ten times an element of `series`, which has numbers from 1
+/// to below 10. `least` must be positive.
 pub(super) fn next_of(series: &[f64], least: f64) -> f64 {
-    // The decade from the binary exponent, which is quick and at most one too low.
+    // The decade from the binary exponent is fast to compute and at most one too low.
     let binary = (least.to_bits() >> 52) as i32 - 1023;
     let decade = (f64::from(binary) * std::f64::consts::LOG10_2).floor() as i32;
     for exponent in [decade, decade + 1] {
         for step in series {
-            // Division by a whole power of ten keeps 0.25 and the like exact to the last digit.
+            // Division by an integral power of ten keeps 0.25 and the like exact to the last digit.
             let scale = if exponent < 0 { step / power_of_ten(-exponent) } else { step * power_of_ten(exponent) };
             if scale >= least {
                 return scale;
@@ -120,7 +121,7 @@ pub(super) fn next_of(series: &[f64], least: f64) -> f64 {
     least
 }
 
-/// 10 to a whole power, exact as far as f64 goes.
+/// 10 to an integral power, exact as far as f64 allows.
 fn power_of_ten(exponent: i32) -> f64 {
     if exponent <= 22 { (0..exponent).fold(1.0, |power, _| power * 10.0) } else { libm::pow(10.0, f64::from(exponent)) }
 }

@@ -1,4 +1,4 @@
-//! What is said of each step below the panels: what to do, the equation, what comes out.
+//! Words about each step below the panels: caption, equation, results.
 
 use super::layout::{Item, Layout};
 use super::legend::SCALE;
@@ -16,30 +16,30 @@ use crate::quantity::Kind;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect};
 
-/// Room that the words need below the scales, in mm.
+/// Height of the words below the scales, in mm.
 const HEIGHT: f64 = 30.0;
 
-/// How values are written.
+/// Number style of values.
 pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7).on(Medium::Figure);
-/// How lengths on paper and angles are written.
+/// Number style of lengths on paper and angles.
 pub(super) const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).on(Medium::Figure);
 
-/// Size of the words.
+/// Size of the caption, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
-/// Size of equations.
+/// Size of equations, in mm of one em.
 const EQUATION: f64 = 1.05 * CAPTION;
-/// Size of the words under an equation.
+/// Size of the words under an equation, in mm of one em.
 const SMALL: f64 = CAPTION;
 
-// Baselines below the upper edge of the words.
+// Baselines below the upper edge of the words, in mm.
 const FIRST: f64 = 6.0;
 const SECOND: f64 = 14.4;
 const LAST: f64 = 27.0;
-// Below the baseline of an equation: lines under vectors, and what they are called.
+// Below the baseline of an equation, in mm: lines under vectors, and their names.
 const UNDER: f64 = 1.9;
 const BELOW: f64 = 7.4;
 
-/// The words of every step, each to be seen in its own step.
+/// The words of all steps, each shown in its own step only.
 pub(super) struct StepWords<'a>(pub &'a Scheme<'a>);
 
 impl Item for StepWords<'_> {
@@ -66,9 +66,9 @@ struct Writer<'a> {
     drawing: &'a mut Drawing,
     layout: &'a Layout,
     scheme: &'a Scheme<'a>,
-    /// Where words go.
+    /// The area of the words.
     area: Rect,
-    /// Of the step.
+    /// Number of the step.
     number: u16,
 }
 
@@ -81,9 +81,9 @@ impl Writer<'_> {
         self.put(pen, Shape::Text(PlacedText::new(text, size, from)));
     }
 
-    /// Sets pieces one after another; smaller where they would not fit.
+    /// Sets pieces one after another, in a smaller size where they are too wide; returns the right end.
     fn line(&mut self, texts: &[RichText], size: f64, from: Point, room: f64) -> f64 {
-        // A slanted letter may lean beyond its width.
+        // A slanted letter may lean beyond its advance.
         let advance = |text: &RichText, size: f64| text.width(size).max(text.ink_box(size).x1);
         let width: f64 = texts.iter().map(|text| advance(text, size)).sum();
         let size = size * (room / width).min(1.0);
@@ -97,7 +97,7 @@ impl Writer<'_> {
         x
     }
 
-    /// A text set in one way, with names between backticks.
+    /// The pieces of a text: names between backticks in their notation, the rest by `set`.
     fn pieces(&self, text: &str, plan: Option<&Plan>, set: fn(&str) -> RichText) -> Vec<RichText> {
         let piece = |(index, piece): (usize, &str)| match index % 2 {
             0 => set(piece),
@@ -106,7 +106,7 @@ impl Writer<'_> {
         text.split('`').enumerate().map(piece).collect()
     }
 
-    /// Which step it is, and what to do.
+    /// Number and caption of a step.
     fn caption(&mut self, step: &NumberedStep<'_>, count: usize) {
         let number = RichText::plain(&format!("{} / {count}", self.number));
         let from = Point::new(self.area.x0, self.area.y0 + FIRST);
@@ -124,7 +124,7 @@ impl Writer<'_> {
         let formula = self.scheme.teller().formula(step);
         let action = &step.step.action;
         let end = match action {
-            Action::Solve { equations, unknowns } => return self.solved(equations, unknowns, plan),
+            Action::Solve { equations, unknowns } => return self.solution(equations, unknowns, plan),
             Action::Ray(ray) => {
                 let sign = match ray.relation {
                     Relation::Perpendicular => "⊥",
@@ -158,8 +158,8 @@ impl Writer<'_> {
         self.line(&texts, EQUATION, Point::new(x, from.y), self.area.x1 - x);
     }
 
-    /// The equations that are solved, two in a line, and what comes out.
-    fn solved(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
+    /// The equations of the step, two in a line, and their solution.
+    fn solution(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
         let half = 0.5 * self.area.width();
         let lines = equations.len().div_ceil(2) as f64;
         let step = (LAST - SECOND + 1.6) / lines.max(1.0);
@@ -191,8 +191,8 @@ impl Writer<'_> {
         (rate_symbol(name), kind.unit(self.scheme.scene.units))
     }
 
-    /// Writes an equation, with lines under what is known: two under whole vectors, one under directions; below them what they are
-    /// called, and `along` what the direction is. Where it ends.
+    /// Writes an equation and lines under its vectors: two where they are known entirely, one where in direction; below
+    /// these the name of the part, and `along`, the known direction. Returns the right end.
     fn equation(&mut self, equation: &Formula, plan: Option<&Plan>, along: Option<&str>, from: Point) -> f64 {
         let language = self.scheme.words.language;
         let mut x = from.x;
@@ -221,7 +221,7 @@ impl Writer<'_> {
             }
             let name = RichText::plain(&name);
             let (own, below) = (text.width(EQUATION), name.width(SMALL));
-            // White between the names of parts beside each other.
+            // White between the names of neighbouring parts.
             let width = own.max(below + if below > 0.0 { 1.6 } else { 0.0 });
             let middle = x + 0.5 * width;
             let start = middle - 0.5 * own;
@@ -245,7 +245,7 @@ impl Writer<'_> {
         x
     }
 
-    /// A size of a plan, or of the mechanism, with its length on paper.
+    /// A size in a plan or on the mechanism, with its length on paper.
     fn size(&self, value: f64, kind: Option<PlanKind>) -> String {
         let kind = plan_panel::kind(kind);
         let unit = kind.unit(self.scheme.scene.units);
@@ -258,7 +258,7 @@ impl Writer<'_> {
         format!("{value} {unit}{}", on_paper.unwrap_or_default())
     }
 
-    /// The same of a vector, with its direction.
+    /// Size and direction of a vector, with its length on paper.
     fn vector(&self, vector: Vector, kind: Option<PlanKind>) -> String {
         let size = self.size(vector.norm(), kind);
         if vector == Vector::zeros() {

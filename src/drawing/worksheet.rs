@@ -1,5 +1,5 @@
-//! What a work sheet has besides the panels: a table of the lengths that a person measures on it, in the order of the construction,
-//! and a ruler that shows whether it was printed at 100 %.
+//! Additions of a work sheet to the panels: a table of the lengths that are measured, in the order of the construction,
+//! and a ruler by which the size of a print is checked.
 
 use super::layout::{Aside, Item, Layout};
 use super::legend::symbol;
@@ -16,28 +16,28 @@ use crate::quantity::Kind;
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 
-/// Length of the ruler.
+/// Length of the ruler, in mm.
 const RULER: f64 = 50.0;
-/// Room for the ruler with its numbers and words.
+/// Width and height of the ruler with its numbers and words, in mm.
 const RULER_ROOM: [f64; 2] = [64.0, 18.6];
-/// Rows that this takes.
+/// The same height, in rows of the table.
 const RULER_ROWS: usize = 3;
 
 /// A table and a ruler.
 pub(super) struct Worksheet {
     pub table: Table<CELLS>,
-    /// The length that each row measures, in units of its kind; none on a sheet to be filled in.
+    /// By row: the measured length, in units of its kind; empty on a sheet to be filled in.
     pub lengths: Vec<(f64, Kind)>,
     pub words: Wording,
 }
 
-/// Name, millimetres, scale, value, unit.
+/// Number of cells: name, millimetres, scale, value, unit.
 pub(super) const CELLS: usize = 5;
-/// The cell of millimetres.
+/// Index of the cell of millimetres.
 const MILLIMETRES: usize = 1;
 
 impl Worksheet {
-    /// The table of the lengths that are measured in the panels of a figure.
+    /// The table of the lengths measured in the panels of a figure.
     pub(super) fn new(scheme: &Scheme<'_>, panels: &[Panel<'_>]) -> Self {
         let (words, page) = (scheme.words, scheme.figure.page.size_mm());
         let mut lengths = Vec::new();
@@ -47,7 +47,7 @@ impl Worksheet {
             let Some(panel) = panels.iter().find(|panel| panel.needs.kind == kind) else {
                 continue;
             };
-            // No panel is larger than the page, so its scale is at least this one, and no millimetres are wider.
+            // A panel is no larger than the page: the scale is at least this one, and the millimetres are no wider.
             let size = panel.needs.extent.size();
             let least = panel.needs.mu.unwrap_or((size.x / page[0]).max(size.y / page[1]));
             let name = format!("{} {}", scheme.shown(from, plan), scheme.shown(to, plan));
@@ -88,7 +88,7 @@ impl Item for Worksheet {
     }
 }
 
-/// A table with such a heading over its names and its values, and room for the ruler.
+/// A table with these headings over names and values, and room for the ruler.
 pub(super) fn table(name: &str, value: &str, rows: Vec<Cells<CELLS>>) -> Table<CELLS> {
     let head = [name, "mm", "μ", value, ""].map(RichText::plain);
     let names = ["name", "mm", "scale", "value", "unit"];
@@ -101,7 +101,7 @@ fn millimetres(words: &Wording, value: f64, mu: f64) -> RichText {
     RichText::plain(&words.write(mm, HUNDREDTHS))
 }
 
-/// What is measured between visible points, in the order of the construction: step, plan, ends, value.
+/// The measurements between visible points, in the order of the construction: step, plan, ends, value.
 fn measured<'a>(scheme: &'a Scheme<'_>) -> impl Iterator<Item = (u16, Option<&'a Plan>, [&'a str; 2], f64)> {
     let is_hidden = |plan: Option<&Plan>, name: &str| match plan {
         Some(plan) => plan_panel::is_hidden(scheme.figure, plan, name),
@@ -116,7 +116,7 @@ fn measured<'a>(scheme: &'a Scheme<'_>) -> impl Iterator<Item = (u16, Option<&'a
     })
 }
 
-/// A ruler with a stroke for each millimetre, below the words.
+/// Draws a ruler with a line for each millimetre, below the words.
 fn ruler(drawing: &mut Drawing, from: Point, words: &str) {
     drawing.caption(RichText::plain(words), from + Vec2::new(0.0, 4.2));
     let at = |mm: f64| Point::new(from.x + mm, from.y + 7.4);

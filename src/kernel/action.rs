@@ -4,59 +4,60 @@ use crate::mechanism::Reduction;
 /// An unknown of a group's equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknown {
-    /// The angle of a class.
+    /// The angle of a class of bodies.
     Spin(usize),
-    /// The position of a slider.
+    /// The position of a slider along its guide.
     Slide(usize),
 }
 
-/// What the kernel does, one after another.
+/// A step of the computation of positions and rates.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Action {
     Place(Placing),
     Close(Closing),
 }
 
-/// A point that follows from one placed before: from it by `local`, turned with the class, and along a slider.
+/// Placing of a point relative to one placed before: by `local`, rotated with the class, and along a slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placing {
     pub to: usize,
     pub from: usize,
     pub class: usize,
     pub local: Vector,
-    /// The slider and its direction in the class's frame, positive with its position.
+    /// The slider and its unit vector in the class's frame, in the direction of increasing position.
     pub slide: Option<(usize, Vector)>,
-    /// Where the reach is kept.
+    /// Index of the vector between the two points among the block's reaches.
     pub reach: usize,
 }
 
-/// The equations of a group: of its loops, then of its ties.
+/// The equations of a group: two for each loop, then one for each tie.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Closing {
     pub group: usize,
     pub chains: Vec<Chain>,
     pub ties: Vec<Tied>,
     pub unknowns: Vec<Unknown>,
-    /// How the equations reduce, if they do; unknowns are then in the order shared, shared, own, own.
+    /// The columns of the reduced equations, if they reduce; the unknowns are then in the order shared, shared, own,
+    /// own.
     pub reduced: Option<ReducedColumns>,
-    /// The largest component of a member's vector with all sliders at zero; not zero. All of a loop may be of one class,
-    /// whose vector is zero where the loop closes.
-    pub reach: f64,
+    /// The largest component of a member's vector with all sliders at zero: the group's size for slides. Not zero, even
+    /// where all of a loop belongs to one class and its vector vanishes.
+    pub size: f64,
 }
 
-/// A loop.
+/// A loop as a sum of vectors.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Chain {
-    /// The slots of its ends; none where it closes on itself.
+    /// The slots of its end points on known bodies; none for a loop that closes on itself.
     pub ends: Option<[usize; 2]>,
     pub members: Vec<Member>,
-    /// The sliders that it passes.
+    /// The sliders in the loop.
     pub rails: Vec<Rail>,
-    /// By unknown: its column; [`ZERO`] where the loop does not pass it.
+    /// By unknown: its column; [`ZERO`] where the loop does not contain it.
     pub columns: Vec<usize>,
 }
 
-/// A tie of rotations: the angles of classes, each times its weight, add up to a constant angle but for whole turns.
+/// A tie of rotations: the weighted sum of the classes' angles equals a constant angle, modulo whole turns.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tied {
     pub classes: Vec<TiedClass>,
@@ -71,48 +72,48 @@ impl Tied {
     }
 }
 
-/// A class in a tie.
+/// A class in a tie, with its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TiedClass {
     pub class: usize,
     pub weight: f64,
-    /// Which unknown its rotation is; none where that is known before the group is solved.
+    /// Index of its rotation among the unknowns; none for a known rotation.
     pub spin: Option<usize>,
 }
 
-/// All that a loop passes of one class.
+/// The sum of a loop's vectors in the bodies of one class.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Member {
     pub class: usize,
-    /// Its vector in the class's frame with all sliders at zero.
+    /// The vector in the class's frame, with all sliders at zero.
     pub local: Vector,
-    /// Which unknown its rotation is; none where that is known before the group is solved.
+    /// Index of its rotation among the unknowns; none for a known rotation.
     pub spin: Option<usize>,
-    /// Where its vector, a quarter turn on, is kept: the column of its rotation.
+    /// Column of its rotation: the vector turned by +90°.
     pub column: usize,
 }
 
-/// A slider that a loop passes.
+/// A slider in a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rail {
     pub class: usize,
     pub slider: usize,
-    /// Its direction in the class's frame, in the direction of the walk.
+    /// Its unit vector in the class's frame, positive along the loop.
     pub direction: Vector,
-    /// Which unknown the rotation of its class is.
+    /// Index of its class's rotation among the unknowns.
     pub spin: Option<usize>,
-    /// Which unknown its slide is; none where that is driven.
+    /// Index of its slide among the unknowns; none for a driven slider.
     pub slide: Option<usize>,
-    /// The column of the member to which it belongs.
+    /// The column of the member with the slider's guide.
     pub arm: usize,
-    /// Where its turned direction is kept: the column of its slide.
+    /// Column of its slide: the unit vector in the fixed frame.
     pub column: usize,
 }
 
-/// The column of an unknown that a loop does not pass.
+/// The zero column, of unknowns that a loop does not contain.
 pub(super) const ZERO: usize = 0;
 
-/// Which columns are those of [`Reduced`](crate::geometry::Reduced), and where.
+/// Indices of the columns of [`Reduced`](crate::geometry::Reduced).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ReducedColumns {
     /// s, t of one loop.
@@ -120,7 +121,7 @@ pub(super) enum ReducedColumns {
     Two {
         /// h, s, t by loop.
         columns: [[usize; 3]; 2],
-        /// By loop, whether h gets longer and shorter with a slider.
+        /// By loop: whether a slider changes the length of h.
         varies: [bool; 2],
     },
 }
@@ -143,7 +144,7 @@ impl ReducedColumns {
 }
 
 impl Closing {
-    /// Vectors in the frames of their classes, by column: those of members, a quarter turn on, and of guides.
+    /// By column: vectors in the frames of their classes, of members turned by +90° and of guides.
     pub fn lengths(&self) -> impl Iterator<Item = (usize, Vector)> + '_ {
         let members = self.chains.iter().flat_map(|c| &c.members);
         let rails = self.chains.iter().flat_map(|c| &c.rails);
@@ -153,8 +154,8 @@ impl Closing {
 }
 
 impl Action {
-    /// The action without its lengths.
-    pub fn bare(&self) -> Action {
+    /// The action with all lengths zero.
+    pub fn without_lengths(&self) -> Action {
         let none = Vector::zeros();
         match self {
             Action::Place(placing) => Action::Place(Placing {
@@ -163,13 +164,13 @@ impl Action {
                 ..*placing
             }),
             Action::Close(closing) => {
-                let mut bare = closing.clone();
-                for chain in &mut bare.chains {
+                let mut copy = closing.clone();
+                for chain in &mut copy.chains {
                     chain.members.iter_mut().for_each(|m| m.local = none);
                     chain.rails.iter_mut().for_each(|r| r.direction = none);
                 }
-                bare.reach = 0.0;
-                Action::Close(bare)
+                copy.size = 0.0;
+                Action::Close(copy)
             }
         }
     }

@@ -2,16 +2,17 @@ use super::Kernel;
 use super::action::{Action, Closing, Placing, ReducedColumns};
 use crate::geometry::{LinearSystem, Point, Row, Turn, Vector};
 
-/// Positions of mechanisms of one kind with their rates, side by side: a row of numbers for everything.
+/// Positions and rates of mechanisms of one kind, side by side: a row of numbers for each quantity.
 ///
-/// Angular rates in rad per unit of time; what has not been computed yet is zero. Vectors are a row of x and a row of y.
+/// Angular rates are in rad per unit of time; what has not been computed is zero. A vector is a row of x and a row of
+/// y.
 #[derive(Clone, Debug)]
 pub struct Block<R: Row> {
     /// By class: cosine and sine of its angle.
     pub turns: Vec<[R; 2]>,
     /// By slider: its position along the guide.
     pub slides: Vec<R>,
-    /// By slot: the place of a point, from the kernel's origin.
+    /// By slot: the place of a point, relative to the kernel's origin.
     pub points: Vec<[R; 2]>,
     /// By class: angular velocity.
     pub omegas: Vec<R>,
@@ -25,47 +26,48 @@ pub struct Block<R: Row> {
     pub point_velocities: Vec<[R; 2]>,
     /// By slot: acceleration of the point.
     pub point_accelerations: Vec<[R; 2]>,
-    /// What does not change while the mechanisms move.
+    /// Lengths, constant in all positions of a mechanism.
     pub(super) lengths: Lengths<R>,
     /// By group: its factored equations.
     pub(super) systems: Vec<System<R>>,
-    /// Columns of loop equations: vectors of members a quarter turn on, and unit directions of guides in the direction of the walk.
+    /// Columns of loop equations in the fixed frame: members' vectors turned by +90°, and guides' unit vectors along
+    /// the loop.
     pub(super) columns: Vec<[R; 2]>,
-    /// By placing: the vector from the point that it starts at.
+    /// By placing: the vector from the earlier point to the placed one.
     pub(super) reaches: Vec<[R; 2]>,
-    /// Right sides of loops and of ties, and solutions for them.
+    /// Right sides of the equations of loops and of ties, and their solution.
     pub(super) sides: Vec<[R; 2]>,
     pub(super) tie_sides: Vec<R>,
     pub(super) solution: Vec<R>,
 }
 
-/// One position.
+/// A block of one position.
 pub type Single = Block<[f64; 1]>;
 
 /// Vectors in the frames of their classes.
 #[derive(Clone, Debug)]
 pub(super) struct Lengths<R> {
-    /// Of columns, with all sliders at zero.
+    /// By column, with all sliders at zero.
     pub columns: Vec<[R; 2]>,
-    /// By placing.
+    /// By placing: the vector between its points, with its slider at zero.
     pub reaches: Vec<[R; 2]>,
-    /// By placing: the direction of its slider, if it has one.
-    pub ways: Vec<[R; 2]>,
+    /// By placing: the unit vector of its slider, if it has one.
+    pub guides: Vec<[R; 2]>,
 }
 
 /// A group's equations, factored.
 #[derive(Clone, Debug)]
 pub(super) struct System<R> {
-    /// 1 over the determinant of what two loops or one reduce to.
+    /// The inverse determinant of the reduced equations.
     pub inverse_determinant: R,
-    /// 1 over the squares of the columns of the two loops' own unknowns.
+    /// The inverse squares of the columns of the two loops' own unknowns.
     pub inverse_squares: [R; 2],
-    /// A group that does not reduce: one system for each position.
+    /// For a group that does not reduce: by position, the factored system; none where it is singular.
     pub general: Vec<Option<LinearSystem>>,
 }
 
 impl<R: Row> Block<R> {
-    /// A block for `kernel`, the ground's points in their places and everything else at zero.
+    /// A block for `kernel` with the ground's points in their places, zero angles and zero for everything else.
     #[must_use]
     pub fn new(kernel: &Kernel) -> Self {
         let zero = R::splat(0.0);
@@ -84,7 +86,7 @@ impl<R: Row> Block<R> {
             lengths: Lengths {
                 columns: pairs(kernel.columns),
                 reaches: pairs(kernel.placings),
-                ways: pairs(kernel.placings),
+                guides: pairs(kernel.placings),
             },
             systems: vec![System::new(); kernel.unknowns.len()],
             columns: pairs(kernel.columns),
@@ -97,7 +99,7 @@ impl<R: Row> Block<R> {
         block
     }
 
-    /// Gives one position the lengths of another mechanism of the same kind: that of [`Kernel::is_like`].
+    /// Sets the lengths of one position to those of another mechanism of the same kind, as [`Kernel::is_like`] says.
     pub fn set_lengths(&mut self, position: usize, kernel: &Kernel) {
         let set = |rows: &mut [R; 2], v: Vector| {
             rows[0][position] = v.x;
@@ -111,7 +113,7 @@ impl<R: Row> Block<R> {
                 Action::Place(Placing { reach, local, slide, .. }) => {
                     set(&mut self.lengths.reaches[*reach], *local);
                     if let Some((_, way)) = slide {
-                        set(&mut self.lengths.ways[*reach], *way);
+                        set(&mut self.lengths.guides[*reach], *way);
                     }
                 }
                 Action::Close(closing) => {
@@ -127,14 +129,14 @@ impl<R: Row> Block<R> {
         }
     }
 
-    /// The angle of a class as a rotation, at one position.
+    /// The rotation of a class, at one position.
     #[must_use]
     pub fn turn(&self, class: usize, position: usize) -> Turn {
         let turn = vector(&self.turns[class], position);
         Turn::from_cos_sin_unchecked(turn.x, turn.y)
     }
 
-    /// The place of a slot from the kernel's origin, at one position.
+    /// The place of a slot relative to the kernel's origin, at one position.
     #[must_use]
     pub fn place(&self, slot: usize, position: usize) -> Point {
         vector(&self.points[slot], position).into()
@@ -147,7 +149,7 @@ impl<R: Row> System<R> {
     }
 }
 
-/// Squares of the columns of both loops' own unknowns with all sliders at zero; 1 where there are none.
+/// Squares of the columns of the two loops' own unknowns with all sliders at zero; 1 for other groups.
 fn own_squares(closing: &Closing) -> [f64; 2] {
     let Some(ReducedColumns::Two { columns, .. }) = closing.reduced else {
         return [1.0; 2];
@@ -158,7 +160,7 @@ fn own_squares(closing: &Closing) -> [f64; 2] {
     })
 }
 
-/// The vector of one position.
+/// The vector at one position.
 #[inline]
 #[must_use]
 pub fn vector<R: Row>(rows: &[R; 2], position: usize) -> Vector {

@@ -1,7 +1,8 @@
 use crate::geometry::Turn;
 use crate::mechanism::{GROUND, Mechanism, Role, Tie};
 
-/// By body: its class and its turn there. The ground's class is the first; a class turns as its first body does.
+/// By body: its class and its rotation relative to the class. The ground's class is 0; a class has the rotation of its
+/// first body, a driven link where it contains one.
 pub(super) fn classes(mechanism: &Mechanism) -> Vec<(usize, Turn)> {
     let bodies = mechanism.bodies.len();
     let mut found: Vec<Option<(usize, Turn)>> = vec![None; bodies];

@@ -6,28 +6,28 @@ use super::{Block, Kernel, Single};
 use crate::geometry::{Lanes, MANY, NEAR, Number, OneByOne, Pair, Row, UNIT_ROUNDOFF, direction_near, quarters_of};
 use std::ops::Range;
 
-/// Newton steps at most for one group, from a good start.
+/// Most Newton steps for one group from a near start.
 const STEPS: usize = 12;
 
-/// The largest part of a group's size, or of a radian, by which a first step may correct a start that counts as good.
-const GOOD: f64 = 0.5;
+/// Largest first correction, in radians or parts of the group's size, from a start that counts as near.
+const NEAR_START: f64 = 0.5;
 
-/// Corrections, in radians, that change a direction's length by so little that [`unit`] mends it.
+/// Largest correction, in radians, after which [`unit`] restores a direction's length 1.
 const SMALL: f64 = 1e-3;
 
-/// How a block's positions were found.
+/// Outcome of the assembly of a block's positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correction {
-    /// The largest first correction, in radians or parts of the group's size: how far off the start was.
+    /// The largest first correction, in radians or parts of the group's size: the error of the start.
     pub first: f64,
-    /// Whether every loop closed to what rounding allows.
+    /// Whether every loop closed to rounding.
     pub closed: bool,
-    /// What the first correction has left for a second one, in units of rounding.
+    /// The error estimated to remain after the first correction, in units of rounding.
     pub doubt: f64,
 }
 
 impl Kernel {
-    /// Sets a drive: angles in degrees, or positions along the guide.
+    /// Sets a drive to angles in degrees, or to positions along the guide.
     #[inline(always)]
     pub fn set_input<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, input: usize, values: &R) {
         match self.inputs[input].kind {
@@ -54,9 +54,10 @@ impl Kernel {
 
     /// Closes every group by Newton's method from the angles and slides in `block`, and places all points.
     ///
-    /// The matrix is that of the velocities, so a position is as exact as the condition of its velocities allows. It must start near:
-    /// where a first step is larger than half a radian, or steps do not get smaller, the loops count as not closed.
-    /// A first step of at most `sure`, in radians or parts of a group's size, is known to leave only rounding.
+    /// The matrix is that of the velocity equations, so a position is as exact as the condition of its velocities
+    /// allows. The start must be near: where a first correction exceeds half a radian or half the group's size, or
+    /// corrections do not decrease, the loops count as not closed. After a first correction of at most `sure`, in
+    /// radians or parts of a group's size, no further step is made.
     #[inline(always)]
     pub fn assemble<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, sure: f64) -> Correction {
         let mut worst = Correction { first: 0.0, closed: true, doubt: 0.0 };
@@ -77,15 +78,16 @@ impl Kernel {
         worst
     }
 
-    /// One Newton step for a group from anywhere; the largest gap of its loops before it, and that of its ties in radians.
+    /// One Newton step for a group from any start. Returns the largest gap of its loops before the step, a length, and
+    /// that of its ties, in radians.
     ///
-    /// Not numbers or not finite where the step cannot be made.
+    /// NaN or infinite where the equations are singular.
     pub fn step(&self, block: &mut Single, group: usize) -> [f64; 2] {
         let Some(closing) = self.closing(group) else {
             return [f64::NAN; 2];
         };
         turn_columns(OneByOne, block, closing);
-        let largest = |sides: &mut dyn Iterator<Item = &[f64; 1]>| sides.map(|[x]| x.abs()).fold(0.0, larger);
+        let largest = |sides: &mut dyn Iterator<Item = &[f64; 1]>| sides.map(|[x]| x.abs()).fold(0.0, larger_or_nan);
         let gaps = [
             largest(&mut block.sides[..closing.chains.len()].iter().flatten()),
             largest(&mut block.tie_sides[..closing.ties.len()].iter()),
@@ -99,7 +101,7 @@ impl Kernel {
         gaps
     }
 
-    /// Places the points of a group's links from its angles and slides.
+    /// Places the points of a group's links by its angles and slides.
     pub fn place(&self, block: &mut Single, group: usize) {
         let mut actions = self.actions.iter();
         let _ = actions.find(|a| matches!(a, Action::Close(closing) if closing.group == group));
@@ -119,8 +121,8 @@ impl Kernel {
         })
     }
 
-    /// By group: the determinant of its equations, whose sign changes where two branches meet, and the square of Hadamard's
-    /// ratio, 1 down to 0 in a singular position.
+    /// By group: the determinant of its equations, which changes its sign where two branches meet, and the square of
+    /// Hadamard's ratio, between 0 in a singular position and 1.
     #[must_use]
     pub fn determinants(&self, block: &Single) -> Vec<[f64; 2]> {
         let groups = 0..block.systems.len();
@@ -129,7 +131,7 @@ impl Kernel {
     }
 }
 
-/// The portions of a row.
+/// Indices of the portions of a row that `lanes` computes together.
 #[inline(always)]
 #[must_use]
 pub fn portions<L: Lanes, R: Row>() -> Range<usize> {
@@ -145,7 +147,7 @@ fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
         lanes.store_pair(reach, k, turned);
     }
     if let Some((slider, _)) = placing.slide {
-        let (way, slides) = (&block.lengths.ways[placing.reach], &block.slides[slider]);
+        let (way, slides) = (&block.lengths.guides[placing.reach], &block.slides[slider]);
         for k in portions::<L, R>() {
             let way = lanes.pair(turn, k).turn(lanes.pair(way, k));
             let slid = lanes.pair(reach, k).plus_scaled(way, lanes.load(slides, k));
@@ -159,13 +161,13 @@ fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     }
 }
 
-/// The larger of two magnitudes; not a number if one is not.
+/// The larger of two magnitudes; NaN if one is NaN.
 #[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
+fn larger_or_nan(a: f64, b: f64) -> f64 {
     if b <= a || a.is_nan() { a } else { b }
 }
 
-/// Newton's method for one group.
+/// Closes one group by Newton's method.
 #[inline(always)]
 fn close<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, sure: f64) -> Correction {
     turn_columns(lanes, block, closing);
@@ -179,26 +181,26 @@ fn close<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, su
     close_by_steps(lanes, block, closing)
 }
 
-/// As many steps as it takes, the first of which has been computed.
+/// Further Newton steps until only rounding remains; the first correction has been computed.
 #[inline(always)]
 fn close_by_steps<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) -> Correction {
     let mut before = f64::INFINITY;
     let mut start: Option<[f64; 2]> = None;
     for _ in 0..STEPS {
         let largest = largest_correction(block, closing);
-        // Newton's method squares an error and divides it by the sharpness; what that leaves must be rounding.
-        let doubt = largest * largest / (dullest(block, closing).sqrt() * UNIT_ROUNDOFF);
+        // A Newton step leaves the square of the error divided by the sharpness; compared with rounding.
+        let doubt = largest * largest / (least_squared_sharpness(block, closing).sqrt() * UNIT_ROUNDOFF);
         let [first, first_doubt] = start.unwrap_or([largest, doubt]);
         let found = |closed| Correction { first, closed, doubt: first_doubt };
-        let far = start.is_none() && largest > GOOD;
-        let stuck = largest > 0.5 * before;
-        if doubt.is_nan() || far || (stuck && doubt > 1e3) {
+        let is_far = start.is_none() && largest > NEAR_START;
+        let is_stuck = largest > 0.5 * before;
+        if doubt.is_nan() || is_far || (is_stuck && doubt > 1e3) {
             return found(false);
         }
         let size = if largest < SMALL { Size::Small } else { Size::Large };
         correct(lanes, block, closing, size);
         turn_columns(lanes, block, closing);
-        if doubt <= 0.25 || stuck {
+        if doubt <= 0.25 || is_stuck {
             return found(true);
         }
         start = Some([first, first_doubt]);
@@ -208,8 +210,8 @@ fn close_by_steps<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Cl
     Correction { first: f64::INFINITY, closed: false, doubt: f64::INFINITY }
 }
 
-/// The longest correction of a position, its unknowns taken as a vector in radians and parts of the group's reach: not less than
-/// its largest one; not a number if one of them is not.
+/// The largest norm of a position's correction, as a vector of angles in radians and slides in parts of the group's
+/// size: an upper bound of its components. NaN if one is NaN.
 #[inline(always)]
 fn longest_correction<L: Lanes, R: Row>(lanes: L, block: &Block<R>, closing: &Closing) -> f64 {
     let zero = lanes.splat(0.0);
@@ -217,7 +219,7 @@ fn longest_correction<L: Lanes, R: Row>(lanes: L, block: &Block<R>, closing: &Cl
     for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
         let scale = lanes.splat(match unknown {
             Unknown::Spin(_) => 1.0,
-            Unknown::Slide(_) => 1.0 / closing.reach,
+            Unknown::Slide(_) => 1.0 / closing.size,
         });
         for k in portions::<L, R>() {
             let step = lanes.load(steps, k) * scale;
@@ -235,7 +237,7 @@ fn longest_correction<L: Lanes, R: Row>(lanes: L, block: &Block<R>, closing: &Cl
     lanes.largest(longest).sqrt()
 }
 
-/// The largest correction in the block's solution, in radians or parts of the largest member.
+/// The largest component of a correction in the block, in radians or parts of the group's largest vector.
 fn largest_correction<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
     let (mut turns, mut slides): (f64, f64) = (0.0, 0.0);
     for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
@@ -244,7 +246,7 @@ fn largest_correction<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
             Unknown::Slide(_) => &mut slides,
         };
         let steps = steps.as_ref().iter().map(|step| step.abs());
-        *largest = steps.fold(*largest, larger);
+        *largest = steps.fold(*largest, larger_or_nan);
     }
     if slides == 0.0 {
         return turns;
@@ -252,27 +254,27 @@ fn largest_correction<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
     let members = closing.chains.iter().flat_map(|c| &c.members);
     let members = members.map(|m| &block.columns[m.column]);
     let components = members.flatten().flat_map(|row| row.as_ref());
-    let size = components.fold(closing.reach, |size, x| size.max(x.abs()));
-    larger(turns, slides / size)
+    let size = components.fold(closing.size, |size, x| size.max(x.abs()));
+    larger_or_nan(turns, slides / size)
 }
 
-/// The smallest squared sharpness of a group's equations.
-fn dullest<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
+/// The smallest squared sharpness of a group's equations over all positions.
+fn least_squared_sharpness<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
     let sharpness = (0..R::LEN).map(|position| determinant(block, closing, position)[1]);
     sharpness.fold(1.0, |least, s| if s < least { s } else { least })
 }
 
-/// How large corrections are.
+/// Magnitude of corrections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Size {
-    /// Their squares are less than rounding.
+    /// Their squares are below rounding.
     Tiny,
     /// Less than [`SMALL`].
     Small,
     Large,
 }
 
-/// Adds the corrections of the unknowns.
+/// Adds the corrections to the unknowns.
 #[inline(always)]
 fn correct<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, size: Size) {
     for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
@@ -286,7 +288,8 @@ fn correct<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, 
             Unknown::Spin(class) => {
                 let turns = &mut block.turns[class];
                 for k in portions::<L, R>() {
-                    // The turn whose tangent is the correction: to third order the correction itself, and never more than 90°.
+                    // The rotation by the arctangent of the correction: equal to the correction to second order, and
+                    // always less than 90°.
                     let turn = lanes.pair(turns, k);
                     let turned = turn.plus_turned(turn, lanes.load(steps, k));
                     let turned = match size {
@@ -301,9 +304,9 @@ fn correct<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, 
     }
 }
 
-/// A vector of nearly length 1 brought to that length: rounding must not change lengths in the long run.
+/// Restores length 1 of a vector that rounding has changed slightly; errors would add up over many positions.
 ///
-/// Three terms of 1/√(1 + excess): with an excess up to 1e-6 what they leave is beyond rounding.
+/// Three terms of 1/√(1 + excess): for an excess up to 1e-6 the remainder is below rounding.
 #[inline(always)]
 pub fn unit<T: Number>(v: Pair<T>) -> Pair<T> {
     let (one, half, rest) = (v.x.same(1.0), v.x.same(0.5), v.x.same(0.375));

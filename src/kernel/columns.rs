@@ -4,8 +4,8 @@ use super::{Block, vector};
 use crate::geometry::{Lanes, MANY, Pair, Row, Vector};
 use std::f64::consts::TAU;
 
-/// Turns the vectors of all loops' members, and the guides in them, and finds what is missing for the loops to close:
-/// from their starts, along their members, to their ends; and for the ties to hold.
+/// Rotates the vectors of all loops' members and guides into the fixed frame, and computes the gaps of loops and ties.
+/// A loop's gap is the vector from its start along its members to its end point.
 #[inline(always)]
 pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     let Block { turns, slides, points, columns, lengths, sides, .. } = block;
@@ -25,7 +25,7 @@ pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, clo
             for k in portions::<L, R>() {
                 let turned = lanes.pair(turn, k).turn(lanes.pair(local, k));
                 lanes.store_pair(column, k, turned);
-                // A column is its member's vector a quarter turn on.
+                // A column is the member's vector turned by +90°.
                 gaps[k].x = gaps[k].x - turned.y;
                 gaps[k].y = gaps[k].y + turned.x;
             }
@@ -53,7 +53,7 @@ pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, clo
 }
 
 impl Tied {
-    /// What is missing of its constant angle where classes are turned in these directions: at most half a turn.
+    /// The constant angle less the weighted sum of the classes' angles, in radians, in [−π, π].
     fn gap(&self, direction: impl Fn(usize) -> Vector) -> f64 {
         let angle = |c: &TiedClass| {
             let turned = direction(c.class);
@@ -65,7 +65,7 @@ impl Tied {
 }
 
 impl Chain {
-    /// By portion, the value at its end less that at its start; zero for a loop that closes on itself.
+    /// By portion: the value at a loop's end less that at its start; zero for a loop that closes on itself.
     #[inline(always)]
     pub(super) fn difference<L: Lanes, R: Row>(&self, lanes: L, values: &[[R; 2]]) -> [Pair<L::Number>; MANY] {
         let zero = lanes.splat(0.0);
@@ -80,19 +80,19 @@ impl Chain {
     }
 }
 
-/// Corrects the columns for tiny corrections of the unknowns.
+/// Updates the columns for tiny corrections of the unknowns.
 #[inline(always)]
 pub(super) fn correct_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     let Block { columns, solution, .. } = block;
     for chain in &closing.chains {
         for member in &chain.members {
             if let Some(spin) = member.spin {
-                turn_little(lanes, &mut columns[member.column], &solution[spin]);
+                rotate_slightly(lanes, &mut columns[member.column], &solution[spin]);
             }
         }
         for rail in &chain.rails {
             if let Some(spin) = rail.spin {
-                turn_little(lanes, &mut columns[rail.column], &solution[spin]);
+                rotate_slightly(lanes, &mut columns[rail.column], &solution[spin]);
             }
             let Some(slide) = rail.slide else { continue };
             let ends = columns.get_disjoint_mut([rail.column, rail.arm]);
@@ -106,9 +106,9 @@ pub(super) fn correct_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, 
     }
 }
 
-/// Turns vectors by tiny angles.
+/// Rotates vectors by tiny angles, to first order.
 #[inline(always)]
-fn turn_little<L: Lanes, R: Row>(lanes: L, vectors: &mut [R; 2], angles: &R) {
+fn rotate_slightly<L: Lanes, R: Row>(lanes: L, vectors: &mut [R; 2], angles: &R) {
     for k in portions::<L, R>() {
         let old = lanes.pair(vectors, k);
         let turned = old.plus_turned(old, lanes.load(angles, k));

@@ -10,38 +10,39 @@ use std::collections::BTreeSet;
 /// A mechanism compiled for many positions.
 #[derive(Clone, Debug)]
 pub struct Kernel {
-    /// By body: how it sits in its class.
+    /// By body: its class and its first point.
     pub seats: Vec<Seat>,
     /// The drives, in the order of [`Mechanism::drive_names`].
     pub inputs: Vec<Input>,
-    /// By group: what its equations solve for.
+    /// By group: its unknowns.
     pub unknowns: Vec<Vec<Unknown>>,
     pub(super) classes: usize,
     pub(super) sliders: usize,
-    /// The most loops that a group has, and the most ties.
+    /// The largest numbers of loops and of ties of a group.
     pub(super) loops: usize,
     pub(super) ties: usize,
-    /// Points first, then places of guides on bodies without points.
+    /// Number of slots: of points, then of places of bodies without points.
     pub(super) slots: usize,
-    /// Columns of loop equations, the zero column first.
+    /// Number of columns of loop equations; the first is zero.
     pub(super) columns: usize,
     pub(super) placings: usize,
-    /// Places in a block count from here, a place of the ground: far from the fixed frame's own origin no digits are lost.
+    /// Origin of the places in a block, a point of the ground: coordinates far from the fixed frame's origin would lose
+    /// digits.
     pub origin: Vector,
     pub(super) fixed: Vec<(usize, Point)>,
     pub(super) actions: Vec<Action>,
 }
 
-/// How a body sits in its class of bodies that turn together, and a place of it from which the others are counted.
+/// A body's class, its rotation in it, and the body's first point.
 #[derive(Clone, Copy, Debug)]
 pub struct Seat {
     /// Its class.
     pub class: usize,
-    /// Its own frame, seen from that of the class.
+    /// Rotation of the body's frame relative to the class.
     pub turn: Turn,
-    /// The slot of its first place.
+    /// The slot of the body's first point.
     pub slot: usize,
-    /// That place in the body's frame.
+    /// That point in the body's frame.
     pub local: Point,
 }
 
@@ -50,17 +51,18 @@ pub struct Seat {
 pub struct Input {
     /// The driven body; of a slider the sliding link.
     pub body: BodyId,
-    /// Whether it turns or slides.
+    /// Whether it is an angle or a slide.
     pub kind: InputKind,
-    /// The scene's angle in degrees, or position along the guide; none where something else says where it stands.
+    /// The scene's angle in degrees, or position along the guide; none where another link's angle is given in its
+    /// place.
     pub value: Option<f64>,
-    /// The scene's angular velocity, or speed along the guide.
+    /// The scene's angular velocity in rad per unit of time, or velocity along the guide.
     pub rate: f64,
-    /// The scene's angular acceleration, or acceleration along the guide.
+    /// The scene's angular acceleration in rad, or acceleration along the guide.
     pub second: f64,
 }
 
-/// What a drive moves.
+/// The coordinate that a drive sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InputKind {
     /// The angle of a class.
@@ -82,15 +84,15 @@ impl Kernel {
         (mechanism.given_by == GivenBy::Lengths).then(|| Compiler::new(mechanism).run())
     }
 
-    /// Whether `other` is of the same kind: the same actions in the same order, but for lengths.
+    /// Whether `other` has the same actions in the same order, with any lengths.
     #[must_use]
     pub fn is_like(&self, other: &Kernel) -> bool {
         let slots = |k: &Kernel| k.fixed.iter().map(|f| f.0).collect::<Vec<_>>();
-        let bare = |k: &Kernel| k.actions.iter().map(Action::bare).collect::<Vec<_>>();
-        slots(self) == slots(other) && bare(self) == bare(other)
+        let without_lengths = |k: &Kernel| k.actions.iter().map(Action::without_lengths).collect::<Vec<_>>();
+        slots(self) == slots(other) && without_lengths(self) == without_lengths(other)
     }
 
-    /// The kernel that leaves out the places of all points that no loop begins or ends at: for angles, slides and their rates.
+    /// A kernel without the points that are no end of a loop: for angles, slides and their rates only.
     #[must_use]
     pub fn without_places(&self) -> Kernel {
         let mut wanted = BTreeSet::new();
@@ -111,7 +113,7 @@ impl Kernel {
         Kernel { actions: kept, ..self.clone() }
     }
 
-    /// How a body sits in its class, and its first place.
+    /// A body's class and first point.
     #[must_use]
     pub fn seat(&self, body: BodyId) -> &Seat {
         &self.seats[body.0]
@@ -120,9 +122,9 @@ impl Kernel {
 
 struct Compiler<'a> {
     mechanism: &'a Mechanism,
-    /// By body: class and turn.
+    /// By body: its class and its rotation in it.
     classes: Vec<(usize, Turn)>,
-    /// By body: slot and local place of what is placed first.
+    /// By body: slot and local coordinates of its first point.
     anchors: Vec<Option<(usize, Point)>>,
     placed: Vec<bool>,
     kernel: Kernel,
@@ -159,10 +161,10 @@ impl<'a> Compiler<'a> {
         let bodies = self.mechanism.bodies.iter().enumerate();
         for (id, body) in bodies.map(|(id, body)| (BodyId(id), body)) {
             match body.role {
-                Role::Ground => self.ground(body),
+                Role::Ground => self.place_ground(body),
                 Role::Driver { pivot, angle, omega, alpha, .. } => {
                     let local = body.local_of(pivot).unwrap_or_else(Point::origin);
-                    self.anchor(id, pivot.0, local);
+                    self.place_body(id, pivot.0, local);
                     let class = self.classes[id.0].0;
                     self.kernel.inputs.push(Input {
                         body: id,
@@ -188,14 +190,14 @@ impl<'a> Compiler<'a> {
         }
         let all: Vec<JointId> = (0..self.mechanism.joints.len()).map(JointId).collect();
         let mechanism = self.mechanism;
-        self.reach(&all, |body| mechanism.is_known(body));
+        self.place_connected(&all, |body| mechanism.is_known(body));
         for (index, group) in self.mechanism.groups.iter().enumerate() {
-            let closing = self.closing(index, group);
+            let closing = self.compile_group(index, group);
             self.kernel.ties = self.kernel.ties.max(closing.ties.len());
             self.kernel.unknowns.push(closing.unknowns.clone());
             self.kernel.actions.push(Action::Close(closing));
             let joints = self.mechanism.joints_of(group);
-            self.reach(&joints, |_| true);
+            self.place_connected(&joints, |_| true);
         }
         let origin = (0, Point::origin());
         self.kernel.seats = self
@@ -210,14 +212,14 @@ impl<'a> Compiler<'a> {
         self.kernel
     }
 
-    fn ground(&mut self, body: &Body) {
+    fn place_ground(&mut self, body: &Body) {
         for (point, place) in body.points.iter().zip(&body.local) {
             self.kernel.fixed.push((point.0, *place));
             self.placed[point.0] = true;
         }
         let first = body.points.first().map(|p| p.0).zip(body.local.first().copied());
         self.anchors[GROUND.0] = first;
-        // A frame without points is known by a place of its first guide.
+        // A ground without points is represented by a point of its first guide.
         let mut sliders = self.mechanism.sliders.iter();
         let guide = sliders.find(|s| s.on == GROUND).map(Slider::line);
         if let (None, Some((through, _))) = (first, guide) {
@@ -238,13 +240,13 @@ impl<'a> Compiler<'a> {
         self.kernel.slots - 1
     }
 
-    /// `local` of a body's frame in the frame of its class.
+    /// The vector `local` of a body's frame in the frame of its class.
     fn in_class(&self, body: BodyId, local: Vector) -> Vector {
         self.classes[body.0].1 * local
     }
 
-    /// The body's place is known at a slot: places its other points from there.
-    fn anchor(&mut self, body: BodyId, slot: usize, local: Point) {
+    /// Makes a placed point the body's first one, and places the body's other points relative to it.
+    fn place_body(&mut self, body: BodyId, slot: usize, local: Point) {
         self.anchors[body.0] = Some((slot, local));
         let own = self.mechanism.body(body);
         for (point, place) in own.points.iter().zip(&own.local) {
@@ -265,8 +267,8 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// Places every body of the kind asked for that hangs by one of `joints` on a body placed before.
-    fn reach(&mut self, joints: &[JointId], wanted: impl Fn(BodyId) -> bool) {
+    /// Places every `wanted` body that one of `joints` connects with a placed body.
+    fn place_connected(&mut self, joints: &[JointId], wanted: impl Fn(BodyId) -> bool) {
         let open = |this: &Self, body: BodyId| this.anchors[body.0].is_none() && wanted(body);
         let holding = || joints.iter().filter(|&&joint| self.mechanism.joint(joint).holds_places());
         while let Some((joint, from, to)) = holding().find_map(|&joint| {
@@ -277,29 +279,29 @@ impl<'a> Compiler<'a> {
         }) {
             let Joint { pin, slider, .. } = *self.mechanism.joint(joint);
             if let Some(point) = pin {
-                self.anchor(to, point.0, self.mechanism.joint_on(joint, to));
+                self.place_body(to, point.0, self.mechanism.joint_on(joint, to));
             }
             if let Some(id) = slider {
-                self.across(id, from, to);
+                self.place_across(id, from, to);
             }
         }
     }
 
-    /// Places `to`, which a slider joins to the placed body `from`.
-    fn across(&mut self, id: SliderId, from: BodyId, to: BodyId) {
+    /// Places body `to`, which a slider connects with the placed body `from`.
+    fn place_across(&mut self, id: SliderId, from: BodyId, to: BodyId) {
         let slider = self.mechanism.slider(id);
         let (through, direction) = slider.line();
         let direction = self.in_class(slider.on, direction);
         let at = self.mechanism.slider_at(id);
         let (slot, anchor) = self.anchors[from.0].unwrap_or((0, Point::origin()));
         if slider.on == from {
-            // A carriage slides without a point of its own.
+            // A link without points slides: its place gets a slot of its own.
             let own = self.mechanism.body(to).points.contains(&slider.at);
             let here = if own { slider.at.0 } else { self.new_slot() };
             if !own || !self.placed[here] {
                 self.place(here, slot, from, through - anchor, Some((id.0, direction)));
             }
-            self.anchor(to, here, at);
+            self.place_body(to, here, at);
         } else {
             let own = self.mechanism.body(to);
             let first = own.points.iter().zip(&own.local);
@@ -307,22 +309,22 @@ impl<'a> Compiler<'a> {
                 Some((point, local)) => (point.0, *local),
                 None => (self.new_slot(), through),
             };
-            // The guide's place lies one slide behind the sliding point.
+            // The guide's point is the sliding point less the slide.
             let behind = Some((id.0, -direction));
             let here = self.slot_of(from, slider.at.0);
             self.place(next, here, to, local - through, behind);
-            self.anchor(to, next, local);
+            self.place_body(to, next, local);
         }
     }
 
-    /// The slot of a body's point; of a carriage without points its own place.
+    /// The slot of a body's point; for a body without points that of its own place.
     fn slot_of(&self, body: BodyId, point: usize) -> usize {
         let own = self.mechanism.body(body).points.iter().any(|p| p.0 == point);
         let place = self.anchors[body.0].map(|(slot, _)| slot);
         if own { point } else { place.unwrap_or(point) }
     }
 
-    fn closing(&mut self, index: usize, group: &Group) -> Closing {
+    fn compile_group(&mut self, index: usize, group: &Group) -> Closing {
         let equations = LoopEquations::new(self.mechanism, group);
         let mut unknowns = vec![Unknown::Spin(0); equations.unknowns];
         for &link in &group.links {
@@ -340,23 +342,25 @@ impl<'a> Compiler<'a> {
             let order = [shared[0], shared[1], own[0], own[1]];
             unknowns = order.map(|unknown| unknowns[unknown]).to_vec();
         }
-        let ties =
-            group.joints.iter().filter_map(|&joint| self.tied(self.mechanism.joint(joint).tie.as_ref()?, &unknowns));
+        let ties = group
+            .joints
+            .iter()
+            .filter_map(|&joint| self.compile_tie(self.mechanism.joint(joint).tie.as_ref()?, &unknowns));
         let ties = ties.collect();
-        let mut closing = Closing { group: index, chains: Vec::new(), ties, reduced: None, unknowns, reach: 0.0 };
+        let mut closing = Closing { group: index, chains: Vec::new(), ties, reduced: None, unknowns, size: 0.0 };
         for chain in &group.loops {
-            self.chain(chain, &mut closing);
+            self.compile_loop(chain, &mut closing);
         }
         let members = closing.chains.iter().flat_map(|c| &c.members);
         let components = members.flat_map(|m| [m.local.x.abs(), m.local.y.abs()]);
-        closing.reach = components.fold(f64::MIN_POSITIVE, f64::max);
+        closing.size = components.fold(f64::MIN_POSITIVE, f64::max);
         let reduction = equations.reduction;
         closing.reduced = reduction.and_then(|r| ReducedColumns::new(r, &closing.chains));
         closing
     }
 
-    /// A tie of rotations in terms of classes; `None` for one that has made one class of its bodies.
-    fn tied(&self, tie: &Tie, unknowns: &[Unknown]) -> Option<Tied> {
+    /// A tie in terms of classes; `None` for a tie that makes its bodies one class.
+    fn compile_tie(&self, tie: &Tie, unknowns: &[Unknown]) -> Option<Tied> {
         if tie.as_alike().is_some() {
             return None;
         }
@@ -371,32 +375,33 @@ impl<'a> Compiler<'a> {
         Some(tied)
     }
 
-    /// Walks a loop and adds up what it passes of each class.
-    fn chain(&mut self, chain: &Loop, closing: &mut Closing) {
-        // A loop names a compound link by its lead; its joints may be on others of the compound.
+    /// Compiles a loop: sums its vectors by class, and assigns columns.
+    fn compile_loop(&mut self, chain: &Loop, closing: &mut Closing) {
+        // A loop names the lead of a compound link; the joints may be on others of its links.
         let side = |joint, link| self.mechanism.side(joint, link);
         let last = chain.joints.len() - 1;
         let first = side(chain.joints[0], chain.bodies[0]);
-        let (start, from) = self.end(first, chain.joints[0], chain.closed);
+        let (start, from) = self.loop_end(first, chain.joints[0], chain.closed);
         let mut walk = Walk { body: first, here: from };
-        let mut passed =
-            Passed { classes: &self.classes, unknowns: &closing.unknowns, members: Vec::new(), rails: Vec::new() };
+        let mut sums =
+            LoopSums { classes: &self.classes, unknowns: &closing.unknowns, members: Vec::new(), rails: Vec::new() };
         for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
             let [body, next] = [sides[0], sides[1]].map(|link| side(joint, link));
-            self.within(&mut passed, &mut walk, body);
-            self.pass(&mut passed, &mut walk, joint, next);
+            self.walk_compound(&mut sums, &mut walk, body);
+            self.walk_joint(&mut sums, &mut walk, joint, next);
         }
         let ends = if chain.closed {
-            self.within(&mut passed, &mut walk, first);
-            passed.pass(first, from - walk.here);
+            self.walk_compound(&mut sums, &mut walk, first);
+            sums.add_vector(first, from - walk.here);
             None
         } else {
-            let (end, there) = self.end(walk.body, chain.joints[last], false);
-            passed.pass(walk.body, there - walk.here);
+            let (end, there) = self.loop_end(walk.body, chain.joints[last], false);
+            sums.add_vector(walk.body, there - walk.here);
             Some([start, end])
         };
-        let (mut members, mut rails) = (passed.members, passed.rails);
-        // A known body at whose pin the loop begins or ends adds nothing.
+        let (mut members, mut rails) = (sums.members, sums.rails);
+        // A class whose vector vanishes and that has no slider contributes nothing: a known body with a pin at the
+        // loop's end.
         let slides = |m: &Member| rails.iter().any(|r| r.class == m.class);
         members.retain(|m| m.local != Vector::zeros() || slides(m));
         for member in &mut members {
@@ -424,27 +429,28 @@ impl<'a> Compiler<'a> {
         closing.chains.push(Chain { ends, members, rails, columns });
     }
 
-    /// Walks over the driven sliders of a compound link to another of its bodies.
-    fn within(&self, passed: &mut Passed, walk: &mut Walk, to: BodyId) {
+    /// Continues the walk over the driven sliders of a compound link to its body `to`.
+    fn walk_compound(&self, sums: &mut LoopSums, walk: &mut Walk, to: BodyId) {
         for driven in self.mechanism.way(walk.body, to) {
-            self.pass(passed, walk, self.mechanism.slider_joint(driven.slider), driven.to);
+            self.walk_joint(sums, walk, self.mechanism.slider_joint(driven.slider), driven.to);
         }
     }
 
-    /// Walks over a joint to the body on its other side: to where it is on this body, along its guide if it has one, on from where it is on that body.
-    fn pass(&self, passed: &mut Passed, walk: &mut Walk, joint: JointId, to: BodyId) {
+    /// Continues the walk over a joint to body `to`: on the present body to the joint, then along the guide, if there
+    /// is one, to the joint on body `to`.
+    fn walk_joint(&self, sums: &mut LoopSums, walk: &mut Walk, joint: JointId, to: BodyId) {
         let [leave, arrive] = [walk.body, to].map(|body| self.mechanism.joint_on(joint, body));
-        passed.pass(walk.body, leave - walk.here);
+        sums.add_vector(walk.body, leave - walk.here);
         if let Some(id) = self.mechanism.joint(joint).slider {
             let slider = self.mechanism.slider(id);
             let direction = self.in_class(slider.on, slider.line().1);
-            passed.slide(walk.body, id.0, if slider.on == walk.body { direction } else { -direction });
+            sums.add_slider(walk.body, id.0, if slider.on == walk.body { direction } else { -direction });
         }
         *walk = Walk { body: to, here: arrive };
     }
 
-    /// Where a loop begins or ends on a known body: at the pin, or at the body's first place.
-    fn end(&self, body: BodyId, joint: JointId, closed: bool) -> (usize, Point) {
+    /// Slot and local coordinates of a loop's end on a known body: its pin, or the body's first point at a slider.
+    fn loop_end(&self, body: BodyId, joint: JointId, closed: bool) -> (usize, Point) {
         match self.mechanism.joint(joint).pin {
             Some(point) => (point.0, self.mechanism.joint_on(joint, body)),
             None if closed => (0, Point::origin()),
@@ -458,27 +464,27 @@ fn angle(turn: Turn) -> f64 {
     libm::atan2(turn.im, turn.re)
 }
 
-/// Where a walk along a loop stands: a body, and a place in its frame.
+/// Present place of a walk along a loop: a body, and a point in its frame.
 struct Walk {
     body: BodyId,
     here: Point,
 }
 
-/// What a walk along a loop has passed so far.
-struct Passed<'a> {
+/// The vectors and sliders of a loop, summed by class during a walk.
+struct LoopSums<'a> {
     classes: &'a [(usize, Turn)],
     unknowns: &'a [Unknown],
     members: Vec<Member>,
     rails: Vec<Rail>,
 }
 
-impl Passed<'_> {
+impl LoopSums<'_> {
     fn unknown(&self, unknown: Unknown) -> Option<usize> {
         self.unknowns.iter().position(|u| *u == unknown)
     }
 
-    /// Adds a vector of a body to the member of its class.
-    fn pass(&mut self, body: BodyId, local: Vector) {
+    /// Adds a vector in a body's frame to the member of its class.
+    fn add_vector(&mut self, body: BodyId, local: Vector) {
         let (class, turn) = self.classes[body.0];
         let index = self.members.iter().position(|m| m.class == class);
         let index = index.unwrap_or_else(|| {
@@ -493,8 +499,8 @@ impl Passed<'_> {
         self.members[index].local += turn * local;
     }
 
-    /// Adds a slider on a guide of the body's class.
-    fn slide(&mut self, body: BodyId, slider: usize, direction: Vector) {
+    /// Adds a slider whose guide has the rotation of the body's class.
+    fn add_slider(&mut self, body: BodyId, slider: usize, direction: Vector) {
         self.rails.push(Rail {
             class: self.classes[body.0].0,
             slider,

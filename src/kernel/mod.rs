@@ -1,9 +1,10 @@
-//! In: a mechanism given by lengths. Out: a [`Kernel`]: the same, compiled for many positions into a short list of actions.
-//! A [`Block`] holds many positions side by side; each action runs over all of them, so being general costs once a block.
-//! Everything that must be exact about a position is here: Newton's method on the loop equations, and the rates from the same matrix.
+//! In: a mechanism given by lengths. Out: a [`Kernel`]: the mechanism compiled into a short list of actions. A
+//! [`Block`] holds many positions side by side; each action runs over all of them, so the generality costs time only
+//! once per block. Newton's method on the loop equations and the rates from the same matrix are here, to full f64
+//! accuracy.
 //!
-//! Bodies that prismatic joints tie together turn together: they are one class with one angle. So a loop is a sum of few vectors,
-//! one for each class that it passes, and the loop equations of `mechanism` are read off these.
+//! Bodies connected by prismatic joints rotate together: they form one class with one angle. A loop is then a sum of
+//! few vectors, one for each class in it, and the loop equations of `mechanism` follow from these.
 
 mod action;
 mod block;

@@ -7,7 +7,8 @@ use crate::geometry::{Lanes, MANY, Number, Pair, Row};
 use std::marker::PhantomData;
 
 impl Kernel {
-    /// Sets the rates of a drive: angular velocity and acceleration, or speed and acceleration along the guide.
+    /// Sets the rates of a drive: angular velocity and acceleration, in rad, or velocity and acceleration along the
+    /// guide.
     #[inline(always)]
     pub fn set_rates<R: Row>(&self, block: &mut Block<R>, input: usize, rate: f64, second: f64) {
         let (rates, seconds) = match self.inputs[input].kind {
@@ -17,21 +18,21 @@ impl Kernel {
         (*rates, *seconds) = (R::splat(rate), R::splat(second));
     }
 
-    /// All velocities and accelerations at assembled positions, from the rates of the drives.
+    /// Computes all velocities and accelerations at assembled positions, from the rates of the drives.
     #[inline(always)]
     pub fn rates<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>) {
         for action in &self.actions {
             match action {
-                Action::Place(placing) => carry(lanes, block, placing),
-                Action::Close(closing) => move_group(lanes, block, closing),
+                Action::Place(placing) => point_rates(lanes, block, placing),
+                Action::Close(closing) => group_rates(lanes, block, closing),
             }
         }
     }
 }
 
-/// The rates of a point from those of the one that it was placed from.
+/// Computes velocity and acceleration of a placed point from those of the earlier point.
 #[inline(always)]
-fn carry<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
+fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let Block { reaches, omegas, alphas, point_velocities, point_accelerations, .. } = block;
     let reach = &reaches[placing.reach];
     let (omegas, alphas) = (&omegas[placing.class], &alphas[placing.class]);
@@ -52,7 +53,7 @@ fn carry<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let Some((slider, _)) = placing.slide else {
         return;
     };
-    let (turn, way) = (&block.turns[placing.class], &block.lengths.ways[placing.reach]);
+    let (turn, way) = (&block.turns[placing.class], &block.lengths.guides[placing.reach]);
     let (speeds, seconds) = (&block.speeds[slider], &block.accelerations[slider]);
     for k in portions::<L, R>() {
         let way = lanes.pair(turn, k).turn(lanes.pair(way, k));
@@ -66,9 +67,9 @@ fn carry<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     }
 }
 
-/// The rates of a group, by its equations.
+/// Solves a group's equations for its velocities, then for its accelerations.
 #[inline(always)]
-fn move_group<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
+fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     velocity_sides(lanes, block, closing);
     tie_sides(lanes, closing, &mut block.tie_sides, &block.omegas);
     solve::<_, _, true>(lanes, block, closing);
@@ -97,13 +98,13 @@ fn velocity_sides<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Cl
         for member in chain.members.iter() {
             if member.spin.is_none() {
                 let omegas = &block.omegas[member.class];
-                side.less(&block.columns[member.column], omegas);
+                side.subtract(&block.columns[member.column], omegas);
             }
         }
         for rail in chain.rails.iter() {
             if rail.slide.is_none() {
                 let speeds = &block.speeds[rail.slider];
-                side.less(&block.columns[rail.column], speeds);
+                side.subtract(&block.columns[rail.column], speeds);
             }
         }
         side.store(rows);
@@ -117,17 +118,17 @@ fn acceleration_sides<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing:
         let mut side = Side::new(lanes, chain, &block.point_accelerations);
         for member in chain.members.iter() {
             let column = &block.columns[member.column];
-            side.centripetal(column, &block.omegas[member.class]);
+            side.add_normal(column, &block.omegas[member.class]);
             if member.spin.is_none() {
-                side.less(column, &block.alphas[member.class]);
+                side.subtract(column, &block.alphas[member.class]);
             }
         }
         for rail in chain.rails.iter() {
             let guide = &block.columns[rail.column];
             let omegas = &block.omegas[rail.class];
-            side.coriolis(guide, omegas, &block.speeds[rail.slider]);
+            side.subtract_coriolis(guide, omegas, &block.speeds[rail.slider]);
             if rail.slide.is_none() {
-                side.less(guide, &block.accelerations[rail.slider]);
+                side.subtract(guide, &block.accelerations[rail.slider]);
             }
         }
         side.store(rows);
@@ -148,7 +149,7 @@ fn tie_sides<L: Lanes, R: Row>(lanes: L, closing: &Closing, sides: &mut [R], rat
     }
 }
 
-/// The right side of a loop while it is added up.
+/// The right side of a loop's two equations, during summation.
 struct Side<L: Lanes, R> {
     lanes: L,
     sums: [Pair<L::Number>; MANY],
@@ -164,7 +165,7 @@ impl<L: Lanes, R: Row> Side<L, R> {
 
     /// − c x of a column c with the rates x.
     #[inline(always)]
-    fn less(&mut self, column: &[R; 2], rates: &R) {
+    fn subtract(&mut self, column: &[R; 2], rates: &R) {
         for k in portions::<L, R>() {
             let column = self.lanes.pair(column, k);
             self.sums[k] = self.sums[k].minus_scaled(column, self.lanes.load(rates, k));
@@ -173,7 +174,7 @@ impl<L: Lanes, R: Row> Side<L, R> {
 
     /// + ω² r; a column is J r, and r = −J (J r).
     #[inline(always)]
-    fn centripetal(&mut self, column: &[R; 2], omegas: &R) {
+    fn add_normal(&mut self, column: &[R; 2], omegas: &R) {
         for k in portions::<L, R>() {
             let (column, omega) = (self.lanes.pair(column, k), self.lanes.load(omegas, k));
             self.sums[k] = self.sums[k].minus_turned(column, omega * omega);
@@ -182,7 +183,7 @@ impl<L: Lanes, R: Row> Side<L, R> {
 
     /// − 2 ω ṡ J u of a guide u.
     #[inline(always)]
-    fn coriolis(&mut self, guide: &[R; 2], omegas: &R, speeds: &R) {
+    fn subtract_coriolis(&mut self, guide: &[R; 2], omegas: &R, speeds: &R) {
         for k in portions::<L, R>() {
             let (omega, speed) = (self.lanes.load(omegas, k), self.lanes.load(speeds, k));
             let guide = self.lanes.pair(guide, k);

@@ -5,7 +5,8 @@ use super::{Block, vector};
 use crate::geometry::{Lanes, LinearSystem, Pair, Reduced, Row};
 use nalgebra::DMatrix;
 
-/// The solution for the block's right sides; factors the equations where `FACTOR`, else takes the factors that there are.
+/// Solves a group's equations for the block's right sides; factors them first if `FACTOR`, else uses the factors from
+/// before.
 #[inline(always)]
 pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     let Block { columns, systems, sides, tie_sides, solution, .. } = block;
@@ -66,7 +67,7 @@ pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(lanes: L, block: &mut 
     }
 }
 
-/// The systems of a group that does not reduce, position by position.
+/// The factored systems of a group that does not reduce, by position.
 #[inline(never)]
 fn general_systems<R: Row>(columns: &[[R; 2]], closing: &Closing) -> Vec<Option<LinearSystem>> {
     let (loops, unknowns) = (closing.chains.len(), closing.unknowns.len());
@@ -93,7 +94,8 @@ fn solve_general<R: Row>(system: &System<R>, sides: &[[R; 2]], tie_sides: &[R], 
     }
 }
 
-/// The determinant of a group's equations at one position, and the square of Hadamard's ratio.
+/// The determinant of a group's equations at one position, and the square of Hadamard's ratio; zeros for a singular
+/// system.
 pub(super) fn determinant<R: Row>(block: &Block<R>, closing: &Closing, position: usize) -> [f64; 2] {
     let column = |index: usize| Pair::from(vector(&block.columns[index], position));
     match closing.reduced {

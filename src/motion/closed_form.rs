@@ -1,22 +1,22 @@
 use crate::geometry::{Numbers, Pair, Point, Reduced, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::{LoopEquations, Reduction};
 
-/// The loop equations of a group reduced to two equations for two rates: second, third and fourth class.
+/// The loop equations of a group of class II, III or IV reduced to two equations for two rates.
 ///
-/// A dyad's one loop has just two unknown rates. In a third- or fourth-class group each of the two loops has one rate of its own
-/// besides the two that they share; see [`Reduced`].
-/// For a fourth-class group with pins only this is ω2 (BC × CD) − ω4 (ED × CD) = Δv · CD and its like.
+/// A dyad's one loop has just two unknown rates. In a group of class III or IV each of the two loops has one rate of
+/// its own besides the two that they share; see [`Reduced`]. For a class IV group with pins only the equations are ω2
+/// (BC × CD) − ω4 (ED × CD) = Δv · CD and its counterpart.
 #[derive(Clone, Copy, Debug)]
 pub enum ClosedForm {
-    /// A dyad.
+    /// A group of class II.
     OneLoop(Reduced<1, f64>),
-    /// A third- or fourth-class group, and which unknowns its loops share and have of their own.
+    /// A group of class III or IV, with the unknowns in the order shared, shared, own, own.
     TwoLoops(Reduced<2, f64>, [usize; 4]),
 }
 
 impl ClosedForm {
-    /// The reduced form of the equations where the points and guides are these; `None` where there is none, or its determinant is
-    /// lost in rounding, or numbers come near the ends of f64's range.
+    /// The reduced equations at these points and guides; `None` for other groups, where rounding dominates the
+    /// determinant, or where numbers approach the limits of f64.
     #[inline]
     #[must_use]
     pub fn new(equations: &LoopEquations, points: &[Point], guides: &[Vector]) -> Option<Self> {
@@ -26,7 +26,7 @@ impl ClosedForm {
         for (terms, columns) in equations.loops.iter().zip(&mut all) {
             terms.add_columns(points, guides, columns);
         }
-        // The squares of the own columns are inverted.
+        // The squares of the own columns are inverted: they must not be too small either.
         let mut squares = 1.0;
         let (form, determinant, products) = match reduction {
             Reduction::OneLoop => {
@@ -43,7 +43,7 @@ impl ClosedForm {
                 (form, system.determinant(), system.products())
             }
         };
-        // False for a NaN too. Fourth powers of lengths must not come near the ends of f64's range.
+        // False for NaN too. The bounds keep fourth powers of lengths within the range of f64.
         let size = determinant.abs();
         let uncertain = UNIT_ROUNDOFF * (products[0].abs() + products[1].abs());
         let inside = [size, squares].iter().all(|x| (1e-250..1e250).contains(x));
@@ -51,7 +51,7 @@ impl ClosedForm {
         safe.then_some(form)
     }
 
-    /// The rates for the right sides of the loops in a row, as many as there are numbers.
+    /// The rates for the right sides of the loops, two components each; as many rates as components.
     #[must_use]
     pub fn solve_all(&self, side: &[f64]) -> Numbers {
         let pair = |k: usize| Pair { x: side[2 * k], y: side[2 * k + 1] };

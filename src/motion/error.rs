@@ -1,4 +1,4 @@
-/// Why a pose has no definite motion.
+/// Reasons why the motion at a pose is not defined.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MotionError {
     /// The group is in a singular position.
@@ -6,14 +6,14 @@ pub enum MotionError {
     Singular {
         /// The group's links.
         links: String,
-        /// Which lines meet, in words.
+        /// The concurrent or parallel lines, in words.
         reason: String,
         /// Condition number of the loop equations; infinite where a pivot vanishes.
         condition: f64,
-        /// What to change.
+        /// A way out, in words.
         hint: String,
     },
-    /// A number left the range of f64.
+    /// A number exceeds the range of f64.
     #[error(
         "links {links}: a distance, a velocity or an acceleration is too large to be represented\n  \
          try: larger units of length, or slower drives"

@@ -1,7 +1,8 @@
-//! In: a mechanism and its [`Pose`]. Out: a [`Motion`]: velocities and accelerations of every body, each with its accuracy.
-//! Numbers come from the loop equations alone, never through a special point (those are for drawing, see `plan`).
-//! One matrix serves velocity and acceleration; near-singular groups are reported, singular ones refused. All is carried with twice
-//! the digits of f64 and a bound of the error, and rounded once at the end.
+//! In: a mechanism and its [`Pose`]. Out: a [`Motion`]: velocities and accelerations of every body, with bounds of
+//! their errors. They come from the loop equations alone, never from a special point (those are for drawing, see
+//! `construction`). One matrix serves velocities and accelerations; groups near a singular position get a warning,
+//! singular ones an error. Numbers are computed with twice the digits of f64 and a bound of the error, and rounded once
+//! at the end.
 
 mod closed_form;
 mod error;
@@ -22,7 +23,7 @@ use crate::geometry::{Point, Vector, quarter_turn};
 use crate::mechanism::{BodyId, SliderId};
 use crate::position::Pose;
 
-/// How far the analysis goes: an acceleration that nobody asks for is not computed.
+/// The highest derivative that is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Order {
     /// Velocities only.
@@ -31,18 +32,18 @@ pub enum Order {
     Acceleration,
 }
 
-/// The motion of a rigid body: that of one of its places, and its rotation.
+/// The motion of a rigid body: its rotation, and the motion of a reference point, in the fixed frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyMotion {
-    /// The place.
+    /// The reference point.
     pub at: Point,
-    /// Velocity of the body there.
+    /// Velocity of the body's point at `at`.
     pub velocity: Vector,
-    /// Acceleration of the body there; zero when only velocities were asked for.
+    /// Acceleration of the body's point at `at`; zero for [`Order::Velocity`].
     pub acceleration: Vector,
     /// Angular velocity, counter-clockwise positive, rad per unit of time.
     pub omega: f64,
-    /// Angular acceleration; zero when only velocities were asked for.
+    /// Angular acceleration, rad per unit of time squared; zero for [`Order::Velocity`].
     pub alpha: f64,
 }
 
@@ -78,12 +79,12 @@ impl BodyMotion {
     }
 }
 
-/// The motion of a slider along its guide, seen from the guide's body.
+/// The motion of a slider along its guide, relative to the guide's body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlideMotion {
-    /// Sliding velocity v_r, positive along the guide.
+    /// BoundedSlide velocity v_r, positive along the guide.
     pub velocity: f64,
-    /// Sliding acceleration a_r.
+    /// BoundedSlide acceleration a_r.
     pub acceleration: f64,
     /// Bound on the error of `velocity`.
     pub velocity_error: f64,
@@ -91,7 +92,7 @@ pub struct SlideMotion {
     pub acceleration_error: f64,
 }
 
-/// How well an Assur group's motion is determined.
+/// Accuracy of an Assur group's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroupAccuracy {
     /// Condition number of the scaled loop equations, at least 1.
@@ -101,9 +102,9 @@ pub struct GroupAccuracy {
 /// Velocities and accelerations of a mechanism at a pose.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// How far it was computed.
+    /// The highest derivative computed.
     pub order: Order,
-    /// By body. Of a stub and a carrier only the carried point's motion means anything.
+    /// By body. For a stub or a carrier only the motion of the carried point has a meaning.
     pub bodies: Vec<BodyMotion>,
     /// By body: bounds on its errors.
     pub errors: Vec<MotionErrors>,
@@ -111,7 +112,7 @@ pub struct Motion {
     pub slides: Vec<SlideMotion>,
     /// By group.
     pub groups: Vec<GroupAccuracy>,
-    /// What a reader should know of these numbers.
+    /// Warnings on groups near a singular position.
     pub warnings: Vec<String>,
 }
 
@@ -134,7 +135,7 @@ impl Motion {
         &self.slides[id.0]
     }
 
-    /// The Coriolis acceleration 2 ω ẑ × v_r of a slider, ω that of its guide.
+    /// The Coriolis acceleration 2 ω ẑ × v_r of a slider, ω the angular velocity of body `on` of its guide.
     #[must_use]
     pub fn coriolis(&self, pose: &Pose, id: SliderId, on: BodyId) -> Vector {
         let sliding = pose.guide(id) * self.slide(id).velocity;

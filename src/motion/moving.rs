@@ -2,9 +2,9 @@ use super::{BodyMotion, GroupAccuracy, Motion, MotionErrors, Order, SlideMotion}
 use crate::geometry::{Ball, Pair, Point};
 use crate::mechanism::{BodyId, SliderId};
 
-/// The motion of a rigid body before rounding: that of one of its places, and its rotation.
+/// A [`BodyMotion`] before rounding, with bounds of its errors.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Moving {
+pub(super) struct BoundedMotion {
     pub at: Point,
     pub velocity: Pair<Ball>,
     pub acceleration: Pair<Ball>,
@@ -12,8 +12,8 @@ pub(super) struct Moving {
     pub alpha: Ball,
 }
 
-impl Moving {
-    /// Velocity of the point at `p` relative to that at `at`.
+impl BoundedMotion {
+    /// Velocity of the point at `p` relative to the reference point.
     pub fn swing(&self, p: Point) -> Pair<Ball> {
         if p == self.at {
             return Pair::default();
@@ -21,7 +21,7 @@ impl Moving {
         Pair::between(self.at, p).quarter_turn() * self.omega
     }
 
-    /// Acceleration of the point at `p` relative to that at `at`.
+    /// Acceleration of the point at `p` relative to the reference point.
     pub fn turning(&self, p: Point) -> Pair<Ball> {
         if p == self.at {
             return Pair::default();
@@ -30,9 +30,9 @@ impl Moving {
         arm.quarter_turn() * self.alpha - arm * (self.omega * self.omega)
     }
 
-    /// The same motion, described by that of the body's point at `p`.
-    pub fn referred_to(&self, p: Point) -> Moving {
-        Moving {
+    /// The same motion with reference point `p`.
+    pub fn referred_to(&self, p: Point) -> BoundedMotion {
+        BoundedMotion {
             at: p,
             velocity: self.velocity + self.swing(p),
             acceleration: self.acceleration + self.turning(p),
@@ -58,14 +58,14 @@ impl Moving {
     }
 }
 
-/// The motion of a slider along its guide before rounding.
+/// A [`SlideMotion`] before rounding, with bounds of its errors.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Sliding {
+pub(super) struct BoundedSlide {
     pub velocity: Ball,
     pub acceleration: Ball,
 }
 
-impl Sliding {
+impl BoundedSlide {
     fn rounded(&self) -> SlideMotion {
         SlideMotion {
             velocity: self.velocity.high,
@@ -76,25 +76,25 @@ impl Sliding {
     }
 }
 
-/// What moves, as far as it is known. Whoever continues from here reads these numbers, so that nothing is rounded twice.
+/// The motions known so far. Later groups use these unrounded numbers, so that nothing is rounded twice.
 #[derive(Clone, Debug)]
 pub(super) struct State {
     /// By body.
-    pub bodies: Vec<Moving>,
+    pub bodies: Vec<BoundedMotion>,
     /// By slider.
-    pub slides: Vec<Sliding>,
+    pub slides: Vec<BoundedSlide>,
 }
 
 impl State {
-    pub fn body(&self, id: BodyId) -> &Moving {
+    pub fn body(&self, id: BodyId) -> &BoundedMotion {
         &self.bodies[id.0]
     }
 
-    pub fn slide(&self, id: SliderId) -> &Sliding {
+    pub fn slide(&self, id: SliderId) -> &BoundedSlide {
         &self.slides[id.0]
     }
 
-    /// Everything rounded to f64; no accelerations where they were not asked for.
+    /// All motions rounded to f64; with [`Order::Velocity`] accelerations are zero.
     pub fn rounded(mut self, order: Order, groups: Vec<GroupAccuracy>, warnings: Vec<String>) -> Motion {
         if order == Order::Velocity {
             for body in &mut self.bodies {
@@ -104,7 +104,14 @@ impl State {
                 slide.acceleration = Ball::default();
             }
         }
-        let (bodies, errors) = self.bodies.iter().map(Moving::rounded).unzip();
-        Motion { order, bodies, errors, slides: self.slides.iter().map(Sliding::rounded).collect(), groups, warnings }
+        let (bodies, errors) = self.bodies.iter().map(BoundedMotion::rounded).unzip();
+        Motion {
+            order,
+            bodies,
+            errors,
+            slides: self.slides.iter().map(BoundedSlide::rounded).collect(),
+            groups,
+            warnings,
+        }
     }
 }

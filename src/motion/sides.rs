@@ -5,10 +5,10 @@ use crate::mechanism::{BodyId, LoopEquations, LoopTerms, SlideRate, Spin, TieTer
 use crate::position::Pose;
 use smallvec::SmallVec;
 
-/// As many numbers as a group has unknowns.
+/// A number for each unknown of a group.
 pub(super) type Balls = SmallVec<[Ball; 4]>;
 
-/// Right sides of the equations, or what is left of them: a vector for each loop, a number for each tie.
+/// Right sides of the equations, or residuals: a vector for each loop, a number for each tie.
 #[derive(Clone, Debug)]
 pub(super) struct Sides {
     loops: SmallVec<[Pair<Ball>; 2]>,
@@ -16,34 +16,34 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// All of them in the order of the equations.
+    /// The components of all loops, then of all ties: the order of the equations.
     pub fn numbers(&self) -> impl Iterator<Item = Ball> {
         self.loops.iter().flat_map(|side| [side.x, side.y]).chain(self.ties.iter().copied())
     }
 }
 
-/// The right sides of the velocity equations, where known bodies move as `state` says.
+/// The right sides of the velocity equations; known bodies move as in `state`.
 pub(super) fn velocity_sides(equations: &LoopEquations, pose: &Pose, state: &State) -> Sides {
     Sides {
-        loops: equations.loops.iter().map(|terms| velocity(terms, pose, state)).collect(),
-        ties: equations.ties.iter().map(|terms| tied(terms, |body| state.body(body).omega)).collect(),
+        loops: equations.loops.iter().map(|terms| velocity_side(terms, pose, state)).collect(),
+        ties: equations.ties.iter().map(|terms| tie_side(terms, |body| state.body(body).omega)).collect(),
     }
 }
 
-/// The right sides of the acceleration equations, with the solution `rates` of the velocity equations.
+/// The right sides of the acceleration equations; `rates` is the solution of the velocity equations.
 pub(super) fn acceleration_sides(equations: &LoopEquations, pose: &Pose, state: &State, rates: &[Ball]) -> Sides {
     Sides {
-        loops: equations.loops.iter().map(|terms| acceleration(terms, pose, state, rates)).collect(),
-        ties: equations.ties.iter().map(|terms| tied(terms, |body| state.body(body).alpha)).collect(),
+        loops: equations.loops.iter().map(|terms| acceleration_side(terms, pose, state, rates)).collect(),
+        ties: equations.ties.iter().map(|terms| tie_side(terms, |body| state.body(body).alpha)).collect(),
     }
 }
 
-/// What the unknowns `x` leave of these right sides.
+/// The residuals of the equations for the unknowns `x`.
 pub(super) fn residuals(equations: &LoopEquations, pose: &Pose, sides: &Sides, x: &[Ball]) -> Sides {
     let loops = equations.loops.iter().zip(&sides.loops);
     let ties = equations.ties.iter().zip(&sides.ties);
     Sides {
-        loops: loops.map(|(terms, &side)| residual(terms, pose, side, x)).collect(),
+        loops: loops.map(|(terms, &side)| loop_residual(terms, pose, side, x)).collect(),
         ties: ties.map(|(terms, &side)| tie_residual(terms, side, x)).collect(),
     }
 }
@@ -57,7 +57,7 @@ fn tie_residual(terms: &TieTerms, side: Ball, x: &[Ball]) -> Ball {
 }
 
 /// The right side of a tie: − Σ weight · rate of the bodies whose rotation is known.
-fn tied(terms: &TieTerms, rate: impl Fn(BodyId) -> Ball) -> Ball {
+fn tie_side(terms: &TieTerms, rate: impl Fn(BodyId) -> Ball) -> Ball {
     terms.iter().fold(Ball::default(), |side, &(spin, weight)| match spin {
         Spin::Unknown(_) => side,
         Spin::Known(body) => side - rate(body) * weight.into(),
@@ -65,7 +65,7 @@ fn tied(terms: &TieTerms, rate: impl Fn(BodyId) -> Ball) -> Ball {
 }
 
 /// side − Σ ω J r − Σ ṡ u with the unknowns `x`.
-fn residual(terms: &LoopTerms, pose: &Pose, side: Pair<Ball>, x: &[Ball]) -> Pair<Ball> {
+fn loop_residual(terms: &LoopTerms, pose: &Pose, side: Pair<Ball>, x: &[Ball]) -> Pair<Ball> {
     let mut rest = side;
     for arm in &terms.arms {
         if let Spin::Unknown(unknown) = arm.spin {
@@ -81,8 +81,8 @@ fn residual(terms: &LoopTerms, pose: &Pose, side: Pair<Ball>, x: &[Ball]) -> Pai
     rest
 }
 
-/// The right side of a loop's velocity equations.
-fn velocity(terms: &LoopTerms, pose: &Pose, state: &State) -> Pair<Ball> {
+/// The right side of a loop's velocity equations: v_end − v_start − Σ ω J r − Σ ṡ u of known rotations and slides.
+fn velocity_side(terms: &LoopTerms, pose: &Pose, state: &State) -> Pair<Ball> {
     let mut side = Pair::default();
     if let Some([start, end]) = terms.ends {
         let (first, last) = (pose.point(terms.first), pose.point(terms.last));
@@ -103,8 +103,9 @@ fn velocity(terms: &LoopTerms, pose: &Pose, state: &State) -> Pair<Ball> {
     side
 }
 
-/// The right side of a loop's acceleration equations, with the solution of the velocity equations.
-fn acceleration(terms: &LoopTerms, pose: &Pose, state: &State, rates: &[Ball]) -> Pair<Ball> {
+/// The right side of a loop's acceleration equations: a_end − a_start + Σ ω² r − Σ 2 ω ṡ J u, and − Σ α J r − Σ s̈ u of
+/// known rotations and slides.
+fn acceleration_side(terms: &LoopTerms, pose: &Pose, state: &State, rates: &[Ball]) -> Pair<Ball> {
     let mut side = Pair::default();
     if let Some([start, end]) = terms.ends {
         let (first, last) = (pose.point(terms.first), pose.point(terms.last));

@@ -3,7 +3,7 @@ use crate::geometry::{Line, Vector, cross, quarter_turn};
 use crate::mechanism::{Class, Group, JointId, Mechanism};
 use crate::position::Pose;
 
-/// The finding that a group is singular, with the lines whose common point (or common direction) makes it so.
+/// The error for a singular group, with the lines that are concurrent or parallel.
 pub(super) fn singular(mechanism: &Mechanism, group: &Group, pose: &Pose, condition: f64) -> MotionError {
     let pairs = critical_lines(group);
     let directions: Vec<Vector> =
@@ -24,8 +24,8 @@ pub(super) fn singular(mechanism: &Mechanism, group: &Group, pose: &Pose, condit
     }
 }
 
-/// The joints that the critical lines run through. Class II: from either outer joint to the inner one. Class III: along each
-/// leg. Class IV: CD, GF and BE.
+/// The joints on the critical lines. Class II: from either outer joint to the inner one. Class III: along each leg.
+/// Class IV: CD, GF and BE.
 fn critical_lines(group: &Group) -> Vec<[JointId; 2]> {
     let joints = |k: usize| &group.loops[k].joints;
     match group.class {
@@ -48,7 +48,7 @@ fn joint_line(mechanism: &Mechanism, pose: &Pose, a: JointId, b: JointId) -> Opt
     }
 }
 
-/// That line in words.
+/// The line through two joints, in words.
 fn line_name(mechanism: &Mechanism, a: JointId, b: JointId) -> String {
     let name = |j: JointId| mechanism.point_name(mechanism.joint_point(j)).to_owned();
     let slides = |j: JointId| mechanism.joint(j).slider.is_some();

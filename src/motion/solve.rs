@@ -1,5 +1,5 @@
-use super::known::{driven_motion, known_motion, slid};
-use super::moving::{Moving, Sliding, State};
+use super::known::{driven_motion, known_motion, motion_across};
+use super::moving::{BoundedMotion, BoundedSlide, State};
 use super::refine::Solver;
 use super::sides::{acceleration_sides, velocity_sides};
 use super::singular::singular;
@@ -9,19 +9,22 @@ use crate::mechanism::{BodyId, Group, JointId, Loop, LoopEquations, Mechanism, S
 use crate::position::Pose;
 use smallvec::smallvec;
 
-/// Condition number from which a group counts as singular: with coordinates rounded to f64 no digit of a rate would be certain.
+/// Condition number from which a group counts as singular: with coordinates rounded to f64 no digit of its rates is
+/// certain.
 const SINGULAR_CONDITION: f64 = 0.05 / UNIT_ROUNDOFF;
 
-/// Condition number from which a result carries a warning: such coordinates determine fewer than 8 digits.
+/// Condition number above which there is a warning: coordinates rounded to f64 determine fewer than 8 digits of the
+/// rates.
 const NEARLY_SINGULAR_CONDITION: f64 = 1e-8 / UNIT_ROUNDOFF;
 
-/// The largest velocity, acceleration or rate that is given out: its square is still a number, and so are sums of squares.
+/// The largest velocity, acceleration or rate of a result: squares and their sums must not overflow.
 const LARGEST: f64 = 1e150;
 
-/// Velocities (and accelerations) of every body of `mechanism` at `pose`.
+/// Velocities and, for [`Order::Acceleration`], accelerations of every body of `mechanism` at `pose`.
 ///
 /// # Errors
-/// [`MotionError::Singular`] names the links and lines where a group has no definite motion.
+/// [`MotionError::Singular`] names the links and the critical lines of a group in a singular position;
+/// [`MotionError::Overflow`] the links whose rates leave the range of f64.
 pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion, MotionError> {
     let bodies = mechanism.bodies.iter();
     let mut state = State {
@@ -41,14 +44,14 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
         groups.push(GroupAccuracy { condition });
     }
     let motion = state.rounded(order, groups, warnings);
-    match too_large(mechanism, pose, &motion) {
+    match overflowing_body(mechanism, pose, &motion) {
         Some(link) => Err(MotionError::Overflow { links: mechanism.body(link).name.clone() }),
         None => Ok(motion),
     }
 }
 
-/// A link that moves too fast for the square of a velocity or an acceleration to be a number.
-fn too_large(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Option<BodyId> {
+/// A body with a velocity or an acceleration above [`LARGEST`] or not finite.
+fn overflowing_body(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Option<BodyId> {
     let is_small = |v: Vector| v.amax() <= LARGEST;
     (0..mechanism.bodies.len()).map(BodyId).find(|&id| {
         let (body, moves) = (mechanism.body(id), motion.body(id));
@@ -61,7 +64,7 @@ fn too_large(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Option<Body
     })
 }
 
-/// Adds the motion of `group`, whose outer bodies' motions are known. Returns the condition number.
+/// Adds the motion of `group`; its outer bodies' motions must be known. Returns the condition number.
 fn move_group(
     mechanism: &Mechanism,
     group: &Group,
@@ -72,7 +75,7 @@ fn move_group(
     let equations = LoopEquations::new(mechanism, group);
     let singular = |condition| singular(mechanism, group, pose, condition);
     let system = equations.factored(&pose.points, &pose.guides).ok_or_else(|| {
-        // Places so far apart that their differences leave the range of f64 say nothing of the position.
+        // An infinite matrix comes from places too far apart, not from a singular position.
         let matrix = equations.matrix(&pose.points, &pose.guides);
         if matrix.iter().all(|x| x.is_finite()) {
             singular(f64::INFINITY)
@@ -86,18 +89,18 @@ fn move_group(
     }
     let solver = Solver::new(&equations, &system, pose);
     let rates = solver.solve(&velocity_sides(&equations, pose, state));
-    let seconds = match order {
+    let accelerations = match order {
         Order::Velocity => smallvec![Ball::default(); equations.unknowns],
         Order::Acceleration => solver.solve(&acceleration_sides(&equations, pose, state, &rates)),
     };
-    let mut all = rates.iter().chain(&seconds);
+    let mut all = rates.iter().chain(&accelerations);
     if !all.all(|x| x.high.is_finite() && x.error().is_finite()) {
         return Err(MotionError::Overflow { links: group.link_names(mechanism) });
     }
 
     for &link in &group.bodies {
         let (omega, alpha) = match equations.spin_of(link) {
-            Spin::Unknown(unknown) => (rates[unknown], seconds[unknown]),
+            Spin::Unknown(unknown) => (rates[unknown], accelerations[unknown]),
             Spin::Known(body) => (state.body(body).omega, state.body(body).alpha),
         };
         let body = &mut state.bodies[link.0];
@@ -105,16 +108,17 @@ fn move_group(
     }
     for slider in (0..mechanism.sliders.len()).map(SliderId) {
         if let Some(unknown) = equations.slide_unknown(slider) {
-            state.slides[slider.0] = Sliding { velocity: rates[unknown], acceleration: seconds[unknown] };
+            state.slides[slider.0] = BoundedSlide { velocity: rates[unknown], acceleration: accelerations[unknown] };
         }
     }
-    place_motions(mechanism, group, pose, state);
+    set_reference_motions(mechanism, group, pose, state);
     Ok(condition)
 }
 
-/// Gives each link a place whose motion is known: from the start of its loop, the last link from the end; the links of a compound
-/// link from that of them which the loop enters. A link in no loop gets it over the joint by which it hangs on what is known.
-fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, state: &mut State) {
+/// Sets each link's reference point and its motion, along the loops: from the start, but for the last link from the
+/// end. Links of a compound link follow from the one that the loop enters; a link in no loop follows over the joint
+/// that connects it with known motion.
+fn set_reference_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, state: &mut State) {
     let mut placed: Vec<BodyId> = Vec::new();
     let mut place = |joint: JointId, from: BodyId, to: BodyId, placed: &mut Vec<BodyId>| {
         if placed.contains(&to) {
@@ -122,15 +126,15 @@ fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, state: &mut 
         }
         placed.push(to);
         let [from, entered] = [from, to].map(|link| mechanism.side(joint, link));
-        carry_over(mechanism, pose, state, joint, from, entered);
+        motion_over_joint(mechanism, pose, state, joint, from, entered);
         for link in mechanism.compound(to) {
             for slide in mechanism.way(entered, link) {
-                slide_over(mechanism, pose, state, slide.slider, slide.from, slide.to);
+                motion_over_slider(mechanism, pose, state, slide.slider, slide.from, slide.to);
             }
         }
     };
     let mut waiting: Vec<&Loop> = group.loops.iter().collect();
-    // A loop that closes on a link of the group waits for that link.
+    // A loop that closes on a link of the group needs that link's motion first.
     let starts = |chain: &&Loop, placed: &[BodyId]| !chain.closed || placed.contains(&chain.bodies[0]);
     while let Some(next) = waiting.iter().position(|chain| starts(chain, &placed)) {
         let chain = waiting.remove(next);
@@ -146,18 +150,25 @@ fn place_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, state: &mut 
     }
 }
 
-/// The motion of body `to` at `joint`, from that of body `from`.
-fn carry_over(mechanism: &Mechanism, pose: &Pose, state: &mut State, joint: JointId, from: BodyId, to: BodyId) {
+/// Sets the motion of body `to` at `joint`, from that of body `from`.
+fn motion_over_joint(mechanism: &Mechanism, pose: &Pose, state: &mut State, joint: JointId, from: BodyId, to: BodyId) {
     if let Some(slider) = mechanism.joint(joint).slider {
-        return slide_over(mechanism, pose, state, slider, from, to);
+        return motion_over_slider(mechanism, pose, state, slider, from, to);
     }
-    let own = *state.body(to);
+    let rotation = *state.body(to);
     let moved = state.body(from).referred_to(pose.point(mechanism.joint_point(joint)));
-    state.bodies[to.0] = Moving { omega: own.omega, alpha: own.alpha, ..moved };
+    state.bodies[to.0] = BoundedMotion { omega: rotation.omega, alpha: rotation.alpha, ..moved };
 }
 
-/// The motion of body `to`, from that of body `from` on the other side of a slider; they turn alike.
-fn slide_over(mechanism: &Mechanism, pose: &Pose, state: &mut State, slider: SliderId, from: BodyId, to: BodyId) {
+/// Sets the motion of body `to`, from that of body `from` on the other side of a slider; both have the same rotation.
+fn motion_over_slider(
+    mechanism: &Mechanism,
+    pose: &Pose,
+    state: &mut State,
+    slider: SliderId,
+    from: BodyId,
+    to: BodyId,
+) {
     let (source, slide) = (state.body(from), state.slide(slider));
-    state.bodies[to.0] = slid(mechanism, pose, slider, from, source, slide);
+    state.bodies[to.0] = motion_across(mechanism, pose, slider, from, source, slide);
 }

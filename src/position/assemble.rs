@@ -8,18 +8,16 @@ use crate::geometry::{Vector, span};
 use crate::mechanism::{BodyId, Class, Mechanism, Role, SliderId};
 use crate::scene::{GivenBy, Near};
 
-/// Ways to assemble a whole mechanism beyond which each group is decided by itself.
+/// Most assemblies of a whole mechanism that are listed; of more, those nearest to the rough places are kept.
 const MOST_WAYS: usize = 4096;
 
-/// The largest length that positions are found from, and one over the smallest: closing a loop takes fourth powers.
+/// Lengths must lie between the inverse of this and this: closing a loop takes their fourth powers.
 const LARGEST: f64 = 1e70;
 
-/// Where a mechanism is: as drawn, or assembled from its lengths in the way closest to `near`.
+/// The pose of a mechanism: as drawn, or assembled from its lengths in the way nearest to `near`.
 ///
-/// Least squares over all given places together decide; without any the first way is taken.
-///
-/// # Errors
-/// [`AssemblyError::NoMode`] says which links do not meet, and by how much.
+/// Nearest is the least sum of squared distances from all rough places together; without any the first assembly is
+/// taken.
 pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
     if mechanism.given_by == GivenBy::Drawing {
         return Ok(drawn_pose(mechanism));
@@ -32,17 +30,15 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
     Ok(pose)
 }
 
-/// Every real way to assemble a mechanism from its lengths; of a drawn configuration the one pose that it is.
+/// Every real assembly of a mechanism from its lengths; of a drawn configuration its one pose.
 ///
-/// The modes of a group are numbered by the angle of its first link that turns, counter-clockwise from +x; a mechanism's ways by the
-/// modes of its groups, the first group's counting most. Where a link's angle is given in place of a drive's, the groups are those of
-/// [`Placing`](crate::mechanism::Placing), and each group of the pose bears the number of the mechanism's way.
+/// The modes of a group are numbered by the angle of its first rotating link, counter-clockwise from +x; the
+/// mechanism's assemblies by the modes of its groups, of which the first group's is the most significant. Where a
+/// link's angle is given in place of a drive's, the groups are those of [`Placing`](crate::mechanism::Placing), and
+/// each group of the pose has the number of the mechanism's assembly.
 ///
-/// A slotted lever with one point, which no length distinguishes from itself turned by 180°, counts once, with its slider on the
-/// positive side of the guide's `through`; both ways round are listed where `near` gives its angle.
-///
-/// # Errors
-/// As for [`pose()`].
+/// A slotted lever with one point coincides with itself turned by 180° and counts once, with its slider on the positive
+/// side of the guide's `through`; both orientations are listed where `near` gives its angle.
 pub fn poses(mechanism: &Mechanism, near: &Near) -> Result<Vec<Pose>, AssemblyError> {
     if mechanism.given_by == GivenBy::Drawing {
         return Ok(vec![drawn_pose(mechanism)]);
@@ -51,17 +47,18 @@ pub fn poses(mechanism: &Mechanism, near: &Near) -> Result<Vec<Pose>, AssemblyEr
     Ok(ways.into_iter().map(|way| way.pose(mechanism)).collect())
 }
 
-/// A whole mechanism put together.
+/// An assembly of the whole mechanism, or of its first groups.
 #[derive(Clone)]
 pub(super) struct Way {
     pub frames: Frames,
     slides: Vec<f64>,
-    /// By group.
+    /// By group: the number of its assembly mode.
     assemblies: Vec<Assembly>,
 }
 
 impl Way {
-    /// The pose of `mechanism`, which may have fewer bodies and sliders than its [`Mechanism::for_positions`], by which it was found.
+    /// The pose of `mechanism`. It may have fewer bodies and sliders than its [`Mechanism::for_positions`], to which
+    /// this assembly belongs.
     fn pose(self, mechanism: &Mechanism) -> Pose {
         let (points, guides) = places(mechanism, &self.frames);
         let named = |id: usize| !matches!(mechanism.bodies[id].role, Role::Ground | Role::Carrier { .. });
@@ -75,13 +72,14 @@ impl Way {
             guides,
             slides: self.slides[..mechanism.sliders.len()].iter().copied().map(Some).collect(),
             assemblies: self.assemblies.into_iter().map(Some).collect(),
-            warnings: searched(mechanism.for_positions()).collect(),
+            warnings: search_warnings(mechanism.for_positions()).collect(),
         }
     }
 }
 
-/// What to say of groups whose modes are not all the roots of a polynomial. Without a loop there is nothing to miss.
-fn searched(mechanism: &Mechanism) -> impl Iterator<Item = String> {
+/// Warnings for groups whose assembly modes come from a search, not from a polynomial. A group without a loop has one
+/// mode.
+fn search_warnings(mechanism: &Mechanism) -> impl Iterator<Item = String> {
     let groups = mechanism.groups.iter();
     let higher = groups.filter(|group| group.class == Class::Higher && !group.loops.is_empty());
     higher.map(|group| {
@@ -92,7 +90,8 @@ fn searched(mechanism: &Mechanism) -> impl Iterator<Item = String> {
     })
 }
 
-/// All ways, group after group. Of more ways than can be listed, the closest to the `rough` places are kept after each group.
+/// All assemblies, group after group. Of more than [`MOST_WAYS`] those nearest to the rough places are kept after each
+/// group.
 fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError> {
     let bodies = mechanism.bodies.iter();
     let spans = bodies.map(|b| span(b.local.iter().copied()));
@@ -109,13 +108,13 @@ fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError>
         assemblies: Vec::new(),
     }];
     for (index, group) in mechanism.groups.iter().enumerate() {
-        let mut longer: Vec<Way> = Vec::new();
+        let mut extended: Vec<Way> = Vec::new();
         let mut failure = None;
         for way in &ways {
             match modes(mechanism, index, &way.frames, &way.slides, rough) {
                 Ok(found) => {
                     let modes = found.len();
-                    longer.extend(found.into_iter().enumerate().map(|(index, assembled)| {
+                    extended.extend(found.into_iter().enumerate().map(|(index, assembled)| {
                         let mut assemblies = way.assemblies.clone();
                         let mode = index + 1;
                         assemblies.push(Assembly { mode, modes });
@@ -125,14 +124,14 @@ fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError>
                 Err(no_mode) => failure = failure.or(Some(no_mode)),
             }
         }
-        if let (true, Some(failure)) = (longer.is_empty(), failure) {
+        if let (true, Some(failure)) = (extended.is_empty(), failure) {
             let (links, at) = (group.link_names(mechanism), given_angles(whole));
             return Err(match failure {
                 NoMode::Apart(miss) => AssemblyError::NoMode { links, at, miss },
                 NoMode::NotFound(tried) => AssemblyError::NotFound { links, at, tried },
             });
         }
-        ways = closest(mechanism, rough, longer);
+        ways = closest(mechanism, rough, extended);
     }
     if whole.placing.is_some() {
         let modes = ways.len();
@@ -144,7 +143,7 @@ fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError>
     Ok(ways)
 }
 
-/// The ways that can be listed: the closest to the `rough` places, in their order.
+/// At most [`MOST_WAYS`] assemblies, those nearest to the rough places, in their order.
 fn closest(mechanism: &Mechanism, rough: &Rough, ways: Vec<Way>) -> Vec<Way> {
     if ways.len() <= MOST_WAYS {
         return ways;
@@ -160,7 +159,7 @@ fn closest(mechanism: &Mechanism, rough: &Rough, ways: Vec<Way>) -> Vec<Way> {
     kept.map(|(way, _)| way).collect()
 }
 
-/// The given angles and positions in words, as in ` at angle(1) = 70°`.
+/// The given drive angles and positions in words, as in ` at angle(1) = 70°`.
 fn given_angles(mechanism: &Mechanism) -> String {
     let turned = mechanism.bodies.iter().filter_map(|b| match b.role {
         Role::Driver { angle: Some(angle), .. } => Some(format!(" at angle({}) = {angle}°", b.name)),
@@ -171,9 +170,9 @@ fn given_angles(mechanism: &Mechanism) -> String {
         let name = mechanism.push_name(id);
         Some(format!(" at position({name}) = {position}"))
     });
-    let in_place = mechanism.placing.iter().map(|placing| {
+    let placed = mechanism.placing.iter().map(|placing| {
         let name = &mechanism.body(placing.link).name;
         format!(" at angle({name}) = {}°", placing.angle)
     });
-    turned.chain(pushed).chain(in_place).collect::<Vec<_>>().join(",")
+    turned.chain(pushed).chain(placed).collect::<Vec<_>>().join(",")
 }

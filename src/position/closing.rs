@@ -3,24 +3,24 @@ use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::kernel::{Kernel, Single};
 use crate::mechanism::{BodyId, Group, Mechanism};
 
-/// Newton steps at most; from a polynomial's root two or three are needed, at a double root ten.
+/// Most Newton steps: from a simple root of a polynomial two or three are needed, from a double root ten.
 const STEPS: usize = 16;
 
-/// A group being put together: how its links are turned and where its sliders stand.
+/// A group's assembly, approximate or closed: orientations of its links and positions of its sliders.
 #[derive(Clone, Debug)]
 pub(super) struct Assembled {
     /// Frames of all bodies, the group's included.
     pub frames: Frames,
-    /// By slider.
+    /// By slider: its position along the guide.
     pub slides: Vec<f64>,
-    /// What is left of the loops' gaps, relative to the mechanism's size, and of the ties', in radians.
+    /// The largest gap of the loops, relative to the mechanism's size, or of the ties, in radians.
     pub gap: f64,
 }
 
-/// Closes the loops of a group from approximate starts, by Newton's method on the loop equations themselves.
+/// Closes the loops of a group from approximate starts, by Newton's method on the loop equations.
 ///
-/// The matrix is that of the velocity equations, the right side the gaps; so a pose is as exact as the
-/// condition of its velocities allows.
+/// The matrix is that of the velocity equations, the right side the gaps; so a pose is as exact as the condition of its
+/// velocities allows.
 pub(super) struct Closer<'a> {
     mechanism: &'a Mechanism,
     group: &'a Group,
@@ -30,14 +30,14 @@ pub(super) struct Closer<'a> {
 }
 
 impl<'a> Closer<'a> {
-    /// For the group of that index of a mechanism given by lengths.
+    /// For group `index` of a mechanism given by lengths.
     pub(super) fn new(mechanism: &'a Mechanism, index: usize) -> Closer<'a> {
         let kernel = Kernel::new(mechanism);
         let kernel = kernel.expect("only a mechanism given by lengths is put together");
         Closer { mechanism, group: &mechanism.groups[index], index, block: Single::new(&kernel), kernel }
     }
 
-    /// The group as the steps leave it, where its gap is smallest.
+    /// The assembly with the smallest gap among the Newton steps from `start`.
     pub(super) fn closed(&mut self, start: Assembled) -> Assembled {
         self.load(&start);
         let mut best = (f64::INFINITY, self.state());
@@ -55,7 +55,7 @@ impl<'a> Closer<'a> {
             if better {
                 best = (gap, state);
             }
-            // At the level of rounding one more step changes nothing; a gap that grows there has reached it.
+            // Below rounding a further step changes nothing; a gap that grows near it is rounding, too.
             if gap <= UNIT_ROUNDOFF || (!better && gap < 1e-12) {
                 break;
             }
@@ -71,7 +71,7 @@ impl<'a> Closer<'a> {
         (self.block.turns.clone(), self.block.slides.clone())
     }
 
-    /// Sets the block to what is known and to the start of what is not.
+    /// Sets the block to the known bodies and to the start of the group's links.
     fn load(&mut self, start: &Assembled) {
         let pair = |v: Vector| [[v.x], [v.y]];
         for (slide, position) in self.block.slides.iter_mut().zip(&start.slides) {
@@ -107,10 +107,10 @@ impl<'a> Closer<'a> {
     }
 }
 
-/// Places of all points and unit directions of all guides; what has no frame yet stands at the origin.
+/// Places of all points and unit directions of all guides; points of bodies without a frame are at the origin.
 pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec<Vector>) {
     let mut points: Vec<Point> = mechanism.given.iter().map(|p| p.unwrap_or_else(Point::origin)).collect();
-    // Known bodies last: they have the last word on shared points.
+    // Known bodies are written last: they decide the places of shared points.
     let bodies = (0..mechanism.bodies.len()).map(BodyId);
     let (known, members): (Vec<BodyId>, Vec<BodyId>) = bodies.partition(|&b| mechanism.is_known(b));
     for id in members.into_iter().rev().chain(known.into_iter().rev()) {
@@ -123,7 +123,7 @@ pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec
     }
     let guides = mechanism.sliders.iter().map(|slider| {
         let (_, direction) = slider.line();
-        // Frames that follow one another leave rotations a few roundings off length 1.
+        // Products of several rotations differ from length 1 by a few roundings.
         frames.of(slider.on).map_or(direction, |frame| (frame.rotation * direction).normalize())
     });
     (points, guides.collect())

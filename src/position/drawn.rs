@@ -2,9 +2,9 @@ use super::Pose;
 use crate::geometry::{Point, Vector, unit};
 use crate::mechanism::{Body, Guide, Mechanism, Role};
 
-/// The pose of a drawn configuration: the scene's own coordinates, untouched.
+/// The pose of a drawn configuration: the scene's coordinates, unchanged.
 pub(super) fn drawn_pose(mechanism: &Mechanism) -> Pose {
-    // A scene in this form has been checked to place every point.
+    // Reading the scene has checked that every point has a place.
     let places = mechanism.given.iter();
     let points: Vec<Point> = places.map(|p| p.unwrap_or_else(Point::origin)).collect();
     let guides: Vec<Vector> = mechanism
@@ -19,7 +19,7 @@ pub(super) fn drawn_pose(mechanism: &Mechanism) -> Pose {
     let axes = axes.map(|(index, body)| match body.points.as_slice() {
         _ if is_nameless(body) => None,
         [a, b, ..] => Some(points[b.0] - points[a.0]),
-        // A link without a second point takes its guide for its axis.
+        // The axis of a link with one point is its guide.
         _ => {
             let mut sliders = mechanism.sliders.iter().zip(&guides);
             let own = sliders.find(|(s, _)| s.on.0 == index || s.link.0 == index);
@@ -40,7 +40,7 @@ pub(super) fn drawn_pose(mechanism: &Mechanism) -> Pose {
     }
 }
 
-/// Whether a body is no link of the scene.
+/// Whether a body has no name in the scene.
 fn is_nameless(body: &Body) -> bool {
     body.role == Role::Ground || body.is_nameless()
 }

@@ -1,4 +1,4 @@
-/// Why a mechanism cannot be put together.
+/// Reasons why a mechanism cannot be assembled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum AssemblyError {
     /// No real assembly mode exists.
@@ -8,29 +8,29 @@ pub enum AssemblyError {
         links: String,
         /// The drive angles, in words, as in ` at angle(1) = 150°`.
         at: String,
-        /// By how much it fails, in words.
+        /// The distance by which its links fail to meet, in words.
         miss: String,
     },
-    /// Lengths whose fourth powers, which closing loops takes, leave the range of f64.
+    /// Lengths too large or too small: closing a loop takes fourth powers, which leave the range of f64.
     #[error(
         "lengths of about {size:e} are too {way} to assemble from: their fourth powers leave the range of numbers\n  \
          try: another unit of length"
     )]
     Size {
-        /// The largest length.
+        /// The largest length, in the scene's unit.
         size: f64,
-        /// Which way, in words.
+        /// `large` or `small`.
         way: &'static str,
     },
-    /// An assembly mode was asked for by a number that it does not have.
+    /// There is no assembly mode of this number.
     #[error("there is no assembly mode {mode}: there are {count}\n  try: `kinegon modes` lists them")]
     NoSuchMode {
-        /// The number.
+        /// The number asked for.
         mode: usize,
-        /// How many modes there are.
+        /// Number of modes.
         count: usize,
     },
-    /// A search has found no assembly mode of a group of higher class.
+    /// The search has found no assembly mode of a group of higher class.
     #[error(
         "no way to assemble links {links}{at} was found: {tried}\n  try: rough places of their points in `near`, another drive angle, or \
          other lengths"
@@ -40,7 +40,7 @@ pub enum AssemblyError {
         links: String,
         /// The drive angles, in words, as in ` at angle(1) = 150°`.
         at: String,
-        /// How hard it was tried, in words.
+        /// The number of starts and the smallest gap, in words.
         tried: String,
     },
 }

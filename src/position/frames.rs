@@ -1,14 +1,14 @@
 use crate::geometry::{Placement, Point, Turn, Vector, cross, quarter_turn, turn_of_degrees};
-use crate::mechanism::{Body, BodyId, JointId, Mechanism, PointId, Role, Slider};
+use crate::mechanism::{Body, BodyId, JointId, Mechanism, PointId, Role, Slider, SliderId};
 
-/// Where bodies are: the placement of each body's own frame in the fixed frame, as far as known.
+/// By body: the placement of its frame in the fixed frame; none while it is unknown.
 #[derive(Clone, Debug)]
 pub(super) struct Frames(Vec<Option<Placement>>);
 
 impl Frames {
-    /// The frames of the ground and the drivers, and of what drives push from them.
+    /// The frames of the ground and of the driven links, and of bodies that driven sliders place relative to these.
     pub(super) fn known(mechanism: &Mechanism) -> Frames {
-        let own = |body: &Body| match &body.role {
+        let given_frame = |body: &Body| match &body.role {
             Role::Ground => Some(Placement::identity()),
             Role::Driver { pivot, angle, .. } => {
                 let turn = turn_of_degrees((*angle)?);
@@ -17,7 +17,7 @@ impl Frames {
             }
             _ => None,
         };
-        let mut frames = Frames(mechanism.bodies.iter().map(own).collect());
+        let mut frames = Frames(mechanism.bodies.iter().map(given_frame).collect());
         for body in (0..mechanism.bodies.len()).map(BodyId) {
             if let Some(frame) = frames.of(body).copied() {
                 frames.set_compound(mechanism, body, frame);
@@ -34,117 +34,129 @@ impl Frames {
         self.0[body.0] = Some(frame);
     }
 
-    /// Places a body and with it all those of its compound link.
+    /// Sets a body's frame, and with it those of its compound link.
     pub(super) fn set_compound(&mut self, mechanism: &Mechanism, body: BodyId, frame: Placement) {
         let lead = mechanism.lead(body);
         for other in mechanism.compound(lead) {
-            self.set(other, frame * within(mechanism, body, other));
+            self.set(other, frame * placement_in_compound(mechanism, body, other));
         }
     }
 
-    /// Where a body holds one of its points; `None` while the body has no place.
+    /// The place of a body's point; `None` for a point that it does not have, or while its frame is unknown.
     pub(super) fn place(&self, mechanism: &Mechanism, body: BodyId, point: PointId) -> Option<Point> {
         let local = mechanism.body(body).local_of(point)?;
         Some(self.of(body)? * local)
     }
+
+    /// A slider's position along its guide; `None` while the frame of either body is unknown.
+    pub(super) fn slide(&self, mechanism: &Mechanism, id: SliderId) -> Option<f64> {
+        let slider = mechanism.slider(id);
+        let (on, link) = (self.of(slider.on)?, self.of(slider.link)?);
+        let (through, direction) = slider.line();
+        let at = link * local(mechanism, slider.link, slider.at);
+        Some((on.inverse() * at - through).dot(&direction))
+    }
 }
 
-/// The placement with this turn that brings the local point to a place.
+/// The placement with rotation `turn` that brings the point `local` to `place`.
 pub(super) fn pinned(turn: Turn, local: Point, place: Point) -> Placement {
     Placement::from_parts((place - turn * local).into(), turn)
 }
 
-/// A local point of a body; the origin for a body that gives none.
+/// A point in the frame of a body; its origin for a point that the body does not have.
 pub(super) fn local(mechanism: &Mechanism, body: BodyId, point: PointId) -> Point {
     let local = mechanism.body(body).local_of(point);
     local.unwrap_or_else(Point::origin)
 }
 
-/// The sliding link's placement in the frame of the guide's body, at slider position `s`.
-pub(super) fn slid(mechanism: &Mechanism, slider: &Slider, s: f64) -> Placement {
+/// Placement of the sliding link in the frame of the guide's body, at slider position `s`.
+pub(super) fn placement_on_guide(mechanism: &Mechanism, slider: &Slider, s: f64) -> Placement {
     let (through, direction) = slider.line();
     let at = local(mechanism, slider.link, slider.at);
     pinned(slider.turn(), at, through + direction * s)
 }
 
-/// The placement of `to` in the frame of `from`, across a prismatic joint at slider position `s`.
-pub(super) fn across(mechanism: &Mechanism, slider: &Slider, from: BodyId, s: f64) -> Placement {
-    let forward = slid(mechanism, slider, s);
+/// Placement of the body on the other side of a slider in the frame of `from`, at slider position `s`.
+pub(super) fn placement_across(mechanism: &Mechanism, slider: &Slider, from: BodyId, s: f64) -> Placement {
+    let forward = placement_on_guide(mechanism, slider, s);
     if slider.on == from { forward } else { forward.inverse() }
 }
 
-/// The position that a slider's drive sets; zero for a free one.
+/// The given position of a driven slider; zero for a free one.
 pub(super) fn driven_position(slider: &Slider) -> f64 {
     let position = slider.drive.and_then(|drive| drive.position);
     position.unwrap_or(0.0)
 }
 
-/// The placement of body `to` in the frame of `from`, both of one compound link.
-pub(super) fn within(mechanism: &Mechanism, from: BodyId, to: BodyId) -> Placement {
+/// Placement of body `to` in the frame of `from`, both of one compound link.
+pub(super) fn placement_in_compound(mechanism: &Mechanism, from: BodyId, to: BodyId) -> Placement {
     let way = mechanism.way(from, to).into_iter();
     way.fold(Placement::identity(), |frame, slide| {
         let slider = mechanism.slider(slide.slider);
-        frame * across(mechanism, slider, slide.from, driven_position(slider))
+        frame * placement_across(mechanism, slider, slide.from, driven_position(slider))
     })
 }
 
-/// How one of the two bodies that a leg joins is held by the leg's middle body, in the middle body's frame.
+/// The joint between a leg's middle body and body a or b, in the middle body's frame.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Hold {
-    /// By a pin: its own point stands at this place of the middle frame.
+pub(super) enum LegJoint {
+    /// A pin: the point `local` of a or b is at `place` of the middle frame.
     Pin { local: Point, place: Point },
-    /// By a slider: with this placement at slider position zero, free along a direction.
+    /// A slider: the placement of a or b at slider position zero, free to move along the unit vector `along`.
     Slide { frame: Placement, along: Vector },
 }
 
-impl Hold {
-    /// How a side is held at `joint` by the middle body.
+impl LegJoint {
+    /// The joint between the middle body and a or b.
     ///
-    /// Either side may stand for several bodies that do not move against each other, as the fixed frame does: `side` and
-    /// `middle` are the joined bodies with their placements in the side's and in the middle's frame.
+    /// `side` and `middle` are the bodies at `joint`, with their placements in the frames of a or b and of the middle
+    /// body: either may belong to a compound link or to the fixed frame.
     pub(super) fn new(
         mechanism: &Mechanism,
         joint: JointId,
         (side, side_frame): (BodyId, Placement),
         (middle, middle_frame): (BodyId, Placement),
-    ) -> Hold {
+    ) -> LegJoint {
         match mechanism.joint(joint).slider.map(|id| mechanism.slider(id)) {
-            None => Hold::Pin {
+            None => LegJoint::Pin {
                 local: side_frame * mechanism.joint_on(joint, side),
                 place: middle_frame * mechanism.joint_on(joint, middle),
             },
             Some(slider) => {
-                let at = |s: f64| middle_frame * across(mechanism, slider, middle, s) * side_frame.inverse();
-                let (frame, moved) = (at(0.0), at(1.0));
-                // Directions are differences of placements one unit of slide apart: exact enough for a start.
-                let along = (moved.translation.vector - frame.translation.vector).normalize();
-                Hold::Slide { frame, along }
+                let at = |s: f64| middle_frame * placement_across(mechanism, slider, middle, s) * side_frame.inverse();
+                let (frame, shifted) = (at(0.0), at(1.0));
+                // The difference of two placements gives the direction exactly enough for a start.
+                let along = (shifted.translation.vector - frame.translation.vector).normalize();
+                LegJoint::Slide { frame, along }
             }
         }
     }
 }
 
-/// The placement that brings local points closest to their places, by least squares; `None` unless two of either are apart.
-pub(super) fn fitted(pairs: &[(Point, Point)]) -> Option<Placement> {
+/// The placement that brings points from their local coordinates closest to their places, by least squares; `None`
+/// where either set coincides in one point.
+pub(super) fn least_squares_placement(pairs: &[(Point, Point)]) -> Option<Placement> {
     let count = pairs.len() as f64;
-    let sums =
-        pairs.iter().fold([Vector::zeros(); 2], |sums, (own, place)| [sums[0] + own.coords, sums[1] + place.coords]);
-    let [own_mean, place_mean] = sums.map(|sum| Point::from(sum / count));
+    let sums = pairs
+        .iter()
+        .fold([Vector::zeros(); 2], |sums, (local, place)| [sums[0] + local.coords, sums[1] + place.coords]);
+    let [local_mean, place_mean] = sums.map(|sum| Point::from(sum / count));
     let (mut cosine, mut sine) = (0.0, 0.0);
-    for (own, place) in pairs {
-        let (l, w) = (own - own_mean, place - place_mean);
+    for (local, place) in pairs {
+        let (l, w) = (local - local_mean, place - place_mean);
         cosine += l.dot(&w);
         sine += cross(l, w);
     }
     let size = libm::hypot(cosine, sine);
     (size > 0.0).then(|| {
         let turn = Turn::from_cos_sin_unchecked(cosine / size, sine / size);
-        pinned(turn, own_mean, place_mean)
+        pinned(turn, local_mean, place_mean)
     })
 }
 
-/// The placement (in the middle frame) of a body held by a pin, when a second place of it is known.
-pub(super) fn turned_towards(local_from: Point, local_to: Point, from: Point, to: Point) -> Placement {
+/// Placement, in the middle frame, of a body with a pin at `from`, turned so that its point `local_to` lies towards
+/// `to`. The identity rotation where either distance is zero.
+pub(super) fn placement_towards(local_from: Point, local_to: Point, from: Point, to: Point) -> Placement {
     let (l, w) = (local_to - local_from, to - from);
     let (cosine, sine) = (l.dot(&w), quarter_turn(l).dot(&w));
     let size = libm::hypot(cosine, sine);

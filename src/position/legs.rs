@@ -1,31 +1,31 @@
-use super::frames::Hold;
+use super::frames::LegJoint;
 use super::roots::real_roots;
 use crate::geometry::{Placement, Point, Vector, cross, quarter_turn};
 
-/// A leg between two rigid bodies a and b: one condition on the placement of b in a's frame.
+/// Condition that a leg between rigid bodies a and b imposes on the placement of b in the frame of a.
 ///
-/// A binary link between two revolute joints keeps a distance; one with a prismatic joint on either side
-/// keeps a point of one body on a line of the other; one with two prismatic joints keeps the angle.
+/// A binary link with two revolute joints keeps a distance; one with one prismatic joint keeps a point of one body on a
+/// line of the other; one with two prismatic joints keeps the relative angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum LegCondition {
     /// Point `a` of body a and point `b` of body b are `length` apart.
     Distance { a: Point, b: Point, length: f64 },
-    /// Point `b` of body b lies on a line of body a.
+    /// Point `b` of body b lies on the line through `point` along `direction` of body a.
     OnLineOfA { point: Point, direction: Vector, b: Point },
-    /// Point `a` of body a lies on a line of body b.
+    /// Point `a` of body a lies on the line through `point` along `direction` of body b.
     OnLineOfB { point: Point, direction: Vector, a: Point },
-    /// Body b is turned against a by this rotation.
+    /// The rotation of body b relative to a is given.
     Turned(crate::geometry::Turn),
 }
 
-/// Every real placement of body b in a's frame that meets three conditions.
+/// Every real placement of body b in the frame of a that satisfies three conditions.
 ///
-/// For a given relative turn each leg is a circle or a straight line for the translation t; two linear
-/// rows M t = r (circles enter as differences with the first circle) and one remaining condition leave a
-/// trigonometric polynomial of the turn of degree 3 at most, so 6 placements at most. Its real roots are found
-/// by subdivision between the roots of its derivatives, which loses none. Order of the placements: by the
-/// relative turn, counter-clockwise from 0. Placements are good to about half the digits near a double
-/// root; the caller closes the loops to full accuracy and drops what does not close.
+/// For a given relative rotation each leg restricts the translation t to a circle or a straight line. Two linear
+/// equations (differences of circles are linear) and one remaining condition leave a trigonometric polynomial of the
+/// rotation of degree 3 at most, so at most 6 placements. Its real roots are isolated by the roots of its derivatives,
+/// so none is lost. The placements are in the order of the relative rotation, counter-clockwise from 0. Near a double
+/// root they are exact to about half the digits; the caller closes the loops to full accuracy and drops what does not
+/// close.
 pub(super) fn placements(conditions: [LegCondition; 3]) -> Vec<Placement> {
     if let Some(k) = conditions.iter().position(|c| matches!(c, LegCondition::Turned(_))) {
         let LegCondition::Turned(turn) = conditions[k] else {
@@ -40,20 +40,20 @@ pub(super) fn placements(conditions: [LegCondition; 3]) -> Vec<Placement> {
     let mut found = Vec::new();
     for turn in real_roots(|turn| closing_polynomial(&rows_at(turn))) {
         let rows = rows_at(turn);
-        for t in candidates(&rows) {
+        for t in translations_at_root(&rows) {
             found.push(placement(t, turn));
         }
     }
     found
 }
 
-/// Every real placement of body b that the fixed frame holds by a joint, `direct`, and that meets one condition more.
+/// Every real placement of body b that joint `direct` connects with the fixed frame and that satisfies one condition.
 ///
-/// About a pin the condition is a trigonometric polynomial of degree 1: two placements at most. Along a guide it is a line or a
-/// circle cut by a line.
-pub(super) fn joined_placements(direct: &Hold, condition: LegCondition) -> Vec<Placement> {
+/// About a pin the condition is a trigonometric polynomial of degree 1: two placements at most. Along a guide it is a
+/// line or a circle, cut by a line.
+pub(super) fn joined_placements(direct: &LegJoint, condition: LegCondition) -> Vec<Placement> {
     match *direct {
-        Hold::Pin { local, place } => {
+        LegJoint::Pin { local, place } => {
             let at = |turn: Vector| place.coords - turned(turn, local.coords);
             if let LegCondition::Turned(turn) = condition {
                 let turn = Vector::new(turn.re, turn.im);
@@ -62,19 +62,20 @@ pub(super) fn joined_placements(direct: &Hold, condition: LegCondition) -> Vec<P
             let turns = real_roots(|turn| Row::new(&condition, turn).excess(at(turn)));
             turns.into_iter().map(|turn| placement(at(turn), turn)).collect()
         }
-        Hold::Slide { frame, along } => {
+        LegJoint::Slide { frame, along } => {
             let turn = Vector::new(frame.rotation.re, frame.rotation.im);
             let normal = quarter_turn(along);
-            let guide = Row { circle: false, arm: normal, constant: normal.dot(&frame.translation.vector) };
+            let guide = Row { is_circle: false, arm: normal, constant: normal.dot(&frame.translation.vector) };
             let rows = [guide, Row::new(&condition, turn)];
             translations(&rows).into_iter().map(|t| placement(t, turn)).collect()
         }
     }
 }
 
-/// The smallest amount by which the first distance condition is missed over all relative turns with the other conditions met,
-/// signed (positive: the leg would have to be longer); `None` without a distance condition or where the others never meet.
-pub(super) fn smallest_miss(direct: Option<&Hold>, conditions: &[LegCondition]) -> Option<f64> {
+/// The smallest deviation of the first distance condition with the other conditions satisfied, over all relative
+/// rotations: positive where the leg would have to be longer. `None` without a distance condition or where the others
+/// have no solution.
+pub(super) fn smallest_deviation(direct: Option<&LegJoint>, conditions: &[LegCondition]) -> Option<f64> {
     let is_distance = |c: &LegCondition| matches!(c, LegCondition::Distance { .. });
     let first = conditions.iter().position(is_distance)?;
     let circle = &conditions[first];
@@ -87,7 +88,7 @@ pub(super) fn smallest_miss(direct: Option<&Hold>, conditions: &[LegCondition]) 
     });
     let turns: Vec<Vector> = match (fixed, direct) {
         (Some(turn), _) => vec![turn],
-        (None, Some(Hold::Slide { frame, .. })) => {
+        (None, Some(LegJoint::Slide { frame, .. })) => {
             vec![Vector::new(frame.rotation.re, frame.rotation.im)]
         }
         (None, _) => (0..SAMPLES)
@@ -95,13 +96,13 @@ pub(super) fn smallest_miss(direct: Option<&Hold>, conditions: &[LegCondition]) 
             .map(|angle| Vector::new(libm::cos(angle), libm::sin(angle)))
             .collect(),
     };
-    let misses = turns.into_iter().flat_map(|turn| {
+    let deviations = turns.into_iter().flat_map(|turn| {
         let found = match (direct, others.as_slice()) {
-            (Some(Hold::Pin { local, place }), _) => {
+            (Some(LegJoint::Pin { local, place }), _) => {
                 vec![place.coords - turned(turn, local.coords)]
             }
-            // The place of the guide nearest to the circle's centre.
-            (Some(Hold::Slide { frame, along }), _) => {
+            // The point of the guide nearest to the circle's centre.
+            (Some(LegJoint::Slide { frame, along }), _) => {
                 let centre = -Row::new(circle, turn).arm;
                 let start = frame.translation.vector;
                 vec![start + along * (centre - start).dot(along)]
@@ -109,18 +110,18 @@ pub(super) fn smallest_miss(direct: Option<&Hold>, conditions: &[LegCondition]) 
             (None, &[a, b]) => translations(&[Row::new(a, turn), Row::new(b, turn)]),
             (None, _) => Vec::new(),
         };
-        found.into_iter().map(move |t| miss(circle, turn, t))
+        found.into_iter().map(move |t| deviation(circle, turn, t))
     });
-    misses.filter(|m| m.is_finite()).min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    deviations.filter(|m| m.is_finite()).min_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
-/// How much longer a distance is than it should be.
-fn miss(circle: &LegCondition, turn: Vector, t: Vector) -> f64 {
+/// Present distance less the leg's length.
+fn deviation(circle: &LegCondition, turn: Vector, t: Vector) -> f64 {
     let row = Row::new(circle, turn);
     (t + row.arm).norm() - row.constant
 }
 
-/// A vector turned by the rotation with this cosine and sine.
+/// A vector rotated by the angle with cosine `turn.x` and sine `turn.y`.
 fn turned(turn: Vector, v: Vector) -> Vector {
     Vector::new(turn.x * v.x - turn.y * v.y, turn.x * v.y + turn.y * v.x)
 }
@@ -129,11 +130,11 @@ fn placement(t: Vector, turn: Vector) -> Placement {
     Placement::from_parts(t.into(), crate::geometry::Turn::from_cos_sin_unchecked(turn.x, turn.y))
 }
 
-/// A condition at a given turn, on the translation t alone.
+/// A condition on the translation t at a given rotation.
 #[derive(Clone, Copy)]
 struct Row {
     /// Circle: |t + arm| = constant. Line: arm · t = constant.
-    circle: bool,
+    is_circle: bool,
     arm: Vector,
     constant: f64,
 }
@@ -143,24 +144,24 @@ impl Row {
         let turned = |v: Vector| turned(turn, v);
         match *condition {
             LegCondition::Distance { a, b, length } => {
-                Row { circle: true, arm: turned(b.coords) - a.coords, constant: length }
+                Row { is_circle: true, arm: turned(b.coords) - a.coords, constant: length }
             }
             LegCondition::OnLineOfA { point, direction, b } => {
                 let normal = quarter_turn(direction);
-                Row { circle: false, arm: normal, constant: normal.dot(&(point.coords - turned(b.coords))) }
+                Row { is_circle: false, arm: normal, constant: normal.dot(&(point.coords - turned(b.coords))) }
             }
             LegCondition::OnLineOfB { point, direction, a } => {
                 let normal = turned(quarter_turn(direction));
-                Row { circle: false, arm: normal, constant: normal.dot(&(a.coords - turned(point.coords))) }
+                Row { is_circle: false, arm: normal, constant: normal.dot(&(a.coords - turned(point.coords))) }
             }
-            // Its angle is met already: no condition on t.
-            LegCondition::Turned(_) => Row { circle: false, arm: Vector::zeros(), constant: 0.0 },
+            // At this rotation it holds for every t.
+            LegCondition::Turned(_) => Row { is_circle: false, arm: Vector::zeros(), constant: 0.0 },
         }
     }
 
-    /// Zero where the condition is met, of one sign on either side.
+    /// Zero where the condition is satisfied, with opposite signs on its two sides.
     fn excess(&self, t: Vector) -> f64 {
-        if self.circle {
+        if self.is_circle {
             let distance = (t + self.arm).norm();
             (distance - self.constant) * (distance + self.constant)
         } else {
@@ -168,23 +169,24 @@ impl Row {
         }
     }
 
-    /// The line on which this circle and `other` have equal power: (arm_1 − arm_0) · t = constant.
-    fn minus(&self, other: &Row) -> Row {
+    /// The radical axis of this circle and `other`: (arm_1 − arm_0) · t = constant.
+    fn radical_axis(&self, other: &Row) -> Row {
         let (s, d) = (self.arm + other.arm, self.arm - other.arm);
-        // |t + arm|² = L²: the difference of two such equations, squares taken as products of differences.
+        // |t + arm|² = L²: the difference of two such equations. Products of sums and differences avoid cancellation of
+        // squares.
         let lengths = (self.constant - other.constant) * (self.constant + other.constant);
-        Row { circle: false, arm: d, constant: 0.5 * (lengths - d.dot(&s)) }
+        Row { is_circle: false, arm: d, constant: 0.5 * (lengths - d.dot(&s)) }
     }
 }
 
-/// Two straight rows and the remaining one, of three.
-fn reduced(rows: &[Row; 3]) -> (Row, Row, Row) {
+/// Two linear conditions and the remaining one, from three; all but one circle are replaced by radical axes.
+fn linearized(rows: &[Row; 3]) -> (Row, Row, Row) {
     let mut straight = Vec::with_capacity(2);
     let mut last = None;
     for row in rows {
-        match (row.circle, last) {
+        match (row.is_circle, last) {
             (true, None) => last = Some(*row),
-            (true, Some(first)) => straight.push(row.minus(&first)),
+            (true, Some(first)) => straight.push(row.radical_axis(&first)),
             (false, _) => straight.push(*row),
         }
     }
@@ -194,12 +196,12 @@ fn reduced(rows: &[Row; 3]) -> (Row, Row, Row) {
     }
 }
 
-/// Zero where the three rows have a common t: a trigonometric polynomial of the turn of degree 3 at most.
+/// Zero where the three conditions have a common t: a trigonometric polynomial of the rotation of degree 3 at most.
 fn closing_polynomial(rows: &[Row; 3]) -> f64 {
-    let (p, q, last) = reduced(rows);
+    let (p, q, last) = linearized(rows);
     let determinant = cross(p.arm, q.arm);
-    let t = undivided(&p, &q);
-    if last.circle {
+    let t = solution_times_determinant(&p, &q);
+    if last.is_circle {
         let v = t + last.arm * determinant;
         let radius = last.constant * determinant;
         (v.norm() - radius.abs()) * (v.norm() + radius.abs())
@@ -208,32 +210,33 @@ fn closing_polynomial(rows: &[Row; 3]) -> f64 {
     }
 }
 
-/// The translation that solves two straight rows, times their determinant.
-fn undivided(p: &Row, q: &Row) -> Vector {
+/// The solution t of two linear conditions, times their determinant.
+fn solution_times_determinant(p: &Row, q: &Row) -> Vector {
     Vector::new(p.constant * q.arm.y - q.constant * p.arm.y, q.constant * p.arm.x - p.constant * q.arm.x)
 }
 
-/// The translations at a root: one where two straight rows cross well, else those of a row and the remaining condition.
-fn candidates(rows: &[Row; 3]) -> Vec<Vector> {
-    let (p, q, last) = reduced(rows);
+/// The translations at a root: one where two lines cross at more than 1e-6 rad, else those of one line and the
+/// remaining condition.
+fn translations_at_root(rows: &[Row; 3]) -> Vec<Vector> {
+    let (p, q, last) = linearized(rows);
     let size = p.arm.norm() * q.arm.norm();
     let determinant = cross(p.arm, q.arm);
     if determinant.abs() > 1e-6 * size {
-        return vec![undivided(&p, &q) / determinant];
+        return vec![solution_times_determinant(&p, &q) / determinant];
     }
     let stronger = if p.arm.norm_squared() >= q.arm.norm_squared() { p } else { q };
     translations(&[stronger, last])
 }
 
-/// The common translations of two rows: none, one or two.
+/// The common translations of two conditions: none, one or two; none for parallel lines.
 fn translations(rows: &[Row; 2]) -> Vec<Vector> {
-    let (line, circle) = match (rows[0].circle, rows[1].circle) {
+    let (line, circle) = match (rows[0].is_circle, rows[1].is_circle) {
         (false, false) => {
             let determinant = cross(rows[0].arm, rows[1].arm);
-            let t = undivided(&rows[0], &rows[1]) / determinant;
+            let t = solution_times_determinant(&rows[0], &rows[1]) / determinant;
             return if t.x.is_finite() && t.y.is_finite() { vec![t] } else { Vec::new() };
         }
-        (true, true) => (rows[1].minus(&rows[0]), rows[0]),
+        (true, true) => (rows[1].radical_axis(&rows[0]), rows[0]),
         (true, false) => (rows[1], rows[0]),
         (false, true) => (rows[0], rows[1]),
     };
@@ -245,7 +248,7 @@ fn translations(rows: &[Row; 2]) -> Vec<Vector> {
     let centre = -circle.arm;
     let distance = line.constant / length - normal.dot(&centre);
     let half = (circle.constant - distance) * (circle.constant + distance);
-    // A line that only touches within rounding counts as touching; closing the loops decides.
+    // A circle that deviations the line by rounding counts as tangent; closing the loops decides.
     if half < -1e-9 * circle.constant * circle.constant {
         return Vec::new();
     }

@@ -1,6 +1,6 @@
-//! In: a mechanism. Out: a [`Pose`]: where every point is and how every guide points.
-//! A drawn configuration is taken as it stands; from lengths every real assembly mode is found and the nearest chosen.
-//! No velocity is known here.
+//! In: a mechanism. Out: a [`Pose`]: the places of all points and the directions of all guides. A drawn configuration
+//! is taken from the scene's coordinates; from lengths every real assembly mode is found and the one nearest to the
+//! rough places chosen. Velocities play no part here.
 
 mod assemble;
 mod closing;

@@ -9,34 +9,34 @@ use super::search::Search;
 use crate::geometry::{Point, Vector, degrees_of, span};
 use crate::mechanism::{Class, Group, LoopEquations, Mechanism};
 
-/// A gap of a closed loop, relative to the mechanism's size, above which a candidate is no assembly mode: far more than the rounding
-/// that Newton's method leaves, less than what is missing a billionth of a degree beyond a limit position.
+/// Largest gap of a closed loop, relative to the mechanism's size: far more than the rounding that Newton's method
+/// leaves, less than the gap a billionth of a degree beyond a limit position.
 const CLOSED: f64 = 1e-12;
 
-/// Two assemblies whose points lie closer than this part of the mechanism's size are one, if their links with one point are turned by
-/// less than [`SAME_TURN`] against each other.
+/// Two assemblies are the same mode if their points differ by less than this part of the mechanism's size and their
+/// one-point links by less than [`SAME_TURN`].
 const SAME: f64 = 1e-8;
 
-/// In radians; where two modes come together, angles are as uncertain as the root of a rounding.
+/// In radians; at a double root angles are only as exact as the square root of a rounding.
 const SAME_TURN: f64 = 1e-6;
 
-/// Condition number of its loop equations above which a mode is not firm: with gaps of [`CLOSED`], that of a group that can move is
-/// larger, that of two modes that come together is not.
+/// Condition number above which the group counts as movable at fixed drives: with gaps of [`CLOSED`] a movable group
+/// exceeds it, two modes that nearly coincide do not.
 const MOVABLE: f64 = 1e10;
 
 /// Why a group has no assembly mode.
 pub(super) enum NoMode {
-    /// There is none: by how much its links fail to meet, in words.
+    /// There is none: the distance by which its links fail to meet, in words.
     Apart(String),
-    /// None was found: how hard it was tried, in words.
+    /// The search found none: number of starts and smallest gap, in words.
     NotFound(String),
 }
 
-/// Every real assembly mode of `group`, of a higher class those that a search finds.
+/// Every real assembly mode of a group; of a group of higher class those that a search finds.
 ///
-/// They are ordered by the angle of its first link that turns, counter-clockwise from +x; where none turns, by the positions of its
-/// sliders. A slotted lever with one point has its slider on the positive side, in one mode; in two, turned by 180°, where `rough`
-/// gives its angle.
+/// They are ordered by the angle of the group's first rotating link, counter-clockwise from +x; where none rotates, by
+/// the positions of its sliders. A slotted lever with one point has its slider on the positive side; where `rough`
+/// gives its angle, both orientations are modes.
 pub(super) fn modes(
     mechanism: &Mechanism,
     index: usize,
@@ -55,9 +55,9 @@ pub(super) fn modes(
         }
     } else {
         let mut search = Search::new(mechanism, group, known, slides, rough);
-        while !search.is_over(modes.found.len(), modes.firm) {
+        while !search.is_over(modes.found.len(), modes.is_regular) {
             let start = search.start();
-            if modes.close(start, search.reach) {
+            if modes.close(start, search.size) {
                 search.count_closed();
             }
         }
@@ -73,7 +73,7 @@ pub(super) fn modes(
     Ok(modes.sorted(rough))
 }
 
-/// The modes of a group, as they are found.
+/// The modes of a group found so far.
 struct Modes<'a> {
     mechanism: &'a Mechanism,
     group: &'a Group,
@@ -81,10 +81,10 @@ struct Modes<'a> {
     closer: Closer<'a>,
     levers: Vec<Lever>,
     found: Vec<Assembled>,
-    /// Of each, where all points are.
+    /// By mode: the places of all points.
     points: Vec<Vec<Point>>,
-    /// Whether the rates of the group are definite in one of them.
-    firm: bool,
+    /// Whether the loop equations are regular in at least one mode, so that the group cannot move at fixed drives.
+    is_regular: bool,
     smallest_gap: f64,
 }
 
@@ -100,14 +100,15 @@ impl<'a> Modes<'a> {
             closer: Closer::new(mechanism, index),
             found: Vec::new(),
             points: Vec::new(),
-            firm: false,
+            is_regular: false,
             smallest_gap: f64::INFINITY,
         }
     }
 
-    /// Closes the loops from `start` and keeps what is a new mode; whether they close.
+    /// Closes the loops from `start` and keeps the assembly if it is a new mode; whether they close.
     ///
-    /// Beside a slider that has run away any gap is small: it counts against a size of at most `reach`.
+    /// A slider that has moved far away enlarges the mechanism and makes any relative gap small: gaps are taken
+    /// relative to a size of at most `reach`.
     fn close(&mut self, start: Assembled, reach: f64) -> bool {
         let (mechanism, group) = (self.mechanism, self.group);
         let mut assembled = self.closer.closed(start);
@@ -118,7 +119,7 @@ impl<'a> Modes<'a> {
             return false;
         }
         if group.class == Class::Higher {
-            // From afar the steps may have run out just before the end.
+            // The steps from a distant start may have ended before full accuracy.
             assembled = self.closer.closed(assembled);
         }
         for lever in &self.levers {
@@ -132,19 +133,19 @@ impl<'a> Modes<'a> {
             pairs.all(|(p, q)| (p - q).norm() <= near) && same_turns(mechanism, group, other, &assembled)
         });
         if !is_known {
-            self.firm = self.firm || self.is_firm(&points, &guides);
+            self.is_regular = self.is_regular || self.is_regular_at(&points, &guides);
             self.found.push(assembled);
             self.points.push(points);
         }
         true
     }
 
-    fn is_firm(&self, points: &[Point], guides: &[Vector]) -> bool {
+    fn is_regular_at(&self, points: &[Point], guides: &[Vector]) -> bool {
         let system = self.equations.factored(points, guides);
         system.is_some_and(|system| system.condition() < MOVABLE)
     }
 
-    /// All of them in order, with the levers both ways round whose angle `rough` gives.
+    /// All modes in order. A lever whose angle `rough` gives is listed in both orientations.
     fn sorted(self, rough: &Rough) -> Vec<Assembled> {
         let mut found = self.found;
         for lever in self.levers {
@@ -168,7 +169,7 @@ impl<'a> Modes<'a> {
     }
 }
 
-/// Whether two assemblies have links with one point at the same angle.
+/// Whether the one-point links of two assemblies have the same angles.
 fn same_turns(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled) -> bool {
     let mut one_point = group.bodies.iter().filter(|&&link| mechanism.body(link).points.len() == 1);
     one_point.all(|&link| {

@@ -1,24 +1,25 @@
 use super::closing::Assembled;
-use super::frames::{Frames, Hold, local, pinned, turned_towards, within};
-use super::legs::{LegCondition, joined_placements, placements, smallest_miss};
+use super::frames::{Frames, LegJoint, pinned, placement_in_compound, placement_towards};
+use super::legs::{LegCondition, joined_placements, placements, smallest_deviation};
 use crate::geometry::{Placement, cross};
 use crate::mechanism::{BodyId, Class, Group, JointId, Mechanism, SliderId};
 
-/// A group seen as a planar platform: rigid bodies a and b joined by legs, each a middle body with a joint to either.
+/// A group as a planar parallel platform: rigid bodies a and b connected by legs, each a middle body with a joint to
+/// either.
 ///
-/// Third class: the fixed frame (known bodies, which stand still for this purpose) and the central link, joined by three legs.
-/// Fourth class: the two drag links, joined by the closure links and the fixed frame. Second class: the fixed frame and one
-/// link, joined by a joint and by the other link as a leg.
+/// Third class: the fixed frame (with all known bodies, at rest for this purpose) and the central link, connected by
+/// three legs. Fourth class: the two drag links, connected by the closure links and the fixed frame. Second class: the
+/// fixed frame and one link, connected by a joint and, as a leg, by the other link.
 pub(super) struct Platform<'a> {
     mechanism: &'a Mechanism,
-    /// Body b; body a too, where it is not the fixed frame.
+    /// Body b, and body a where it is not the fixed frame.
     b: BodyId,
     a: Option<BodyId>,
-    /// The middle bodies that are links, with the number of their leg.
+    /// The middle bodies that are links, each with the index of its leg.
     middles: Vec<(usize, BodyId)>,
-    legs: Vec<[Hold; 2]>,
-    /// For a dyad: how the fixed frame holds body b directly.
-    direct: Option<Hold>,
+    legs: Vec<[LegJoint; 2]>,
+    /// For a dyad: the joint between body b and the fixed frame.
+    direct: Option<LegJoint>,
     names: Vec<String>,
     sliders: Vec<SliderId>,
 }
@@ -30,13 +31,13 @@ impl<'a> Platform<'a> {
             let frame = known.of(body).copied();
             (body, frame.unwrap_or_else(Placement::identity))
         };
-        // A link holds its frame; one of a compound link stands at its place in the lead's.
-        let own = |link: BodyId, joint: JointId| {
+        // The link of a compound link at `joint`, with its placement in the compound's frame.
+        let at_joint = |link: BodyId, joint: JointId| {
             let side = mechanism.side(joint, link);
-            (side, within(mechanism, link, side))
+            (side, placement_in_compound(mechanism, link, side))
         };
-        // A leg along part of a loop: side a, joint, middle, joint, side b.
-        let hold = |joint, side, middle| Hold::new(mechanism, joint, side, middle);
+        // A leg along part of a loop: body a, joint, middle body, joint, body b.
+        let leg_joint = |joint, side, middle| LegJoint::new(mechanism, joint, side, middle);
         let chain = |k: usize| &group.loops[k];
         let name = |[near, far]: [JointId; 2]| {
             let point = |j| mechanism.point_name(mechanism.joint_point(j));
@@ -54,23 +55,24 @@ impl<'a> Platform<'a> {
         };
         let mut leg = |near: JointId, a, middle: BodyId, far: JointId, b| {
             let number = platform.legs.len();
-            let holds = [hold(near, a, own(middle, near)), hold(far, b, own(middle, far))];
-            platform.legs.push(holds);
+            let joints_of_leg = [leg_joint(near, a, at_joint(middle, near)), leg_joint(far, b, at_joint(middle, far))];
+            platform.legs.push(joints_of_leg);
             platform.names.push(name([near, far]));
             platform.middles.push((number, middle));
         };
         match group.class {
             Class::Second => {
                 let (bodies, joints) = (&chain(0).bodies, &chain(0).joints);
-                // A link that slides on the known body keeps its angle: it is found first, by a line or a circle.
+                // A link joined to a known body by a slider keeps its angle: it is body b, placed by a line or a
+                // circle.
                 let ties = |joint: JointId| mechanism.joint(joint).tie.is_some();
                 let from_end = ties(joints[2]) && !ties(joints[0]);
                 let at = |forward: usize, backward: usize| if from_end { backward } else { forward };
                 let (start, b) = (bodies[at(0, 3)], bodies[at(1, 2)]);
                 let (middle, end) = (bodies[at(2, 1)], bodies[at(3, 0)]);
                 let (near, far, direct) = (joints[at(2, 0)], joints[1], joints[at(0, 2)]);
-                leg(near, fixed(end), middle, far, own(b, far));
-                platform.direct = Some(hold(direct, own(b, direct), fixed(start)));
+                leg(near, fixed(end), middle, far, at_joint(b, far));
+                platform.direct = Some(leg_joint(direct, at_joint(b, direct), fixed(start)));
                 platform.b = b;
             }
             Class::Third => {
@@ -80,7 +82,7 @@ impl<'a> Platform<'a> {
                     let at = |forward: usize, backward: usize| if from_end { backward } else { forward };
                     let (base, middle) = (bodies[at(0, 4)], bodies[at(1, 3)]);
                     let (outer, inner) = (joints[at(0, 3)], joints[at(1, 2)]);
-                    leg(outer, fixed(base), middle, inner, own(central, inner));
+                    leg(outer, fixed(base), middle, inner, at_joint(central, inner));
                 }
                 platform.b = central;
             }
@@ -88,12 +90,12 @@ impl<'a> Platform<'a> {
                 let (a, b) = (chain(0).bodies[1], chain(0).bodies[3]);
                 for k in 0..2 {
                     let (near, far) = (chain(k).joints[1], chain(k).joints[2]);
-                    leg(near, own(a, near), chain(k).bodies[2], far, own(b, far));
+                    leg(near, at_joint(a, near), chain(k).bodies[2], far, at_joint(b, far));
                 }
                 let (bodies, joints) = (&chain(0).bodies, &chain(0).joints);
                 let base = [
-                    hold(joints[0], own(a, joints[0]), fixed(bodies[0])),
-                    hold(joints[3], own(b, joints[3]), fixed(bodies[4])),
+                    leg_joint(joints[0], at_joint(a, joints[0]), fixed(bodies[0])),
+                    leg_joint(joints[3], at_joint(b, joints[3]), fixed(bodies[4])),
                 ];
                 platform.legs.push(base);
                 platform.names.push(name([joints[0], joints[3]]));
@@ -108,7 +110,7 @@ impl<'a> Platform<'a> {
         self.legs.iter().map(|leg| condition(*leg)).collect()
     }
 
-    /// Approximate assemblies, one for each way in which the legs' conditions are met.
+    /// Approximate assemblies, one for each solution of the legs' conditions.
     pub(super) fn starts(&self, known: &Frames, slides: &[f64]) -> Vec<Assembled> {
         let relative = match (&self.direct, self.conditions().as_slice()) {
             (Some(direct), &[condition]) => joined_placements(direct, condition),
@@ -119,12 +121,13 @@ impl<'a> Platform<'a> {
         starts.filter_map(|r| self.assembled(known, slides, r)).collect()
     }
 
-    /// All bodies placed, for a placement of b in a's frame.
+    /// The frames of all bodies, for a placement of b in the frame of a.
     fn assembled(&self, known: &Frames, slides: &[f64], relative: &Placement) -> Option<Assembled> {
         let mut frames = known.clone();
         let mut frame_a = Placement::identity();
         if let Some(a) = self.a {
-            // The last leg's middle is the fixed frame: where a's frame stands in it is what is looked for.
+            // The middle body of the last leg is the fixed frame; its placement in the frame of a is known, the inverse
+            // is sought.
             frame_a = middle(self.legs.last()?, relative)?.inverse();
             frames.set_compound(self.mechanism, a, frame_a);
         }
@@ -135,21 +138,17 @@ impl<'a> Platform<'a> {
         }
         let mut slides = slides.to_vec();
         for id in &self.sliders {
-            let slider = self.mechanism.slider(*id);
-            let (on, link) = (frames.of(slider.on)?, frames.of(slider.link)?);
-            let (through, direction) = slider.line();
-            let at = link * local(self.mechanism, slider.link, slider.at);
-            slides[id.0] = (on.inverse() * at - through).dot(&direction);
+            slides[id.0] = frames.slide(self.mechanism, *id)?;
         }
         Some(Assembled { frames, slides, gap: f64::INFINITY })
     }
 
-    /// By how much the legs fail to meet at best, in words.
+    /// The smallest distance by which the legs fail to meet, in words.
     pub(super) fn miss(&self) -> String {
         let conditions = self.conditions();
         let is_distance = |c: &LegCondition| matches!(c, LegCondition::Distance { .. });
         let leg = conditions.iter().position(is_distance);
-        let miss = leg.and_then(|_| smallest_miss(self.direct.as_ref(), &conditions));
+        let miss = leg.and_then(|_| smallest_deviation(self.direct.as_ref(), &conditions));
         match (leg, miss) {
             (Some(leg), Some(m)) => format!(
                 "with everything else closed, {} would have to be {:.4} {}",
@@ -162,41 +161,42 @@ impl<'a> Platform<'a> {
     }
 }
 
-/// The condition that a leg with these holds puts on body b in a's frame.
-fn condition([near, far]: [Hold; 2]) -> LegCondition {
+/// The condition that a leg with these joints imposes on body b in the frame of a.
+fn condition([near, far]: [LegJoint; 2]) -> LegCondition {
     match (near, far) {
-        (Hold::Pin { local: a, place: p }, Hold::Pin { local: b, place: q }) => {
+        (LegJoint::Pin { local: a, place: p }, LegJoint::Pin { local: b, place: q }) => {
             LegCondition::Distance { a, b, length: (q - p).norm() }
         }
-        (Hold::Slide { frame, along }, Hold::Pin { local: b, place }) => {
+        (LegJoint::Slide { frame, along }, LegJoint::Pin { local: b, place }) => {
             let inverse = frame.inverse();
             LegCondition::OnLineOfA { point: inverse * place, direction: inverse * along, b }
         }
-        (Hold::Pin { local: a, place }, Hold::Slide { frame, along }) => {
+        (LegJoint::Pin { local: a, place }, LegJoint::Slide { frame, along }) => {
             let inverse = frame.inverse();
             LegCondition::OnLineOfB { point: inverse * place, direction: inverse * along, a }
         }
-        (Hold::Slide { frame: a, .. }, Hold::Slide { frame: b, .. }) => {
+        (LegJoint::Slide { frame: a, .. }, LegJoint::Slide { frame: b, .. }) => {
             LegCondition::Turned(a.rotation.inverse() * b.rotation)
         }
     }
 }
 
-/// The middle body's frame in a's frame, for a placement `relative` of b in a's frame.
-fn middle([near, far]: &[Hold; 2], relative: &Placement) -> Option<Placement> {
+/// Placement of the middle body in the frame of a, for a placement `relative` of b in the frame of a; `None` for
+/// parallel guides.
+fn middle([near, far]: &[LegJoint; 2], relative: &Placement) -> Option<Placement> {
     match (near, far) {
-        (Hold::Pin { local: a, place: p }, Hold::Pin { local: b, place: q }) => {
-            Some(turned_towards(*p, *q, *a, relative * b))
+        (LegJoint::Pin { local: a, place: p }, LegJoint::Pin { local: b, place: q }) => {
+            Some(placement_towards(*p, *q, *a, relative * b))
         }
-        (Hold::Slide { frame, .. }, Hold::Pin { local: b, place }) => {
+        (LegJoint::Slide { frame, .. }, LegJoint::Pin { local: b, place }) => {
             Some(pinned(frame.rotation.inverse(), *place, relative * b))
         }
-        (Hold::Pin { local: a, place }, Hold::Slide { frame, .. }) => {
+        (LegJoint::Pin { local: a, place }, LegJoint::Slide { frame, .. }) => {
             let turn = relative.rotation * frame.rotation.inverse();
             Some(pinned(turn, *place, *a))
         }
-        (Hold::Slide { frame: fa, along: ua }, Hold::Slide { frame: fb, along: ub }) => {
-            // In the middle frame a stands at fa + s ua and b at fb + t ub, and b is a times `relative`.
+        (LegJoint::Slide { frame: fa, along: ua }, LegJoint::Slide { frame: fb, along: ub }) => {
+            // In the middle frame a is at fa + s ua and b at fb + t ub; b is at `relative` in the frame of a.
             let (from, to) = (fa.translation.vector, fb.translation.vector);
             let gap = to - from - fa.rotation * relative.translation.vector;
             let s = cross(gap, *ub) / cross(*ua, *ub);

@@ -1,29 +1,30 @@
 use crate::geometry::{Ball, Pair, Point, Vector};
 use crate::mechanism::{PointId, SliderId};
 
-/// Where a mechanism is.
+/// The position of a mechanism, in the fixed frame and in the scene's unit of length.
 #[derive(Clone, Debug)]
 pub struct Pose {
-    /// By point.
+    /// By point: its place.
     pub points: Vec<Point>,
     /// By slider: the unit direction of its guide.
     pub guides: Vec<Vector>,
-    /// By slider: the position along its guide, counted from the guide's `through`; none in a drawn configuration.
+    /// By slider: the position along its guide, from the guide's `through`; none in a drawn configuration.
     pub slides: Vec<Option<f64>>,
-    /// By body: the direction of its axis (not of length 1); none where it has none.
+    /// By body: the direction of its x axis, of any length; in a drawn configuration that of the line through its first
+    /// two points, or of its guide. None for bodies without a name.
     pub axes: Vec<Option<Vector>>,
-    /// By group: which of its assembly modes this is; none in a drawn configuration.
+    /// By group: its assembly mode; none in a drawn configuration.
     pub assemblies: Vec<Option<Assembly>>,
-    /// What a reader should know of this choice.
+    /// Warnings on the choice of the mode.
     pub warnings: Vec<String>,
 }
 
-/// One of the ways in which a group can be put together.
+/// An assembly mode of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Assembly {
     /// Its number, from 1.
     pub mode: usize,
-    /// How many there are.
+    /// Number of modes of the group.
     pub modes: usize,
 }
 
@@ -42,7 +43,7 @@ impl Pose {
         self.points[to.0] - self.points[from.0]
     }
 
-    /// The same without any rounding.
+    /// The vector from one point to another, without rounding.
     #[inline]
     #[must_use]
     pub fn exact_arm(&self, from: PointId, to: PointId) -> Pair<Ball> {

@@ -3,16 +3,17 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Largest degree of the trigonometric polynomials solved here.
 const DEGREE: usize = 3;
-/// Coefficients of the polynomial in the tangent of half the angle.
+/// Number of coefficients of the polynomial in the tangent of the half angle.
 const TERMS: usize = 2 * DEGREE + 1;
-/// Samples that fix a trigonometric polynomial of that degree.
+/// Samples that determine a trigonometric polynomial of that degree.
 const SAMPLES: usize = 2 * DEGREE + 2;
 
-/// The directions (cos φ, sin φ) at which a trigonometric polynomial of degree 3 at most vanishes, φ ascending from 0 to 2π.
+/// The directions (cos φ, sin φ) of the zeros of a trigonometric polynomial of degree 3 at most, φ ascending from 0 to
+/// 2π.
 ///
-/// `f` is sampled at 8 places, which fixes it; in each half circle it becomes a polynomial of τ = tan(φ′/2) on
-/// [−1, 1], whose roots lie between those of its derivatives. A double root that rounding has lifted off zero by
-/// 1e-11 of the largest value is kept: whoever uses the roots must test them.
+/// `f` is sampled at 8 angles, which determine it. On each half circle it becomes a polynomial of τ = tan(φ′/2) on [−1,
+/// 1], whose roots are separated by those of its derivative. A double root whose value rounding has raised to 1e-11 of
+/// the largest is kept: the caller must test the roots.
 pub(super) fn real_roots(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
     let samples: [f64; SAMPLES] = std::array::from_fn(|k| {
         let angle = 2.0 * PI * k as f64 / SAMPLES as f64;
@@ -22,7 +23,7 @@ pub(super) fn real_roots(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
     if !(largest > 0.0 && largest.is_finite()) {
         return Vec::new();
     }
-    // c_0 + Σ c_k cos kφ + s_k sin kφ
+    // The sum c_0 + Σ (c_k cos kφ + s_k sin kφ).
     let mut cosines = [0.0; DEGREE + 1];
     let mut sines = [0.0; DEGREE + 1];
     for (j, sample) in samples.iter().enumerate() {
@@ -78,7 +79,7 @@ fn half_angle_polynomial(cosines: &[f64; DEGREE + 1], sines: &[f64; DEGREE + 1],
     sum
 }
 
-/// The roots of a polynomial in [−1, 1], ascending, touching ones once.
+/// The roots of a polynomial in [−1, 1], ascending; multiple roots once.
 fn roots_in_unit_interval(coefficients: &[f64]) -> Vec<f64> {
     let degree = coefficients.len() - 1;
     if degree == 0 {
@@ -98,7 +99,7 @@ fn roots_in_unit_interval(coefficients: &[f64]) -> Vec<f64> {
         if fa != 0.0 && fb != 0.0 && (fa < 0.0) != (fb < 0.0) {
             roots.push(bisected(&value, a, b, fa));
         } else {
-            // No change of sign: an end may touch zero.
+            // No change of sign: there may be a double root at an end.
             for (x, fx) in [(a, fa), (b, fb)] {
                 let new = roots.iter().all(|r| (r - x).abs() > 1e-6);
                 if fx.abs() <= nearly_zero && new {
@@ -111,7 +112,7 @@ fn roots_in_unit_interval(coefficients: &[f64]) -> Vec<f64> {
     roots
 }
 
-/// The root in [a, b], where `f` changes its sign once.
+/// The root in [a, b], at which `f` changes its sign once, by bisection.
 fn bisected(f: &impl Fn(f64) -> f64, mut a: f64, mut b: f64, fa: f64) -> f64 {
     // 60 halvings of an interval of length 2 reach the spacing of f64 near 1.
     for _ in 0..60 {

@@ -4,7 +4,7 @@ use crate::geometry::{Point, Turn, Vector, degrees_of, span, turn_of_degrees};
 use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::scene::Near;
 
-/// Rough places of points and angles of links, by which a way to assemble is chosen.
+/// Rough places of points and angles of links, from the scene's `near`: the nearest assembly is chosen.
 pub(super) struct Rough {
     points: Vec<(PointId, Point)>,
     angles: Vec<(BodyId, f64)>,
@@ -39,8 +39,8 @@ impl Rough {
         found.map(|(_, angle)| turn_of_degrees(*angle))
     }
 
-    /// Root mean square of the distances from the rough places that the way has reached; an angle counts by the chord that it
-    /// makes at the mechanism's size.
+    /// Root mean square of the distances from the rough places, for the groups assembled so far; an angle counts as its
+    /// chord on a circle whose radius is the mechanism's size.
     pub(super) fn distance(&self, mechanism: &Mechanism, way: &Way) -> f64 {
         let (points, _) = places(mechanism, &way.frames);
         let size = span(points.iter().copied());
@@ -66,7 +66,7 @@ impl Rough {
         self.points.len() + self.angles.len()
     }
 
-    /// The closest way, and what to say about the choice.
+    /// Index of the nearest assembly, and a warning about the choice.
     pub(super) fn choose(&self, mechanism: &Mechanism, ways: &[Way]) -> (usize, Option<String>) {
         if self.count() == 0 {
             return (0, (ways.len() > 1).then(|| list_ways(mechanism, ways)));
@@ -89,7 +89,7 @@ impl Rough {
     }
 }
 
-/// The ways in words, where `near` says nothing.
+/// The warning that `near` does not choose, with the assemblies listed.
 fn list_ways(mechanism: &Mechanism, ways: &[Way]) -> String {
     const LISTED: usize = 8;
     let listed = ways.iter().take(LISTED).enumerate().map(|(index, way)| {

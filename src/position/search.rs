@@ -1,37 +1,39 @@
 use super::closing::Assembled;
-use super::frames::{Frames, fitted, local, pinned, within};
+use super::frames::{Frames, least_squares_placement, pinned, placement_in_compound};
 use super::rough::Rough;
 use crate::geometry::{Placement, Point, Random, Turn, span};
-use crate::mechanism::{BodyId, Group, Mechanism, SliderId, Tie};
+use crate::mechanism::{BodyId, Group, Mechanism, Tie};
 use std::f64::consts::TAU;
 
-/// Starts that take what the rough places say of the links; what they do not say is drawn by lot each time.
+/// Starts that use the rough places; links without a rough place are random each time.
 const GUIDED: usize = 16;
 
-/// Starts by lot at least. Of 300 random groups of six links, 295 have as many modes with these as with ten times as many.
-const FEWEST: usize = 1000;
+/// Fewest random starts. Of 300 random groups of six links, 295 have as many modes with these as with ten times as
+/// many.
+const FEWEST_RANDOM: usize = 1000;
 
-/// Starts by lot at most, for the smallest of these groups, of three loops; fewer, but never fewer than those, for larger ones, of which
-/// each start costs more.
-const MOST: usize = 20_000;
+/// Most random starts of the smallest of these groups, of three loops; larger groups have fewer, at least
+/// [`FEWEST_RANDOM`], because each start takes longer.
+const MOST_RANDOM: usize = 20_000;
 
-/// Starting positions of a group for which no polynomial gives the assembly modes, one of a higher class.
+/// Starts for a group of higher class, whose assembly modes no polynomial gives.
 ///
-/// The first ones are near the rough places, the others have every angle and slide by lot: from everywhere, so that each mode is reached
-/// from its own surroundings. The lots are the same each time. A list of modes found so may not be complete.
+/// The first starts are near the rough places, the others have random angles and slides, so that each mode can be
+/// reached from its neighbourhood. The random numbers are the same in every run. A list of modes found by a search may
+/// be incomplete.
 pub(super) struct Search<'a> {
     mechanism: &'a Mechanism,
     group: &'a Group,
-    /// All known bodies, and the group's links as far as their frames are near the rough places.
+    /// The known bodies, and the group's links whose frames follow from rough places.
     guide: Frames,
     known: &'a Frames,
     slides: &'a [f64],
-    /// Size of the mechanism, from its given places and lengths: slides are up to about so long.
-    pub reach: f64,
+    /// Size of the mechanism, from its given places and lengths: the range of random slides.
+    pub size: f64,
     random: Random,
-    /// Starts by lot at most.
-    most: usize,
-    /// How many starts were made, and how many of those by lot have closed.
+    /// Most random starts of this group.
+    most_random: usize,
+    /// Number of starts made, and of random starts that have closed.
     pub starts: usize,
     closed: usize,
 }
@@ -52,7 +54,7 @@ impl<'a> Search<'a> {
         }
         let body = |link: &BodyId| span(mechanism.body(*link).local.iter().copied());
         let places = mechanism.given.iter().flatten().copied();
-        let reach = span(places) + group.bodies.iter().map(body).sum::<f64>();
+        let size = span(places) + group.bodies.iter().map(body).sum::<f64>();
         let loops = group.loops.len().max(3);
         Search {
             mechanism,
@@ -60,31 +62,32 @@ impl<'a> Search<'a> {
             guide,
             known,
             slides,
-            reach,
+            size,
             random: Random(0x6b69_6e65_676f_6e31),
-            most: (9 * MOST / (loops * loops)).max(FEWEST),
+            most_random: (9 * MOST_RANDOM / (loops * loops)).max(FEWEST_RANDOM),
             starts: 0,
             closed: 0,
         }
     }
 
-    /// Counts a start that has closed, of which `modes` different ones are known now.
+    /// Counts the last start as closed, if it was random.
     pub(super) fn count_closed(&mut self) {
         self.closed += usize::from(self.starts > GUIDED);
     }
 
-    /// Whether it is time to stop, with `modes` found.
+    /// Whether to stop, with `modes` modes found.
     ///
-    /// If every mode were as easily reached as any other, fewer than half a mode would be expected to be missing once 2 w² + 3 w + 2
-    /// starts have closed, w the modes found (C. G. E. Boender, A. H. G. Rinnooy Kan, "Bayesian stopping rules for multistart global
-    /// optimization methods", Mathematical Programming 37, 1987). They are not, so this is a rule and no proof. Several modes none of
-    /// which is `firm`, in none of which the group's rates are definite, are a few of infinitely many: the group can move. With so many
-    /// modes that more starts than there may be would have to close, more starts do not complete the list either.
-    pub(super) fn is_over(&self, modes: usize, firm: bool) -> bool {
-        let by_lot = self.starts.saturating_sub(GUIDED);
+    /// If all modes were reached with equal probability, the expected number of missing modes would be less than one
+    /// half once 2 w² + 3 w + 2 starts have closed, w the modes found (C. G. E. Boender, A. H. G. Rinnooy Kan,
+    /// "Bayesian stopping rules for multistart global optimization methods", Mathematical Programming 37, 1987). Their
+    /// probabilities differ, so this is a rule and no proof. Several modes none of which is `is_regular` (with regular
+    /// loop equations) belong to a group that can move, which has infinitely many. Where more starts would have to
+    /// close than may be made, the least number is made: more do not complete the list.
+    pub(super) fn is_over(&self, modes: usize, is_regular: bool) -> bool {
+        let random_starts = self.starts.saturating_sub(GUIDED);
         let needed = 2 * modes * modes + 3 * modes + 2;
-        let enough = modes == 0 || self.closed >= needed || needed > self.most || (modes > 1 && !firm);
-        by_lot >= self.most || (by_lot >= FEWEST && enough)
+        let enough = modes == 0 || self.closed >= needed || needed > self.most_random || (modes > 1 && !is_regular);
+        random_starts >= self.most_random || (random_starts >= FEWEST_RANDOM && enough)
     }
 
     /// The next start.
@@ -92,42 +95,43 @@ impl<'a> Search<'a> {
         let guided = self.starts < GUIDED;
         self.starts += 1;
         let mut frames = self.known.clone();
-        self.carry_turns(&mut frames);
+        self.set_tied_rotations(&mut frames);
         if guided {
             for &link in &self.group.links {
-                self.turn(&mut frames, link, self.guide.of(link).map(|f| f.rotation));
+                self.set_rotation(&mut frames, link, self.guide.of(link).map(|f| f.rotation));
             }
         }
         for &link in &self.group.links {
             let (sine, cosine) = libm::sincos(self.random.unit() * TAU);
-            let lot = Turn::from_cos_sin_unchecked(cosine, sine);
-            self.turn(&mut frames, link, Some(lot));
+            let random_turn = Turn::from_cos_sin_unchecked(cosine, sine);
+            self.set_rotation(&mut frames, link, Some(random_turn));
         }
         let mut slides = self.slides.to_vec();
         for &joint in &self.group.joints {
             if let Some(id) = self.mechanism.joint(joint).slider {
-                let lot = (self.random.unit() - 0.5) * self.reach;
-                let near = self.near_slide(id).filter(|_| guided);
-                slides[id.0] = near.unwrap_or(lot);
+                let random_slide = (self.random.unit() - 0.5) * self.size;
+                let near = self.guide.slide(self.mechanism, id).filter(|_| guided);
+                slides[id.0] = near.unwrap_or(random_slide);
             }
         }
         Assembled { frames, slides, gap: f64::INFINITY }
     }
 
-    /// Turns a link that is not turned yet, and those that are tied to it.
-    fn turn(&self, frames: &mut Frames, link: BodyId, turn: Option<Turn>) {
+    /// Sets the rotation of a link that has none yet, and of those tied to it.
+    fn set_rotation(&self, frames: &mut Frames, link: BodyId, turn: Option<Turn>) {
         if let (None, Some(turn)) = (frames.of(link), turn) {
             let turned = pinned(turn, Point::origin(), Point::origin());
             frames.set_compound(self.mechanism, link, turned);
-            self.carry_turns(frames);
+            self.set_tied_rotations(frames);
         }
     }
 
-    /// Turns the links that turn alike with links whose turn is known. Where they are is found by walking the loops.
-    fn carry_turns(&self, frames: &mut Frames) {
-        let mut carried = true;
-        while carried {
-            carried = false;
+    /// Sets the rotations of links tied at a constant angle to links of known rotation. Their places follow along the
+    /// loops.
+    fn set_tied_rotations(&self, frames: &mut Frames) {
+        let mut changed = true;
+        while changed {
+            changed = false;
             for &joint in &self.group.joints {
                 let Some(([a, b], apart)) = self.mechanism.joint(joint).tie.as_ref().and_then(Tie::as_alike) else {
                     continue;
@@ -136,24 +140,16 @@ impl<'a> Search<'a> {
                     if let (Some(frame), None) = (frames.of(from), frames.of(to)) {
                         let turned = pinned(frame.rotation * turn, Point::origin(), Point::origin());
                         frames.set_compound(self.mechanism, to, turned);
-                        carried = true;
+                        changed = true;
                     }
                 }
             }
         }
     }
-
-    /// Where a slider stands on its guide if both are near the rough places.
-    fn near_slide(&self, id: SliderId) -> Option<f64> {
-        let slider = self.mechanism.slider(id);
-        let (on, link) = (self.guide.of(slider.on)?, self.guide.of(slider.link)?);
-        let (through, direction) = slider.line();
-        let at = link * local(self.mechanism, slider.link, slider.at);
-        Some((on.inverse() * at - through).dot(&direction))
-    }
 }
 
-/// A link's frame from the rough or known places of its points, or from its rough angle; of a compound link, from those of all its links.
+/// A link's frame by a fit to the rough or known places of its points, or by its rough angle; of a compound link, with
+/// those of all its links.
 fn rough_frame(mechanism: &Mechanism, link: BodyId, known: &Frames, rough: &Rough) -> Option<Placement> {
     let placed = |point| {
         let mut bodies = (0..mechanism.bodies.len()).map(BodyId);
@@ -162,16 +158,16 @@ fn rough_frame(mechanism: &Mechanism, link: BodyId, known: &Frames, rough: &Roug
     let mut pairs = Vec::new();
     let mut angle = None;
     for other in mechanism.compound(link) {
-        let (body, frame) = (mechanism.body(other), within(mechanism, link, other));
-        let own = body.points.iter().zip(&body.local);
-        pairs.extend(own.filter_map(|(&p, own)| Some((frame * own, placed(p)?))));
+        let (body, frame) = (mechanism.body(other), placement_in_compound(mechanism, link, other));
+        let locals = body.points.iter().zip(&body.local);
+        pairs.extend(locals.filter_map(|(&p, local)| Some((frame * local, placed(p)?))));
         let turned = rough.angle(other).map(|turn| turn * frame.rotation.inverse());
         angle = angle.or(turned);
     }
     match (angle, pairs.first()) {
-        (Some(turn), Some(&(own, place))) => Some(pinned(turn, own, place)),
+        (Some(turn), Some(&(local, place))) => Some(pinned(turn, local, place)),
         (Some(turn), None) => Some(pinned(turn, Point::origin(), Point::origin())),
-        (None, _) => fitted(&pairs),
+        (None, _) => least_squares_placement(&pairs),
     }
 }
 
@@ -181,7 +177,7 @@ mod tests {
     use crate::mechanism::mechanism;
     use crate::scene::Scene;
 
-    /// Shapes in the coordinates of the fixed frame: where the rough places are true, no link is turned.
+    /// The links' frames coincide with the fixed frame where the rough places are exact: all rotations are zero.
     #[test]
     fn the_first_starts_are_near_the_rough_places() {
         let scene = Scene::read(
@@ -209,7 +205,7 @@ mod tests {
                 assert!(angle.abs() < 1e-12, "{link:?} is turned by {angle}");
             }
         }
-        let by_lot = search.start();
-        assert!(links.iter().any(|link| angle(&by_lot, link).is_some_and(|a| a.abs() > 0.1)));
+        let random_start = search.start();
+        assert!(links.iter().any(|link| angle(&random_start, link).is_some_and(|a| a.abs() > 0.1)));
     }
 }

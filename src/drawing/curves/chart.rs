@@ -1,4 +1,4 @@
-//! The sheet of curves: a graph for each kind of quantity, one above the other over the drive's axis.
+//! The sheet of curves: a graph for each kind of quantity, one above the other on a common axis of the drive.
 
 use super::axis::Axis;
 use super::course::Course;
@@ -16,25 +16,25 @@ use crate::scene::Scene;
 use crate::words::{Language, Wording};
 use kurbo::{Point, Rect, Vec2};
 
-/// Height of the row above the panels in which vertical lines are named.
+/// Height of the row above the panels with the names of vertical lines, in mm.
 const BAND: f64 = 6.6;
-/// Room below the panels: numbers of the drive's axis, what it shows, what the marks are.
+/// Height below the panels for the numbers and the name of the drive's axis and the key of the marks, in mm.
 const FOOT: f64 = 14.5;
-/// Between a panel and the heading of the next.
+/// White between a panel and the heading of the next, in mm.
 const GAP: f64 = 2.0;
-/// No panel's area is lower than this.
+/// Smallest height of a panel's area, in mm.
 const LOWEST: f64 = 27.0;
-/// Nor higher than this part of its width.
+/// Largest height, in parts of its width.
 const SLENDER: f64 = 0.62;
-/// Least distance of round values on the drive's axis, in mm.
+/// Smallest distance of round values on the drive's axis, in mm.
 const APART: f64 = 16.0;
-/// The part of the range that is added beyond a limit, so that its line stands off the panel's border.
+/// Part of the range added beyond a limit, so that its line is off the panel's border.
 const BEYOND: f64 = 0.02;
 
-/// The figure of some curves, on the scene's page.
+/// The figure of curves over a drive, on the scene's page.
 ///
 /// # Errors
-/// They are too many for a sheet.
+/// There are too many panels for a sheet, or too many curves in one panel.
 pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     let Curves { path, range, events, curves: all } = curves;
     let course = Course { scene, words: Wording::of(&scene.figure), path, range: *range, events };
@@ -46,7 +46,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     let mut drawing = course.titled(across[1]);
     for (index, graph) in graphs.iter().enumerate() {
         let frame = Rect::new(across[0], graph.rows[1], across[1], graph.rows[2]);
-        // Across and down it has scales of its own.
+        // A graph has different scales in x and y, in its own axes.
         let placed = Placed { kind: graph.kind, frame, area: frame, mu: f64::NAN };
         graph.panel(index, &course, &drive).draw(&mut drawing, &placed, &scene.figure.labels);
     }
@@ -58,7 +58,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     Ok(drawing)
 }
 
-/// A graph for each kind of quantity, with its place down the sheet.
+/// A graph for each kind of quantity, with its place on the sheet.
 fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>, CurvesError> {
     let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
     for (index, curve) in curves.curves.iter().enumerate() {
@@ -80,7 +80,7 @@ fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>,
     let each = (bottom - top + GAP) / kinds.len() as f64 - HEADING - GAP;
     let each = each.min(SLENDER * (width - 2.0 * MARGIN));
     let looks = looks(curves, &kinds);
-    // The first panel's heading stands above the row of the vertical lines' names.
+    // The first panel's heading is above the row of the vertical lines' names.
     let mut y = top - BAND;
     let mut graphs = Vec::new();
     for (index, (kind, members)) in kinds.into_iter().enumerate() {
@@ -93,7 +93,7 @@ fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>,
     Ok(graphs)
 }
 
-/// The axis of the drive's values.
+/// The axis of the drive.
 fn drive_axis(course: &Course<'_>, across: [f64; 2]) -> Axis {
     let [low, high] = course.range;
     let margin = BEYOND * (high - low);
@@ -103,7 +103,7 @@ fn drive_axis(course: &Course<'_>, across: [f64; 2]) -> Axis {
     Axis::new(course.words, ends, across, APART, course.path.drive.is_angle())
 }
 
-/// Names the vertical lines above the first panel, as far as there is room.
+/// Names the vertical lines above the first panel, where there is room.
 fn name_verticals(drawing: &mut Drawing, course: &Course<'_>, y: f64, drive: &Axis) {
     let language = course.words.language;
     let request = |(pen, value): (Pen, f64)| {
@@ -122,7 +122,7 @@ fn name_verticals(drawing: &mut Drawing, course: &Course<'_>, y: f64, drive: &Ax
         }
     };
     let requests: Vec<LabelRequest> = course.verticals().into_iter().map(request).collect();
-    // One row of letters, all on one line.
+    // All names are on one baseline.
     let row = Rect::new(MARGIN, y - 0.7 - CAPTION, drawing.width - MARGIN, y);
     let obstacles = Obstacles { boxes: Vec::new(), lines: Vec::new(), bounds: row };
     for label in place(&requests, &obstacles) {
@@ -134,7 +134,7 @@ fn name_verticals(drawing: &mut Drawing, course: &Course<'_>, y: f64, drive: &Ax
     }
 }
 
-/// The numbers of the drive's axis, what it shows, and what the marks are.
+/// Draws numbers and name of the drive's axis, and the key of the marks.
 fn foot(drawing: &mut Drawing, course: &Course<'_>, curves: &[Curve], y: f64, drive: &Axis) {
     for tick in &drive.ticks {
         let text = RichText::plain(&drive.tick(*tick));
@@ -159,7 +159,7 @@ fn foot(drawing: &mut Drawing, course: &Course<'_>, curves: &[Curve], y: f64, dr
     if curves.iter().any(|c| !c.extremes.is_empty()) {
         explain(Pen::Pole, graph::DOT, course.words.language.extremes());
     }
-    // In the middle, or as far to the left as the marks' words ask.
+    // Centred, or further to the left beside the key.
     let line = course.drive();
     let half = 0.5 * line.width(CAPTION);
     let centre = 0.5 * (drive.places[0] + drive.places[1]);
@@ -167,7 +167,7 @@ fn foot(drawing: &mut Drawing, course: &Course<'_>, curves: &[Curve], y: f64, dr
     line.centred(drawing, Point::new(centre, baseline));
 }
 
-/// The figure in sentences, for those who cannot see it.
+/// Sentences about the figure for readers who cannot see it.
 fn description(course: &Course<'_>, graphs: &[Graph<'_>]) -> String {
     let (units, language, drive) = (course.scene.units, course.words.language, &course.path.drive);
     let amount = |value: f64| course.words.number(drive.amount(value));

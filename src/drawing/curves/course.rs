@@ -11,7 +11,7 @@ use crate::scene::Scene;
 use crate::words::Wording;
 use kurbo::Point;
 
-/// A stretch of a motion, and how it is spoken of.
+/// A range of a motion with its events, and the words for them.
 pub(super) struct Course<'a> {
     pub scene: &'a Scene,
     pub words: Wording,
@@ -22,7 +22,7 @@ pub(super) struct Course<'a> {
 }
 
 impl Course<'_> {
-    /// A sheet with what it is called, and how the drives run, as far as there is room up to `right`.
+    /// A sheet with its title and, if there is room up to `right`, the rates of the drives.
     pub fn titled(&self, right: f64) -> Drawing {
         let title = self.scene.title.as_deref().unwrap_or(self.words.language.curves());
         let mut drawing = titled(self.scene, &self.words, title.to_owned());
@@ -34,7 +34,7 @@ impl Course<'_> {
         drawing
     }
 
-    /// The text that a name is shown by.
+    /// The markup shown for a name.
     pub fn shown(&self, name: &str) -> String {
         let renamed = self.scene.figure.labels.get(name);
         renamed.map_or_else(|| crate::construction::display(name), Clone::clone)
@@ -45,7 +45,7 @@ impl Course<'_> {
         asked.symbol(self.path.mechanism, self.words.notation, &|name| self.shown(name))
     }
 
-    /// The values of the drive that are marked by vertical lines.
+    /// The vertical lines at marked values of the drive, with their pens.
     pub fn verticals(&self) -> Vec<(Pen, f64)> {
         let events = self.events.iter().filter_map(|event| match event.what {
             Happening::Limit { .. } | Happening::Singular { .. } => Some((Pen::Limit, event.at)),
@@ -58,18 +58,18 @@ impl Course<'_> {
         stand.into_iter().chain(events).collect()
     }
 
-    /// A number with that many digits.
+    /// A number with `count` significant digits.
     pub fn number(&self, value: f64, count: usize) -> String {
         self.words.write(value, significant(count))
     }
 
-    /// A value of the drive.
+    /// A value of the drive with its unit.
     pub fn drive_value(&self, value: f64) -> String {
         let unit = if self.path.drive.is_angle() { "°" } else { "" };
         format!("{}{unit}", self.number(value, 5))
     }
 
-    /// What the drive's values are.
+    /// The name of the drive's axis.
     pub fn drive(&self) -> Line {
         let link = self.shown(&self.path.drive.name);
         let language = self.words.language;
@@ -80,7 +80,7 @@ impl Course<'_> {
         }
     }
 
-    /// How the drives run.
+    /// The rates of the drives.
     fn speeds(&self) -> Line {
         let (mechanism, units) = (self.path.mechanism, self.scene.units);
         let mut parts: Vec<[String; 2]> = Vec::new();

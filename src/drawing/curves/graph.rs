@@ -17,28 +17,29 @@ use crate::quantity::Kind;
 use crate::words::{Language, Wording, power_of_ten};
 use kurbo::{Point, Rect, Vec2};
 
-/// Radius of the dot at a greatest or least value.
+/// Radius of the dot at an extreme value, in mm.
 pub(super) const DOT: f64 = 0.75;
-/// Radius of the circle at a dead centre.
+/// Radius of the circle at a dead centre, in mm.
 pub(super) const DEAD: f64 = 0.8;
-/// So many of a curve's names are shown.
+/// Most names of one curve that are shown.
 const MOST_NAMES: usize = 4;
-/// Room above the highest and below the lowest value, for the values beside the dots: in mm, and at most this part of the panel.
+/// White above the highest and below the lowest value, for the values beside the dots: in mm, and at most this part of
+/// the panel.
 const BORDER: f64 = 6.2;
 const MOST_BORDER: f64 = 0.17;
-/// Least distance of round values: in mm, and at least this part of the panel.
+/// Smallest distance of round values: in mm, and at least this part of the panel.
 const APART: f64 = 7.5;
 const LEAST_APART: f64 = 0.1;
 
-/// White between numbers and their axis.
+/// White between numbers and their axis, in mm.
 pub(super) const BESIDE: f64 = 1.6;
 
-/// The curves of one kind of quantities over the drive's axis.
+/// The curves of one kind of quantity over the drive.
 pub(super) struct Graph<'a> {
     pub kind: Kind,
-    /// Its curves, each with the number of its look.
+    /// Its curves, each with the number of its colour and dash.
     pub curves: Vec<(&'a Curve, usize)>,
-    /// Top of its heading, top and bottom of its area.
+    /// On the sheet, in mm: top of its heading, top and bottom of its area.
     pub rows: [f64; 3],
     axis: Axis,
 }
@@ -49,7 +50,7 @@ impl<'a> Graph<'a> {
         let shown = curves.iter().flat_map(|(curve, _)| curve.window).chain(zero);
         let [mut low, mut high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], y| [a.min(y), b.max(y)]);
         if low == high {
-            // A lone constant.
+            // A single constant needs a range around it.
             let room = if low == 0.0 { 1.0 } else { 0.5 * low.abs() };
             (low, high) = (low - room, high + room);
         }
@@ -68,7 +69,7 @@ impl<'a> Graph<'a> {
         self.axis.ticks.iter().map(width).fold(0.0, f64::max)
     }
 
-    /// Its marks' ids begin with this.
+    /// Prefix of its marks' ids.
     fn prefix(&self) -> &'static str {
         match self.kind {
             Kind::Angle => "angle",
@@ -81,7 +82,7 @@ impl<'a> Graph<'a> {
         }
     }
 
-    /// The panel: its grid, its frame, its curves.
+    /// The panel with the layers grid, frame and curves.
     pub(super) fn panel<'s>(&'s self, index: usize, course: &'s Course<'_>, drive: &'s Axis) -> Panel<'s> {
         let language = course.words.language;
         let unit = self.kind.unit(course.scene.units);
@@ -130,7 +131,7 @@ impl<'a> Graph<'a> {
         }
     }
 
-    /// Lines at zero and at marked values of the drive, the curves, their values and names.
+    /// Draws lines at zero and at marked values of the drive, the curves, their extreme values and names.
     fn content(&self, canvas: &mut Canvas<'_>, course: &Course<'_>, drive: &Axis) {
         let frame = canvas.frame();
         let place = |at: f64, value: f64| Point::new(drive.at(at), self.axis.at(value));
@@ -150,7 +151,7 @@ impl<'a> Graph<'a> {
         for own in &self.curves {
             dots(canvas, own, place);
         }
-        // Names keep off the values, which stand where they like best.
+        // Names keep off the extreme values, which are at their preferred places.
         let mut taken = Vec::new();
         for own in &self.curves {
             self.values(canvas, own, &mut taken, place);
@@ -171,7 +172,7 @@ impl<'a> Graph<'a> {
         }
     }
 
-    /// The values of the extremes, each once however often it is reached.
+    /// Requests labels of the extremes: one for the greatest and one for the least value.
     fn values(
         &self,
         canvas: &mut Canvas<'_>,
@@ -199,11 +200,11 @@ impl<'a> Graph<'a> {
             taken.push(Rect::from_center_size(request.anchor + middle, size));
             let word = if greatest { "greatest" } else { "least" };
             let name = format!("{word}-{}", curve.asked[0].name());
-            canvas.want(Wanted { request, name, pen: Pen::Curve, number: Some(*look), optional: true });
+            canvas.request_label(Wanted { request, name, pen: Pen::Curve, number: Some(*look), optional: true });
         }
     }
 
-    /// What a curve is called, as in `ω_2 = ω_3`; with its value where that does not change.
+    /// The symbol of a curve, as in `ω_2 = ω_3`; with its value if it is constant.
     fn name(&self, course: &Course<'_>, canvas: &Canvas<'_>, curve: &Curve) -> String {
         let mut parts: Vec<String> = Vec::new();
         for asked in &curve.asked {
@@ -221,7 +222,7 @@ impl<'a> Graph<'a> {
     }
 }
 
-/// Draws a curve; its lines on the sheet.
+/// Draws a curve; returns its lines on the sheet.
 fn line(
     canvas: &mut Canvas<'_>,
     (curve, look): &(&Curve, usize),
@@ -240,7 +241,7 @@ fn line(
     chains
 }
 
-/// Draws the marks of a curve's dead centres and extremes.
+/// Draws the dots of a curve's dead centres and extremes.
 fn dots(canvas: &mut Canvas<'_>, (curve, look): &(&Curve, usize), place: impl Fn(f64, f64) -> Point) {
     for (index, at) in curve.dead.iter().enumerate() {
         let name = format!("dead-{}-{index}", curve.asked[0].name());
@@ -253,7 +254,7 @@ fn dots(canvas: &mut Canvas<'_>, (curve, look): &(&Curve, usize), place: impl Fn
     }
 }
 
-/// What a panel shows.
+/// The name of a panel.
 fn name(language: &Language, kind: Kind) -> &str {
     match kind {
         Kind::Angle => language.angle(),

@@ -1,4 +1,5 @@
-//! Ways of vectors' tips: a panel for each vector, true to scale in both directions, with the vector at the scene's own position.
+//! Hodographs: a panel for each vector with the path of its tip, at one scale in both directions, and the vector at the
+//! scene's own position.
 
 use super::axis::significant;
 use super::course::Course;
@@ -22,29 +23,29 @@ use crate::scene::{DecimalMark, Scene};
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 
-/// Ids of what is in each panel; so many find room on a sheet.
+/// Prefixes of the ids in each panel; a sheet holds as many panels.
 const PREFIXES: [&str; 6] = ["hodograph-a", "hodograph-b", "hodograph-c", "hodograph-d", "hodograph-e", "hodograph-f"];
-/// Between panels.
+/// White between panels, in mm.
 const GAP: f64 = 4.0;
-/// White around the way inside a panel, for names and numbers.
+/// White around the path inside a panel, for names and numbers, in mm.
 const PADDING: f64 = 10.0;
-/// Room for the scale at the foot of a panel.
+/// Height of the scale at the foot of a panel, in mm.
 const SCALE: f64 = 8.0;
-/// White beside it.
+/// White beside the scale, in mm.
 const BESIDE_SCALE: f64 = 2.5;
-/// Room for what the numbers mean below the panels.
+/// Height below the panels for the key of the numbers, in mm.
 const FOOT: f64 = 9.0;
-/// Radius of the dot at a marked tip.
+/// Radius of the dot at a marked tip, in mm.
 const DOT: f64 = 0.65;
-/// Marked tips nearer to each other than this share their numbers' place.
+/// Marked tips closer than this, in mm, share a dot and a label.
 const SHARED: f64 = 0.4;
-/// Half the length of the stroke across the way at a limit.
+/// Half the length of the stroke across the path at a limit, in mm.
 const STROKE: f64 = 2.4;
 
-/// The figure of the ways of vectors' tips, on the scene's page.
+/// The figure of the hodographs of some vectors, on the scene's page.
 ///
 /// # Errors
-/// They are too many for a sheet.
+/// There are too many for a sheet.
 pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesError> {
     let (wanted, room) = (all.hodographs.len(), PREFIXES.len());
     if wanted > room {
@@ -70,7 +71,7 @@ pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesErro
     Ok(drawing)
 }
 
-/// The panels' places, in as many columns as let the ways come out largest.
+/// The panels' places, in the number of columns that makes the paths largest.
 fn places(course: &Course<'_>, whole: Rect, panels: &[Panel<'_>]) -> Vec<Placed> {
     let in_columns = |columns: usize| -> Vec<Placed> {
         let rows = panels.len().div_ceil(columns);
@@ -88,7 +89,8 @@ fn places(course: &Course<'_>, whole: Rect, panels: &[Panel<'_>]) -> Vec<Placed>
         };
         panels.iter().enumerate().map(place).collect()
     };
-    // First that every panel is wide enough for its scale, then how large the ways come out; of equals more columns.
+    // First whether every panel is wide enough for its scale, then the size of the paths; of equals the one with more
+    // columns.
     let worth = |places: &Vec<Placed>| {
         let width = |placed: &Placed| scale(course, placed.kind, placed.mu).width() + 2.0 * BESIDE_SCALE;
         let fits = places.iter().all(|placed| width(placed) <= placed.frame.width());
@@ -108,7 +110,7 @@ fn scale(course: &Course<'_>, kind: Kind, mu: f64) -> Entry {
     Entry::new(kind, mu, &course.words, course.scene.units)
 }
 
-/// The panel of a vector: its frame, its scale, the way of its tip.
+/// The panel of a vector with the layers frame, scale and path of its tip.
 fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a Hodograph) -> Panel<'a> {
     let symbol = course.symbol(&one.asked).trim_matches('|').to_owned();
     let sentence = |symbol: &str| numbered(index, &course.words.language.hodograph(symbol));
@@ -120,7 +122,7 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a Hodograph) -> Panel<
         let foot = Point::new(frame.x0 + BESIDE_SCALE, frame.y1 - 2.8);
         entry.draw(canvas.drawing, foot);
         canvas.keep_off(Rect::new(frame.x0, foot.y - 4.4, foot.x + entry.width(), frame.y1));
-        canvas.settle();
+        canvas.exclude_drawn();
     };
     Panel {
         name: one.asked.name().to_owned(),
@@ -131,20 +133,20 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a Hodograph) -> Panel<
             heading: frame.width(),
             mu: None,
         },
-        layers: vec![Box::new(frame), Box::new(scale), Box::new(Way { course, index, one, symbol })],
+        layers: vec![Box::new(frame), Box::new(scale), Box::new(TipPath { course, index, one, symbol })],
     }
 }
 
-/// The way of a vector's tip.
-struct Way<'a> {
+/// The path of a vector's tip.
+struct TipPath<'a> {
     course: &'a Course<'a>,
     index: usize,
     one: &'a Hodograph,
-    /// How the vector is written.
+    /// Markup of the vector.
     symbol: String,
 }
 
-impl Layer for Way<'_> {
+impl Layer for TipPath<'_> {
     fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
         let one = self.one;
         let at = |v: geometry::Vector| view.at(geometry::Point::from(v));
@@ -154,7 +156,7 @@ impl Layer for Way<'_> {
             Kind::Acceleration => (Pen::Acceleration, notation.acceleration_pole),
             _ => (Pen::Velocity, notation.velocity_pole),
         };
-        // Lines keep off the scale.
+        // Lines end above the scale.
         let room = Rect { y1: canvas.frame().y1 - SCALE, ..canvas.room() };
         for (a, b) in [
             (Point::new(room.x0, pole.y), Point::new(room.x1, pole.y)),
@@ -190,8 +192,8 @@ fn label(text: RichText, anchor: Point, clearance: f64, prefer: Option<Vec2>, pr
     LabelRequest { text, size: LABEL, anchor, clearance, prefer, priority }
 }
 
-impl Way<'_> {
-    /// Dots at round values of the drive, with their numbers; tips in one place share them.
+impl TipPath<'_> {
+    /// Draws dots at round values of the drive, with their numbers; coincident tips share a label.
     fn marks(&self, canvas: &mut Canvas<'_>, marks: impl Iterator<Item = (f64, Point)>, pole: Point) {
         let mut places: Vec<(Point, Vec<f64>)> = Vec::new();
         for (value, tip) in marks {
@@ -217,7 +219,7 @@ impl Way<'_> {
         }
     }
 
-    /// Strokes across the way where it ends in a limit position, or runs off to one.
+    /// Draws strokes across the path at its ends in limit positions.
     fn limits(&self, canvas: &mut Canvas<'_>, chains: &[Vec<Point>]) {
         let [low, high] = self.course.range;
         let is_end = |event: &&Event| matches!(event.what, Happening::Limit { .. } | Happening::Singular { .. });

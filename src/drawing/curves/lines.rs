@@ -1,10 +1,10 @@
 use crate::drawing::clip::clipped_segment;
 use kurbo::{Point, Rect};
 
-/// How far the drawn line may be from the samples, in mm.
+/// Largest distance of the drawn line from the samples, in mm.
 const TOLERANCE: f64 = 0.012;
 
-/// The parts of a chain of straight lines that lie in an area.
+/// The parts of a chain of lines within an area.
 pub(super) fn clipped_chain(area: Rect, points: &[Point]) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for ends in points.windows(2) {
@@ -19,8 +19,8 @@ pub(super) fn clipped_chain(area: Rect, points: &[Point]) -> Vec<Vec<Point>> {
     parts
 }
 
-/// The chain with as few of its points as keep within a hundredth of a millimetre of all of them (Douglas and Peucker, "Algorithms for
-/// the Reduction of the Number of Points Required to Represent a Digitized Line", 1973).
+/// The chain with fewer points, within [`TOLERANCE`] of all points left out (Douglas and Peucker, "Algorithms for the
+/// Reduction of the Number of Points Required to Represent a Digitized Line", 1973).
 pub(super) fn simplified(points: &[Point]) -> Vec<Point> {
     let Some(last) = points.len().checked_sub(1).filter(|last| *last > 0) else {
         return points.to_vec();
@@ -40,7 +40,7 @@ pub(super) fn simplified(points: &[Point]) -> Vec<Point> {
     points.iter().zip(keep).filter(|(_, keep)| *keep).map(|(point, _)| *point).collect()
 }
 
-/// The distance of a point from the straight line between two others.
+/// The distance of a point from the straight segment between two others.
 pub(super) fn distance(p: Point, a: Point, b: Point) -> f64 {
     let along = b - a;
     let size = along.hypot2();

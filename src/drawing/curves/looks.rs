@@ -2,10 +2,11 @@ use super::error::MOST_CURVES;
 use crate::cycle::Curves;
 use crate::quantity::Kind;
 
-/// Numbers of the curves' looks: those of one link or point look the same in all panels, those in one panel differ.
+/// By curve: the number of its colour and dash. Curves of one link or point have the same number in all panels, curves
+/// of one panel different ones.
 pub(super) fn looks(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<usize> {
     let subject = |index: &usize| curves.curves[*index].asked[0].subject();
-    // The subjects that are in more than one panel.
+    // The links and points with curves in more than one panel.
     let mut shared: Vec<&str> = Vec::new();
     for (number, (_, members)) in kinds.iter().enumerate() {
         for own in members.iter().map(subject) {
@@ -29,7 +30,7 @@ pub(super) fn looks(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<usize>
                 None => later.push(index),
             }
         }
-        // Others keep off the shared numbers while there are more.
+        // Other curves take numbers that are not shared, while there are any.
         for index in later {
             let own = free.iter().position(|number| *number >= shared.len());
             take(&mut free, index, own.unwrap_or(0));

@@ -1,7 +1,7 @@
-//! In: quantities over a cycle, sampled. Out: a sheet with a panel for each kind of quantity, one above the other over
-//! the drive's axis (`chart.rs`), or with a panel for the way of each vector's tip (`hodograph.rs`).
-//! Greatest and least values, dead centres, limits and the scene's own position are marked; every curve bears its name.
-//! Nothing of the motion is computed here.
+//! In: quantities over a cycle, sampled. Out: a sheet with a panel for each kind of quantity, one above the other on a
+//! common axis of the drive (`chart.rs`), or with a panel for the hodograph of each vector (`hodograph.rs`). Extreme
+//! values, dead centres, limits and the scene's own position are marked; every curve has its name. Nothing of the
+//! motion is computed here.
 
 mod axis;
 mod chart;

@@ -8,21 +8,23 @@ pub(super) const CLEARANCE: f64 = 0.9;
 /// Distance between the places that are tried, in mm.
 const STEP: f64 = 3.0;
 
-/// Room around a name, in mm, that is as good as any more.
+/// Distance to other things, in mm, above which a place is not better.
 const ROOM: f64 = 7.0;
 
-/// What a name's place could be in conflict with, on the sheet.
+/// The obstacles for a name, on the sheet.
 pub(super) struct Surroundings<'a> {
     pub frame: Rect,
-    /// The lines of all curves, the named one's too.
+    /// The lines of all curves, also of the named one.
     pub curves: &'a [Vec<Vec<Point>>],
-    /// Straight lines, which are better left free too.
+    /// Straight lines, which names should keep off.
     pub lines: &'a [(Point, Point)],
 }
 
-/// Where the name of a curve stands best: the point of the curve that it is beside, the direction in which, and its box.
+/// The best place for the name of a curve: a point of the curve, the direction from it to the name, and the name's box;
+/// none if no place is in the frame.
 ///
-/// Of places all along the curve, above and below it, the one with most room to other curves and what is `taken` wins, the rightmost of equals.
+/// Places all along the curve, above and below it, are compared by their distance from other curves and from `taken`
+/// boxes; of equals the rightmost one wins.
 pub(super) fn name_place(
     own: usize,
     size: Size,
@@ -48,7 +50,7 @@ pub(super) fn name_place(
     best.map(|(_, place)| place)
 }
 
-/// Places along a line at equal steps.
+/// Points of a line at equal steps.
 fn along(line: &[Point]) -> Vec<Point> {
     let mut places = Vec::new();
     let mut left = 0.5 * STEP;
@@ -64,7 +66,8 @@ fn along(line: &[Point]) -> Vec<Point> {
     places
 }
 
-/// How much room a box has, in mm, negative where it lies on something; or anything less than `least` if it has less.
+/// The distance of a box from other things, in mm, negative where they overlap; or any value less than `least` if the
+/// distance is less.
 fn room(own: usize, area: Rect, around: &Surroundings<'_>, taken: &[Rect], least: f64) -> f64 {
     let mut room = ROOM;
     for other in taken {
@@ -78,7 +81,7 @@ fn room(own: usize, area: Rect, around: &Surroundings<'_>, taken: &[Rect], least
             if room < least {
                 return room;
             }
-            // Its own curve may be as near as the name asks for, not nearer.
+            // The named curve may be as near as its clearance.
             let near = if index == own { 0.8 * CLEARANCE } else { room };
             if apart(area, Rect::from_points(ends[0], ends[1])) >= near {
                 continue;
@@ -97,7 +100,7 @@ fn room(own: usize, area: Rect, around: &Surroundings<'_>, taken: &[Rect], least
     room
 }
 
-/// How far two boxes are from each other across or down, whichever is more; negative where they overlap.
+/// The distance of two boxes in x or in y, the larger one; negative where they overlap.
 fn apart(a: Rect, b: Rect) -> f64 {
     let across = (a.x0 - b.x1).max(b.x0 - a.x1);
     let down = (a.y0 - b.y1).max(b.y0 - a.y1);

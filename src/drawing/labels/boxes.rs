@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
-/// A line ready for clipping: its start, the reciprocals of its run, its length.
+/// A line prepared for clipping: its start, the reciprocals of its components, its length.
 #[derive(Clone, Copy)]
 pub(super) struct Clipped {
     start: Point,
@@ -12,8 +12,8 @@ pub(super) struct Clipped {
 
 impl Clipped {
     pub(super) fn new((start, end): (Point, Point)) -> Self {
-        // A run of zero gets a huge reciprocal of either sign: the line is then inside a band for
-        // all of its length or for none.
+        // A zero component has a huge reciprocal of either sign: the line is then inside a band with all of its length
+        // or with none.
         let reciprocal = |run: f64| if run.abs() < 1e-12 { 1e12 } else { 1.0 / run };
         let run = end - start;
         Self { start, reciprocal: Vec2::new(reciprocal(run.x), reciprocal(run.y)), length: run.hypot2().sqrt() }
@@ -30,7 +30,7 @@ impl Clipped {
     }
 }
 
-/// `f64::min` for numbers that are not NaN: one instruction, in the innermost loop.
+/// `f64::min` for numbers that are not NaN: a single instruction, for the innermost loop.
 pub(super) fn lesser(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
@@ -45,7 +45,7 @@ pub(super) fn unit(vector: Vec2) -> Option<Vec2> {
     (size > 0.0 && size.is_finite()).then(|| vector / size)
 }
 
-/// Whether two boxes overlap or come nearer than `gap`.
+/// Whether two boxes overlap or are closer than `gap`.
 pub(super) fn touch(a: Rect, b: Rect, gap: f64) -> bool {
     a.x0 < b.x1 + gap && b.x0 < a.x1 + gap && a.y0 < b.y1 + gap && b.y0 < a.y1 + gap
 }
@@ -54,7 +54,7 @@ pub(super) fn inside(area: Rect, point: Point) -> bool {
     area.x0 <= point.x && point.x <= area.x1 && area.y0 <= point.y && point.y <= area.y1
 }
 
-/// The distance from a box to a point outside it; 0 inside.
+/// The distance of a point from a box; 0 inside.
 pub(super) fn gap(area: Rect, point: Point) -> f64 {
     let x = (area.x0 - point.x).max(point.x - area.x1).max(0.0);
     let y = (area.y0 - point.y).max(point.y - area.y1).max(0.0);

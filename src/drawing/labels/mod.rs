@@ -1,13 +1,12 @@
-//! Where labels go: beside what they name, on nothing else.
+//! Placement of labels beside the points that they name, off all other things.
 //!
-//! Every label has the same kinds of places around its anchor: its ink box touching a circle about
-//! the anchor, in 24 directions and at a few distances. A place is *free* if it is inside the panel
-//! and off every obstacle box; a free place has a *cost* in millimetres for standing away, on the
-//! wrong side, on lines, or nearer to another label's anchor than to its own. Labels with the
-//! fewest free places choose first, then labels move, alone or in pairs, as long as the sum of the
-//! costs falls. Christensen, Marks and Shieber, "An Empirical Study of Algorithms for Point-Feature
-//! Label Placement" (ACM Trans. Graphics 14(3), 1995), compare such searches; this one uses no
-//! chance and visits everything in order, so the same labels always get the same places.
+//! All labels have the same kinds of places around their anchors: the ink box touches a circle about the anchor, in 24
+//! directions and at a few distances. A place is *free* if it is inside the panel and off every obstacle box; a free
+//! place has a *cost* in millimetres for its distance, its direction, lines that it crosses, and other labels' anchors
+//! that are nearer than its own. Labels with the fewest free places choose first; then labels move, alone or in pairs,
+//! as long as the sum of the costs decreases. Christensen, Marks and Shieber, "An Empirical Study of Algorithms for
+//! Point-Feature Label Placement" (ACM Trans. Graphics 14(3), 1995), compare such searches; this one is deterministic:
+//! the same labels always get the same places.
 
 use kurbo::Point;
 
@@ -24,20 +23,19 @@ use search::Search;
 
 /// The places of the labels, in the order of the requests.
 ///
-/// No label touches another, an obstacle box or the edge of the panel, unless it says `crowded`:
-/// then the panel has no room for it, and it stands where it hides least. The same input gives the
-/// same places on every platform.
+/// No label touches another, an obstacle box or the edge of the panel, unless it is `crowded`: then the panel has no
+/// free place, and it is where it covers least. The same input gives the same places on every platform.
 pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabel> {
     let mut search = Search::new(requests, obstacles);
     search.choose_first(requests);
     search.make_room();
     search.improve();
-    search.look_everywhere();
+    search.search_panel();
     let found: Vec<Option<Place>> =
         search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen])).collect();
     let placed = requests.iter().zip(found).enumerate().map(|(index, (request, found))| {
         let crowded = found.is_none();
-        let place = found.unwrap_or_else(|| search.least_bad(index));
+        let place = found.unwrap_or_else(|| search.least_covering(index));
         let ink = request.text.ink_box(request.size);
         let origin = Point::ORIGIN + (place.ink.origin() - ink.origin());
         let text = PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle);

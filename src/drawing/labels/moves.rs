@@ -1,4 +1,4 @@
-//! The search: who takes which place.
+//! The search for the labels' places.
 
 use kurbo::{Rect, Vec2};
 
@@ -10,19 +10,19 @@ use super::search::Search;
 /// Least gain in mm that makes a label move, so that rounding cannot make two labels swap for ever.
 const LEAST_GAIN: f64 = 1e-6;
 
-/// How often all labels may try to move; three or four rounds settle every figure tried.
+/// Most rounds in which all labels may move; three or four are enough for every figure tried.
 const ROUNDS: usize = 8;
-/// How many labels may be pushed on, one by the other, to make room for one.
+/// Longest chain of labels that make room for one another.
 const PUSHES: usize = 3;
-/// How many such tries one label may make: a bound on time for panels that are simply too full.
+/// Most tries of one label, which bounds the time for overfull panels.
 const TRIES: usize = 1_000;
-/// Distance in mm at which a place is as good as a near one whose leader crosses another label or its leader.
+/// Cost of a leader that crosses another label or its leader, in mm of distance.
 const CROSSED: f64 = 30.0;
-/// Step in mm of the last search, over the whole panel.
+/// Grid of the last search over the whole panel, in mm.
 const LAST_STEP: f64 = 1.5;
 
 impl Search<'_> {
-    /// Every label takes its cheapest place, those with the least choice first.
+    /// Assigns to every label its cheapest place; labels with fewest places first.
     pub(super) fn choose_first(&mut self, requests: &[LabelRequest]) {
         let mut order: Vec<usize> = (0..requests.len()).collect();
         order.sort_by_key(|&index| (u8::MAX - requests[index].priority, self.labels[index].places.len(), index));
@@ -31,7 +31,7 @@ impl Search<'_> {
         }
     }
 
-    /// Labels without a place push others aside, else go far off.
+    /// Makes room for labels without a place: others move, or the label gets a place far from its anchor.
     pub(super) fn make_room(&mut self) {
         for index in 0..self.labels.len() {
             if self.labels[index].chosen.is_some() || self.labels[index].is_blank() {
@@ -50,8 +50,8 @@ impl Search<'_> {
         }
     }
 
-    /// Finds a place for a label by moving at most two others, which may move others in turn;
-    /// changes nothing if it fails.
+    /// Finds a place for a label by moving at most two others, which may move others in turn; changes nothing if that
+    /// fails.
     fn push(&mut self, index: usize, depth: usize, fixed: &mut Vec<usize>, tries: &mut usize) -> bool {
         if let Some((place, _)) = self.cheapest(index, f64::INFINITY) {
             self.labels[index].chosen = Some(place);
@@ -88,8 +88,7 @@ impl Search<'_> {
         false
     }
 
-    /// Labels move, alone or with the one in the way, while that makes the sum of the costs
-    /// smaller.
+    /// Moves labels, alone or with the one in the way, as long as the sum of the costs decreases.
     pub(super) fn improve(&mut self) {
         for _ in 0..ROUNDS {
             let mut moved = false;
@@ -107,7 +106,7 @@ impl Search<'_> {
             return false;
         };
         let cost_here = self.cost(index, here);
-        // The greatest gain so far, and the moves that bring it.
+        // The largest gain so far, and its moves.
         let mut gain = LEAST_GAIN;
         let mut best: Option<(usize, Option<(usize, usize)>)> = None;
         for place in 0..self.labels[index].places.len() {
@@ -148,9 +147,9 @@ impl Search<'_> {
         true
     }
 
-    /// The last resort: the free place nearest to the anchor anywhere on the panel. Amid a crowd its leader may have to cross others;
-    /// such places count as far ones.
-    pub(super) fn look_everywhere(&mut self) {
+    /// Assigns to labels still without a place the free place nearest to the anchor anywhere on the panel. Its leader
+    /// may cross others; that counts as additional distance.
+    pub(super) fn search_panel(&mut self) {
         for index in 0..self.labels.len() {
             let label = &self.labels[index];
             if label.chosen.is_some() || label.is_blank() {
@@ -193,8 +192,8 @@ impl Search<'_> {
         }
     }
 
-    /// A place for a label that has none: inside the panel, covering as little as possible.
-    pub(super) fn least_bad(&self, index: usize) -> Place {
+    /// A place inside the panel for a label without one, which covers as little as possible.
+    pub(super) fn least_covering(&self, index: usize) -> Place {
         let label = &self.labels[index];
         let bounds = self.obstacles.bounds;
         let covered = |ink: Rect| {
@@ -209,7 +208,7 @@ impl Search<'_> {
         let mut best: Option<(f64, Rect)> = None;
         for side in &SIDES {
             let ink = label.ink_beside(side, label.clearance);
-            // Back into the panel; the left and upper edges win where it is too small.
+            // Moved into the panel; where it is too small, against its left and upper edges.
             let back = Vec2::new(
                 (bounds.x1 - ink.x1).min(0.0).max(bounds.x0 - ink.x0),
                 (bounds.y1 - ink.y1).min(0.0).max(bounds.y0 - ink.y0),

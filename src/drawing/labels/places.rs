@@ -1,4 +1,4 @@
-//! The places that a label could take and what each costs by itself.
+//! Possible places of a label, and their costs by distance and direction.
 
 use kurbo::{Point, Rect, Vec2};
 
@@ -19,29 +19,29 @@ pub(super) const LINE_GAP: f64 = 0.6;
 pub(super) const LEADER_GAP: f64 = 0.4;
 
 // Costs, in mm of distance from the anchor; what lies near a place is counted by the search.
-/// Of standing at a right angle to the preferred direction; opposite costs twice that.
+/// Of a direction normal to the preferred one; the opposite direction costs twice that.
 const DEVIATION: f64 = 1.2;
-/// The same for labels without a preference: a slight liking for the upper right, where readers
-/// look first.
+/// The same for labels without a preference: a slight one for the upper right, where readers look first.
 const HABIT: f64 = 0.25;
-/// Where such labels like to stand.
+/// The preferred direction of such labels.
 const HABITUAL: Vec2 = Vec2::new(0.6, -0.8);
-/// Of having a leader at all.
+/// Of a leader.
 const LEADER: f64 = 3.0;
-/// A direction in which a box stands beside a point.
+
+/// A direction from an anchor to a box.
 pub(super) struct Side {
-    /// Which point of the box faces the point, in half sizes from the box's centre, turned round.
+    /// Offset of the box's centre from the point that faces the anchor, in half sizes of the box.
     align: Vec2,
-    /// The unit vector along which the box is moved off.
+    /// Unit vector along which the box is displaced.
     shift: Vec2,
-    /// The unit vector in which a reader sees the box, as if it were a square: a box as wide as a
-    /// word is "to the upper right" long before its centre is.
+    /// Unit vector of the direction as a reader sees it, as if the box were a square: a wide box is "to the upper
+    /// right" long before its centre is.
     pub(super) toward: Vec2,
 }
 
-/// Beside a side of the box, at its middle or a quarter of its length from a corner.
+/// Beside a side of the box: at its middle, or a quarter of its length from a corner.
 pub(super) const fn beside(align: (f64, f64), shift: (f64, f64)) -> Side {
-    // A quarter off the middle is seen at atan(1/2).
+    // A quarter off the middle counts as the direction atan(1/2).
     const MAIN: f64 = 0.894_427_190_999_915_9;
     let straight = align.0 == shift.0 && align.1 == shift.1;
     let scale = if straight { 1.0 } else { MAIN };
@@ -58,8 +58,8 @@ pub(super) const fn corner(align: (f64, f64), shift: (f64, f64)) -> Side {
 pub(super) const HALF_ROOT_2: f64 = std::f64::consts::FRAC_1_SQRT_2;
 pub(super) const HALF_ROOT_3: f64 = 0.866_025_403_784_438_6;
 
-/// Three places along each side of the box and three about each corner; beside a side the box is
-/// moved off square to it, so its distance from the point is the same in all.
+/// Three places along each side of the box and three about each corner. Beside a side the box is displaced along the
+/// normal, so that all have the same distance from the point.
 pub(super) static SIDES: [Side; 24] = [
     beside((1.0, 0.0), (1.0, 0.0)),
     beside((1.0, -0.5), (1.0, 0.0)),
@@ -87,12 +87,12 @@ pub(super) static SIDES: [Side; 24] = [
     corner((-1.0, 1.0), (-0.5, HALF_ROOT_3)),
 ];
 
-/// A place that a label could take.
+/// A possible place of a label.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
     pub(super) ink: Rect,
-    /// What the place costs at least: at first for distance and direction, in the end for all. Most
-    /// places are ruled out before.
+    /// A lower bound of its cost: first for distance and direction, in the end the whole. Most places are ruled out
+    /// before.
     pub(super) least: f64,
     /// Whether `least` is the whole cost.
     pub(super) known: bool,
@@ -106,10 +106,10 @@ pub(super) struct Label {
     /// The ink box of the text set at the origin.
     pub(super) ink: Rect,
     pub(super) prefer: Option<Vec2>,
-    /// Its free places and the one it has.
+    /// Its free places, and the index of the present one.
     pub(super) places: Vec<Place>,
     pub(super) chosen: Option<usize>,
-    /// Everything that any of its places could touch.
+    /// All that any of its places could touch.
     pub(super) lines: Vec<Clipped>,
     pub(super) anchors: Vec<Point>,
     pub(super) neighbours: Vec<usize>,
@@ -140,7 +140,7 @@ impl Label {
         self.ink.width() <= 0.0
     }
 
-    /// The box around all places up to a distance.
+    /// The box around all places up to a distance from the clearance circle.
     pub(super) fn reach_at(&self, distance: f64) -> Rect {
         let most = self.clearance + distance;
         Rect::from_center_size(self.anchor, (2.0 * (most + self.ink.width()), 2.0 * (most + self.ink.height())))
@@ -154,13 +154,13 @@ impl Label {
         Rect::from_center_size(center, (width, height))
     }
 
-    /// What it costs to stand in each direction.
+    /// By side: the cost of its direction.
     pub(super) fn dislikes(&self) -> [f64; SIDES.len()] {
         let (wanted, weight) = self.prefer.map_or((HABITUAL, HABIT), |prefer| (prefer, DEVIATION));
         std::array::from_fn(|side| weight * (1.0 - SIDES[side].toward.dot(wanted)))
     }
 
-    /// A place for the ink, `distance` beyond the clearance and in a direction of that cost.
+    /// A place of the ink, `distance` beyond the clearance; `dislike` is the cost of its direction.
     #[inline]
     pub(super) fn place_at(&self, ink: Rect, distance: f64, dislike: f64) -> Place {
         let leader = if distance < FAR[0] { None } else { self.leader_to(ink) };
@@ -168,7 +168,7 @@ impl Label {
         Place { ink, least: distance + dislike + apart, known: false, leader }
     }
 
-    /// The line from the edge of the anchor's clearance to just before the ink.
+    /// The leader, from the edge of the anchor's clearance to near the ink.
     pub(super) fn leader_to(&self, ink: Rect) -> Option<(Point, Point)> {
         let foot = Point::new(self.anchor.x.max(ink.x0).min(ink.x1), self.anchor.y.max(ink.y0).min(ink.y1));
         let direction = unit(foot - self.anchor)?;
@@ -177,17 +177,17 @@ impl Label {
 }
 
 impl Place {
-    /// Whether two labels cannot have these places at once.
+    /// Whether two labels cannot have these places together.
     pub(super) fn conflicts(&self, other: &Self) -> bool {
         self.overlaps(other) || self.crossings(other) > 0
     }
 
-    /// Whether the labels themselves would touch.
+    /// Whether the inks would touch.
     pub(super) fn overlaps(&self, other: &Self) -> bool {
         touch(self.ink, other.ink, LABEL_GAP)
     }
 
-    /// How often a leader of one crosses the other or its leader.
+    /// Number of crossings of one's leader with the other's ink or leader.
     pub(super) fn crossings(&self, other: &Self) -> usize {
         let strikes = |leader: Option<(Point, Point)>, ink: Rect| {
             leader.is_some_and(|leader| Clipped::new(leader).share_inside(ink.inflate(LINE_GAP, LINE_GAP)) > 0.0)

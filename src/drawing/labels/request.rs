@@ -1,27 +1,26 @@
-//! What labels ask for, and what they get.
+//! Requests for labels, and placed labels.
 
 use super::super::text::{PlacedText, RichText};
 use kurbo::{Point, Rect, Vec2};
 
-/// A label that wants a place.
+/// A label without a place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LabelRequest {
-    /// What it says.
+    /// Its text.
     pub text: RichText,
     /// Its size: mm of one em.
     pub size: f64,
     /// The point that it names.
     pub anchor: Point,
-    /// How far its ink must stay from the anchor, in mm: the radius of a joint and a gap.
+    /// Smallest distance of its ink from the anchor, in mm: the radius of a joint and a gap.
     pub clearance: f64,
-    /// The direction from the anchor that it likes best, y down; none for wherever there is most
-    /// room.
+    /// The preferred direction from the anchor, y down; none for any.
     pub prefer: Option<Vec2>,
-    /// Greater goes first where room is short.
+    /// Labels of higher priority choose first.
     pub priority: u8,
 }
 
-/// What labels must or should keep off.
+/// Obstacles for labels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Obstacles {
     /// Joints, arrowheads, boxes: never touched.

@@ -1,4 +1,4 @@
-//! The labels of a panel, the places that are free for each, and what each place costs.
+//! The labels of a panel, their free places, and the cost of each place.
 
 use kurbo::Rect;
 
@@ -7,13 +7,14 @@ use super::places::{FAR, LABEL_GAP, LINE_GAP, Label, NEAR, OBSTACLE_GAP, Place, 
 use super::request::{LabelRequest, Obstacles};
 
 // Costs, in mm of distance from the anchor.
-/// Of a millimetre of line inside the box.
+/// Per millimetre of line inside the box.
 const CROSSING: f64 = 1.6;
-/// Of each millimetre by which another anchor is not clearly farther than the label's own.
+/// Per millimetre by which another anchor is not clearly farther than the label's own.
 const AMBIGUITY: f64 = 2.5;
-/// By how much another anchor is clearly farther, in mm.
+/// Difference from which another anchor is clearly farther, in mm.
 const CLEARLY: f64 = 0.6;
-/// All labels and where they stand so far.
+
+/// All labels with their present places.
 pub(super) struct Search<'a> {
     pub(super) labels: Vec<Label>,
     lines: Vec<Clipped>,
@@ -26,19 +27,19 @@ impl<'a> Search<'a> {
         let labels: Vec<Label> = requests.iter().map(Label::new).collect();
         let mut search = Self { labels, lines, obstacles };
         for index in 0..search.labels.len() {
-            search.survey(index);
+            search.find_surroundings(index);
             search.add_places(index, &NEAR);
         }
         search
     }
 
-    /// Finds what the places of a label could touch.
-    fn survey(&mut self, index: usize) {
+    /// Finds the lines, anchors and labels that the places of a label could touch.
+    fn find_surroundings(&mut self, index: usize) {
         let (reach, anchor) = (self.labels[index].reach, self.labels[index].anchor);
         let near = self.lines.iter().filter(|line| line.share_inside(reach) > 0.0);
         let lines = near.copied().collect();
         let others = self.labels.iter().map(|other| other.anchor);
-        // Labels of one point do not compete for it.
+        // Labels of the same point do not compete for it.
         let anchors = others.filter(|&other| inside(reach, other) && (other - anchor).hypot2() > 1e-6).collect();
         let touching = |other: &Label| touch(other.reach, reach, LABEL_GAP);
         let neighbours =
@@ -47,7 +48,7 @@ impl<'a> Search<'a> {
         (label.lines, label.anchors, label.neighbours) = (lines, anchors, neighbours);
     }
 
-    /// Adds the free places of a label at some distances.
+    /// Adds the free places of a label at these distances.
     fn add_places(&mut self, index: usize, distances: &[f64]) {
         let label = &self.labels[index];
         let bounds = self.obstacles.bounds;
@@ -74,7 +75,7 @@ impl<'a> Search<'a> {
         self.labels[index].places.append(&mut places);
     }
 
-    /// Gives a label places farther off, with leaders.
+    /// Adds the distant places of a label, with leaders.
     pub(super) fn add_far_places(&mut self, index: usize) {
         let label = &mut self.labels[index];
         if label.has_far {
@@ -82,14 +83,14 @@ impl<'a> Search<'a> {
         }
         label.has_far = true;
         label.reach = label.reach_at(FAR[FAR.len() - 1]);
-        self.survey(index);
+        self.find_surroundings(index);
         for other in self.labels[index].neighbours.clone() {
             let neighbours = &mut self.labels[other].neighbours;
             if let Err(position) = neighbours.binary_search(&index) {
                 neighbours.insert(position, index);
             }
         }
-        // The near places keep their costs: what the wider survey adds is beyond them.
+        // The costs of near places remain: the added lines and anchors are beyond them.
         self.add_places(index, &FAR);
     }
 
@@ -100,8 +101,7 @@ impl<'a> Search<'a> {
         if known || least >= limit {
             return (least < limit).then_some(least);
         }
-        // Parts are added up until they pass the limit; the sum so far is then a better lower bound
-        // for the next time.
+        // Summation stops at the limit; the sum is then a better lower bound for the next time.
         let mut whole = true;
         let own = gap(ink, label.anchor);
         for &other in &label.anchors {
@@ -136,7 +136,7 @@ impl<'a> Search<'a> {
         self.cost_below(index, place, f64::INFINITY).unwrap_or(f64::INFINITY)
     }
 
-    /// The labels in the way of a place, up to `most` of them; none in the list means that the
+    /// The labels in the way of a place, two at most, and their number, at most one above `most`; zero means that the
     /// place can be taken.
     pub(super) fn blockers(&self, index: usize, place: usize, most: usize) -> ([usize; 2], usize) {
         let (mut found, mut count) = ([usize::MAX; 2], 0);
@@ -158,8 +158,7 @@ impl<'a> Search<'a> {
         (found, count)
     }
 
-    /// The cheapest place of a label that no other label is in the way of, if it costs less than
-    /// `limit`.
+    /// The cheapest place of a label without another label in the way, if it costs less than `limit`.
     pub(super) fn cheapest(&mut self, index: usize, limit: f64) -> Option<(usize, f64)> {
         let mut best = None;
         let mut limit = limit;

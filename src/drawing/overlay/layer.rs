@@ -1,4 +1,4 @@
-//! What a panel has of a student's drawing: lines, crosses with names, numbers of steps.
+//! A student's drawing in a panel: lines, crosses with names, numbers of steps.
 
 use super::own::{Overlay, OwnKind, OwnLine, OwnPoint, WrongStep};
 use crate::drawing::canvas::Canvas;
@@ -14,7 +14,7 @@ use crate::scene::PanelName;
 use crate::words::NumberStyle;
 use kurbo::{Point, Vec2};
 
-/// Points closer than this on paper, in mm, share a name.
+/// Points closer than this on paper, in mm, share a label.
 const SHARED: f64 = 0.35;
 /// Half the width of a cross that marks a point, in mm.
 const CROSS: f64 = 1.1;
@@ -27,13 +27,13 @@ pub(in crate::drawing) struct OwnLayer<'a> {
 }
 
 impl Layer for OwnLayer<'_> {
-    fn announce(&self, canvas: &mut Canvas<'_>, view: &View) {
-        canvas.overlay();
+    fn reserve(&self, canvas: &mut Canvas<'_>, view: &View) {
+        canvas.set_overlaid();
         for line in self.lines() {
-            canvas.expect(&Shape::Line(view.at(line.ends[0]), view.at(line.ends[1])));
+            canvas.reserve(&Shape::Line(view.at(line.ends[0]), view.at(line.ends[1])));
         }
         for point in self.points() {
-            canvas.expect(&Shape::Circle { center: view.at(point.at), radius: CROSS });
+            canvas.reserve(&Shape::Circle { center: view.at(point.at), radius: CROSS });
         }
     }
 
@@ -59,16 +59,15 @@ impl Layer for OwnLayer<'_> {
             if holds(canvas.room(), center) {
                 self.point(canvas, center, point, &label);
             } else {
-                self.beyond(canvas, view, point, &label);
+                self.name_outside(canvas, view, point, &label);
             }
         }
     }
 
-    /// Makes the marks of the panel pale but for the student's and those of wrong steps, and lets none of them wait for
-    /// its step.
+    /// Makes all marks paler except the student's and those of wrong steps, and shows all steps together.
     fn retouch(&self, marks: &mut Vec<Mark>) {
         marks.retain_mut(|mark| {
-            let is_wrong = self.overlay.steps.iter().any(|wrong| self.is_of(mark, wrong));
+            let is_wrong = self.overlay.steps.iter().any(|wrong| self.belongs_to(mark, wrong));
             let stays = is_wrong || !mark.passing;
             (mark.since, mark.passing) = (0, false);
             mark.emphasis = match mark.pen {
@@ -116,10 +115,10 @@ impl<'a> OwnLayer<'a> {
 
     /// Writes the number of a step beside what it draws or measures.
     fn name_step(&self, canvas: &mut Canvas<'_>, wrong: &WrongStep) {
-        let own = canvas.marks().iter().filter(|m| self.is_of(m, wrong));
+        let own = canvas.marks().iter().filter(|m| self.belongs_to(m, wrong));
         let size = |mark: &Mark| {
             let area = mark.shape.bounds();
-            // A special point says more than its lines.
+            // A special point is preferred to its lines.
             let is_point = mark.pen == Pen::Special && matches!(mark.shape, Shape::Circle { .. });
             (is_point, area.width() + area.height())
         };
@@ -136,16 +135,16 @@ impl<'a> OwnLayer<'a> {
             Shape::ArcArrow { center, radius, .. } => (*center, radius + 0.8, None),
             other => (other.bounds().center(), 2.0, None),
         };
-        canvas.since(wrong.step as u16);
+        canvas.set_step(wrong.step as u16);
         let name = format!("step-{}", wrong.step);
         let request = canvas.label(&name, &wrong.label, anchor, clearance, prefer, 3);
         request.request.text = RichText::plain(&wrong.label);
-        canvas.since(0);
+        canvas.set_step(0);
     }
 
-    /// A point outside its panel: how far it lies beyond the edge, where a line that leads to it leaves the panel, else
-    /// at an arrow towards it.
-    fn beyond(&self, canvas: &mut Canvas<'_>, view: &View, point: &OwnPoint, label: &str) {
+    /// Names a point outside its panel, with its distance beyond the edge: where a line to it leaves the panel, else at
+    /// an arrow towards it.
+    fn name_outside(&self, canvas: &mut Canvas<'_>, view: &View, point: &OwnPoint, label: &str) {
         const ARROW: f64 = 9.0;
         let room = canvas.room().inset(-2.0);
         let target = view.at(point.at);
@@ -180,7 +179,7 @@ impl<'a> OwnLayer<'a> {
         self.overlay.lines.iter().filter(|own| own.panel == self.panel && self.shows(&own.leads_to))
     }
 
-    /// Whether the right figure shows a point of that name too.
+    /// Whether the right figure shows a point of that name.
     fn shows(&self, name: &str) -> bool {
         let scheme = self.scheme;
         match scheme.plan(self.panel) {
@@ -189,13 +188,13 @@ impl<'a> OwnLayer<'a> {
         }
     }
 
-    /// Whether a mark comes with a step, and is of the link that the step went wrong with.
-    fn is_of(&self, mark: &Mark, wrong: &WrongStep) -> bool {
+    /// Whether a mark appears with a step and belongs to the link with the wrong rate.
+    fn belongs_to(&self, mark: &Mark, wrong: &WrongStep) -> bool {
         let link = |name: &String| {
             let id = self.scheme.mechanism.link(name);
             id.is_some() && mark.number == id.and_then(|id| self.scheme.number(id))
         };
-        // The magnification of what is shown larger belongs to no step.
+        // The factor of an enlarged detail belongs to no step.
         let is_scale = mark.pen == Pen::Label && mark.id.is_none();
         usize::from(mark.since) == wrong.step && !is_scale && wrong.link.as_ref().is_none_or(link)
     }
@@ -209,7 +208,7 @@ pub(super) fn cross(center: Point) -> [Shape; 2] {
     })
 }
 
-/// A place of a line, and a side of it, where a name has room.
+/// A point of a line and a side of it where a name has room.
 fn beside(canvas: &Canvas<'_>, from: Point, to: Point) -> (Point, Option<Vec2>) {
     const FREE: f64 = 2.6;
     let way = towards(from, to, Vec2::new(1.0, 0.0));

@@ -1,5 +1,5 @@
-//! A student's drawing over the right figure: what stands elsewhere on the own sheets, in a pen of its own, the steps at which something went
-//! wrong in the accent colour, everything else pale.
+//! A student's drawing over the right figure: where it differs, it has a pen of its own; wrong steps have the accent
+//! colour; all else is paler.
 
 mod layer;
 mod notes;

@@ -1,4 +1,4 @@
-//! What is said of a student's drawing: a key of its lines, sentences, a table of the values.
+//! The words about a student's drawing: a key of its lines, sentences, a table of the values.
 
 use super::layer::cross;
 use super::own::{Overlay, OwnValue};
@@ -11,21 +11,21 @@ use crate::drawing::text::{CAPTION, RichText};
 use crate::words::Wording;
 use kurbo::{Point, Rect};
 
-/// Between a sample in the key and its words, and behind these, in mm.
+/// White between a sample in the key and its words, and after these, in mm.
 const KEY: [f64; 2] = [1.6, 9.0];
-/// Length of a sample in the key.
+/// Length of a sample in the key, in mm.
 const SAMPLE: f64 = 11.0;
-/// White above the words of a column.
+/// White above the words of a column, in mm.
 const TOP: f64 = 2.0;
 
-/// Where the words about a drawing stand.
+/// Place of the words about a drawing.
 #[derive(Clone, Copy, PartialEq)]
 pub(in crate::drawing) enum WordsPlace {
     /// Below the panels.
     Below,
-    /// In a column of this width to the right of the panels.
+    /// In a column of this width, in mm, to the right of the panels.
     Beside(f64),
-    /// On the sheet of the table, where the figure needs all of its own but for the key.
+    /// On the sheet of the table, where only the key fits on the figure's sheet.
     Apart,
 }
 
@@ -33,18 +33,18 @@ pub(in crate::drawing) enum WordsPlace {
 pub(in crate::drawing) struct Notes<'a> {
     pub overlay: &'a Overlay,
     pub words: Wording,
-    /// Size of the sheet.
+    /// Size of the sheet, in mm.
     pub page: [f64; 2],
     pub place: WordsPlace,
 }
 
 impl Notes<'_> {
-    /// Whether an area is high enough for them.
-    pub(in crate::drawing) fn fit(&self, area: Rect) -> bool {
+    /// Whether an area is high enough.
+    pub(in crate::drawing) fn fits(&self, area: Rect) -> bool {
         area.height() >= TOP + self.needed()
     }
 
-    /// Height that key and words need.
+    /// Height of key and words, in mm.
     fn needed(&self) -> f64 {
         lines::height(self.key_lines() + self.lines().len())
     }
@@ -61,7 +61,7 @@ impl Notes<'_> {
         matches!(self.place, WordsPlace::Beside(_))
     }
 
-    /// The samples that the key needs, by their places in it.
+    /// The samples in the key: 0 right, 1 the student's, 2 wrong.
     fn key(&self) -> impl Iterator<Item = usize> {
         let Overlay { points, lines, steps, .. } = self.overlay;
         let own = !(points.is_empty() && lines.is_empty());
@@ -70,7 +70,7 @@ impl Notes<'_> {
         (0..there.len()).filter(move |&sample| there[sample])
     }
 
-    /// How many lines the key takes above the words, in a column or in a row.
+    /// Number of lines of the key above the words, in a column or in a row.
     fn key_lines(&self) -> usize {
         let samples = self.key().count();
         if self.is_column() { samples } else { samples.min(1) }
@@ -132,7 +132,7 @@ impl Overlay {
         Table::new(set(&self.head), [false, true, true, true, true, false], names, rows)
     }
 
-    /// The words in lines of at most this width, in a column with an empty line before each paragraph.
+    /// The words in lines of at most this width in mm; in a column with an empty line before each paragraph.
     pub(in crate::drawing) fn lines(&self, width: f64, is_column: bool) -> Vec<RichText> {
         let lines = self.words.iter().flat_map(|text| {
             let blank = is_column.then(|| RichText::plain(""));
@@ -142,8 +142,7 @@ impl Overlay {
     }
 }
 
-/// A line of the key from the left end of its baseline: as it should be, the student's, where it went wrong. Where it
-/// ends.
+/// Draws an entry of the key from the left end of its baseline; returns its right end.
 fn key(drawing: &mut Drawing, from: Point, sample: usize, words: &str) -> f64 {
     let middle = from.y - 1.3;
     let ends = [from.x, from.x + SAMPLE].map(|x| Point::new(x, middle));
@@ -168,13 +167,13 @@ fn key(drawing: &mut Drawing, from: Point, sample: usize, words: &str) -> f64 {
     end
 }
 
-/// Names in sentences, `v_r(3/2)` and `n_b3`, as markup: all that follows an underscore stands low.
+/// Names in sentences, as `v_r(3/2)` and `n_b3`, in markup: the part after an underscore is a subscript.
 fn typeset(text: &str) -> String {
     let Some((before, after)) = text.split_once('_') else {
         return text.to_owned();
     };
     let is_low = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
-    // ² and ³ count as letters there, but stand high.
+    // ² and ³ are alphanumeric, but no part of the subscript.
     let end = after.find(|c: char| !is_low(c) || matches!(c, '²' | '³'));
     let (low, rest) = after.split_at(end.unwrap_or(after.len()));
     format!("{before}_{{{}}}{}", typeset(low), typeset(rest))

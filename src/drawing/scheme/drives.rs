@@ -1,4 +1,4 @@
-//! Arrows beside driven links and sliders: which way the drives move them.
+//! Arrows beside driven links and sliders: the senses of their drives.
 
 use super::super::canvas::Canvas;
 use super::super::shape::Shape;
@@ -10,24 +10,24 @@ use kurbo::{Point, Vec2};
 use std::f64::consts::PI;
 
 impl Scheme<'_> {
-    pub(super) fn turned_links(&self, canvas: &mut Canvas<'_>, view: &View) {
+    pub(super) fn rotation_arrows(&self, canvas: &mut Canvas<'_>, view: &View) {
         for (link, body) in self.mechanism.links() {
             if let Role::Driver { pivot, omega, .. } = body.role {
-                self.turning(canvas, view, link, pivot, omega);
+                self.rotation_arrow(canvas, view, link, pivot, omega);
             }
         }
     }
 
-    pub(super) fn pushed_sliders(&self, canvas: &mut Canvas<'_>, view: &View) {
+    pub(super) fn slide_arrows(&self, canvas: &mut Canvas<'_>, view: &View) {
         for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
             if let Some(drive) = self.mechanism.slider(slider).drive {
-                self.pushing(canvas, view, slider, drive.speed);
+                self.slide_arrow(canvas, view, slider, drive.speed);
             }
         }
     }
 
-    /// The senses of the angular rates that a step finds: a curved arrow around the middle of each link.
-    pub(super) fn senses(&self, canvas: &mut Canvas<'_>, view: &View, step: u16, unknowns: &[(String, f64)]) {
+    /// Draws the senses of the angular rates that a step yields: a curved arrow around the centre of each link.
+    pub(super) fn rate_arrows(&self, canvas: &mut Canvas<'_>, view: &View, step: u16, unknowns: &[(String, f64)]) {
         const RADIUS: f64 = 5.0;
         const SWEEP: f64 = 4.2;
         for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0) {
@@ -48,12 +48,12 @@ impl Scheme<'_> {
                 start: -0.5 * PI - 0.5 * sense * SWEEP,
                 sweep: sense * SWEEP,
             };
-            canvas.passing(step, Pen::Turning, shape).number = self.number(link);
+            canvas.draw_in_step(step, Pen::Turning, shape).number = self.number(link);
         }
     }
 
-    /// The sense in which a driven link turns.
-    fn turning(&self, canvas: &mut Canvas<'_>, view: &View, link: BodyId, pivot: PointId, omega: f64) {
+    /// Draws the sense of rotation of a driven link.
+    fn rotation_arrow(&self, canvas: &mut Canvas<'_>, view: &View, link: BodyId, pivot: PointId, omega: f64) {
         const RADIUS: f64 = 7.5;
         const SWEEP: f64 = 1.5;
         let body = self.mechanism.body(link);
@@ -66,7 +66,7 @@ impl Scheme<'_> {
         if omega == 0.0 || arm.hypot() < 1.0 {
             return;
         }
-        // Counter-clockwise is against the sheet's own sense of angles.
+        // Counter-clockwise is negative in the angles of the sheet.
         let sense = -omega.signum();
         let arc = |radius: f64, lead: f64| Shape::ArcArrow {
             center,
@@ -74,8 +74,7 @@ impl Scheme<'_> {
             start: libm::atan2(arm.y, arm.x) + sense * lead,
             sweep: sense * SWEEP,
         };
-        // Off the panel's edge and, where that can be, off the pivot's hatching: ahead of the link,
-        // behind it, or smaller.
+        // Within the panel and, if possible, off the pivot's hatching: ahead of the link, behind it, or smaller.
         let (bounds, foot) = (canvas.bounds(), self.pivot_box(view, pivot));
         let behind = -0.35 - SWEEP;
         let tries = [(RADIUS, 0.35), (RADIUS, behind), (0.8 * RADIUS, 0.35), (0.8 * RADIUS, behind)];
@@ -100,8 +99,8 @@ impl Scheme<'_> {
         label.number = self.number(link);
     }
 
-    /// The sense in which a driven slider is pushed along its guide, seen from the guide's body.
-    fn pushing(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId, speed: f64) {
+    /// Draws the sense in which a driven slider moves along its guide, relative to the guide's body.
+    fn slide_arrow(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId, speed: f64) {
         const LENGTH: f64 = 10.0;
         const BESIDE: f64 = 2.0;
         if speed == 0.0 {
@@ -121,7 +120,7 @@ impl Scheme<'_> {
             (false, false) => [-free, free],
         };
         let arm = along * (0.5 * LENGTH * speed.signum());
-        // Beside the block or a little further on: where the panel has room and the least is in the way.
+        // Beside the block or a little further on: inside the panel, where fewest obstacles are crossed.
         let bounds = canvas.bounds();
         let places = sides.into_iter().flat_map(|side| [0.0, -LENGTH, LENGTH].map(|shift| (side, shift)));
         let arrows = places.map(|(side, shift)| {
@@ -130,7 +129,7 @@ impl Scheme<'_> {
         });
         let cost = |&(_, from, to): &(Vec2, Point, Point)| {
             let drawn = Shape::Arrow { from, to }.drawn_box();
-            (drawn.union(bounds) != bounds, canvas.in_the_way(from, to))
+            (drawn.union(bounds) != bounds, canvas.crossings_with(from, to))
         };
         let best = arrows.min_by_key(cost);
         let (side, from, to) = best.expect("there are six places to choose from");

@@ -11,11 +11,11 @@ use kurbo::{Point, Rect, Vec2};
 /// Height of a pivot's triangle, and half the length of the ground line under it, in mm.
 const PIVOT: f64 = 4.4;
 const PIVOT_HALF: f64 = 4.2;
-/// How far the strokes under a ground line reach, in mm.
+/// Height of the hatching under a ground line, in mm.
 pub(super) const HATCH: f64 = 1.7;
 
 impl Scheme<'_> {
-    /// A pivot on the ground, or hanging from it where that is out of its links' way.
+    /// Draws a pivot on the ground: below the point, or above it where that is out of the links' way.
     pub(super) fn pivot(&self, canvas: &mut Canvas<'_>, view: &View, point: PointId) {
         const HALF: f64 = 2.3;
         let apex = self.at(view, point);
@@ -30,16 +30,16 @@ impl Scheme<'_> {
         canvas.keep_off(self.pivot_box(view, point));
     }
 
-    /// The ground line under a pivot and its hatching.
+    /// The box around the ground line under a pivot and its hatching.
     pub(super) fn pivot_box(&self, view: &View, point: PointId) -> Rect {
         let (apex, down) = (self.at(view, point), self.down(view, point));
         let across = Vec2::new(PIVOT_HALF, 0.0);
         Rect::from_points(apex + down * PIVOT - across, apex + down * (PIVOT + HATCH) + across)
     }
 
-    /// Where the ground lies from a pivot: below it, but above it where links hang down and none stands up.
+    /// Unit vector from a pivot to its ground: downwards, but upwards where links hang down and none stands up.
     pub(super) fn down(&self, view: &View, point: PointId) -> Vec2 {
-        // How far off the vertical a link is in the way.
+        // Cosine of the largest angle from the vertical at which a link is in the way.
         let steep = libm::cos(50.0_f64.to_radians());
         let links = self.mechanism.links();
         let own: Vec<(BodyId, &Body)> = links.filter(|l| l.1.points.contains(&point)).collect();

@@ -1,4 +1,4 @@
-//! Links as lines and areas, pieces of the neighbouring mechanism.
+//! Links as lines and areas, and pieces of the neighbouring mechanism.
 
 use super::super::canvas::Canvas;
 use super::super::shape::Shape;
@@ -9,16 +9,16 @@ use crate::geometry::{self, cross, span};
 use crate::mechanism::{BodyId, PointId, SliderId};
 use kurbo::{Line, ParamCurveNearest, Point, Vec2};
 
-/// A point this far from a line, in mm, is drawn on it.
+/// A point closer than this to a line, in mm, counts as on the line.
 pub(super) const ON_LINE: f64 = 0.3;
 
-/// How a link is drawn.
+/// Shape of a link.
 pub(super) enum LinkShape {
-    /// By its block or its guide alone.
+    /// None besides its block or its guide.
     Nothing,
-    /// By straight bars: one from end to end, or a slot and the arms that hold it.
+    /// Straight bars: one between two points, or a slot and the arms that hold it.
     Bars(Vec<[Point; 2]>),
-    /// By an area with these corners.
+    /// An area with these corners.
     Plate(Vec<Point>),
 }
 
@@ -37,7 +37,7 @@ impl LinkShape {
 }
 
 impl Scheme<'_> {
-    /// How a link is drawn.
+    /// The shape of a link.
     pub(super) fn shape(&self, view: &View, link: BodyId) -> LinkShape {
         let points = &self.mechanism.body(link).points;
         let outline = self.outline(points);
@@ -54,8 +54,8 @@ impl Scheme<'_> {
         }
     }
 
-    /// The bars of a yoke, a link with a slot between two points that are nothing but the slot's ends: the slot, and from each
-    /// other point an arm square to it.
+    /// The bars of a yoke, a link with a slot between two points that are only the slot's ends: the slot, and from each
+    /// other point an arm normal to it.
     fn yoke(&self, view: &View, link: BodyId) -> Option<Vec<[Point; 2]>> {
         let ids = (0..self.mechanism.sliders.len()).map(SliderId);
         let mut slots = ids.filter(|&id| self.mechanism.slider(id).on == link);
@@ -92,7 +92,7 @@ impl Scheme<'_> {
         if places.len() < 3 {
             return places;
         }
-        // The convex hull, by Andrew's monotone chain.
+        // The convex hull by Andrew's monotone chain.
         places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         let size = span(places.iter().copied());
         let mut hull: Vec<geometry::Point> = Vec::new();
@@ -101,7 +101,7 @@ impl Scheme<'_> {
             for &p in &places {
                 while hull.len() >= base + 2 {
                     let (a, b) = (hull[hull.len() - 2], hull[hull.len() - 1]);
-                    // Flatter than a thousandth of the link is drawn as straight.
+                    // A corner flatter than a thousandth of the link counts as straight.
                     if cross(b - a, p - b) > 1e-3 * size * (p - a).norm() {
                         break;
                     }
@@ -144,17 +144,18 @@ impl Scheme<'_> {
         }
     }
 
-    /// A link of the neighbouring mechanism: a piece of it, broken off.
+    /// Draws a link of the neighbouring mechanism as a piece with a break line.
     pub(super) fn stub(&self, canvas: &mut Canvas<'_>, view: &View, link: BodyId) {
         let body = self.mechanism.body(link);
         let (point, name) = (body.points[0], body.name.as_str());
         const LENGTH: f64 = 11.0;
         let from = self.at(view, point);
         const HALF_WAVE: f64 = 2.6;
-        /// Cosine of the least angle between a piece and another line from its point, 40°.
+        /// Cosine of the smallest angle, 40°, between a piece and another line from its point.
         const CLEAR: f64 = 0.766;
         let outward = self.outward(view, from).unwrap_or(Vec2::new(-1.0, 0.0));
-        // Outwards, or as little beside it as keeps the piece on the panel and clear of the links and the guides that it meets.
+        // Outwards, or in the nearest direction that keeps the piece on the panel and clear of the links and guides at
+        // its point.
         let turned = |degrees: f64| {
             let turn = geometry::direction_of_degrees(degrees);
             Vec2::new(turn.x * outward.x - turn.y * outward.y, turn.y * outward.x + turn.x * outward.y)
@@ -191,7 +192,7 @@ impl Scheme<'_> {
         label.number = self.number(link);
     }
 
-    /// The directions in which links and guides are drawn from a point.
+    /// The unit vectors of links and guides at a point.
     pub(super) fn directions(&self, view: &View, point: PointId) -> Vec<Vec2> {
         let from = self.at(view, point);
         let links = self.mechanism.links();
@@ -209,7 +210,7 @@ impl Scheme<'_> {
     }
 }
 
-/// Whether a point lies on a line as far as a reader sees.
+/// Whether a point is on a line to the reader's eye.
 pub(super) fn is_on([a, b]: [Point; 2], point: Point) -> bool {
     let nearest = Line::new(a, b).nearest(point, 0.1 * ON_LINE);
     nearest.distance_sq <= ON_LINE * ON_LINE

@@ -1,5 +1,5 @@
-//! The scheme of the mechanism: from back to front areas, cut lines, guides, the ground, links, blocks with the links on their
-//! pins, joints, special points, then the names.
+//! The scheme of the mechanism. From back to front: areas, cut lines, guides, the ground, links, blocks with the links
+//! on their pins, joints, special points, labels.
 
 mod drives;
 mod ground;
@@ -26,7 +26,7 @@ use std::f64::consts::PI;
 /// Radius of a joint's circle in mm.
 const JOINT: f64 = 1.15;
 
-/// What the scheme shows.
+/// The solved scene for the scheme, with names and steps.
 pub(super) struct Scheme<'a> {
     pub solution: &'a Solution,
     pub scene: &'a Scene,
@@ -36,13 +36,14 @@ pub(super) struct Scheme<'a> {
     pub construction: &'a Construction,
     pub names: Names,
     pub stages: Stages,
-    /// Whether crowded places of plans are shown larger beside them; in motion such circles would come and go.
+    /// Whether crowded points of plans have an enlarged detail: not in an animation, where details would appear and
+    /// vanish.
     pub insets: bool,
     pub words: Wording,
 }
 
 impl<'a> Scheme<'a> {
-    /// The scheme of a scene after its construction.
+    /// The scheme of a solved scene.
     pub(super) fn new(solution: &'a Solution) -> Self {
         let Solution { scene, mechanism, pose, construction, .. } = solution;
         Self {
@@ -59,24 +60,24 @@ impl<'a> Scheme<'a> {
         }
     }
 
-    /// Tells steps in the figure's words.
+    /// The writer of captions in the figure's language.
     pub(super) fn teller(&self) -> Teller<'_> {
         Teller::new(self.solution, &self.words)
     }
 
-    /// What must find room: all points, and the special points that are not too far away.
+    /// The extent of all points and of the special points that are not too far away.
     pub(super) fn extent(&self) -> Extent {
         let near = self.special().filter(|s| self.is_near(s));
         let special = near.filter_map(|s| s.place.finite());
-        Extent::of(self.own_places().chain(special))
+        Extent::of(self.places().chain(special))
     }
 
-    /// The same without special points.
+    /// The extent without special points.
     pub(super) fn extent_of_joints(&self) -> Extent {
-        Extent::of(self.own_places())
+        Extent::of(self.places())
     }
 
-    fn own_places(&self) -> impl Iterator<Item = geometry::Point> {
+    fn places(&self) -> impl Iterator<Item = geometry::Point> {
         let points = self.pose.points.iter().copied();
         points.chain(self.guide_ends()).chain(self.circles().flat_map(|(center, radius)| {
             let (center, arm) = (self.pose.point(center), geometry::Vector::new(radius, radius));
@@ -89,7 +90,7 @@ impl<'a> Scheme<'a> {
         self.mechanism.joints.iter().flat_map(|joint| joint.marks.iter().copied())
     }
 
-    /// The circles by which joints are drawn: center, and radius in the scene's unit of length; that of a pin has none.
+    /// The circles of joints: centre, and radius in the scene's unit of length; zero for a pin.
     fn circles(&self) -> impl Iterator<Item = (PointId, f64)> {
         self.marks().filter_map(|mark| match mark {
             Mark::Circle { center, towards, part } => Some((center, part * self.pose.arm(center, towards).norm())),
@@ -97,7 +98,7 @@ impl<'a> Scheme<'a> {
         })
     }
 
-    /// The circles that are larger than that of a pin.
+    /// Draws the circles larger than that of a pin.
     fn wheels(&self, canvas: &mut Canvas<'_>, view: &View) {
         for (center, radius) in self.circles() {
             let (center, rim) = (self.pose.point(center), geometry::Vector::new(radius, 0.0));
@@ -106,7 +107,7 @@ impl<'a> Scheme<'a> {
             if radius <= JOINT {
                 continue;
             }
-            // In halves: a label may stand inside.
+            // Two half circles: unlike a full circle they leave the inside free for a label.
             for start in [0.0, PI] {
                 canvas.draw(Pen::Guide, Shape::Arc { center, radius, start, sweep: PI });
             }
@@ -117,10 +118,10 @@ impl<'a> Scheme<'a> {
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
         self.link_areas(canvas, view);
         for special in self.special() {
-            canvas.since(self.stages.special(&special.name));
+            canvas.set_step(self.stages.special(&special.name));
             self.cuts(canvas, view, special);
         }
-        canvas.since(0);
+        canvas.set_step(0);
         for slider in self.sliders() {
             self.guide(canvas, view, slider);
         }
@@ -129,7 +130,7 @@ impl<'a> Scheme<'a> {
         }
         self.wheels(canvas, view);
         self.link_lines(canvas, view);
-        self.pushed_sliders(canvas, view);
+        self.slide_arrows(canvas, view);
         for slider in self.sliders() {
             self.block(canvas, view, slider);
         }
@@ -138,17 +139,18 @@ impl<'a> Scheme<'a> {
                 self.stub(canvas, view, link);
             }
         }
-        self.turned_links(canvas, view);
+        self.rotation_arrows(canvas, view);
         self.joints(canvas, view);
         for special in self.special() {
-            canvas.since(self.stages.special(&special.name));
+            canvas.set_step(self.stages.special(&special.name));
             self.mark_special(canvas, view, special);
         }
-        canvas.since(0);
+        canvas.set_step(0);
         self.link_names(canvas, view);
     }
 
-    /// What each step is about: the length that it measures, the line that gives its ray the direction.
+    /// Draws the hints of the steps: the measured length, the line to which a ray is normal, the senses of solved
+    /// rates.
     pub(super) fn hints(&self, canvas: &mut Canvas<'_>, view: &View) {
         for NumberedStep { number, step, .. } in self.construction.numbered_steps() {
             let number = number as u16;
@@ -159,7 +161,7 @@ impl<'a> Scheme<'a> {
                 }
                 Action::Ray(ray) => self.line_of(ray),
                 Action::Solve { unknowns, .. } => {
-                    self.senses(canvas, view, number, unknowns);
+                    self.rate_arrows(canvas, view, number, unknowns);
                     None
                 }
                 _ => None,
@@ -170,14 +172,14 @@ impl<'a> Scheme<'a> {
         }
     }
 
-    /// The stretch of the cut line to which a ray is square, from its joint to the special point.
+    /// The segment of the cut line to which a ray is normal, from its joint to the special point.
     fn line_of(&self, ray: &Ray) -> Option<(geometry::Point, geometry::Point)> {
         let special = self.construction.special(ray.special);
         Some((self.pose.point(special.cuts[ray.side].start()?), special.place.finite()?))
     }
 
-    /// The markup by which a point is shown, on the mechanism or within a plan: as the scene renames it, else in the
-    /// figure's notation.
+    /// The markup of a point's name, on the mechanism or within a plan: the scene's own, or else that of the figure's
+    /// notation.
     pub(super) fn shown(&self, name: &str, plan: Option<&Plan>) -> String {
         if let Some(renamed) = self.figure.labels.get(name) {
             return renamed.clone();
@@ -198,7 +200,7 @@ impl<'a> Scheme<'a> {
         }
     }
 
-    /// The number of a link among all, by which a style picks its colour; none for the ground and for blocks without name.
+    /// Number of a link, by which a style picks its colour; none for the ground and for blocks without name.
     pub(super) fn number(&self, link: BodyId) -> Option<usize> {
         self.mechanism.links().position(|(id, _)| id == link)
     }

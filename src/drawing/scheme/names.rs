@@ -1,4 +1,4 @@
-//! Joints and the names of points and links.
+//! Joints, and the labels of points and links.
 
 use super::super::canvas::Canvas;
 use super::super::shape::Shape;
@@ -12,7 +12,7 @@ use crate::mechanism::{BodyId, GROUND, PointId, Role, Slider, SliderId};
 use kurbo::{Point, Vec2};
 
 impl Scheme<'_> {
-    /// Circles at pins, dots at other points, and their names.
+    /// Draws circles at pins, dots at other points, and their labels.
     pub(super) fn joints(&self, canvas: &mut Canvas<'_>, view: &View) {
         let mut named: Vec<Point> = Vec::new();
         for point in (0..self.mechanism.points.len()).map(PointId) {
@@ -29,7 +29,7 @@ impl Scheme<'_> {
                 canvas.draw_named(&id, Pen::ImagePoint, Shape::Circle { center, radius });
             }
             let clearance = if slides { BLOCK.y + 0.8 } else { JOINT + 0.9 };
-            // Two points in one place are told apart by their labels alone.
+            // Of two coincident points the second has the lower priority.
             let twin = named.iter().any(|p| (*p - center).hypot() < 0.3);
             let priority = if twin { 1 } else { 2 };
             named.push(center);
@@ -37,19 +37,19 @@ impl Scheme<'_> {
         }
     }
 
-    /// Whether links are joined by a pin there.
+    /// Whether a point is a pin.
     pub(super) fn is_pin(&self, point: PointId) -> bool {
         self.circles().any(|(center, _)| center == point)
     }
 
-    /// The direction away from the middle of the mechanism.
+    /// Unit vector from the centre of the mechanism; none within 5 mm of it.
     pub(super) fn outward(&self, view: &View, from: Point) -> Option<Vec2> {
         let extent = Extent::of(self.pose.points.iter().copied());
         let away = from - view.at(nalgebra::center(&extent.low, &extent.high));
         (away.hypot() > 5.0).then(|| away.normalize())
     }
 
-    /// The links' names: inside areas, beside lines where there is most room.
+    /// Draws the links' labels: inside areas, beside lines where there is most room.
     pub(super) fn link_names(&self, canvas: &mut Canvas<'_>, view: &View) {
         let joints: Vec<Point> = self.pose.points.iter().map(|&p| view.at(p)).collect();
         for (id, body) in self.mechanism.links() {
@@ -65,18 +65,18 @@ impl Scheme<'_> {
                         nearest.fold(f64::INFINITY, f64::min)
                     };
                     let shares = [0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78];
-                    // The middle, unless a joint is close there.
+                    // The middle, unless a joint is nearby.
                     let good = shares.into_iter().find(|&s| free(s) > 8.0);
                     let best = |x: &f64, y: &f64| free(*x).total_cmp(&free(*y));
                     let share = good.or_else(|| shares.into_iter().max_by(best));
                     let anchor = a.lerp(b, share.unwrap_or(0.5));
-                    // Square off the line, on its outer side.
+                    // Normal to the line, on its outer side.
                     let along = towards(a, b, Vec2::new(1.0, 0.0));
                     let beside = Vec2::new(-along.y, along.x);
                     let outer = self.outward(view, anchor).is_some_and(|o| o.dot(beside) < 0.0);
                     (anchor, 1.3, Some(if outer { -beside } else { beside }))
                 }
-                LinkShape::Nothing => match self.own_place(view, id) {
+                LinkShape::Nothing => match self.place_of_small(view, id) {
                     Some(place) => place,
                     None => continue,
                 },
@@ -98,15 +98,16 @@ impl Scheme<'_> {
         }
     }
 
-    /// Where a link with fewer than two points is, how far its name stays off, and on which side: beside its block or its guide.
-    fn own_place(&self, view: &View, link: BodyId) -> Option<(Point, f64, Option<Vec2>)> {
+    /// Place, clearance and preferred side of the label of a link with fewer than two points: beside its block or its
+    /// guide.
+    fn place_of_small(&self, view: &View, link: BodyId) -> Option<(Point, f64, Option<Vec2>)> {
         let own = |s: &Slider| s.link == link || s.on == link;
         let index = self.mechanism.sliders.iter().position(own)?;
         let slider = &self.mechanism.sliders[index];
         let at = self.at(view, slider.at);
         let along = on_sheet(self.pose.guide(SliderId(index)));
         if slider.link != link {
-            // Between its own point and the block, where there is room.
+            // Between its only point and the block, if there is room.
             let own = self.mechanism.body(link).points.first();
             let own = own.map(|&point| self.at(view, point));
             if let Some(own) = own.filter(|own| (*own - at).hypot() > 5.0 * BLOCK.x) {
@@ -114,7 +115,7 @@ impl Scheme<'_> {
             }
             return Some((at + along * (2.4 * BLOCK.x), 1.0, None));
         }
-        // At an end of the block on the ground, else beside the guide, where fewer lines are.
+        // At an end of the block on the ground, else beside the guide, on the side with fewer lines.
         let half = self.half(SliderId(index));
         let (side, half) = match slider.on {
             GROUND => (along, half.x),

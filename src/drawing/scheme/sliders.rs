@@ -12,11 +12,11 @@ use crate::geometry::{self, span};
 use crate::mechanism::{GROUND, Mark, SliderId};
 use kurbo::{Point, Rect, Vec2};
 
-/// Half length and half width of a slider block in mm.
+/// Half length and half width of a slider block, in mm.
 pub(super) const BLOCK: Vec2 = Vec2::new(3.9, 2.2);
 
 impl Scheme<'_> {
-    /// Places that keep room for guides on the ground.
+    /// Points that extend the scheme for guides on the ground.
     pub(super) fn guide_ends(&self) -> impl Iterator<Item = geometry::Point> {
         const SHARE: f64 = 0.06;
         let reach = SHARE * span(self.pose.points.iter().copied());
@@ -28,7 +28,7 @@ impl Scheme<'_> {
         })
     }
 
-    /// The sliders in drawing order: those on the ground lie behind.
+    /// The sliders in drawing order: those on the ground are behind.
     pub(super) fn sliders(&self) -> Vec<SliderId> {
         let blocks = self.marks().filter_map(|mark| match mark {
             Mark::Block(slider) => Some(slider),
@@ -39,8 +39,8 @@ impl Scheme<'_> {
         [back, front].concat()
     }
 
-    /// Half length and half width of a block, or of the slot about a pin that has none; of two on one pin the one behind is
-    /// larger, so that both are seen.
+    /// Half length and half width of a block in mm, or of the slot about a pin without a block. Of two on one pin the
+    /// one behind is larger, so that both are visible.
     pub(super) fn half(&self, id: SliderId) -> Vec2 {
         const BEHIND: f64 = 1.5;
         if self.mechanism.body(self.mechanism.slider(id).link).block {
@@ -52,10 +52,10 @@ impl Scheme<'_> {
         BLOCK * if is_behind { BEHIND } else { 1.0 }
     }
 
-    /// Which way a guide of the ground lies from its block: clockwise from its direction (below a level one), but away from the
-    /// links that hang on the block.
+    /// Unit vector from a block to the ground line of its guide: clockwise from the guide's direction (below a
+    /// horizontal one), but away from the links at the block.
     pub(super) fn ground_side(&self, view: &View, id: SliderId) -> Vec2 {
-        // Sine of the angle, about 9°, from which a link comes from a side.
+        // Sine of the angle, about 9°, above which a link counts as on one side.
         const CLEARLY: f64 = 0.15;
         let slider = self.mechanism.slider(id);
         let along = on_sheet(self.pose.guide(id));
@@ -72,15 +72,16 @@ impl Scheme<'_> {
         if towards > CLEARLY { -side } else { side }
     }
 
-    /// A guide that is no line between its body's points: a line about the block, joined to those
-    /// points; so is one that runs on beyond them. It stays on the panel: an arm whose foot would lie far off goes to the guide's end.
+    /// Draws a guide without its line between points of its body: a line about the block, connected with these points;
+    /// likewise a guide that extends beyond them. It stays on the panel: an arm whose foot would be far off goes to the
+    /// guide's end.
     pub(super) fn guide(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId) {
         let reach = 3.0 * BLOCK.x;
         let half = self.half(id);
         let slider = self.mechanism.slider(id);
         let (at, along) = (self.at(view, slider.at), on_sheet(self.pose.guide(id)));
         let across = Vec2::new(-along.y, along.x);
-        // Room for the ground line and its hatching beside the block.
+        // White for the ground line and its hatching beside the block.
         let bounds = canvas.bounds().inset(-(half.y + HATCH));
         let Some((a, b)) = clipped_segment(bounds, at - along * reach, at + along * reach) else {
             return;
@@ -101,7 +102,7 @@ impl Scheme<'_> {
         let (on_line, off_line): (Vec<Vec2>, Vec<Vec2>) =
             offsets.partition(|offset| offset.dot(across).abs() <= ON_LINE);
         let places: Vec<f64> = on_line.iter().map(|offset| offset.dot(along)).collect();
-        // Between points of its body the block is on the drawn link already.
+        // Between points of its body the block is on the drawn link.
         if places.len() >= 2 && places.iter().any(|&x| x < 0.0) && places.iter().any(|&x| x > 0.0) {
             return;
         }
@@ -117,7 +118,7 @@ impl Scheme<'_> {
         canvas.draw(Pen::Guide, Shape::Line(a, b)).number = self.number(slider.on);
     }
 
-    /// A block or a slot, and over it the links that hang on its pin.
+    /// Draws a block or a slot, and over it the links on its pin.
     pub(super) fn block(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId) {
         let slider = self.mechanism.slider(id);
         let half = self.half(id);

@@ -11,10 +11,11 @@ use crate::geometry::{Place, span};
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
-/// A special point that would make the scheme more than this many times larger is not drawn at its place.
+/// Largest size of the scheme with a special point over that without it; more distant points are not drawn at their
+/// places.
 const REACH: f64 = 2.5;
 
-/// How the distances of others are written.
+/// Number style of the distances of these.
 const DISTANCE: NumberStyle = NumberStyle::significant(4).in_full(-3, 6).on(Medium::Figure);
 
 impl Scheme<'_> {
@@ -23,7 +24,7 @@ impl Scheme<'_> {
         self.construction.special.iter().flatten().filter(move |s| shown && s.is_assur)
     }
 
-    /// Whether a special point can be drawn at its place without making the rest small.
+    /// Whether a special point is near enough to be drawn at its place.
     pub(in super::super) fn is_near(&self, special: &Special) -> bool {
         let own = span(self.pose.points.iter().copied());
         special.place.finite().is_some_and(|place| {
@@ -43,13 +44,13 @@ impl Scheme<'_> {
                 continue;
             };
             let from = self.at(view, start);
-            // A far special point: the cut line runs to the panel's edge, towards it.
+            // For a distant special point the cut line runs towards it to the panel's edge.
             let to = match special.place {
                 Place::At(place) => view.at(place),
                 Place::AtInfinity(_) => from + on_sheet(direction) * (bounds.width() + bounds.height()),
             };
             let name = format!("cut-{}-{}", special.name, self.mechanism.point_name(start));
-            // A special point may lie on the joint.
+            // A special point may coincide with the joint.
             let way = towards(from, to, on_sheet(direction));
             let end = if self.is_near(special) { to + way * 3.0 } else { to };
             if let Some((a, b)) = clipped_segment(bounds, from, end) {
@@ -62,14 +63,14 @@ impl Scheme<'_> {
         }
     }
 
-    /// The mark of a right angle at `corner`.
+    /// Draws the sign of a right angle at `corner`.
     fn right_angle(&self, canvas: &mut Canvas<'_>, corner: Point, a: Vec2, b: Vec2) {
         const SIDE: f64 = 2.4;
         let chain = vec![corner + a * SIDE, corner + (a + b) * SIDE, corner + b * SIDE];
         canvas.draw(Pen::Frame, Shape::Polyline(chain));
     }
 
-    /// A special point at its place; one far away by an arrow with its distance.
+    /// Draws a special point at its place, or a distant one as an arrow with its distance.
     pub(super) fn mark_special(&self, canvas: &mut Canvas<'_>, view: &View, special: &Special) {
         let label = self.names.markup(&special.name);
         if self.is_near(special) {
@@ -83,7 +84,7 @@ impl Scheme<'_> {
             canvas.label(&special.name, &label, center, JOINT + 0.7, None, 3);
             return;
         }
-        // The arrow lies on the first cut line that reaches the panel's edge.
+        // The arrow is on the first cut line with a direction.
         let bounds = canvas.room().inset(-2.0);
         let start = special.cuts.iter().find_map(|c| Some((c.start()?, c.line.direction()?)));
         let Some((start, direction)) = start else {

@@ -1,17 +1,17 @@
-//! Marks that stand out, and those that step back for them.
+//! Looks of new marks, in the accent colour, and of earlier ones, paler.
 
 use super::super::look::{Colour, Look};
 use super::Style;
 
-/// By how much lines in the accent colour are bolder, in mm.
+/// Additional width of lines in the accent colour, in mm.
 const BOLDER: f64 = 0.15;
-/// How far towards the background the marks of earlier steps are.
+/// Share of the background's colour in the marks of earlier steps.
 const CALM: f64 = 0.45;
-/// How far towards the background a tint in the accent colour is.
+/// Share of the background's colour in a tint of the accent colour.
 const TINT: f64 = 0.8;
 
 impl Style {
-    /// The same in the accent colour, its lines somewhat bolder.
+    /// The look in the accent colour, with slightly wider lines.
     pub(in crate::drawing) fn accented(&self, look: Look) -> Look {
         let (accent, background) = (self.0.accent, self.background());
         let is_tint = self.is_tint(&look);
@@ -22,7 +22,7 @@ impl Style {
         Look {
             stroke: look.stroke.map(|_| accent),
             width: look.width + BOLDER,
-            // Areas without outline stay tints, so that letters can be read on them.
+            // Areas without outline stay tints: letters on them must be legible.
             fill: look.fill.map(|fill| match is_tint {
                 true => accent.towards(background, TINT),
                 false => solid(fill),
@@ -32,7 +32,7 @@ impl Style {
         }
     }
 
-    /// The same, paler.
+    /// The look in paler colours.
     pub(in crate::drawing) fn calmed(&self, look: Look) -> Look {
         let background = self.background();
         let pale = |colour: Colour| colour.towards(background, CALM);
@@ -45,7 +45,7 @@ impl Style {
         }
     }
 
-    /// Whether it is an area without outline, nearer to the background than to the ink.
+    /// Whether it is an area without outline whose colour is nearer to the background than to the ink.
     fn is_tint(&self, look: &Look) -> bool {
         let sum = |c: Colour| i32::from(c.red) + i32::from(c.green) + i32::from(c.blue);
         let from = |fill: Colour, to: Colour| (sum(fill) - sum(to)).abs();

@@ -1,5 +1,5 @@
-//! Styles: how each pen looks. In: a style file (`templates/styles`, or a person's own). Out: a [`Style`], asked for the look of a mark.
-//! Nothing is decided here of what is drawn, or where.
+//! Styles: the look of each pen. In: a style file (`templates/styles`, or the user's). Out: a [`Style`], which gives
+//! the look of a mark. Content and places of marks are no part of it.
 
 mod emphasis;
 mod file;
@@ -14,7 +14,7 @@ use std::sync::{Arc, LazyLock};
 
 const STYLE: FileKind = FileKind { what: "style", key: "kinegon_style", version: 1 };
 
-/// How the marks of a drawing look. Copies share one table.
+/// The looks of a drawing's marks. Copies share one table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style(Arc<Table>);
 
@@ -30,10 +30,10 @@ impl Style {
     #[must_use]
     pub fn named(name: StyleName) -> Style {
         static STYLES: [LazyLock<Style>; 4] = [
-            LazyLock::new(|| whole(include_str!("../../../templates/styles/paper.json"))),
-            LazyLock::new(|| based(own(include_str!("../../../templates/styles/print.json")))),
-            LazyLock::new(|| based(own(include_str!("../../../templates/styles/lecture.json")))),
-            LazyLock::new(|| based(own(include_str!("../../../templates/styles/board.json")))),
+            LazyLock::new(|| base_style(include_str!("../../../templates/styles/paper.json"))),
+            LazyLock::new(|| derived_style(bundled_file(include_str!("../../../templates/styles/print.json")))),
+            LazyLock::new(|| derived_style(bundled_file(include_str!("../../../templates/styles/lecture.json")))),
+            LazyLock::new(|| derived_style(bundled_file(include_str!("../../../templates/styles/board.json")))),
         ];
         (*STYLES[name as usize]).clone()
     }
@@ -52,7 +52,7 @@ impl Style {
     /// # Ok::<(), kinegon::scene::SceneError>(())
     /// ```
     pub fn read(text: &str) -> Result<Style, SceneError> {
-        read_as(text, &STYLE).map(based)
+        read_as(text, &STYLE).map(derived_style)
     }
 
     /// The JSON Schema (draft 2020-12) of the style file, with descriptions, for editors.
@@ -61,7 +61,7 @@ impl Style {
         schema_of::<StyleFile>("Kinegon drawing style, version 1")
     }
 
-    /// How a mark of a pen looks that belongs to the link or the curve of that number, or to none.
+    /// The look of a mark with this pen that belongs to the link or curve with this number, or to none.
     #[must_use]
     pub fn look(&self, pen: Pen, number: Option<usize>) -> Look {
         let own = &self.0.pens[pen as usize];
@@ -89,7 +89,7 @@ impl Style {
         self.0.background
     }
 
-    /// The colour of what comes with a step.
+    /// The colour of marks that appear with a step.
     #[must_use]
     pub fn accent(&self) -> Colour {
         self.0.accent
@@ -102,7 +102,7 @@ impl Style {
         u16::from(red) + u16::from(green) + u16::from(blue) < 3 * 128
     }
 
-    /// Colours of the links in turn; empty where links are not told apart by colours.
+    /// Colours of the links in turn; empty if links have no colours of their own.
     #[must_use]
     pub fn links(&self) -> &[Colour] {
         &self.0.links
@@ -125,7 +125,7 @@ impl Style {
         }
     }
 
-    /// All colours with the first dash, then all with the second, and so on.
+    /// The dash of a curve: all colours come first with the first dash, then with the second, and so on.
     fn curve_dash(&self, number: usize) -> Dash {
         let dashes = &self.0.curve_dashes;
         let round = number / self.0.curves.len().max(1);
@@ -136,18 +136,18 @@ impl Style {
     }
 }
 
-/// The style that the others are based on, in the end.
-fn whole(text: &str) -> Style {
-    Style(Arc::new(own(text).over(Table::default())))
+/// The style on which all others are based.
+fn base_style(text: &str) -> Style {
+    Style(Arc::new(bundled_file(text).over(Table::default())))
 }
 
 /// A style that is based on another.
-fn based(file: StyleFile) -> Style {
+fn derived_style(file: StyleFile) -> Style {
     let base = Style::named(file.based_on.unwrap_or_default());
     Style(Arc::new(file.over((*base.0).clone())))
 }
 
-/// A style file of the program, which needs no check when it runs: a test reads it strictly.
-fn own(text: &str) -> StyleFile {
+/// A style file of the program. It is not checked at run time: a test reads it strictly.
+fn bundled_file(text: &str) -> StyleFile {
     serde_json::from_str(text).expect("the styles of the program are sound")
 }

@@ -1,4 +1,4 @@
-//! The values of a style file: colours, lengths, dashes. Each knows its forms, so that a wrong value is told which it may have.
+//! The values of a style file: colours, lengths, dashes. Messages about a wrong value list the permitted forms.
 
 use super::super::look::{Colour, Dash};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -7,10 +7,10 @@ use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 use std::fmt;
 
-/// What a line or an area is drawn with.
+/// The colour of a line or an area.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Paint {
-    /// Nothing.
+    /// Not drawn.
     None,
     /// A colour of its own.
     Of(Colour),
@@ -31,7 +31,7 @@ pub(super) enum Paint {
 pub(super) struct Millimetres(f64);
 
 impl Millimetres {
-    /// More is a slip of the pen.
+    /// A larger value is taken for a mistake.
     const MOST: f64 = 10.0;
     const EXPECTED: &str = "a number of mm from 0 to 10";
 }
@@ -55,7 +55,7 @@ pub(super) enum Dashes {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DashList(pub Dash);
 
-/// `#rrggbb`.
+/// A colour from the form `#rrggbb`.
 fn colour(text: &str) -> Option<Colour> {
     let digits = text.strip_prefix('#')?;
     let hexadecimal = digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
@@ -63,7 +63,7 @@ fn colour(text: &str) -> Option<Colour> {
     rgb.filter(|_| hexadecimal).map(Colour::new)
 }
 
-/// Accepts a text that stands for a value.
+/// Reads a value from a text.
 struct Word<T> {
     value: fn(&str) -> Option<T>,
     expecting: &'static str,
@@ -105,7 +105,7 @@ impl<'de> Deserialize<'de> for Paint {
     }
 }
 
-/// Accepts a length.
+/// Reads a length.
 struct Length;
 
 impl Visitor<'_> for Length {
@@ -137,7 +137,7 @@ impl<'de> Deserialize<'de> for Millimetres {
     }
 }
 
-/// Accepts dashes and gaps in turn, and the word for those of a curve where it is allowed.
+/// Reads dashes and gaps in turn or, if `word` allows it, the word `curve`.
 struct DashForms {
     word: bool,
     expecting: &'static str,
@@ -162,7 +162,7 @@ impl<'de> Visitor<'de> for DashForms {
         while let Some(Millimetres(mm)) = seq.next_element()? {
             dash.push(mm);
         }
-        // An odd number would swap dashes and gaps at every turn; a dash of nothing would never end.
+        // With an odd number dashes and gaps would swap at every repetition; dashes of zero length would have no end.
         match dash.len().is_multiple_of(2) && dash.iter().all(|mm| *mm > 0.0) {
             true => Ok(Dashes::Of(dash)),
             false => Err(A::Error::invalid_value(Unexpected::Seq, &self)),
