@@ -54,7 +54,7 @@ const EXPLANATION: [&str; 4] = [
     "b s3 and g s3 are both 0.9998944 times what this drawing gives, as if their plan had been drawn with p b = \
      99.9894 in place of 100. That is likely, not proven.",
     "One slip costs much: for the length BS3 its horizontal component was read. The angular velocities do not depend on \
-     it and the angular accelerations hardly, but the sliding velocity kind, and the sliding acceleration comes out 2.3 times \
+     it and the angular accelerations hardly, but the sliding velocity does, and the sliding acceleration comes out 2.3 times \
      too small. The drawing itself costs little: of the results, ω4, ω5 and α5 are one unit of the fourth decimal off.",
     "The other slips (the decimal point in v_BA, two digits in Eq. 51, the last digit of a^n_FG, the unit of a_S3S2) \
      move no other result by more than a few units of its last digit. Two last digits do not come out of this drawing: \

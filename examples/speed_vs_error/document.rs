@@ -12,7 +12,7 @@ const SHOWN: Family = Family::Parallel;
 
 /// What is compared with what, how the errors are counted.
 const INTRODUCTION: &str = "\
-# MeasuredAs accurate, how fast
+# How accurate, how fast
 
 Velocities and accelerations of fourth-class groups with pins, positions given, by several methods, against a reference of 256 bits:
 the equations of all joints in `examples/speed_vs_error/truth.rs`, which `tests/library/accuracy.rs` holds to the 20 digits of `tests/reference`.
@@ -34,7 +34,7 @@ const REMARKS: &str = "
 f32 counts in its own units (u = 2⁻²⁴), up to a condition of 8·10⁵; where lengths or rates leave its range it has no number.
 
 With 1000 groups for each family and parameter (`KINEGON_SURVEY=full cargo test --release --test library accuracy::`) Kinegon's velocities and accelerations stay below 1 unit
-everywhere, and each ω and α errs by less than 4 u of its own true value whatever the condition, nearly always by less than 1 u, as the nearest f64 kind:
+everywhere, and each ω and α errs by less than 4 u of its own true value whatever the condition, nearly always by less than 1 u, as the nearest f64 does:
 what a solution leaves of the equations is computed with twice the digits, and gives a correction until nothing is left. The bound of each rate says the same:
 `KINEGON_SURVEY=full cargo test --release --test library error_bounds::` holds it to true errors on a million mechanisms of all classes. The condition then tells how much errors of the
 *given* numbers are enlarged, and nothing else.
