@@ -1,10 +1,10 @@
-use super::class::{Class, ReportFormat as Report};
+use super::class::{Class, ReportFormat};
 use super::correction::Correction;
 use super::files::{self, Source};
 use super::message::Failure;
 use super::pencil::Hand;
 use super::wording::Words;
-use super::work::{Mode, solve, warn_of};
+use super::work::{Mode, show_warnings, solve};
 use crate::check::{self, AnswerKey, CheckError, MarkScheme, Marks, Measured};
 use crate::construction::Solution;
 use crate::format;
@@ -13,7 +13,7 @@ use crate::words::Wording;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
-/// What `--help` says after the options.
+/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Exit code: 0 no value is off, 1 some are, 2 something is not understood; of a folder: 0 all files are passed, 1 some are not, 2 some are
 not understood (their rows say why; the table is written all the same).
@@ -30,8 +30,8 @@ Examples:
 pub(super) struct Check {
     /// Scene file, `-` for stdin.
     scene: PathBuf,
-    /// File with the values: JSON, or a table as CSV; `-` for stdin. Or a folder with such files, those of a class: then a table is
-    /// printed, a row for each.
+    /// File with the values: JSON, or a table as CSV; `-` for stdin. Or a folder with such files, those of a class:
+    /// then a table is printed, a row for each.
     #[arg(required_unless_present = "template")]
     measured: Option<PathBuf>,
     /// Print an empty form in place of a check: every quantity of the steps, in order.
@@ -72,7 +72,7 @@ impl Check {
         let Some(path) = &self.measured else {
             return self.print_template(&solution);
         };
-        self.correction.refuse_useless(path.is_dir())?;
+        self.correction.refuse_drawing_options(path.is_dir())?;
         let key = self.key(&solution);
         let wording = Wording::of(&solution.scene.figure);
         let scheme = self.scheme(&key)?;
@@ -87,8 +87,7 @@ impl Check {
         }
         let text = files::read_text("form", path)?;
         let measured = read(path, &text)?;
-        let checked = check::check(&measured, &key);
-        let checked = checked.map_err(|error| misuse(&text, &error))?;
+        let checked = check::check(&measured, &key).map_err(|error| misuse(&text, &error))?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
         let printed = if self.json {
             let mut result = check::check_result(&checked, &key, &wording, measured.name.clone());
@@ -98,15 +97,13 @@ impl Check {
             let marks = marks.map_or_else(String::new, |marks| marks.line(&wording) + "\n");
             check::report(&checked, &key, &wording) + &marks
         };
-        warn_of(&solution);
-        let files = [self.scene.as_path(), path];
-        let correction = &self.correction;
-        correction.write(&solution, files, &measured, &key, &checked)?;
+        show_warnings(&solution);
+        self.correction.write(&solution, [&self.scene, path], &measured, &key, &checked)?;
         files::print(printed.as_bytes())?;
         if checked.is_passed() { Ok(()) } else { Err(Failure::NotPassed) }
     }
 
-    /// The forms of a folder.
+    /// Checks the forms of a folder and writes their table.
     fn class(
         &self,
         folder: &Path,
@@ -116,30 +113,29 @@ impl Check {
     ) -> Result<(), Failure> {
         let output = self.output.as_deref().unwrap_or(Path::new("-"));
         for (what, input) in [("scene", Some(&self.scene)), ("marking scheme", self.marks.as_ref())] {
-            input.map_or(Ok(()), |input| files::keep_input(what, input, output))?;
+            input.map_or(Ok(()), |input| files::refuse_overwriting(what, input, output))?;
         }
-        let form = Report::of(output, self.json)?;
-        warn_of(solution);
+        let format = ReportFormat::of(output, self.json)?;
+        show_warnings(solution);
         let class = Class {
             folder,
             others: [Some(&self.scene), self.marks.as_deref()],
             key,
             words: &Wording::of(&solution.scene.figure),
             scheme,
-            form,
+            format,
             output,
         };
         class.run()
     }
 
-    /// The marks of the scene's quantities, where a marking scheme is given.
+    /// The marks that the quantities are worth; `None` without a marking scheme.
     fn scheme(&self, key: &AnswerKey<'_>) -> Result<Option<MarkScheme>, Failure> {
         let Some(path) = &self.marks else {
             return Ok(None);
         };
         let text = files::read_text("marking scheme", path)?;
-        let marks = Marks::read(&text.text);
-        let marks = marks.map_err(|e| Failure::Scene(text.clone(), Box::new(e.into())))?;
+        let marks = Marks::read(&text.text).map_err(|error| text.fail(error))?;
         let scheme = marks.of(key).map_err(|error| misuse(&text, &error))?;
         Ok(Some(scheme))
     }
@@ -163,12 +159,11 @@ impl Check {
     }
 }
 
-/// The values of a form: JSON where it begins with a brace, else a table.
+/// The values of a form: JSON if it begins with a bracket and the file's name does not end in `.csv`, else CSV.
 pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
     let is_table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
     if !is_table && text.text.trim_start_matches(['\u{feff}', ' ', '\n', '\r', '\t']).starts_with(['{', '[']) {
-        let measured = Measured::read_json(&text.text);
-        measured.map_err(|error| Failure::Scene(text.clone(), Box::new(error.into())))
+        Measured::read_json(&text.text).map_err(|error| text.fail(error))
     } else {
         Measured::read_csv(&text.text).map_err(|error| misuse(text, &error))
     }

@@ -1,9 +1,9 @@
-//! The forms of a whole class in one folder.
+//! Checks all forms of a folder and writes a table with a row for each.
 
 use super::check::read;
 use super::files;
 use super::message::{Failure, note};
-use super::pieces::{Out, Pieces};
+use super::pieces::{Output, Pieces};
 use crate::check::{self, AnswerKey, ClassRow, ClassSummary, MarkScheme};
 use crate::words::Wording;
 use std::ffi::OsStr;
@@ -11,20 +11,20 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// A folder of forms, and what they are held against.
+/// A folder of forms, the key and the marking scheme for them, and the report.
 pub(super) struct Class<'a> {
     pub folder: &'a Path,
-    /// Files of the folder that are no forms: the scene and the marking scheme.
+    /// Files of the folder that are not forms: the scene and the marking scheme.
     pub others: [Option<&'a Path>; 2],
     pub key: &'a AnswerKey<'a>,
     pub words: &'a Wording,
     pub scheme: Option<&'a MarkScheme>,
-    pub form: ReportFormat,
-    /// File for the report, or `-` for stdout.
+    pub format: ReportFormat,
+    /// File for the report, `-` for stdout.
     pub output: &'a Path,
 }
 
-/// The form of a report.
+/// The file format of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ReportFormat {
     Csv,
@@ -33,13 +33,13 @@ pub(super) enum ReportFormat {
 }
 
 impl ReportFormat {
-    /// That of a file's ending; on stdout JSON where it is asked for, else a table.
+    /// The format that the ending of the output file names; on stdout JSON if `as_json`, else CSV.
     pub(super) fn of(output: &Path, as_json: bool) -> Result<ReportFormat, Failure> {
         if output == Path::new("-") {
             return Ok(if as_json { ReportFormat::Json } else { ReportFormat::Csv });
         }
         let ending = output.extension().unwrap_or_default().to_string_lossy();
-        let form = match ending.as_ref() {
+        let format = match ending.as_ref() {
             "csv" => ReportFormat::Csv,
             "json" => ReportFormat::Json,
             "jsonl" | "ndjson" => ReportFormat::Jsonl,
@@ -50,41 +50,41 @@ impl ReportFormat {
                 ));
             }
         };
-        if as_json && form == ReportFormat::Csv {
+        if as_json && format == ReportFormat::Csv {
             return Err(Failure::Misuse(
                 "--json and a report that ends in `.csv` do not go together".into(),
                 Some("leave out --json, or name a file that ends in `.json`".into()),
             ));
         }
-        Ok(form)
+        Ok(format)
     }
 }
 
 impl Class<'_> {
-    /// Checks all forms of the folder, each whatever becomes of the others, and writes the report.
+    /// Checks all forms of the folder and writes the report. A form that is not understood does not stop the others.
     pub(super) fn run(&self) -> Result<(), Failure> {
-        self.keep_forms()?;
+        self.refuse_overwriting_form()?;
         let forms = self.forms()?;
-        let mut out = Out::new(self.output)?;
+        let mut out = Output::new(self.output)?;
         let (mut summary, mut is_wanted) = (ClassSummary::default(), true);
-        is_wanted &= match self.form {
+        is_wanted &= match self.format {
             ReportFormat::Csv => out.put(&ClassRow::csv_head(self.scheme.is_some()))?,
             ReportFormat::Json => out.put("{\n  \"kinegon_class\": 1,\n  \"rows\": [")?,
             ReportFormat::Jsonl => true,
         };
-        let all = Pieces { count: forms.len(), size: 1, ahead: 32, unit: (forms.len() > 20).then_some("files") };
+        let all = Pieces { count: forms.len(), size: 1, per_core: 32, unit: (forms.len() > 20).then_some("files") };
         all.each(
             |one| self.row(&forms[one.start]),
             |row| {
                 let is_first = summary.files == 0;
                 summary.add(&row);
-                // Whoever has closed stdout may still want the exit code.
+                // With stdout closed the checks go on, for the exit code.
                 is_wanted = is_wanted && out.put(&self.written(&row, is_first))?;
                 Ok(true)
             },
         )?;
         let summary = summary.finished();
-        if self.form == ReportFormat::Json && is_wanted {
+        if self.format == ReportFormat::Json && is_wanted {
             let summary = serde_json::to_string(&summary).expect("text keys");
             out.put(&format!("\n  ],\n  \"summary\": {summary}\n}}\n"))?;
         }
@@ -97,10 +97,10 @@ impl Class<'_> {
         }
     }
 
-    /// A row of the report as it is written.
+    /// A row of the report as text.
     fn written(&self, row: &ClassRow, is_first: bool) -> String {
         let json = || serde_json::to_string(row).expect("a row has text keys");
-        match self.form {
+        match self.format {
             ReportFormat::Csv => row.csv(self.scheme.is_some()),
             ReportFormat::Json if is_first => format!("\n    {}", json()),
             ReportFormat::Json => format!(",\n    {}", json()),
@@ -108,7 +108,8 @@ impl Class<'_> {
         }
     }
 
-    /// The forms of the folder by their names: all that end in `.json` or `.csv`, but hidden files and those that are something else.
+    /// The forms of the folder, ordered by name: all files in `.json` or `.csv` except hidden ones, the scene, the
+    /// marking scheme and the report.
     fn forms(&self) -> Result<Vec<PathBuf>, Failure> {
         let failed = |error: std::io::Error| {
             let message = format!("{} cannot be listed: {error}", self.folder.display());
@@ -122,7 +123,7 @@ impl Class<'_> {
             let is_hidden = name(&path).starts_with('.');
             let others = [Some(self.output), self.others[0], self.others[1]];
             let mut others = others.into_iter().flatten();
-            if is_form && !is_hidden && !others.any(|other| is_same(other, &path)) {
+            if is_form && !is_hidden && !others.any(|other| files::is_same(other, &path)) {
                 forms.push(path);
             }
         }
@@ -136,13 +137,13 @@ impl Class<'_> {
         Ok(forms)
     }
 
-    /// Refuses to write over a form; an earlier report is none.
-    fn keep_forms(&self) -> Result<(), Failure> {
+    /// Refuses to write over a form; an earlier report may be overwritten.
+    fn refuse_overwriting_form(&self) -> Result<(), Failure> {
         let inside = self.output.parent().map(|folder| match folder.as_os_str().is_empty() {
             true => Path::new("."),
             false => folder,
         });
-        let is_inside = inside.is_some_and(|folder| is_same(folder, self.folder));
+        let is_inside = inside.is_some_and(|folder| files::is_same(folder, self.folder));
         if self.output == Path::new("-") || !is_inside || !self.output.is_file() {
             return Ok(());
         }
@@ -159,14 +160,14 @@ impl Class<'_> {
         ))
     }
 
-    /// What is said of one file.
+    /// The row of one file.
     fn row(&self, path: &Path) -> ClassRow {
         let file = name(path);
         let broken = |failure: Failure| {
             let place = path.display().to_string();
             ClassRow::broken(file.clone(), &failure.line(&place))
         };
-        // A pipe or a device would be waited for.
+        // A pipe or a device is not opened: reading it could block.
         if let Ok(found) = fs::metadata(path)
             && !found.is_file()
         {
@@ -187,13 +188,7 @@ impl Class<'_> {
     }
 }
 
-/// A file's name, letters that are no text replaced.
+/// A file's name; bytes that are not UTF-8 are replaced.
 fn name(path: &Path) -> String {
-    let name = path.file_name().unwrap_or(OsStr::new(""));
-    name.to_string_lossy().into_owned()
-}
-
-fn is_same(one: &Path, other: &Path) -> bool {
-    let [one, other] = [one, other].map(|path| path.canonicalize().ok());
-    one.is_some() && one == other
+    path.file_name().unwrap_or(OsStr::new("")).to_string_lossy().into_owned()
 }

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 /// The student's drawing over the right figure, to be printed.
 #[derive(Debug, Args)]
 pub(super) struct Correction {
-    /// Also draw it: the student's points and lines over the right figure at the student's scales, the first wrong steps marked, and a table of
-    /// the values. Into a folder, or a file whose ending gives the format.
+    /// Also draw it: the student's points and lines over the right figure at the student's scales, the first wrong
+    /// steps marked, and a table of the values. Into a folder, or a file whose ending gives the format.
     #[arg(long, value_name = "FOLDER|FILE")]
     draw: Option<PathBuf>,
     #[command(flatten)]
@@ -23,10 +23,10 @@ pub(super) struct Correction {
 }
 
 impl Correction {
-    /// Refuses what only a drawing could obey where none is made: of a folder, or not asked for.
-    pub(super) fn refuse_useless(&self, folder: bool) -> Result<(), Failure> {
+    /// Refuses options of a drawing where none is made: for a folder of forms, or without `--draw`.
+    pub(super) fn refuse_drawing_options(&self, is_folder: bool) -> Result<(), Failure> {
         if self.draw.is_some() {
-            return match folder {
+            return match is_folder {
                 false => Ok(()),
                 true => Err(Failure::Misuse(
                     "--draw draws one form, here is a folder".into(),
@@ -47,7 +47,7 @@ impl Correction {
         Ok(())
     }
 
-    /// Draws checked values, where that was asked for; `inputs` are the files of the scene and of the values, which are not written over.
+    /// Draws the checked values if that was asked for. The files of the scene and of the values are not written over.
     pub(super) fn write(
         &self,
         solution: &Solution,
@@ -65,22 +65,23 @@ impl Correction {
                 Some("name a folder or a file after --draw".into()),
             ));
         }
-        let mut own = solution.clone();
-        let figure = &mut own.scene.figure;
-        // The student's own scales, unless others are asked for.
+        let mut solution = solution.clone();
+        let figure = &mut solution.scene.figure;
+        // Scales: from the options, else from the form, else from the scene.
         let [mu_l, mu_v, mu_a] = measured.mu;
         figure.mu_l = mu_l.or(figure.mu_l);
         figure.mu_v = mu_v.or(figure.mu_v);
         figure.mu_a = mu_a.or(figure.mu_a);
         self.paper.put_into(figure);
         self.scales.put_into(figure);
-        let redrawn = check::redrawn(measured, key, checked, &own.wording())
+        let redrawn = check::redrawn(measured, key, checked, &solution.wording())
             .map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
-        own.overflow_warnings().iter().for_each(|text| warn(text));
-        let sheets = overlay(&own, &redrawn);
+        solution.overflow_warnings().iter().for_each(|text| warn(text));
+        let sheets = overlay(&solution, &redrawn);
         let name = format!("{}-check", stem(values_file));
-        let names = [name.clone(), format!("{name}-values")].into_iter();
-        let names = names.chain((2..).map(|number| format!("{name}-values-{number}")));
+        let names = [name.clone(), format!("{name}-values")]
+            .into_iter()
+            .chain((2..).map(|number| format!("{name}-values-{number}")));
         let inputs = [("scene", scene_file), ("form", values_file)];
         Figures::at(output, &self.forms).write(&inputs, names.zip(sheets).collect(), |_| {
             Err(Failure::Misuse(

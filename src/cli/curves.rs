@@ -9,8 +9,9 @@ use clap::Args;
 
 /// Draw quantities over the motion while a drive moves, along the branch of the scene's own position.
 ///
-/// Greatest and least values, dead centres and limits are marked; a quantity that is a vector is drawn as its size, or `.x` and `.y`.
-/// The figure keeps what can be reached; where the range goes beyond a limit position, that is said and the exit code is 1.
+/// Greatest and least values, dead centres and limits are marked; a quantity that is a vector is drawn as its size, or
+/// `.x` and `.y`. The figure keeps what can be reached; where the range goes beyond a limit position, that is said and
+/// the exit code is 1.
 #[derive(Debug, Args)]
 pub(super) struct CurvesCommand {
     #[command(flatten)]
@@ -28,31 +29,28 @@ pub(super) struct CurvesCommand {
 
 impl CurvesCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let mut moved = self.range.moved()?;
-        self.words.put_into(&mut moved.scene.figure);
-        self.paper.put_into(&mut moved.scene.figure);
-        let (mut branch, mut range) = moved.follow(&self.range)?;
-        // A turn reads best from 0° to 360°.
+        let mut driven = self.range.driven_scene()?;
+        self.words.put_into(&mut driven.scene.figure);
+        self.paper.put_into(&mut driven.scene.figure);
+        let (mut branch, mut range) = driven.follow(&self.range)?;
+        // One full turn is shown from 0° to 360°, if no range is given.
         if !self.range.is_given() && branch.drive.is_angle() && branch.end(true).is_none() {
-            let whole = 360.0 * (range[0] / 360.0).floor();
-            branch.follow_to(whole);
-            if branch.low() <= whole {
-                range = [whole, whole + 360.0];
+            let turn = 360.0 * (range[0] / 360.0).floor();
+            branch.follow_to(turn);
+            if branch.low() <= turn {
+                range = [turn, turn + 360.0];
             }
         }
         let scene = &self.range.scene;
-        let vectors = self.hodograph.iter().flat_map(|text| split_names(text));
-        let vectors: Vec<String> = vectors.collect();
+        let vectors: Vec<String> = self.hodograph.iter().flat_map(|text| split_names(text)).collect();
         let (kind, drawing) = if self.hodograph.is_empty() {
-            let sampled = Curves::new(&branch, range, moved.names.as_deref());
-            let sampled = sampled.map_err(|error| moved.fail(error))?;
-            ("curves", curves(&moved.scene, &sampled))
+            let sampled = Curves::new(&branch, range, driven.names.as_deref()).map_err(|error| driven.fail(error))?;
+            ("curves", curves(&driven.scene, &sampled))
         } else {
-            let sampled = Hodographs::new(&branch, range, &vectors);
-            let sampled = sampled.map_err(|error| moved.fail(error))?;
-            ("hodograph", hodographs(&moved.scene, &sampled))
+            let sampled = Hodographs::new(&branch, range, &vectors).map_err(|error| driven.fail(error))?;
+            ("hodograph", hodographs(&driven.scene, &sampled))
         };
-        let drawing = drawing.map_err(|error| moved.fail(error))?;
+        let drawing = drawing.map_err(|error| driven.fail(error))?;
         let name = format!("{}-{kind}", stem(scene));
         let page = |_| {
             Err(Failure::Misuse(
@@ -61,6 +59,6 @@ impl CurvesCommand {
             ))
         };
         self.figures.write(&[("scene", scene)], vec![(name, drawing)], page)?;
-        self.range.tell(&branch, range, "figure")
+        self.range.report_events(&branch, range, "figure")
     }
 }

@@ -3,7 +3,7 @@ use super::files::{self, Source};
 use super::message::{Failure, warn};
 use super::paper::{GivenScales, Paper};
 use super::wording::Words;
-use super::work::{Mode, solve, warn_of};
+use super::work::{Mode, show_warnings, solve};
 use crate::construction::Solution;
 use crate::cycle::{Animation, Drive};
 use crate::drawing::{Drawing, frames};
@@ -14,7 +14,7 @@ use crate::words::{Medium, NumberStyle, Wording};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
-/// The two figures of Quintero et al. (2011), drawn when no scene is named.
+/// The scenes of figures 1 and 2 of Quintero et al. (2011), drawn if no scene is named.
 const PAPER: [(&str, &str); 2] = [
     ("figure-1", include_str!("../../examples/figure-1.json")),
     ("figure-2", include_str!("../../examples/figure-2.json")),
@@ -34,7 +34,8 @@ pub(super) struct Draw {
     /// Write one SVG whose groups `step-01`, `step-02` … a slide program can reveal one after another.
     #[arg(long)]
     layered: bool,
-    /// Draw a work sheet: the figure with a table of all measured lengths and a ruler that shows whether it was printed at 100 %.
+    /// Draw a work sheet: the figure with a table of all measured lengths and a ruler that shows whether it was printed
+    /// at 100 %.
     #[arg(long)]
     worksheet: bool,
     /// Positions over the whole range of the drive that a page (`--format html`) can show.
@@ -68,26 +69,25 @@ impl Draw {
         };
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
-            let solution = solve(&source, self.mode.number, |f| self.put_into(f), needed)?;
-            warn_of(&solution);
+            let solution = solve(&source, self.mode.number, |f| self.put_into(f), needed_order)?;
+            show_warnings(&solution);
             solution.overflow_warnings().iter().for_each(|text| warn(text));
             self.sheets(name, &solution, &mut drawings)?;
             solved.push((source, solution));
         }
-        let scene = self.scene.as_deref().map(|scene| ("scene", scene));
-        let inputs: Vec<(&str, &Path)> = scene.into_iter().collect();
+        let inputs: Vec<(&str, &Path)> = self.scene.iter().map(|scene| ("scene", scene.as_path())).collect();
         if self.layered {
             return self.figures.write_layered(&inputs, drawings);
         }
-        let whole = drawings.len() == solved.len();
+        let are_finished = drawings.len() == solved.len();
         let page = |index: usize| match solved.get(index) {
-            Some((source, solution)) if whole => self.page(source, solution),
+            Some((source, solution)) if are_finished => self.page(source, solution),
             _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
         self.figures.write(&inputs, drawings, page)
     }
 
-    /// Writes what was asked for into a scene's figure.
+    /// Overrides a scene's figure by the options that are given.
     fn put_into(&self, figure: &mut Figure) {
         self.words.put_into(figure);
         self.paper.put_into(figure);
@@ -96,19 +96,19 @@ impl Draw {
         figure.step = self.upto.or(figure.step).filter(|_| !self.steps && !self.layered);
     }
 
-    /// The page of a scene: its figure with all steps, in all positions of the drive.
+    /// The web page of a scene: its figure with all steps, in all positions of the drive.
     fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
         let words = solution.wording();
-        let animation = Animation::new(solution, self.drive.as_deref(), self.positions.into());
-        let animation = animation.map_err(|error| Failure::Scene(source.clone(), Box::new(error.into())))?;
+        let animation = Animation::new(solution, self.drive.as_deref(), self.positions.into())
+            .map_err(|error| source.fail(error))?;
         let value = |value: &f64| {
             let drive = animation.drive.as_ref();
-            drive.map_or_else(String::new, |drive| shown(drive, *value, &words))
+            drive.map_or_else(String::new, |drive| drive_value(drive, *value, &words))
         };
         let values: Vec<String> = animation.values.iter().map(value).collect();
         let quantity = animation.drive.as_ref().map(Drive::quantity);
         let mut frames = frames(&animation.positions, animation.own);
-        self.figures.dress(&mut frames)?;
+        self.figures.set_style(&mut frames)?;
         Ok(html(&WebPage {
             frames: &frames,
             values: &values,
@@ -119,7 +119,7 @@ impl Draw {
         }))
     }
 
-    /// The figure, or those of its steps that were asked for, under names of their own.
+    /// Adds the finished figure to `drawings`, or those of the steps that were asked for, each under its name.
     fn sheets(&self, name: String, solution: &Solution, drawings: &mut Vec<(String, Drawing)>) -> Result<(), Failure> {
         let wanted = match (self.steps, solution.scene.figure.step) {
             (false, None) => {
@@ -148,8 +148,8 @@ impl Draw {
     }
 }
 
-/// A drive's value on a page: tenths of a degree, four digits of a length.
-fn shown(drive: &Drive, value: f64, words: &Wording) -> String {
+/// A drive's value on a page: an angle with one decimal of a degree, a length with four significant digits.
+fn drive_value(drive: &Drive, value: f64, words: &Wording) -> String {
     let decimals = |count: usize| words.write(value, NumberStyle::decimals(count).on(Medium::Figure));
     if drive.is_angle() {
         return format!("{}°", decimals(1));
@@ -158,7 +158,7 @@ fn shown(drive: &Drive, value: f64, words: &Wording) -> String {
     decimals(digits.max(0.0) as usize)
 }
 
-/// Accelerations only for a figure that shows them.
-fn needed(scene: &Scene) -> Order {
+/// The order of the motion to be computed: accelerations only if the figure shows them.
+fn needed_order(scene: &Scene) -> Order {
     if scene.figure.panels.contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
 }

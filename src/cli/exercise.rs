@@ -13,7 +13,7 @@ use crate::scene::{Figure, StyleName};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
-/// What `--help` says after the options.
+/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Writes DIR/KIND-SEED-1, DIR/KIND-SEED-2 …, each with scene.json, the student's sheet (sheet.svg, sheet.pdf), the empty form (form.json,
 form.csv) and for the teacher the drawn key (key.svg, key.pdf) and its values (key.json). Numbers are round; lines cross at 20° or more,
@@ -53,17 +53,16 @@ pub(super) struct ExerciseCommand {
 impl ExerciseCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let (name, source) = self.source()?;
-        let put = |figure: &mut Figure| {
+        let override_figure = |figure: &mut Figure| {
             self.words.put_into(figure);
             self.paper.put_into(figure);
             self.scales.put_into(figure);
-            // The scene can say a style's name, but no file.
-            let mut names = StyleName::ALL.into_iter();
-            let named = names.find(|name| Some(name.as_str()) == self.style.as_deref());
+            // The scene names a style of the program; a style file is applied to the drawings.
+            let named = StyleName::ALL.into_iter().find(|name| Some(name.as_str()) == self.style.as_deref());
             figure.style = named.unwrap_or(figure.style);
         };
         let style = self.style.as_deref().map(style).transpose()?;
-        let solution = solve(&source, None, put, |_| Order::Acceleration)?;
+        let solution = solve(&source, None, override_figure, |_| Order::Acceleration)?;
         let (figure, construction) = (&solution.scene.figure, &solution.construction);
         let failed = |error: ExerciseError| Failure::Outside(format!("{}: {error}", source.name));
         let page = self.paper.is_given().then_some(figure.page);
@@ -72,10 +71,7 @@ impl ExerciseCommand {
             let hint = "`kinegon new --list` shows other kinds";
             Failure::Misuse(format!("{}: {error}", source.name), Some(hint.into()))
         })?;
-        let folder = |number: u16| {
-            let own = format!("{name}-{}-{number}", self.seed);
-            self.output.join(own)
-        };
+        let folder = |number: u16| self.output.join(format!("{name}-{}-{number}", self.seed));
         for folder in (1..=self.count).map(folder) {
             if folder.exists() {
                 let message = format!("{} is there already and is not overwritten", folder.display());
@@ -91,7 +87,7 @@ impl ExerciseCommand {
         Ok(())
     }
 
-    /// The scene that is varied, and by which name its exercises go.
+    /// The scene that is varied, and the name of its exercises.
     fn source(&self) -> Result<(String, Source), Failure> {
         if let Some(text) = new::starting_scene(&self.kind) {
             let source = Source { name: self.kind.clone(), text };
@@ -111,7 +107,7 @@ impl ExerciseCommand {
     }
 }
 
-/// The files of an exercise in its folder.
+/// The files of an exercise, by their paths.
 fn files_of(exercise: &Exercise, style: Option<&Style>, folder: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut written = vec![("scene.json".to_owned(), exercise.text.clone().into_bytes())];
     for (name, mut drawing) in [("sheet", exercise.sheet.clone()), ("key", exercise.key_sheet())] {
@@ -127,11 +123,10 @@ fn files_of(exercise: &Exercise, style: Option<&Style>, folder: &Path) -> Result
     ] {
         written.push((name.to_owned(), text.into_bytes()));
     }
-    let written = written.into_iter();
-    Ok(written.map(|(name, bytes)| (folder.join(name), bytes)).collect())
+    Ok(written.into_iter().map(|(name, bytes)| (folder.join(name), bytes)).collect())
 }
 
-/// A drawing in all forms that are written.
+/// A drawing as SVG and, with the feature `pdf`, as PDF.
 fn pictures(name: &str, drawing: &Drawing) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let svg = format::svg_with(drawing, Text::Letters).into_bytes();
     #[cfg(feature = "pdf")]

@@ -13,7 +13,7 @@ pub(super) struct Figures {
     #[arg(short, long, default_value = "out/")]
     output: PathBuf,
     #[command(flatten)]
-    forms: FigureOptions,
+    options: FigureOptions,
 }
 
 /// In which forms figures are written.
@@ -34,7 +34,7 @@ pub(super) struct FigureOptions {
 }
 
 impl FigureOptions {
-    /// Whether a style is asked for.
+    /// Whether `--style` is given.
     pub(super) fn has_style(&self) -> bool {
         self.style.is_some()
     }
@@ -53,7 +53,7 @@ enum FigureFormat {
 }
 
 impl FigureFormat {
-    /// What is written where nothing else is asked for.
+    /// The formats that are written if none is given.
     fn usual() -> Vec<FigureFormat> {
         vec![
             FigureFormat::Svg,
@@ -81,31 +81,32 @@ fn dots_per_inch(text: &str) -> Result<f64, String> {
 }
 
 impl Figures {
-    /// Figures in a folder, or in a file.
-    pub(super) fn at(output: &Path, forms: &FigureOptions) -> Figures {
-        Figures { output: output.to_owned(), forms: forms.clone() }
+    /// Figures that are written to a folder or to a file.
+    pub(super) fn at(output: &Path, options: &FigureOptions) -> Figures {
+        Figures { output: output.to_owned(), options: options.clone() }
     }
 
-    /// Writes drawings by their names, in all forms, but not over the files that they come from; `page` makes the page of a drawing.
+    /// Writes drawings by their names in all formats, but not over the files `inputs` that were read; `page` makes the
+    /// web page of the drawing of an index.
     pub(super) fn write(
         &self,
         inputs: &[(&str, &Path)],
         mut drawings: Vec<(String, Drawing)>,
         page: impl Fn(usize) -> Result<String, Failure>,
     ) -> Result<(), Failure> {
-        self.dress(drawings.iter_mut().map(|(_, drawing)| drawing))?;
+        self.set_style(drawings.iter_mut().map(|(_, drawing)| drawing))?;
         let text = self.text();
         let mut written = Vec::new();
         for (index, (name, drawing)) in drawings.iter().enumerate() {
-            for (path, form) in self.targets(name, drawings.len())? {
-                let bytes = match form {
+            for (path, format) in self.targets(name, drawings.len())? {
+                let bytes = match format {
                     FigureFormat::Svg => format::svg_with(drawing, text).into_bytes(),
                     #[cfg(feature = "pdf")]
                     FigureFormat::Pdf => drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None))?,
                     FigureFormat::Tikz => drawing.tikz().into_bytes(),
                     #[cfg(feature = "png")]
                     FigureFormat::Png => {
-                        drawing.png(self.forms.dpi).map_err(|error| Failure::Misuse(error.to_string(), None))?
+                        drawing.png(self.options.dpi).map_err(|error| Failure::Misuse(error.to_string(), None))?
                     }
                     FigureFormat::Html => page(index)?.into_bytes(),
                 };
@@ -115,18 +116,17 @@ impl Figures {
         self.finish(inputs, &written)
     }
 
-    /// Writes drawings as SVG with a group for each step.
+    /// Writes drawings as SVG with a group for each step of the construction.
     pub(super) fn write_layered(
         &self,
         inputs: &[(&str, &Path)],
         mut drawings: Vec<(String, Drawing)>,
     ) -> Result<(), Failure> {
-        self.dress(drawings.iter_mut().map(|(_, drawing)| drawing))?;
+        self.set_style(drawings.iter_mut().map(|(_, drawing)| drawing))?;
         let mut written = Vec::new();
         for (name, drawing) in &drawings {
             let targets = self.targets(name, drawings.len())?;
-            let mut svg = targets.into_iter().filter(|(_, form)| *form == FigureFormat::Svg);
-            let Some((path, _)) = svg.next() else {
+            let Some((path, _)) = targets.into_iter().find(|(_, format)| *format == FigureFormat::Svg) else {
                 return Err(Failure::Misuse(
                     "only SVG has layers".into(),
                     Some("leave out --format, or name a file that ends in `.svg`".into()),
@@ -138,9 +138,9 @@ impl Figures {
         self.finish(inputs, &written)
     }
 
-    /// Gives drawings the style that was asked for in place of the scene's.
-    pub(super) fn dress<'a>(&self, drawings: impl IntoIterator<Item = &'a mut Drawing>) -> Result<(), Failure> {
-        if let Some(style) = self.forms.style.as_deref().map(style).transpose()? {
+    /// Gives drawings the style of `--style` in place of the scene's.
+    pub(super) fn set_style<'a>(&self, drawings: impl IntoIterator<Item = &'a mut Drawing>) -> Result<(), Failure> {
+        if let Some(style) = self.options.style.as_deref().map(style).transpose()? {
             for drawing in drawings {
                 drawing.style = style.clone();
             }
@@ -149,7 +149,7 @@ impl Figures {
     }
 
     fn text(&self) -> Text {
-        if self.forms.outlines { Text::Outlines } else { Text::Letters }
+        if self.options.outlines { Text::Outlines } else { Text::Letters }
     }
 
     /// Writes files, but not over those that were read.
@@ -163,34 +163,31 @@ impl Figures {
             };
             return files::print(bytes);
         }
-        let style = self.forms.style.as_deref().map(|style| ("style", Path::new(style)));
+        let style = self.options.style.as_deref().map(|style| ("style", Path::new(style)));
         for (path, _) in written {
             for (what, input) in inputs.iter().copied().chain(style) {
-                files::keep_input(what, input, path)?;
+                files::refuse_overwriting(what, input, path)?;
             }
         }
         files::write(written)
     }
 
-    /// The files to write for a drawing.
+    /// The paths of a drawing's files with their formats; `drawings` is the number of drawings.
     fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, FigureFormat)>, Failure> {
         if self.output == Path::new("-") {
-            let form = match self.forms.format.as_slice() {
-                [form] => *form,
+            let format = match self.options.format.as_slice() {
+                [format] => *format,
                 _ => FigureFormat::Svg,
             };
-            return Ok(vec![(self.output.clone(), form)]);
+            return Ok(vec![(self.output.clone(), format)]);
         }
         let ending = self.output.extension().and_then(|e| e.to_str());
-        let is_folder =
-            self.output.is_dir() || ending.is_none() || self.output.as_os_str().to_string_lossy().ends_with('/');
-        if is_folder {
-            let path = |form: &FigureFormat| self.output.join(format!("{name}.{}", form.ending()));
-            return Ok(self.forms.format.iter().map(|f| (path(f), *f)).collect());
+        if ending.is_none() || files::is_folder(&self.output) {
+            let path = |format: &FigureFormat| self.output.join(format!("{name}.{}", format.ending()));
+            return Ok(self.options.format.iter().map(|f| (path(f), *f)).collect());
         }
-        let form = FigureFormat::value_variants().iter().find(|f| Some(f.ending()) == ending);
-        match form {
-            Some(form) if drawings == 1 => Ok(vec![(self.output.clone(), *form)]),
+        match FigureFormat::value_variants().iter().find(|f| Some(f.ending()) == ending) {
+            Some(format) if drawings == 1 => Ok(vec![(self.output.clone(), *format)]),
             Some(_) => Err(Failure::Misuse(
                 "several figures do not fit into one file".into(),
                 Some("name one scene and one step, or a folder to write to".into()),
@@ -208,8 +205,7 @@ impl Figures {
 
 /// A style by its name, or from a file.
 pub(super) fn style(asked: &str) -> Result<Style, Failure> {
-    let mut names = StyleName::ALL.into_iter();
-    if let Some(name) = names.find(|name| name.as_str() == asked) {
+    if let Some(name) = StyleName::ALL.into_iter().find(|name| name.as_str() == asked) {
         return Ok(Style::named(name));
     }
     if !asked.contains(['.', '/', '\\']) && asked != "-" && !Path::new(asked).exists() {
@@ -220,10 +216,10 @@ pub(super) fn style(asked: &str) -> Result<Style, Failure> {
         ));
     }
     let source = files::read_text("style", Path::new(asked))?;
-    Style::read(&source.text).map_err(|error| Failure::Scene(source, Box::new(error.into())))
+    Style::read(&source.text).map_err(|error| source.fail(error))
 }
 
-/// The name that a scene's figure goes by.
+/// The name of a scene's figures: that of the scene's file without its ending, `figure` for stdin.
 pub(super) fn stem(path: &Path) -> String {
     let stem = path.file_stem().and_then(|s| s.to_str());
     stem.filter(|s| *s != "-").unwrap_or("figure").to_owned()

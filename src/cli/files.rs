@@ -4,13 +4,20 @@ use std::fs;
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// The text of a scene, or of another file that is read, and where it came from.
+/// The text of a file that was read.
 #[derive(Clone, Debug)]
 pub(super) struct Source {
     /// The file's name, or `stdin`.
     pub name: String,
-    /// Its text.
+    /// The whole text.
     pub text: String,
+}
+
+impl Source {
+    /// The failure of an error in this text.
+    pub(super) fn fail(&self, error: impl Into<crate::Error>) -> Failure {
+        Failure::Scene(self.clone(), Box::new(error.into()))
+    }
 }
 
 /// Reads a scene's text from a file, or from stdin for `-`.
@@ -18,7 +25,7 @@ pub(super) fn read(path: &Path) -> Result<Source, Failure> {
     read_text("scene", path)
 }
 
-/// Reads the text of what is called `what` from a file, or from stdin for `-`.
+/// Reads a text from a file, or from stdin for `-`; `what` is its name in messages.
 pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
     let from_stdin = path == Path::new("-");
     let name = if from_stdin { "stdin".to_owned() } else { path.display().to_string() };
@@ -27,7 +34,7 @@ pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
         Failure::Misuse(format!("{name} cannot be read: {error}"), Some(hint))
     };
     let mut bytes = Vec::new();
-    // One byte more than is allowed, so that a larger file is seen without reading it all.
+    // One byte more than is allowed, so that a larger file is refused without reading all of it.
     let limit = MAX_BYTES as u64 + 1;
     if from_stdin {
         io::stdin().take(limit).read_to_end(&mut bytes)
@@ -51,13 +58,13 @@ pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
     Ok(Source { name, text })
 }
 
-/// Writes bytes to stdout; a reader that has gone away is no failure.
+/// Writes bytes to stdout. It is no failure if the reader has closed it.
 pub(super) fn print(bytes: &[u8]) -> Result<(), Failure> {
-    is_printed(bytes).map(drop)
+    try_print(bytes).map(drop)
 }
 
-/// Writes bytes to stdout, and says whether anybody still reads them.
-pub(super) fn is_printed(bytes: &[u8]) -> Result<bool, Failure> {
+/// Writes bytes to stdout; false if the reader has closed it.
+pub(super) fn try_print(bytes: &[u8]) -> Result<bool, Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Ok(()) => Ok(true),
@@ -66,10 +73,9 @@ pub(super) fn is_printed(bytes: &[u8]) -> Result<bool, Failure> {
     }
 }
 
-/// Refuses to write over what was read.
-pub(super) fn keep_input(what: &str, input: &Path, output: &Path) -> Result<(), Failure> {
-    let canonical = |path: &Path| path.canonicalize().ok();
-    if canonical(input).is_some_and(|input| canonical(output) == Some(input)) {
+/// Refuses to write over the file `input` that was read; `what` is its name in messages.
+pub(super) fn refuse_overwriting(what: &str, input: &Path, output: &Path) -> Result<(), Failure> {
+    if is_same(input, output) {
         let message = format!("{} is the {what} itself and is not overwritten", output.display());
         let hint = "choose another output";
         return Err(Failure::Misuse(message, Some(hint.into())));
@@ -77,15 +83,16 @@ pub(super) fn keep_input(what: &str, input: &Path, output: &Path) -> Result<(), 
     Ok(())
 }
 
-/// A file that is written piece by piece: beside its place first, moved there when it is whole, gone when it is not.
-pub(super) struct Growing {
+/// A file that is written piece by piece: as a part file beside its place, which is moved there when it is complete and
+/// removed if it is not.
+pub(super) struct PartFile {
     place: PathBuf,
-    beside: PathBuf,
+    part: PathBuf,
     file: Option<BufWriter<fs::File>>,
 }
 
-impl Growing {
-    pub(super) fn new(place: &Path) -> Result<Growing, Failure> {
+impl PartFile {
+    pub(super) fn new(place: &Path) -> Result<PartFile, Failure> {
         let failed = |error| unwritable(place, &error);
         if place.is_dir() {
             return Err(failed(io::ErrorKind::IsADirectory.into()));
@@ -93,25 +100,25 @@ impl Growing {
         if let Some(folder) = place.parent() {
             fs::create_dir_all(folder).map_err(failed)?;
         }
-        // A device or a pipe must not be replaced by a file.
-        let special = fs::metadata(place).is_ok_and(|found| !found.is_file());
-        let beside = if special { place.to_owned() } else { beside(place) };
-        let file = fs::File::create(&beside).map_err(failed)?;
-        Ok(Growing { place: place.to_owned(), beside, file: Some(BufWriter::new(file)) })
+        // A device or a pipe must not be replaced by a file, so it is written directly.
+        let is_special = fs::metadata(place).is_ok_and(|found| !found.is_file());
+        let part = if is_special { place.to_owned() } else { part_path(place) };
+        let file = fs::File::create(&part).map_err(failed)?;
+        Ok(PartFile { place: place.to_owned(), part, file: Some(BufWriter::new(file)) })
     }
 
-    /// Moves the whole file to its place.
+    /// Moves the complete file to its place.
     pub(super) fn finish(mut self) -> Result<(), Failure> {
         let written = self.file.take().map_or(Ok(()), |mut file| file.flush());
-        let moved = written.and_then(|()| match self.beside == self.place {
+        let moved = written.and_then(|()| match self.part == self.place {
             true => Ok(()),
-            false => fs::rename(&self.beside, &self.place),
+            false => fs::rename(&self.part, &self.place),
         });
         moved.map_err(|error| unwritable(&self.place, &error))
     }
 }
 
-impl Write for Growing {
+impl Write for PartFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.file.as_mut().map_or(Ok(0), |file| file.write(bytes))
     }
@@ -121,38 +128,48 @@ impl Write for Growing {
     }
 }
 
-impl Drop for Growing {
+impl Drop for PartFile {
     fn drop(&mut self) {
-        // After it has been moved there is nothing left here.
-        if self.beside != self.place {
-            let _ = fs::remove_file(&self.beside);
+        // A part file that was moved is no longer there, which is no error.
+        if self.part != self.place {
+            let _ = fs::remove_file(&self.part);
         }
     }
 }
 
-/// Where a file stands until it is whole.
-fn beside(place: &Path) -> PathBuf {
-    let mut beside = place.to_owned().into_os_string();
-    beside.push(format!(".{}.part", std::process::id()));
-    beside.into()
+/// The path of the part file.
+fn part_path(place: &Path) -> PathBuf {
+    let mut part = place.to_owned().into_os_string();
+    part.push(format!(".{}.part", std::process::id()));
+    part.into()
+}
+
+/// Whether two paths lead to the same existing file.
+pub(super) fn is_same(one: &Path, other: &Path) -> bool {
+    let [one, other] = [one, other].map(|path| path.canonicalize().ok());
+    one.is_some() && one == other
+}
+
+/// Whether a path for output is a folder: an existing one, or one whose name ends in `/`.
+pub(super) fn is_folder(path: &Path) -> bool {
+    path.is_dir() || path.as_os_str().to_string_lossy().ends_with('/')
 }
 
 pub(super) fn unwritable(place: &Path, error: &io::Error) -> Failure {
     Failure::Outside(format!("{} cannot be written: {error}", place.display()))
 }
 
-/// Writes files, each whole or not at all: beside its place first, then moved there.
+/// Writes files, each complete or not at all.
 pub(super) fn write(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
     for (path, bytes) in files {
-        let mut file = Growing::new(path)?;
-        let written = file.write_all(bytes);
-        written.map_err(|error| unwritable(path, &error))?;
+        let mut file = PartFile::new(path)?;
+        file.write_all(bytes).map_err(|error| unwritable(path, &error))?;
         file.finish()?;
     }
     Ok(())
 }
 
-/// Writes a file that is not there yet; one that is there stays as it is.
+/// Writes a file that does not exist yet; an existing one is not changed.
 pub(super) fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let failed = |error: io::Error| match error.kind() {
         io::ErrorKind::AlreadyExists => Failure::Misuse(

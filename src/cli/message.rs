@@ -8,19 +8,19 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 /// Why a command did not do its task.
 #[derive(Debug)]
 pub(super) enum Failure {
-    /// The library's finding about a scene.
+    /// An error of the library about a scene, or about a file that is read as strictly.
     Scene(Source, Box<Error>),
-    /// A command or a file that cannot be understood: what, and what to try.
+    /// A command or a file that is not understood: message and hint.
     Misuse(String, Option<String>),
-    /// Something outside, such as a full disk.
+    /// A cause outside the program, such as a full disk.
     Outside(String),
-    /// The work is done as far as it could be: what stands in the way of the rest.
+    /// A result that covers only a part of what was asked for: why.
     Partly(String),
-    /// A check that is not passed; everything is said.
+    /// A check that is not passed; the report says why.
     NotPassed,
-    /// Files of a class that are not understood; everything is said.
+    /// A class with files that are not understood; the report says which.
     NotUnderstood,
-    /// The person has stopped it.
+    /// Ctrl-C.
     Interrupted,
 }
 
@@ -40,12 +40,12 @@ impl Failure {
             },
             Failure::Misuse(..) | Failure::NotUnderstood => 2,
             Failure::Outside(_) | Failure::Partly(_) | Failure::NotPassed => 1,
-            // As shells report a program that Ctrl-C has ended.
+            // The exit code by which shells report a program that Ctrl-C has ended.
             Failure::Interrupted => 130,
         }
     }
 
-    /// The failure on one line for a list that names the file `place` already.
+    /// The failure on one line, without the name of the file `place`; empty if it has no message.
     pub(super) fn line(&self, place: &str) -> String {
         let (message, hint) = match self {
             Failure::Scene(_, error) => (error.to_string(), None),
@@ -64,25 +64,25 @@ impl Failure {
     }
 }
 
-/// Shows a failure on stderr; colours only on a terminal that wants them.
+/// Shows a failure on stderr, in colours only on a terminal that supports them.
 pub(super) fn show(failure: &Failure) {
     let report = match failure {
         Failure::NotPassed | Failure::NotUnderstood => return,
         Failure::Scene(source, error) => shown(&source.name, &source.text, error),
-        Failure::Misuse(message, hint) => plain(message, hint.as_deref()),
-        Failure::Outside(message) | Failure::Partly(message) => plain(message, None),
-        Failure::Interrupted => plain("stopped before the table was complete; no file was written", None),
+        Failure::Misuse(message, hint) => without_place(message, hint.as_deref()),
+        Failure::Outside(message) | Failure::Partly(message) => without_place(message, None),
+        Failure::Interrupted => without_place("stopped before the table was complete; no file was written", None),
     };
     anstream::eprintln!("{report}");
 }
 
-/// What the program shows on stderr for an error of the scene in the file `name`, with the part of its text that is meant, in the
-/// colours of a terminal.
+/// The message that the program shows on stderr for an error of the scene in the file `name`, with the lines of `text`
+/// that are meant, in the colours of a terminal.
 #[must_use]
 pub fn shown(name: &str, text: &str, error: &Error) -> String {
     match error {
-        Error::Scene(finding) | Error::Structure(StructureError::Scene(finding)) => in_place(name, text, finding),
-        other => plain(&format!("{name}: {other}"), None),
+        Error::Scene(finding) | Error::Structure(StructureError::Scene(finding)) => with_place(name, text, finding),
+        other => without_place(&format!("{name}: {other}"), None),
     }
 }
 
@@ -98,23 +98,23 @@ pub(super) fn warn(text: &str) {
     anstream::eprintln!("{}", Renderer::styled().render(&report));
 }
 
-fn plain(message: &str, hint: Option<&str>) -> String {
-    // A hint may stand in the message itself, as the part after "try:".
-    let (message, own) = match message.split_once("\n  try: ") {
-        Some((message, own)) => (message, Some(own)),
+fn without_place(message: &str, hint: Option<&str>) -> String {
+    // A message of the library may end in its hint.
+    let (message, inner_hint) = match message.split_once("\n  try: ") {
+        Some((message, hint)) => (message, Some(hint)),
         None => (message, None),
     };
     let mut group = Group::with_title(Level::ERROR.primary_title(message));
-    if let Some(hint) = hint.or(own) {
+    if let Some(hint) = hint.or(inner_hint) {
         group = group.element(Level::HELP.message(hint));
     }
     Renderer::styled().render(&[group])
 }
 
-/// A finding with its place in the scene's text.
-fn in_place(name: &str, text: &str, finding: &SceneError) -> String {
+/// A finding with the lines of the scene's text that it is about.
+fn with_place(name: &str, text: &str, finding: &SceneError) -> String {
     let Some(place) = &finding.place else {
-        return plain(&format!("{name}: {}", finding.message), finding.hint.as_deref());
+        return without_place(&format!("{name}: {}", finding.message), finding.hint.as_deref());
     };
     let annotation = AnnotationKind::Primary.span(place.span.clone()).label(finding.path.as_str());
     let snippet = Snippet::source(text).path(name).annotation(annotation);

@@ -1,6 +1,9 @@
-//! In: the words of a command line. Out: files, text on stdout, messages on stderr, an exit code.
-//! Only here files are read and written. All of a command's work is done before the first byte is written.
-//! Exit codes: 0 done; 1 not assembled, singular, or not written; 2 a scene or a command that cannot be understood.
+//! In: a command line. Out: files, text on stdout, messages on stderr, an exit code. Only this folder reads and writes
+//! files. Apart from tables, reports on classes and series of exercises, a command does all its work before it writes
+//! the first byte.
+//!
+//! Exit codes: 0 done; 1 not assembled, singular, not passed, or not written; 2 a scene or a command that is not
+//! understood; 130 stopped by Ctrl-C.
 
 mod check;
 mod class;

@@ -5,7 +5,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use std::path::{Path, PathBuf};
 
-/// A kind's name and its starting scene.
+/// Kinds of mechanisms with the texts of their starting scenes.
 macro_rules! templates {
     ($($name:literal in $folder:literal as $file:literal,)*) => {
         [$(($name, include_str!(concat!("../../", $folder, "/", $file, ".json")))),*]
@@ -66,29 +66,26 @@ impl New {
         if self.output == Path::new("-") {
             return files::print(text.as_bytes());
         }
-        let is_folder = self.output.is_dir() || self.output.as_os_str().to_string_lossy().ends_with('/');
+        let is_folder = files::is_folder(&self.output);
         let path = if is_folder { self.output.join(format!("{name}.json")) } else { self.output.clone() };
         files::write_new(&path, text.as_bytes())
     }
 }
 
-/// The starting scene of a kind, if there is such a kind.
+/// The starting scene of a kind; `None` if there is no such kind.
 pub(super) fn starting_scene(kind: &str) -> Option<String> {
-    let mut found = TEMPLATES.into_iter().filter(|(name, _)| *name == kind);
-    found.next().map(|(_, text)| without_schema(text))
+    TEMPLATES.into_iter().find(|(name, _)| *name == kind).map(|(_, text)| without_schema(text))
 }
 
-/// The kind whose name is nearest.
+/// The kind whose name is most similar.
 pub(super) fn nearest(name: &str) -> &'static str {
     let kinds = TEMPLATES.into_iter().map(|(kind, _)| kind);
-    let nearest = kinds.min_by_key(|kind| strsim::damerau_levenshtein(kind, name));
-    nearest.unwrap_or_default()
+    kinds.min_by_key(|kind| strsim::damerau_levenshtein(kind, name)).unwrap_or_default()
 }
 
-/// The kinds and the titles of their scenes, one a line.
+/// The kinds with the titles of their scenes, a line each.
 fn list() -> String {
-    let width = TEMPLATES.iter().map(|(name, _)| name.len()).max();
-    let width = width.unwrap_or_default();
+    let width = TEMPLATES.iter().map(|(name, _)| name.len()).max().unwrap_or_default();
     let line = |(name, text): (&str, &str)| {
         let title = Scene::read(text).ok().and_then(|scene| scene.title);
         format!("{name:width$}  {}\n", title.unwrap_or_default())
@@ -96,7 +93,7 @@ fn list() -> String {
     TEMPLATES.into_iter().map(line).collect()
 }
 
-/// The scene without its line for the schema, whose place holds only beside the template.
+/// The scene without its line `$schema`, whose relative path is right only beside the template.
 fn without_schema(text: &str) -> String {
     let is_schema = |line: &&str| line.trim_start().starts_with("\"$schema\"");
     text.split_inclusive('\n').filter(|line| !is_schema(line)).collect()

@@ -20,12 +20,12 @@ enum Orientation {
 }
 
 impl Paper {
-    /// Whether something is asked for.
+    /// Whether one of its options is given.
     pub(super) fn is_given(&self) -> bool {
         self.page.is_some() || self.orientation.is_some()
     }
 
-    /// Writes what was asked for into a scene's figure.
+    /// Overrides a scene's figure by the options that are given.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         let page = &mut figure.page;
         page.size = self.page.unwrap_or(page.size);
@@ -54,12 +54,12 @@ fn scale(text: &str) -> Result<f64, String> {
 }
 
 impl GivenScales {
-    /// Whether something is asked for.
+    /// Whether one of its options is given.
     pub(super) fn is_given(&self) -> bool {
         [self.mu_l, self.mu_v, self.mu_a].iter().any(Option::is_some)
     }
 
-    /// Writes what was asked for into a scene's figure.
+    /// Overrides a scene's figure by the options that are given.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         figure.mu_l = self.mu_l.or(figure.mu_l);
         figure.mu_v = self.mu_v.or(figure.mu_v);

@@ -13,29 +13,29 @@ pub(super) struct Hand {
     pub degrees: Option<f64>,
 }
 
-/// No hand is worse than this, in mm or degrees.
-const WORST: f64 = 10.0;
+/// Largest limit of a hand's errors, in mm or degrees.
+const LARGEST: f64 = 10.0;
 
 fn limit(text: &str) -> Result<f64, String> {
     match text.parse() {
-        Ok(limit) if (0.0..=WORST).contains(&limit) => Ok(limit),
-        _ => Err(format!("not a number from 0 to {WORST}")),
+        Ok(limit) if (0.0..=LARGEST).contains(&limit) => Ok(limit),
+        _ => Err(format!("not a number from 0 to {LARGEST}")),
     }
 }
 
 impl Hand {
-    /// Whether something is said of it.
+    /// Whether one of its options is given.
     pub(super) fn is_given(&self) -> bool {
         self.mm.is_some() || self.degrees.is_some()
     }
 
-    /// How good it is, where nothing is said as a sharp pencil.
+    /// The limits of the hand's errors; by default those of a sharp pencil.
     pub(super) fn tolerance(&self) -> Tolerance {
         let usual = Tolerance::default();
         Tolerance { mm: self.mm.unwrap_or(usual.mm), degrees: self.degrees.unwrap_or(usual.degrees) }
     }
 
-    /// The bands of what is asked for, drawn at the scales of the scene's figure.
+    /// The bands of the quantities `asked`, drawn at the scales of the scene's figure.
     pub(super) fn pencil(&self, solution: &Solution, asked: Vec<Asked>) -> Pencil {
         quantity::pencil(solution, &solution.scales(), self.tolerance(), asked)
     }

@@ -1,7 +1,7 @@
 use super::files;
 use super::message::{Failure, warn};
 use super::pencil::Hand;
-use super::work::{Mode, solve, warn_of};
+use super::work::{Mode, show_warnings, solve};
 use crate::construction::Solution;
 use crate::drawing::Style;
 use crate::format::{self, QuantityResult, ResultFile};
@@ -18,7 +18,8 @@ pub(super) struct Solve {
     scene: PathBuf,
     #[command(flatten)]
     mode: Mode,
-    /// Print a table of all rates, velocities and accelerations in place of JSON, each with only those digits that are certain.
+    /// Print a table of all rates, velocities and accelerations in place of JSON, each with only those digits that are
+    /// certain.
     #[arg(long, conflicts_with_all = ["pencil", "mm", "degrees"])]
     digits: bool,
     /// Add what honest hand drawings at the figure's scales give: the band of every quantity.
@@ -31,31 +32,30 @@ pub(super) struct Solve {
 impl Solve {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let solution = solve(&source, self.mode.number, |_| (), needed)?;
+        let solution = solve(&source, self.mode.number, |_| (), needed_order)?;
         if self.digits {
             return print_digits(&solution);
         }
         let mut result = solution.result();
-        let wrong = |error| Failure::Scene(source, Box::new(error));
-        add_quantities(&solution, &mut result).map_err(wrong.clone())?;
+        add_quantities(&solution, &mut result).map_err(|error| source.fail(error))?;
         if self.pencil || self.hand.is_given() {
-            let asked = drawn_quantities(&solution).map_err(wrong)?;
+            let asked = readable_quantities(&solution).map_err(|error| source.fail(error))?;
             let pencil = self.hand.pencil(&solution, asked);
             result.pencil = Some(format::pencil_result(&pencil, solution.scene.units));
         }
-        warn_of(&solution);
+        show_warnings(&solution);
         files::print(format::json(&result).as_bytes())
     }
 }
 
-/// The table of certain digits; says which of the wanted quantities have no stated bound.
+/// Prints the table of certain digits; warns of wanted quantities that have no bound of their error.
 fn print_digits(solution: &Solution) -> Result<(), Failure> {
     let text = solution.digits();
-    warn_of(solution);
+    show_warnings(solution);
     for name in solution.scene.want.iter().flatten() {
-        // A vector stands there by its components.
-        let begins = |line: &str| line.starts_with(&format!("{name} ")) || line.starts_with(&format!("{name}."));
-        if !text.lines().any(begins) {
+        // The table gives a vector by its components.
+        let is_named = |line: &str| line.starts_with(&format!("{name} ")) || line.starts_with(&format!("{name}."));
+        if !text.lines().any(is_named) {
             warn(&format!(
                 "`{name}` has no stated bound of its error and is left out of the table; without --digits its value is printed"
             ));
@@ -64,15 +64,16 @@ fn print_digits(solution: &Solution) -> Result<(), Failure> {
     files::print(text.as_bytes())
 }
 
-/// Accelerations unless the scene's `want` names only quantities without them.
-fn needed(scene: &Scene) -> Order {
+/// The order of the motion to be computed: accelerations unless `want` names only quantities without them.
+fn needed_order(scene: &Scene) -> Order {
     match &scene.want {
         Some(want) if !want.iter().any(|name| is_acceleration(name)) => Order::Velocity,
         _ => Order::Acceleration,
     }
 }
 
-/// The quantities that the scene wants; all that the construction measures where it does not say.
+/// Adds the quantities that the scene wants to the result, or all that the construction measures if it wants none in
+/// particular.
 fn add_quantities(solution: &Solution, result: &mut ResultFile) -> Result<(), crate::Error> {
     let names = match &solution.scene.want {
         Some(want) => want.clone(),
@@ -96,8 +97,9 @@ fn add_quantities(solution: &Solution, result: &mut ResultFile) -> Result<(), cr
     Ok(())
 }
 
-/// What may be read from a hand drawing of the scene: everything that the result gives, and what the scene wants; vectors by size and angle.
-fn drawn_quantities(solution: &Solution) -> Result<Vec<Asked>, crate::Error> {
+/// The quantities that may be read from a hand drawing: those of the result and those that the scene wants; of vectors
+/// size and angle.
+fn readable_quantities(solution: &Solution) -> Result<Vec<Asked>, crate::Error> {
     let mut names = readable_names(solution);
     for name in solution.scene.want.iter().flatten() {
         let asked = Asked::new(name, &solution.mechanism)?;

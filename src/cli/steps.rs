@@ -3,7 +3,7 @@ use super::message::Failure;
 use super::paper::{GivenScales, Paper};
 use super::pencil::Hand;
 use super::wording::Words;
-use super::work::{Mode, solve, warn_of};
+use super::work::{Mode, show_warnings, solve};
 use crate::motion::Order;
 use crate::quantity::{Asked, step_names};
 use crate::scene::Figure;
@@ -30,19 +30,18 @@ pub(super) struct Steps {
 impl Steps {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let asked = |figure: &mut Figure| {
+        let override_figure = |figure: &mut Figure| {
             self.words.put_into(figure);
             self.paper.put_into(figure);
             self.scales.put_into(figure);
         };
-        let solution = solve(&source, self.mode.number, asked, |_| Order::Acceleration)?;
+        let solution = solve(&source, self.mode.number, override_figure, |_| Order::Acceleration)?;
         let names = step_names(&solution.construction);
-        let asked = names.iter().map(|name| Asked::new(name, &solution.mechanism));
-        let asked = asked.collect::<Result<Vec<Asked>, _>>();
-        let asked = asked.map_err(|error| Failure::Scene(source, Box::new(error.into())))?;
+        let asked: Result<Vec<Asked>, _> = names.iter().map(|name| Asked::new(name, &solution.mechanism)).collect();
+        let asked = asked.map_err(|error| source.fail(error))?;
         let pencil = self.hand.pencil(&solution, asked);
         let text = solution.steps(&pencil);
-        warn_of(&solution);
+        show_warnings(&solution);
         files::print(text.as_bytes())
     }
 }

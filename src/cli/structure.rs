@@ -21,7 +21,7 @@ impl Structure {
             let mechanism = mechanism(&Scene::read(&source.text)?)?;
             Ok(format::structure(&mechanism))
         };
-        let text = text().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))?;
+        let text = text().map_err(|error| source.fail(error))?;
         files::print(text.as_bytes())
     }
 }
@@ -42,7 +42,7 @@ impl Modes {
             let poses = poses(&mechanism, &scene.near)?;
             Ok((format::modes(&scene, &mechanism, &poses), mechanism.warnings))
         };
-        let (text, warnings) = stages().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))?;
+        let (text, warnings) = stages().map_err(|error| source.fail(error))?;
         warnings.iter().for_each(|w| warn(w));
         files::print(text.as_bytes())
     }

@@ -9,10 +9,10 @@ use crate::scene::Scene;
 use clap::Args;
 use std::path::PathBuf;
 
-/// Notes of extreme and change points at most.
+/// Most extreme and change points that are listed.
 const NOTES: usize = 30;
 
-/// What `--help` says after the options.
+/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 The motion is followed from the scene's own position, without a jump to another assembly mode. The table keeps what can be
 reached: if a limit position comes before the end of the range, that is said and the exit code is 1. Cells without a number,
@@ -29,7 +29,8 @@ Examples:
 pub(super) struct SweepCommand {
     #[command(flatten)]
     range: Range,
-    /// Distance from one row to the next, in degrees or lengths; without it 1°, or about a two-hundredth of a slider's range.
+    /// Distance from one row to the next, in degrees or lengths; without it 1°, or about a two-hundredth of a slider's
+    /// range.
     #[arg(long, allow_hyphen_values = true)]
     step: Option<f64>,
     /// File to write, or `-` for stdout.
@@ -52,8 +53,8 @@ pub(super) struct Range {
     /// Last value of the drive; may be less than the first. Without --from the first is that of the scene.
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub to: Option<f64>,
-    /// The drive that moves, if not the first: a driven link, or a slider on a moving link such as 3/2; other drives run along
-    /// in proportion to their speeds.
+    /// The drive that moves, if not the first: a driven link, or a slider on a moving link such as 3/2; other drives
+    /// run along in proportion to their speeds.
     #[arg(long)]
     pub drive: Option<String>,
     /// Other drives stand still.
@@ -67,36 +68,39 @@ pub(super) struct Range {
     pub mode: Mode,
 }
 
-/// A scene ready to be moved.
-pub(super) struct Moved {
+/// A scene in its own position, and the drive that is to move it.
+pub(super) struct DrivenScene {
     pub source: Source,
     pub scene: Scene,
     pub mechanism: Mechanism,
     pub pose: Pose,
     pub drive: Drive,
-    /// The quantities asked for.
+    /// Names of the quantities asked for; `None` for all.
     pub names: Option<Vec<String>>,
 }
 
 impl Range {
-    /// Reads the scene and finds its position.
-    pub(super) fn moved(&self) -> Result<Moved, Failure> {
+    /// Reads the scene, finds its position and the drive.
+    pub(super) fn driven_scene(&self) -> Result<DrivenScene, Failure> {
         let (source, (scene, mechanism, pose)) = start(&self.scene, self.mode.number)?;
-        let fail = |error: crate::Error| Failure::Scene(source.clone(), Box::new(error));
-        let drive = Drive::new(&mechanism, self.drive.as_deref()).map_err(|e| fail(e.into()))?;
+        let drive = Drive::new(&mechanism, self.drive.as_deref()).map_err(|error| source.fail(error))?;
         let mechanism = if self.alone { alone(&mechanism, &drive.name) } else { mechanism };
         let names: Vec<String> = self.want.iter().flat_map(|text| split_names(text)).collect();
         let names = if names.is_empty() { scene.want.clone() } else { Some(names) };
-        Ok(Moved { source, scene, mechanism, pose, drive, names })
+        Ok(DrivenScene { source, scene, mechanism, pose, drive, names })
     }
 
-    /// Whether the range is given, at least one end of it.
+    /// Whether one end of the range is given.
     pub(super) fn is_given(&self) -> bool {
         self.from.is_some() || self.to.is_some()
     }
 
-    /// Says what happens on the branch within `range`, and what ends it before the range does; then `product` is only a part.
-    pub(super) fn tell(&self, branch: &Branch, range: [f64; 2], product: &str) -> Result<(), Failure> {
+    /// Notes the extreme and change points of the branch within `range`, and its limit positions. `product` is what is
+    /// made.
+    ///
+    /// # Errors
+    /// [`Failure::Partly`] if a given range goes beyond a limit position.
+    pub(super) fn report_events(&self, branch: &Branch, range: [f64; 2], product: &str) -> Result<(), Failure> {
         let inside = range[0].min(range[1])..=range[0].max(range[1]);
         let mut events = branch.events();
         events.retain(|event| !event.is_end() && inside.contains(&event.at));
@@ -108,9 +112,9 @@ impl Range {
             note(&format!("{more} more extreme or change points follow"));
         }
         let beyond = |value: f64| !(branch.low()..=branch.high()).contains(&value);
-        let ends = [false, true].map(|above| branch.end(above));
-        let ends = ends.into_iter().flatten();
-        let ends: Vec<String> = ends
+        let ends: Vec<String> = [false, true]
+            .into_iter()
+            .filter_map(|above| branch.end(above))
             .filter(|end| inside.contains(&end.at) || !self.is_given())
             .map(|end| end.text(&branch.drive.at(end.at)))
             .collect();
@@ -126,8 +130,8 @@ impl Range {
     }
 }
 
-impl Moved {
-    /// The branch, followed over the range that is asked for; and that range.
+impl DrivenScene {
+    /// The branch, followed over the range that is asked for, and that range in units of the drive.
     pub(super) fn follow(&self, range: &Range) -> Result<(Branch<'_>, [f64; 2]), Failure> {
         let follow = || -> Result<_, crate::Error> {
             let mut branch = Branch::new(&self.mechanism, &self.pose, self.drive.clone())?;
@@ -138,11 +142,11 @@ impl Moved {
     }
 
     pub(super) fn fail(&self, error: impl Into<crate::Error>) -> Failure {
-        Failure::Scene(self.source.clone(), Box::new(error.into()))
+        self.source.fail(error)
     }
 }
 
-/// The names in a list; commas within parentheses belong to names.
+/// The names in a list separated by commas; commas within parentheses belong to names.
 pub(super) fn split_names(text: &str) -> Vec<String> {
     let mut depth = 0;
     let names = text.split(move |c: char| {
@@ -154,24 +158,23 @@ pub(super) fn split_names(text: &str) -> Vec<String> {
 
 impl SweepCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let form = self.form()?;
-        let moved = self.range.moved()?;
-        let (branch, [from, to]) = moved.follow(&self.range)?;
+        let format = self.table_format()?;
+        let driven = self.range.driven_scene()?;
+        let (branch, [from, to]) = driven.follow(&self.range)?;
         let step = self.step.unwrap_or_else(|| default_step(&branch, from, to));
-        // From end to end, rows stand at whole steps.
-        let ends = branch.end(false).is_some() && !self.range.is_given();
-        let steps = if ends { Steps::multiples(from, to, step) } else { Steps::new(from, to, step) };
-        let steps = steps.map_err(|error| moved.fail(error))?;
-        let sweep = Sweep::new(&branch, steps, moved.names.as_deref());
-        let sweep = sweep.map_err(|error| moved.fail(error))?;
-        files::keep_input("scene", &self.range.scene, &self.output)?;
-        table::write(&sweep, form, &self.output)?;
-        self.range.tell(&branch, [from, to], "table")
+        // Between limit positions, rows are at multiples of the step.
+        let has_ends = branch.end(false).is_some() && !self.range.is_given();
+        let steps = if has_ends { Steps::multiples(from, to, step) } else { Steps::new(from, to, step) };
+        let steps = steps.map_err(|error| driven.fail(error))?;
+        let sweep = Sweep::new(&branch, steps, driven.names.as_deref()).map_err(|error| driven.fail(error))?;
+        files::refuse_overwriting("scene", &self.range.scene, &self.output)?;
+        table::write(&sweep, format, &self.output)?;
+        self.range.report_events(&branch, [from, to], "table")
     }
 
-    fn form(&self) -> Result<TableFormat, Failure> {
-        if let Some(form) = self.format {
-            return Ok(form);
+    fn table_format(&self) -> Result<TableFormat, Failure> {
+        if let Some(format) = self.format {
+            return Ok(format);
         }
         let ending = self.output.extension().and_then(|e| e.to_str());
         TableFormat::of_ending(ending.unwrap_or("csv")).ok_or_else(|| {
@@ -184,7 +187,8 @@ impl SweepCommand {
     }
 }
 
-/// One degree; for a slider 1, 2 or 5 times a power of ten, about a two-hundredth of the range.
+/// The step of a table: 1° for an angle; for a slider the largest of 1, 2 or 5 times a power of ten that is at most a
+/// two-hundredth of the range.
 fn default_step(branch: &Branch, from: f64, to: f64) -> f64 {
     if branch.drive.is_angle() {
         return 1.0;

@@ -1,16 +1,16 @@
 #[cfg(feature = "arrow")]
 use super::files;
 use super::message::Failure;
-use super::pieces::{Out, Pieces};
+use super::pieces::{Output, Pieces};
 use crate::cycle::{Numbers, Sweep};
 use crate::format;
 use clap::ValueEnum;
 use std::path::Path;
 
-/// Rows that are computed in one piece.
+/// Rows in a piece.
 const ROWS: usize = 2048;
 
-/// Numbers from which a table counts as long, so that a terminal sees how far it has come.
+/// Numbers in a table from which a progress bar is shown.
 const LONG: usize = 3_000_000;
 
 /// The form of a table.
@@ -29,7 +29,7 @@ pub(super) enum TableFormat {
 }
 
 impl TableFormat {
-    /// The endings of files that tell their form.
+    /// The formats by the endings of files.
     pub(super) const ENDINGS: &[(&str, TableFormat)] = &[
         ("csv", TableFormat::Csv),
         ("jsonl", TableFormat::Jsonl),
@@ -41,11 +41,10 @@ impl TableFormat {
     ];
 
     pub(super) fn of_ending(ending: &str) -> Option<TableFormat> {
-        let found = TableFormat::ENDINGS.iter().find(|(known, _)| *known == ending);
-        found.map(|(_, form)| *form)
+        TableFormat::ENDINGS.iter().find(|(known, _)| *known == ending).map(|(_, format)| *format)
     }
 
-    /// Rows in this form, if it is one of text.
+    /// Rows as text; empty for the binary formats.
     fn text(self, sweep: &Sweep, numbers: &Numbers) -> String {
         match self {
             TableFormat::Csv => format::csv_rows(sweep, numbers),
@@ -56,16 +55,16 @@ impl TableFormat {
     }
 }
 
-/// Writes a table to a file, or to stdout for `-`: piece by piece, and whole or not at all.
-pub(super) fn write(sweep: &Sweep, form: TableFormat, place: &Path) -> Result<(), Failure> {
-    let mut out = Out::new(place)?;
+/// Writes a table to a file, or to stdout for `-`, piece by piece; a file is complete or not written at all.
+pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<(), Failure> {
+    let mut out = Output::new(place)?;
     #[cfg(feature = "arrow")]
-    if matches!(form, TableFormat::Arrow | TableFormat::Parquet) {
+    if matches!(format, TableFormat::Arrow | TableFormat::Parquet) {
         let unwritable = |error: format::ColumnsError| match error {
             format::ColumnsError::Io(error) => files::unwritable(place, &error),
             other => Failure::Outside(format!("{} cannot be written: {other}", place.display())),
         };
-        let columns = match form {
+        let columns = match format {
             TableFormat::Parquet => format::Columns::parquet(sweep, out),
             _ => format::Columns::arrow(sweep, out),
         };
@@ -76,16 +75,16 @@ pub(super) fn write(sweep: &Sweep, form: TableFormat, place: &Path) -> Result<()
         )?;
         return columns.finish().map_err(unwritable)?.finish();
     }
-    if form == TableFormat::Csv && !out.put(&format::csv_header(sweep))? {
+    if format == TableFormat::Csv && !out.put(&format::csv_header(sweep))? {
         return Ok(());
     }
-    let text = |rows| form.text(sweep, &sweep.rows(rows));
+    let text = |rows| format.text(sweep, &sweep.rows(rows));
     pieces(sweep).each(text, |piece: String| out.put(&piece))?;
     out.finish()
 }
 
-/// The rows of a table in pieces, with a bar where there are many.
+/// The rows of a table in pieces, with a progress bar if there are many.
 fn pieces(sweep: &Sweep) -> Pieces {
     let count = sweep.steps().count();
-    Pieces { count, size: ROWS, ahead: 4, unit: (count * sweep.header().len() >= LONG).then_some("rows") }
+    Pieces { count, size: ROWS, per_core: 4, unit: (count * sweep.header().len() >= LONG).then_some("rows") }
 }

@@ -17,7 +17,7 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// Writes what was asked for into a scene's figure.
+    /// Overrides a scene's figure by the options that are given.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         figure.notation = self.notation.unwrap_or(figure.notation);
         figure.language = self.language.unwrap_or(figure.language);
@@ -30,9 +30,6 @@ pub(super) fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
     all: [T; N],
     name: fn(T) -> &'static str,
 ) -> impl TypedValueParser<Value = T> {
-    PossibleValuesParser::new(all.map(name)).map(move |given| {
-        let mut values = all.into_iter();
-        let found = values.find(|value| name(*value) == given);
-        found.expect("only known names come through")
-    })
+    PossibleValuesParser::new(all.map(name))
+        .map(move |given| all.into_iter().find(|value| name(*value) == given).expect("only known names come through"))
 }

@@ -18,35 +18,34 @@ pub(super) struct Mode {
 
 fn mode_number(text: &str) -> Result<usize, String> {
     match text.parse() {
-        Ok(0) => Err("assembly modes are numbered from 1".to_owned()),
+        Ok(0) => Err("assembly modes are assembly_mode from 1".to_owned()),
         Ok(number) => Ok(number),
         Err(_) => Err("not the number of an assembly mode".to_owned()),
     }
 }
 
-/// Solves a scene, as far as `order` says, with what was `asked` of its figure on the command line; in the assembly mode of that number, else the one that `near` picks.
+/// Solves a scene to the given order of motion, after `override_figure` has put the options of the command line into
+/// its figure; in the assembly mode of that number, else in the one that `near` picks.
 pub(super) fn solve(
     source: &Source,
     mode: Option<usize>,
-    asked: impl Fn(&mut Figure),
+    override_figure: impl Fn(&mut Figure),
     order: impl Fn(&Scene) -> Order,
 ) -> Result<Solution, Failure> {
     let stages = || -> Result<Solution, crate::Error> {
         let (mut scene, mechanism, pose) = posed(source, mode)?;
-        asked(&mut scene.figure);
+        override_figure(&mut scene.figure);
         let order = order(&scene);
         Ok(Solution::new(scene, mechanism, pose, order)?)
     };
-    stages().map_err(|error| Failure::Scene(source.clone(), Box::new(error)))
+    stages().map_err(|error| source.fail(error))
 }
 
-/// Reads a scene and finds its position; says what the reader should know of them.
+/// Reads a scene and finds its position; shows their warnings.
 pub(super) fn start(path: &Path, mode: Option<usize>) -> Result<(Source, (Scene, Mechanism, Pose)), Failure> {
     let source = files::read(path)?;
-    let posed = posed(&source, mode);
-    let posed = posed.map_err(|error| Failure::Scene(source.clone(), Box::new(error)))?;
-    let warnings = posed.1.warnings.iter().chain(&posed.2.warnings);
-    warnings.for_each(|text| warn(text));
+    let posed = posed(&source, mode).map_err(|error| source.fail(error))?;
+    posed.1.warnings.iter().chain(&posed.2.warnings).for_each(|text| warn(text));
     Ok((source, posed))
 }
 
@@ -54,14 +53,14 @@ fn posed(source: &Source, mode: Option<usize>) -> Result<(Scene, Mechanism, Pose
     let scene = Scene::read(&source.text)?;
     let mechanism = mechanism(&scene)?;
     let pose = match mode {
-        Some(mode) => numbered(&mechanism, &scene.near, mode)?,
+        Some(mode) => assembly_mode(&mechanism, &scene.near, mode)?,
         None => pose(&mechanism, &scene.near)?,
     };
     Ok((scene, mechanism, pose))
 }
 
 /// The assembly mode of that number, counted from 1.
-fn numbered(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<Pose, crate::Error> {
+fn assembly_mode(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<Pose, crate::Error> {
     let mut poses = poses(mechanism, near)?;
     let count = poses.len();
     if (1..=count).contains(&mode) {
@@ -71,7 +70,7 @@ fn numbered(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<Pose, cra
     }
 }
 
-/// Says on stderr what the reader should know of a result.
-pub(super) fn warn_of(solution: &Solution) {
+/// Shows the warnings of a solution on stderr.
+pub(super) fn show_warnings(solution: &Solution) {
     solution.warnings().for_each(|text| warn(&text));
 }

@@ -1,4 +1,4 @@
-use super::drives::{angle_in_place, driven_places, role};
+use super::drives::{link_angle_for_drive, places_from_drives, role};
 use super::grouping::group;
 use super::joint::{add_given, add_pins};
 use super::placing::placing;
@@ -12,29 +12,29 @@ use indexmap::IndexMap;
 /// The mechanism that a scene describes.
 ///
 /// # Errors
-/// Where the scene asks for something that is no mechanism or that cannot be solved here, with its place.
+/// [`StructureError`], with its place in the scene: the scene is no mechanism, or one that cannot be solved.
 pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
     mechanism_with(scene, |mechanism| add_given(scene, mechanism))
 }
 
-/// The mechanism with the joints that `add` adds to the bodies; pins follow from shared points.
+/// The mechanism with the joints that `add` adds to the bodies, and the pins, which follow from shared points.
 pub(crate) fn mechanism_with(scene: &Scene, add: impl FnOnce(&mut Mechanism)) -> Result<Mechanism, StructureError> {
     let mut builder = Builder::new(scene);
     builder.add_bodies()?;
     let mut mechanism = builder.mechanism;
     add(&mut mechanism);
-    let given = angle_in_place(scene)?;
-    let unpinned = given.map(|_| mechanism.clone());
+    let given_angle = link_angle_for_drive(scene)?;
+    let unpinned = given_angle.map(|_| mechanism.clone());
     mechanism.join_driven();
     add_pins(&mut mechanism);
     mechanism.groups = groups(scene, &mechanism)?;
-    if let (Some((link, angle)), Some(unpinned)) = (given, unpinned) {
+    if let (Some((link, angle)), Some(unpinned)) = (given_angle, unpinned) {
         mechanism.placing = Some(Box::new(placing(scene, unpinned, link, angle)?));
     }
     Ok(mechanism)
 }
 
-/// The Assur groups in an order in which they can be solved.
+/// The Assur groups of the links of unknown motion, in an order in which they can be solved.
 pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureError> {
     let members: Vec<BodyId> =
         (0..mechanism.bodies.len()).map(BodyId).filter(|&b| mechanism.body(b).role == Role::Member).collect();
@@ -127,18 +127,18 @@ impl<'a> Builder<'a> {
         let ground_places: Vec<Point> =
             scene.ground.iter().filter_map(|name| scene.coordinates.get(name).map(|&p| p.into())).collect();
         self.add_body("ground", &scene.ground, Role::Ground, ground_places);
-        let driven = driven_places(scene);
+        let driven = places_from_drives(scene);
         for (name, link) in &scene.links {
             let role = role(scene, &self.mechanism, name, link)?;
             let local = if drawn {
                 Vec::new()
             } else {
-                let (local, unsettled) = local_points(link, |p| {
+                let (local, is_ambiguous) = local_points(link, |p| {
                     let given = |places: &IndexMap<_, [f64; 2]>| places.get(p).map(|&p| p.into());
-                    let known = given(&scene.coordinates).or_else(|| driven.get(p).copied());
-                    known.or_else(|| given(&scene.near.points))
+                    let place = given(&scene.coordinates).or_else(|| driven.get(p).copied());
+                    place.or_else(|| given(&scene.near.points))
                 });
-                if unsettled {
+                if is_ambiguous {
                     self.mechanism.warnings.push(format!(
                         "link {name}: its lengths fit a triangle and its mirror image; the counter-clockwise one {} is taken. \
                          Give rough places of its points in `near` to choose",

@@ -1,20 +1,21 @@
 use super::{BodyId, GROUND, Group, Joint, JointId, Mechanism, Role, Slider, SliderId};
 
-/// A driven slider on the way from one link to another that turns as it does.
+/// A driven slider that is passed on the way between two links of a compound link.
 ///
-/// Two bodies that a driven slider joins have one rotation, and the sliding between them is known: no motion between them is left
-/// to be found. So all links that driven sliders join, directly or over others, are one *compound link* to groups and loops, whose
-/// lengths change as the scene says: a hydraulic cylinder with its rod is a link of varying length between its two pins. One of
-/// them, its lead, stands for all; where that one's motion is known, so is the others'.
+/// The two bodies of a driven slider have one rotation, and their sliding is given: their relative motion is known. So
+/// all links that driven sliders join, directly or over others, are one *compound link* to groups and loops, with
+/// lengths that change as the scene says: a hydraulic cylinder with its rod is a link of varying length between its two
+/// pins. One of its links, the lead, stands for all of them; where the lead's motion is known, so are those of the
+/// others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrivenSlide {
     /// The slider.
     pub slider: SliderId,
-    /// The body that the way leaves here.
+    /// The body from which the slider is passed.
     pub from: BodyId,
-    /// The body that it enters.
+    /// The body to which it is passed.
     pub to: BodyId,
-    /// +1 from the guide to the sliding link, −1 the other way.
+    /// +1 from the guide's body to the sliding link, −1 from the sliding link to the guide's body.
     pub sign: f64,
 }
 
@@ -27,27 +28,27 @@ impl DrivenSlide {
 }
 
 impl Mechanism {
-    /// The body that stands for `body` in groups and loops: the lead of its compound link; itself where its motion is known, and
-    /// where no driven slider joins it to another.
+    /// The body that stands for `body` in groups and loops: the lead of its compound link, or `body` itself if no
+    /// driven slider joins it to another or its motion is known.
     #[must_use]
     pub fn lead(&self, body: BodyId) -> BodyId {
         let root = self.root(body);
         if self.body(root).role == Role::Member { root } else { body }
     }
 
-    /// Whether the body's motion (or at least its carried point's) is known before any group is solved.
+    /// Whether the body's motion, or for a carrier that of its point, is known before any group is solved.
     #[must_use]
     pub fn is_known(&self, body: BodyId) -> bool {
         !matches!(self.body(self.root(body)).role, Role::Member | Role::Stub)
     }
 
-    /// Whether the body's motion is what is looked for.
+    /// Whether the body is a link of an Assur group, whose motion is unknown.
     #[must_use]
     pub fn is_sought(&self, body: BodyId) -> bool {
         self.body(self.root(body)).role == Role::Member
     }
 
-    /// `body` and those that driven sliders push from it, each after the one from which it is pushed.
+    /// `body` and the links that driven sliders push from it, each after the one from which it is pushed.
     #[must_use]
     pub fn compound(&self, body: BodyId) -> Vec<BodyId> {
         let mut found = vec![body];
@@ -61,7 +62,7 @@ impl Mechanism {
         found
     }
 
-    /// The names of a compound link's links, as in `2+3`; of any other link its own.
+    /// The names of a compound link's links, as in `2+3`; the name of any other link.
     #[must_use]
     pub fn compound_name(&self, lead: BodyId) -> String {
         let names = self.compound(lead).into_iter();
@@ -69,7 +70,7 @@ impl Mechanism {
         names.join("+")
     }
 
-    /// The body of `link`'s compound that a joint touches; `link` itself where it is none.
+    /// The body of `link`'s compound link that a joint touches; `link` itself if the joint touches none of them.
     #[must_use]
     pub fn side(&self, joint: JointId, link: BodyId) -> BodyId {
         let mut sides = self.joint(joint).bodies.into_iter();
@@ -77,7 +78,7 @@ impl Mechanism {
         side.unwrap_or(link)
     }
 
-    /// The joints of a group, and those of the driven sliders within its compound links.
+    /// The joints of a group, then those of the driven sliders within its compound links.
     #[must_use]
     pub fn joints_of(&self, group: &Group) -> Vec<JointId> {
         let within = |id: &JointId| {
@@ -89,7 +90,7 @@ impl Mechanism {
         group.joints.iter().copied().chain(inner).collect()
     }
 
-    /// +1 where `from`, or a link of its compound, carries the slider's guide, −1 where it slides.
+    /// +1 if `from`, or another link of its compound link, carries the slider's guide; −1 if it slides.
     #[must_use]
     pub fn slide_sign(&self, slider: SliderId, from: BodyId) -> f64 {
         let on = self.slider(slider).on;
@@ -97,10 +98,11 @@ impl Mechanism {
         if carries { 1.0 } else { -1.0 }
     }
 
-    /// The driven sliders on the way from one body to another of the same compound link; none from a body to itself.
+    /// The driven sliders on the way from one body to another of the same compound link, in that order; none from a
+    /// body to itself.
     #[must_use]
     pub fn way(&self, from: BodyId, to: BodyId) -> Vec<DrivenSlide> {
-        let (mut up, mut down) = (self.climb(from), self.climb(to));
+        let (mut up, mut down) = (self.slides_to_root(from), self.slides_to_root(to));
         while !up.is_empty() && up.last() == down.last() {
             up.pop();
             down.pop();
@@ -110,8 +112,8 @@ impl Mechanism {
         up
     }
 
-    /// The driven sliders from a body to the root from which it is pushed.
-    fn climb(&self, body: BodyId) -> Vec<DrivenSlide> {
+    /// The driven sliders from a body to the root of its compound link.
+    fn slides_to_root(&self, body: BodyId) -> Vec<DrivenSlide> {
         let mut way = Vec::new();
         let mut here = body;
         while let Role::Pushed { slider, from } = self.body(here).role {
@@ -121,7 +123,7 @@ impl Mechanism {
         way
     }
 
-    /// The body from which, directly or over others, driven sliders push `body`; itself where none does.
+    /// The body from which, directly or over others, driven sliders push `body`; `body` itself if none does.
     #[must_use]
     pub fn root(&self, body: BodyId) -> BodyId {
         let mut here = body;
@@ -131,16 +133,12 @@ impl Mechanism {
         here
     }
 
-    /// Makes compound links: gives every body that a driven slider joins to another its role.
+    /// Makes compound links: gives every body that a driven slider pushes from another the role of a pushed one.
     ///
-    /// Bodies that move by themselves come first; among links still to be found the first in the scene leads.
+    /// Bodies of known motion come first as roots; among links of groups the first in the scene is the lead.
     pub(super) fn join_driven(&mut self) {
-        let leads_itself = |b: &BodyId| {
-            let role = &self.body(*b).role;
-            !matches!(role, Role::Member | Role::Stub)
-        };
-        let all = || (0..self.bodies.len()).map(BodyId);
-        let (known, sought): (Vec<BodyId>, Vec<BodyId>) = all().partition(leads_itself);
+        let all = (0..self.bodies.len()).map(BodyId);
+        let (known, sought): (Vec<BodyId>, Vec<BodyId>) = all.partition(|&b| self.is_known(b));
         let mut reached = known.clone();
         for start in known.into_iter().chain(sought) {
             if !reached.contains(&start) {
@@ -162,19 +160,20 @@ impl Mechanism {
         }
     }
 
-    /// How many constraints drives leave without a motion to take, and the bodies between which they are: a free joint within a
-    /// compound link, a joint between two bodies that drives move, a driven slider that closes a ring of such. Given motions of
-    /// points and links of a drawn configuration are taken to fit together.
+    /// The number of constraints that only repeat what drives determine, and the bodies that they join: a joint other
+    /// than a driven slider within a compound link or between two bodies that drives move, and a driven slider that
+    /// closes a ring of such. The given motions of points and links of a drawn configuration are taken to be
+    /// consistent.
     pub(super) fn surplus(&self) -> (usize, Vec<BodyId>) {
         let (mut surplus, mut bodies) = (0, Vec::new());
         for joint in &self.joints {
             let [a, b] = joint.bodies;
             let driven = joint.slider.filter(|&id| self.slider(id).drive.is_some());
-            let idle = match driven {
+            let is_redundant = match driven {
                 Some(id) => ![a, b].into_iter().any(|b| self.is_pushed_by(b, id)),
                 None => self.is_rigid_between(a, b) && !self.is_pivot_of_driver(joint),
             };
-            if !idle {
+            if !is_redundant {
                 continue;
             }
             surplus += joint.constraints() + usize::from(driven.is_some());
@@ -191,7 +190,7 @@ impl Mechanism {
         matches!(self.body(body).role, Role::Pushed { slider, .. } if slider == id)
     }
 
-    /// Whether drives alone say how two bodies move against each other.
+    /// Whether drives alone determine the relative motion of two bodies.
     fn is_rigid_between(&self, a: BodyId, b: BodyId) -> bool {
         let roots = [a, b].map(|body| self.root(body));
         let driven = |b: BodyId| matches!(self.body(b).role, Role::Ground | Role::Driver { .. });

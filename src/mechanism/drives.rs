@@ -4,7 +4,7 @@ use crate::geometry::{Point, Vector, direction_of_degrees};
 use crate::scene::{self, Along, At, GivenBy, On, Scene};
 use indexmap::IndexMap;
 
-/// What makes a link move. The ground's points are in `mechanism` already.
+/// The role of a link in the mechanism. `mechanism` has the ground's points already.
 pub(super) fn role(
     scene: &Scene,
     mechanism: &Mechanism,
@@ -27,8 +27,8 @@ pub(super) fn role(
     let Some(drive) = &link.drive else {
         let known = |p: &String| scene.known.contains_key(p);
         let slides = |s: &scene::Slider| s.link.as_deref() == Some(name) || s.on == On::Link(name.to_owned());
-        let stub = !link.points.is_empty() && link.points.iter().all(known) && !scene.sliders.iter().any(slides);
-        return Ok(if stub { Role::Stub } else { Role::Member });
+        let is_stub = !link.points.is_empty() && link.points.iter().all(known) && !scene.sliders.iter().any(slides);
+        return Ok(if is_stub { Role::Stub } else { Role::Member });
     };
     let pivots: Vec<&String> = link.points.iter().filter(|p| scene.ground.contains(p)).collect();
     let [pivot] = pivots.as_slice() else {
@@ -41,27 +41,27 @@ pub(super) fn role(
     Ok(Role::Driver { pivot, angle: drive.angle_deg, omega: drive.omega, alpha: drive.alpha })
 }
 
-/// A drive of a scene that has to say where it stands.
+/// A drive of a scene, which gives its position unless the angle of another link does.
 struct Drive {
     /// Its path in the scene.
     path: [String; 3],
-    /// Whose drive it is: `link 1`, `slider 3`.
-    whose: String,
-    /// What says where it stands: `angle` or `position`.
+    /// What it drives, in words: `link 1`, `slider 3`.
+    driven: String,
+    /// The key of its position: `angle` or `position`.
     key: &'static str,
-    /// Whether it does say so.
-    stands: bool,
+    /// Whether the scene gives its position.
+    has_position: bool,
 }
 
-/// The drives of a scene, in file order: those that turn links, then those that push sliders.
+/// The drives of a scene: those that turn links in file order, then those that push sliders.
 fn drives(scene: &Scene) -> Vec<Drive> {
     let turning = scene.links.iter().filter_map(|(name, link)| {
         let drive = link.drive.as_ref()?;
         Some(Drive {
             path: ["links".to_owned(), name.clone(), "drive".to_owned()],
-            whose: format!("link {name}"),
+            driven: format!("link {name}"),
             key: "angle",
-            stands: drive.angle_deg.is_some(),
+            has_position: drive.angle_deg.is_some(),
         })
     });
     let pushing = scene.sliders.iter().enumerate().filter_map(|(index, s)| {
@@ -69,26 +69,28 @@ fn drives(scene: &Scene) -> Vec<Drive> {
         let sliding = s.link.as_ref().or(s.pin.as_ref());
         Some(Drive {
             path: ["sliders".to_owned(), index.to_string(), "drive".to_owned()],
-            whose: format!("slider {}", sliding.map_or("", String::as_str)),
+            driven: format!("slider {}", sliding.map_or("", String::as_str)),
             key: "position",
-            stands: drive.position.is_some(),
+            has_position: drive.position.is_some(),
         })
     });
     turning.chain(pushing).collect()
 }
 
-/// The link whose `angle` stands in place of that of a drive, if there is one, and that angle in degrees.
+/// The link whose `angle` is given in place of the position of a drive, and that angle from +x in degrees; `None` if
+/// every drive has its position, and in a drawn configuration.
 ///
 /// # Errors
-/// Unless every drive says where it stands and no link gives an angle, or all drives but one do and just one link does.
-pub(super) fn angle_in_place(scene: &Scene) -> Result<Option<(&str, f64)>, StructureError> {
+/// Several links give an angle; one does though every drive has its position; or more drives lack theirs than links
+/// give an angle.
+pub(super) fn link_angle_for_drive(scene: &Scene) -> Result<Option<(&str, f64)>, StructureError> {
     if scene.given_by == GivenBy::Drawing {
         return Ok(None);
     }
     let refuse =
         |path: &[&str], message: String, hint: &str| Err(scene.error_at(path, message, Some(hint.into())).into());
     let drives = drives(scene);
-    let mut open = drives.iter().filter(|d| !d.stands);
+    let mut open = drives.iter().filter(|d| !d.has_position);
     let mut angles = scene.links.iter().filter_map(|(name, link)| Some((name.as_str(), link.angle_deg?)));
     let (given, second) = (angles.next(), angles.next());
     if let (Some((first, _)), Some((second, _))) = (given, second) {
@@ -110,7 +112,7 @@ pub(super) fn angle_in_place(scene: &Scene) -> Result<Option<(&str, f64)>, Struc
                 [only] => (
                     format!(
                         "link {link} gives an angle, but the drive of {} gives its {} already",
-                        only.whose, only.key
+                        only.driven, only.key
                     ),
                     "keep one of them; an approximate angle stands in `near`",
                 ),
@@ -124,13 +126,13 @@ pub(super) fn angle_in_place(scene: &Scene) -> Result<Option<(&str, f64)>, Struc
         (Some((link, _)), Some(first), Some(second)) => {
             let message = format!(
                 "the drives of {} and {} do not say where they stand; the angle of link {link} stands in place of one only",
-                first.whose, second.whose
+                first.driven, second.driven
             );
             let hint = format!("add \"{}\" to one of them", second.key);
             refuse(&second.path.each_ref().map(String::as_str), message, &hint)
         }
         (None, Some(drive), _) => {
-            let message = format!("the drive of {} gives no `{}`", drive.whose, drive.key);
+            let message = format!("the drive of {} gives no `{}`", drive.driven, drive.key);
             let hint = match drive.key {
                 "angle" => {
                     "add \"angle\": degrees from +x to the link's axis; or give another link's `angle` in its place"
@@ -144,27 +146,28 @@ pub(super) fn angle_in_place(scene: &Scene) -> Result<Option<(&str, f64)>, Struc
     }
 }
 
-/// Where the given angles and positions put points: those of a link about a ground point, the pushed point of a slider on the ground.
-pub(super) fn driven_places(scene: &Scene) -> IndexMap<&str, Point> {
+/// The places of points that given angles and positions determine, in the fixed frame: those of a link with a ground
+/// point and a given angle, and the pushed point of a slider on the ground.
+pub(super) fn places_from_drives(scene: &Scene) -> IndexMap<&str, Point> {
     let ground = |name: &str| scene.coordinates.get(name).map(|&p| Point::from(p));
     let mut places = IndexMap::new();
     for link in scene.links.values() {
         let angle = link.drive.as_ref().and_then(|drive| drive.angle_deg);
-        let Some(turn) = angle.or(link.angle_deg).map(direction_of_degrees) else {
+        let Some(axis) = angle.or(link.angle_deg).map(direction_of_degrees) else {
             continue;
         };
-        // Of a triangle whose hand is open only the axis is sure.
-        let (mut local, unsettled) = local_points(link, |_| None);
-        if unsettled {
+        // If the side of a triangle's third point is open, only the points of the axis are determined.
+        let (mut local, is_ambiguous) = local_points(link, |_| None);
+        if is_ambiguous {
             local.truncate(2);
         }
-        let own = || link.points.iter().zip(&local);
-        let Some((pivot, center)) = own().find_map(|(p, at)| Some((ground(p)?, *at))) else {
+        let points = || link.points.iter().zip(&local);
+        let Some((pivot, center)) = points().find_map(|(p, at)| Some((ground(p)?, *at))) else {
             continue;
         };
-        for (name, at) in own() {
+        for (name, at) in points() {
             let arm = at - center;
-            let turned = Vector::new(turn.x * arm.x - turn.y * arm.y, turn.y * arm.x + turn.x * arm.y);
+            let turned = Vector::new(axis.x * arm.x - axis.y * arm.y, axis.y * arm.x + axis.x * arm.y);
             places.insert(name.as_str(), pivot + turned);
         }
     }

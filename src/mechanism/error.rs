@@ -1,23 +1,23 @@
 use super::{BodyId, Mechanism};
 use crate::scene::{Scene, SceneError};
 
-/// Why a scene is no mechanism that can be solved.
+/// Why a scene is no mechanism, or one that cannot be solved.
 #[derive(Debug, thiserror::Error)]
 pub enum StructureError {
-    /// Something in the scene does not fit together.
+    /// The scene contradicts itself, or has too few or too many constraints or drives.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// The group has prismatic joints in places where it never has a definite motion.
+    /// A group whose prismatic joints leave it without a definite motion in every position.
     #[error(
         "links {links} have no definite motion in any position: a group of class {class} with its prismatic joints as in {pattern} \
          is singular by its structure\n  try: make one of the prismatic joints revolute"
     )]
     Singular {
-        /// The group's links.
+        /// Names of the group's links.
         links: String,
         /// Its class.
         class: &'static str,
-        /// R or P for its joints.
+        /// Its joints in the order of [`Group::pattern`](super::Group::pattern), R revolute, P prismatic.
         pattern: String,
     },
 }
@@ -29,7 +29,7 @@ impl StructureError {
         scene.error_at(&["links"], message, Some(hint.into())).into()
     }
 
-    /// The links have too few or too many constraints; says which links, and how many drives or joints.
+    /// Links with `missing` free motions too many (`under`) and links with `surplus` constraints too many (`over`).
     pub(super) fn misfit(
         scene: &Scene,
         mechanism: &Mechanism,

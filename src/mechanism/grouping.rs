@@ -1,18 +1,19 @@
-//! Groups put together from their links and joints: class, loops, special points.
+//! Makes a group of its links and joints: class, loops, special points.
 
 use super::{BodyId, Carried, Class, Group, JointId, Leg, Loop, Mechanism, SpecialPoint};
 use std::collections::VecDeque;
 
-/// The group that `links`, leads of compound links or links by themselves, form with `joints`; other bodies count as known.
+/// The group that `links`, of compound links the leads, form with `joints`; all other bodies count as known.
 pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId]) -> Group {
     let holding: Vec<JointId> = joints.iter().copied().filter(|&j| mechanism.joint(j).holds_places()).collect();
     let builder = Builder { mechanism, links, joints: &holding };
     let loops = builder.loops();
     let outer = |b: &&BodyId| builder.outer(**b).is_some();
     let hanging = links.iter().filter(outer).count();
-    // Three bars pinned to a triangle are rigid: among four links they make another shape, with a loop of their own.
+    // Three bars pinned to a triangle are rigid. As part of four links they give a loop of another length, and no class
+    // III or IV.
     let three_links_each = loops.iter().all(|l| l.bodies.len() == 5);
-    // Classes are told by links and joints of two constraints.
+    // Classes II to IV are defined for joints of two constraints.
     let is_plain = joints.iter().all(|&j| mechanism.joint(j).constraints() == 2);
     let class = match (links.len(), hanging) {
         (2, _) if is_plain => Class::Second,
@@ -34,25 +35,25 @@ pub(super) fn group(mechanism: &Mechanism, links: &[BodyId], joints: &[JointId])
 struct Builder<'a> {
     mechanism: &'a Mechanism,
     links: &'a [BodyId],
-    /// Those of the group's joints that hold places.
+    /// The joints of the group that constrain places: pins and sliders.
     joints: &'a [JointId],
 }
 
 impl Builder<'_> {
-    fn known(&self, body: BodyId) -> bool {
+    fn is_known(&self, body: BodyId) -> bool {
         !self.links.contains(&body)
     }
 
-    /// The bodies that a joint joins: of the group's compound links the leads.
+    /// The bodies that a joint joins; for compound links of the group the leads.
     fn ends(&self, joint: JointId) -> [BodyId; 2] {
         let bodies = self.mechanism.joint(joint).bodies;
         bodies.map(|body| {
             let lead = self.mechanism.lead(body);
-            if self.known(lead) { body } else { lead }
+            if self.is_known(lead) { body } else { lead }
         })
     }
 
-    /// The body on the other side of `link`, if the joint is one of its.
+    /// The body at the other end of the joint from `link`; `None` if the joint does not touch `link`.
     fn other(&self, joint: JointId, link: BodyId) -> Option<BodyId> {
         match self.ends(joint) {
             [a, b] if a == link => Some(b),
@@ -64,14 +65,15 @@ impl Builder<'_> {
     /// The first joint by which a link hangs on a known body, and that body.
     fn outer(&self, link: BodyId) -> Option<(JointId, BodyId)> {
         self.joints.iter().find_map(|&j| {
-            let other = self.other(j, link).filter(|b| self.known(*b));
+            let other = self.other(j, link).filter(|b| self.is_known(*b));
             Some((j, other?))
         })
     }
 
-    /// The loops: a spanning tree grown from the known bodies, and for each joint outside it the two ways back.
+    /// The loops: for each joint outside a spanning tree that grows from the known bodies, the two branches from that
+    /// joint back to known bodies.
     fn loops(&self) -> Vec<Loop> {
-        // For each link how the tree reaches it: over which joint, from which body.
+        // Each link in the order in which the tree reaches it, the joint over which and the body from which.
         let mut reached: Vec<(BodyId, JointId, BodyId)> = Vec::new();
         let mut used: Vec<JointId> = Vec::new();
         let mut queue: VecDeque<BodyId> = VecDeque::new();
@@ -87,14 +89,14 @@ impl Builder<'_> {
                 let Some(other) = self.other(j, body) else {
                     continue;
                 };
-                if !self.known(other) && !reached.iter().any(|r| r.0 == other) {
+                if !self.is_known(other) && !reached.iter().any(|r| r.0 == other) {
                     reached.push((other, j, body));
                     used.push(j);
                     queue.push_back(other);
                 }
             }
         }
-        let way = |mut body: BodyId| {
+        let branch = |mut body: BodyId| {
             let mut bodies = vec![body];
             let mut joints = Vec::new();
             while let Some((_, joint, from)) = reached.iter().find(|r| r.0 == body) {
@@ -107,20 +109,20 @@ impl Builder<'_> {
         let outside = self.joints.iter().filter(|j| !used.contains(j));
         let mut loops: Vec<Loop> = outside
             .map(|&j| {
-                let [a, b] = self.ends(j).map(way);
-                // Start on the side whose first link the tree reached first.
+                let [a, b] = self.ends(j).map(branch);
+                // The loop starts with the branch whose first link the tree reached first.
                 let root = |(bodies, _): &(Vec<BodyId>, Vec<JointId>)| {
                     let root = bodies.iter().rev().nth(1);
                     reached.iter().position(|r| Some(&r.0) == root)
                 };
                 let (a, b) = if root(&a) <= root(&b) { (a, b) } else { (b, a) };
-                joined(a, j, b)
+                closed_by(a, j, b)
             })
             .collect();
-        // In the order in which the inner links stand in the scene; a loop that closes on a link of the group after those that lead to
-        // that link.
+        // Ordered by the inner links as in the scene; a closed contour comes after the loops that lead to its first
+        // link.
         loops.sort_by_key(|l| {
-            let inner = l.bodies.iter().filter(|b| self.outer(**b).is_none() && !self.known(**b));
+            let inner = l.bodies.iter().filter(|b| self.outer(**b).is_none() && !self.is_known(**b));
             let closes_on = reached.iter().position(|r| r.0 == l.bodies[0]);
             (closes_on, inner.min().copied())
         });
@@ -153,8 +155,8 @@ impl Builder<'_> {
         }
     }
 
-    /// The point by which a dyad's plan is drawn: its inner pin; at an inner slider the outer pin of one link, as a point of the
-    /// other. `None` with three sliders.
+    /// The point by which a dyad's plan is drawn: its inner pin; with an inner slider the point of one link that
+    /// coincides with the outer pin of the other. `None` with three sliders.
     fn dyad_point(&self, chain: &Loop) -> Option<SpecialPoint> {
         let mechanism = self.mechanism;
         let pin = |j: JointId| mechanism.joint(j).pin;
@@ -164,10 +166,9 @@ impl Builder<'_> {
         let [outer_a, inner, outer_b] = *chain.joints.as_slice() else {
             return None;
         };
-        // The link to which the point belongs hangs directly on its base; the other carries it.
+        // The link of the point hangs on its base directly; the other link is the carrying link of the second leg.
         let legs = |direct: (BodyId, JointId), base: BodyId, outer: JointId, carrier: BodyId| {
-            let (own_base, own_outer) = direct;
-            let direct = Leg { base: own_base, outer: own_outer, carried: None };
+            let direct = Leg { base: direct.0, outer: direct.1, carried: None };
             let carried = Some(Carried { carrier, inner });
             [direct, Leg { base, outer, carried }]
         };
@@ -179,16 +180,16 @@ impl Builder<'_> {
                 legs: legs((start, outer_a), end, outer_b, b),
             });
         }
-        // At a slider the sliding link's own pin is taken as a point of the other link, as one does with a crank pin in a slot; the
-        // other link's pin where the sliding link slides at both ends.
+        // With an inner slider the outer pin of the sliding link is taken, as with a crank pin in a slot; the outer pin
+        // of the guide's link if the sliding link slides at both ends.
         let slides = |link: BodyId| {
             mechanism.joint(inner).slider.is_some_and(|id| mechanism.lead(mechanism.slider(id).link) == link)
         };
-        let ways = [
+        let choices = [
             (pin(outer_b), a, legs((start, outer_a), end, outer_b, b), slides(b)),
             (pin(outer_a), b, legs((end, outer_b), start, outer_a, a), slides(a)),
         ];
-        let best = ways.iter().filter(|w| w.0.is_some()).max_by_key(|w| w.3)?;
+        let best = choices.iter().filter(|w| w.0.is_some()).max_by_key(|w| w.3)?;
         let (point, link) = (best.0?, mechanism.side(inner, best.1));
         Some(SpecialPoint {
             name: format!("{}_{}", mechanism.point_name(point), mechanism.body(link).name),
@@ -209,14 +210,14 @@ fn leg(chain: &Loop, from_end: bool) -> Leg {
     }
 }
 
-/// The loop made of two ways back to known bodies and the joint between their starts; the part that both ways share is left out.
-fn joined(
+/// The loop made of two branches and the joint between their ends. The part that both branches share is left out; then
+/// the loop is a closed contour.
+fn closed_by(
     (mut bodies, mut joints): (Vec<BodyId>, Vec<JointId>),
     joint: JointId,
     (mut others, mut other_joints): (Vec<BodyId>, Vec<JointId>),
 ) -> Loop {
     let mut closed = false;
-    // Both ways end in the same joints where they run together.
     while !joints.is_empty() && joints.last() == other_joints.last() {
         joints.pop();
         other_joints.pop();

@@ -3,70 +3,70 @@ use crate::geometry::{LinearSystem, Point, Vector, quarter_turn};
 use nalgebra::DMatrix;
 use smallvec::SmallVec;
 
-/// The loop equations of a group: which rates are unknown and which arms and slides each loop sums.
+/// The loop equations of a group: its unknown rates, and the arms and slides of each loop.
 ///
-/// With the revolute joints p_1 … p_m of a loop, arms r_k = p_(k+1) − p_k, J the quarter turn and u the unit
-/// guides signed in walking direction:
+/// With the revolute joints p_1 … p_m of a loop, arms r_k = p_(k+1) − p_k, J the rotation by +90° and u the unit
+/// directions of the guides, reversed where the loop runs from the sliding link to the guide:
 ///
 /// velocity:     Σ ω_k J r_k + Σ ṡ u = v_end(p_m) − v_start(p_1)
 /// acceleration: Σ α_k J r_k + Σ s̈ u = a_end(p_m) − a_start(p_1) + Σ ω_k² r_k − Σ 2 ω ṡ J u
 ///
-/// Both have the same matrix. A loop that closes on a link of the group has one arm more, back to p_1, and zero for the ends.
-/// The rates of driven sliders are known: their terms stand on the right.
-/// Joints that make links turn alike leave their class of links one angular rate. Any other tie of rotations is an equation
-/// of its own, after those of the loops: Σ weight ω = 0, and the same of α.
-/// Made once for a mechanism; positions come with each pose. The unknowns are the angular rates of classes of links that turn
-/// together, then the slide rates: two for each loop and one for each tie.
+/// Both have the same matrix. A closed contour has one arm more, from p_m back to p_1, and zero for the ends. The rates
+/// of driven sliders are known: their terms belong to the right sides.
+/// Links that joints make turn alike have one angular rate. Any other tie of rotations gives one further equation,
+/// after those of the loops: Σ weight ω = 0, and the same for α.
+/// The unknowns are the angular rates, then the slide rates, two for each loop and one for each such tie. The equations
+/// do not depend on the position.
 #[derive(Clone, Debug)]
 pub struct LoopEquations {
     /// One entry for each loop of the group.
     pub loops: Vec<LoopTerms>,
-    /// One entry for each joint that ties rotations otherwise than alike.
+    /// One entry for each joint that ties rotations otherwise than alike, with the rotations and their weights.
     pub ties: Vec<TieTerms>,
-    /// How many rates are unknown.
+    /// The number of unknown rates.
     pub unknowns: usize,
-    /// Where two equations for two rates can be split off: which ones.
+    /// How two equations for two rates are split off; `None` where they cannot be.
     pub reduction: Option<Reduction>,
     spins: Vec<(BodyId, Spin)>,
     slides: Vec<(SliderId, usize)>,
 }
 
-/// How the equations reduce to two for two rates.
+/// How the equations reduce to two equations for two rates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reduction {
-    /// One loop has only two unknowns.
+    /// One loop with two unknowns.
     OneLoop,
-    /// Two loops share two rates and have one of their own each.
+    /// Two loops that share two unknowns; each has one further unknown.
     TwoLoops {
-        /// The unknowns in both loops.
+        /// The unknowns of both loops.
         shared: [usize; 2],
-        /// The unknown in the first loop alone, and in the second alone.
+        /// The unknown of the first loop alone, and that of the second alone.
         own: [usize; 2],
     },
 }
 
-/// The rotation of a body: an unknown of the system, or that of a known body.
+/// The angular rate of a body: an unknown of the equations, or that of a known body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spin {
-    /// This unknown.
+    /// The unknown of this index.
     Unknown(usize),
-    /// The rotation of this body.
+    /// The angular rate of this body.
     Known(BodyId),
 }
 
-/// The rate of a slider: an unknown of the system, or what its drive says.
+/// The rate of a slider: an unknown of the equations, or given by its drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SlideRate {
-    /// This unknown.
+    /// The unknown of this index.
     Unknown(usize),
-    /// Driven: speed and acceleration along the guide.
+    /// Velocity and acceleration along the guide, in the scene's units.
     Driven([f64; 2]),
 }
 
-/// What one loop sums.
+/// The terms of a loop.
 #[derive(Clone, Debug)]
 pub struct LoopTerms {
-    /// The known bodies where it starts and ends; none for a loop that closes on a link of the group.
+    /// The known bodies where it starts and ends; `None` for a closed contour.
     pub ends: Option<[BodyId; 2]>,
     /// Its first revolute joint p_1.
     pub first: PointId,
@@ -74,7 +74,7 @@ pub struct LoopTerms {
     pub last: PointId,
     /// The arms between successive revolute joints.
     pub arms: Vec<Arm>,
-    /// The prismatic joints, and the driven sliders within compound links.
+    /// Its prismatic joints, and the driven sliders within its compound links.
     pub slides: Vec<Slide>,
 }
 
@@ -85,7 +85,7 @@ pub struct Arm {
     pub from: PointId,
     /// The revolute joint p_(k+1).
     pub to: PointId,
-    /// The rotation of the links that make up the arm.
+    /// The angular rate of the arm.
     pub spin: Spin,
 }
 
@@ -96,18 +96,18 @@ pub struct Slide {
     pub slider: SliderId,
     /// Its rate.
     pub rate: SlideRate,
-    /// +1 where the loop walks from the guide to the sliding link, −1 the other way.
+    /// +1 where the loop runs from the guide to the sliding link, −1 from the sliding link to the guide.
     pub sign: f64,
-    /// The rotation of its guide.
+    /// The angular rate of its guide.
     pub spin: Spin,
 }
 
-/// What a tie sums: rotations, each with its weight.
+/// The terms of a tie: angular rates with their weights.
 pub type TieTerms = SmallVec<[(Spin, f64); 3]>;
 
 impl LoopTerms {
-    /// Adds the columns of this loop's two equations, one for each unknown, where the points and the guides' unit directions are
-    /// these.
+    /// Adds this loop's coefficients to the columns of the unknowns, where the points are at `points` and the guides
+    /// have the unit directions `guides`, both in the fixed frame.
     #[inline]
     pub fn add_columns(&self, points: &[Point], guides: &[Vector], columns: &mut [Vector]) {
         for arm in &self.arms {
@@ -122,7 +122,7 @@ impl LoopTerms {
         }
     }
 
-    fn has(&self, unknown: usize) -> bool {
+    fn has_unknown(&self, unknown: usize) -> bool {
         let arms = self.arms.iter().any(|a| a.spin == Spin::Unknown(unknown));
         let rate = SlideRate::Unknown(unknown);
         arms || self.slides.iter().any(|s| s.rate == rate)
@@ -152,14 +152,16 @@ impl LoopEquations {
         Self { reduction: reduction(&loops, unknowns), loops, ties: ties.collect(), unknowns, spins, slides }
     }
 
-    /// The unknown that is the slide rate of `slider`; `None` for one of another group and for a driven one.
+    /// The index of the unknown that is the rate of `slider`; `None` for a slider of another group and for a driven
+    /// one.
     #[must_use]
     pub fn slide_unknown(&self, slider: SliderId) -> Option<usize> {
         let found = self.slides.iter().find(|(s, _)| *s == slider);
         found.map(|(_, unknown)| *unknown)
     }
 
-    /// The unknown that is the angular rate of `link`; `None` where it turns as a known body does.
+    /// The index of the unknown that is the angular rate of `link`; `None` if `link` turns as a known body does, or is
+    /// none of the group.
     #[must_use]
     pub fn spin_unknown(&self, link: BodyId) -> Option<usize> {
         match self.spins.iter().find(|(b, _)| *b == link)?.1 {
@@ -168,13 +170,13 @@ impl LoopEquations {
         }
     }
 
-    /// The rotation of `link`: an unknown, or that of the known body as which it turns.
+    /// The angular rate of `link`: an unknown, or that of the known body with which it turns.
     #[must_use]
     pub fn spin_of(&self, link: BodyId) -> Spin {
         spin_of(&self.spins, link)
     }
 
-    /// A link whose angular rate is this unknown; `None` for a slide rate.
+    /// The first link whose angular rate is this unknown; `None` for a slide rate.
     #[must_use]
     pub fn link_of(&self, unknown: usize) -> Option<BodyId> {
         let mut spins = self.spins.iter();
@@ -182,7 +184,7 @@ impl LoopEquations {
         Some(found.0)
     }
 
-    /// The value of `link`'s angular rate, given the unknowns and the known bodies' rates.
+    /// The value of `link`'s angular rate, where `x` are the unknowns and `known` gives the rates of known bodies.
     #[must_use]
     pub fn spin(&self, link: BodyId, x: &[f64], known: impl Fn(BodyId) -> f64) -> f64 {
         match spin_of(&self.spins, link) {
@@ -191,12 +193,12 @@ impl LoopEquations {
         }
     }
 
-    /// How many equations there are.
+    /// The number of equations.
     fn count(&self) -> usize {
         2 * self.loops.len() + self.ties.len()
     }
 
-    /// The matrix where the points and the guides' unit directions are these.
+    /// The matrix for these places of the points and unit directions of the guides, in the fixed frame.
     #[must_use]
     pub fn matrix(&self, points: &[Point], guides: &[Vector]) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.count(), self.unknowns);
@@ -218,7 +220,7 @@ impl LoopEquations {
         matrix
     }
 
-    /// The factored matrix there; `None` where it is exactly singular, or not square as in a group singular by structure.
+    /// That matrix, factored; `None` if it is exactly singular, or not square as in a group singular by structure.
     #[must_use]
     pub fn factored(&self, points: &[Point], guides: &[Vector]) -> Option<LinearSystem> {
         let square = self.count() == self.unknowns;
@@ -231,7 +233,7 @@ fn spin_of(spins: &[(BodyId, Spin)], body: BodyId) -> Spin {
     found.map_or(Spin::Known(body), |(_, spin)| *spin)
 }
 
-/// What a loop sums; new slide rates are numbered after the unknowns so far.
+/// The terms of a loop; new slide rates get the indices from `unknowns` on.
 fn terms(
     mechanism: &Mechanism,
     chain: &Loop,
@@ -250,7 +252,7 @@ fn terms(
             spin,
         })
     };
-    // By which of a compound link's links the loop has entered it; it may leave by another.
+    // The link of a compound link on which the loop enters it; it may leave by another one.
     let mut entered = None;
     for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
         let spin = spin_of(spins, sides[0]);
@@ -281,7 +283,7 @@ fn terms(
             });
         }
     }
-    // A loop without a revolute joint has a group singular by structure; any point will do.
+    // A group with a loop without revolute joints is singular by structure, so any point serves.
     let first = pins.first().copied();
     let first = first.unwrap_or_else(|| mechanism.joint_point(chain.joints[0]));
     let last = pins.last().copied().unwrap_or(first);
@@ -297,23 +299,24 @@ fn terms(
     LoopTerms { ends: (!chain.closed).then_some(ends), first, last, arms, slides: sliding }
 }
 
-/// What the drive says of the rate of a driven slider.
+/// The given rate of a driven slider; zero without a drive.
 fn driven_rate(mechanism: &Mechanism, slider: SliderId) -> SlideRate {
     let drive = mechanism.slider(slider).drive;
     SlideRate::Driven(drive.map_or([0.0; 2], |drive| [drive.speed, drive.acceleration]))
 }
 
-/// How the unknowns split; `None` where a closure link has two sliders, and for higher classes.
+/// How the unknowns split; `None` for a closure link with two sliders, and for higher classes.
 fn reduction(loops: &[LoopTerms], unknowns: usize) -> Option<Reduction> {
     match loops {
         [_] if unknowns == 2 => Some(Reduction::OneLoop),
         [first, second] if unknowns == 4 => {
-            let of = |a: bool, b: bool| -> Vec<usize> {
-                let wanted = |u: &usize| first.has(*u) == a && second.has(*u) == b;
-                (0..unknowns).filter(wanted).collect()
+            let unknowns_in = |in_first: bool, in_second: bool| -> Vec<usize> {
+                let is_there = |u: &usize| first.has_unknown(*u) == in_first && second.has_unknown(*u) == in_second;
+                (0..unknowns).filter(is_there).collect()
             };
-            let (shared, own, other) = (of(true, true), of(true, false), of(false, true));
-            match (shared.as_slice(), own.as_slice(), other.as_slice()) {
+            let (shared, of_first, of_second) =
+                (unknowns_in(true, true), unknowns_in(true, false), unknowns_in(false, true));
+            match (shared.as_slice(), of_first.as_slice(), of_second.as_slice()) {
                 (&[a, b], &[c], &[d]) => Some(Reduction::TwoLoops { shared: [a, b], own: [c, d] }),
                 _ => None,
             }
@@ -322,7 +325,7 @@ fn reduction(loops: &[LoopTerms], unknowns: usize) -> Option<Reduction> {
     }
 }
 
-/// The spin of every link of the group: links that joints make turn alike have one.
+/// The angular rate of every link of the group; links that joints make turn alike share one.
 fn spins(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, Spin)> {
     let mut classes: Vec<Vec<BodyId>> = group.links.iter().map(|&lead| mechanism.compound(lead)).collect();
     for &joint in &group.joints {
@@ -343,11 +346,11 @@ fn spins(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, Spin)> {
     let mut spins = Vec::new();
     let mut unknowns = 0;
     for class in classes {
-        let own = |b: &BodyId| group.bodies.contains(b);
-        let anchor = class.iter().find(|b| !own(b));
+        let is_unknown = |b: &BodyId| group.bodies.contains(b);
+        let anchor = class.iter().find(|b| !is_unknown(b));
         let spin = anchor.map_or(Spin::Unknown(unknowns), |&body| Spin::Known(body));
         unknowns += usize::from(anchor.is_none());
-        let links = class.into_iter().filter(own);
+        let links = class.into_iter().filter(is_unknown);
         spins.extend(links.map(|link| (link, spin)));
     }
     spins

@@ -1,6 +1,6 @@
-//! In: a checked [`Scene`](crate::scene::Scene). Out: a [`Mechanism`]: bodies, joints and Assur groups in solving order.
-//! Names have become indices, shared points have become revolute joints, lengths have become local coordinates.
-//! No position is computed here: a mechanism is the same at every crank angle.
+//! In: a checked [`Scene`](crate::scene::Scene). Out: a [`Mechanism`]: bodies, joints and Assur groups in solving
+//! order. Names have become indices, shared points revolute joints, lengths local coordinates. No position is computed
+//! here: a mechanism is the same in every position.
 
 mod build;
 mod compound;
@@ -42,85 +42,92 @@ pub struct JointId(pub usize);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct SliderId(pub usize);
 
-/// A scene taken apart: what hangs on what, and in which order it can be solved.
+/// The bodies and joints of a scene, and its Assur groups in solving order.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    /// Whether positions come from lengths or stand in the scene.
+    /// Whether positions are found from lengths or given by a drawing.
     pub given_by: GivenBy,
     /// Names of the points, in order of appearance.
     pub points: Vec<String>,
-    /// The places that the scene gives, by point: the frame's, or all of them in a drawn configuration.
+    /// The given coordinates of each point in the fixed frame: of the frame's points, or of all points in a drawn
+    /// configuration.
     pub given: Vec<Option<Point>>,
-    /// The ground first, then the links in scene order, a carrier for each point of known motion, a block for each pin in a slot.
+    /// The ground first, then the links in scene order, a carrier for each point of given motion, a block for each pin
+    /// in a slot.
     pub bodies: Vec<Body>,
     /// The sliders, in scene order.
     pub sliders: Vec<Slider>,
-    /// The joints between bodies; a pin through n bodies is n − 1 of them.
+    /// The joints between bodies; a pin through n bodies counts as n − 1 joints.
     pub joints: Vec<Joint>,
     /// The Assur groups in the order in which they can be solved.
     pub groups: Vec<Group>,
-    /// How positions are found where a link's angle is given in place of that of a drive; none where every drive says where it stands.
+    /// How positions are found where a link's angle is given in place of a drive's position; `None` if every drive has
+    /// its position.
     pub placing: Option<Box<Placing>>,
-    /// What the reader of the scene should hear of, though it does not stop the work.
+    /// Remarks for the author of the scene that do not stop the computation.
     pub warnings: Vec<String>,
 }
 
-/// A mechanism held by the angle of a link in place of a drive: the same positions, reached from another side.
+/// The mechanism with the given angle of a link in place of a drive. It has the same positions, but is solved from that
+/// link.
 #[derive(Clone, Debug)]
 pub struct Placing {
     /// The link whose angle is given.
     pub link: BodyId,
-    /// Degrees from +x to its axis.
+    /// Angle of its axis from +x, in degrees.
     pub angle: f64,
-    /// The mechanism with that drive's link a member of a group. Bodies, points and sliders keep their indices; a carriage without
-    /// a name comes last, with two sliders, which leave the link every place but only this angle.
+    /// The mechanism in which the drive's link is a member of a group. Bodies, points and sliders keep their indices.
+    /// Last comes a carriage without a name on two sliders, which leave the given link every place but only this angle.
     pub mechanism: Mechanism,
 }
 
-/// The body that does not move; always the first.
+/// The fixed body; always the first.
 pub const GROUND: BodyId = BodyId(0);
 
-/// The ground, a link, or the unnamed carrier of a point whose motion is known.
+/// The ground, a link, a block, or the carrier of a point of given motion.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// The link's name; `"ground"`; for a carrier or a block the name of its point; empty for the carriage of a [`Placing`].
+    /// The link's name; `"ground"`; for a carrier or a block the name of its point; empty for the carriage of a
+    /// [`Placing`].
     pub name: String,
-    /// Its points in scene order; the axis runs from the first to the second.
+    /// Its points in scene order; its axis runs from the first to the second.
     pub points: Vec<PointId>,
-    /// Coordinates of `points` in the link's own frame (origin and x axis: its axis); empty in a drawn configuration.
+    /// Coordinates of `points` in the body's own frame: origin in the first point, x along the axis, unless the scene
+    /// gives a shape. Empty in a drawn configuration.
     pub local: Vec<Point>,
-    /// What makes it move.
+    /// Where its motion comes from.
     pub role: Role,
-    /// Whether it is the block, without a name or size, of a pin that rides in a slot, or a carriage.
+    /// Whether it is the block of a pin in a slot, without a size, or the carriage of a [`Placing`].
     pub block: bool,
 }
 
 /// Where a body's motion comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Role {
-    /// It does not move.
+    /// The fixed body.
     Ground,
-    /// It turns about a point of the ground as the scene says. Angles in degrees, rates in rad per unit of time.
+    /// A driven link, which turns about a point of the ground. Angles in degrees, rates in rad per unit of time.
     Driver {
-        /// The ground point it turns about.
+        /// The ground point about which it turns.
         pivot: PointId,
-        /// Angle of its axis from +x in degrees; none in a drawn configuration and where another link's angle is given in its place.
+        /// Angle of its axis from +x in degrees; `None` in a drawn configuration and where another link's angle is
+        /// given.
         angle: Option<f64>,
         /// Angular velocity.
         omega: f64,
         /// Angular acceleration.
         alpha: f64,
     },
-    /// A driven slider joins it to another body: it turns as that one does and slides against it as the scene says.
+    /// A body that a driven slider joins to another one: it turns as that body does, and slides against it as given.
     Pushed {
-        /// The driven slider, of which it is the sliding link or the guide's body.
+        /// The driven slider; the body is its sliding link or carries its guide.
         slider: SliderId,
         /// The other body.
         from: BodyId,
     },
-    /// Its whole motion is given: that of one of its places, and its rotation.
+    /// A link of given motion, by that of one of its places and its rotation.
     Moving {
-        /// The place whose motion is given.
+        /// The place whose motion is given, in the fixed frame.
         at: Point,
         /// Velocity there.
         velocity: Vector,
@@ -131,21 +138,22 @@ pub enum Role {
         /// Angular acceleration.
         alpha: f64,
     },
-    /// It carries one point whose motion is given; how it turns is neither known nor asked.
+    /// The carrier of a point of given motion; its rotation is not defined.
     Carrier {
         /// Velocity of the point.
         velocity: Vector,
         /// Acceleration of the point.
         acceleration: Vector,
     },
-    /// A link of the neighbouring mechanism, shown but not solved: it ends at a point of known motion.
+    /// A link with points of given motion only, as one that drives the mechanism from outside: shown but not solved.
     Stub,
-    /// A link of an Assur group: its motion is what is looked for.
+    /// A link of an Assur group, whose motion is unknown.
     Member,
 }
 
 impl Mechanism {
-    /// The mechanism by which positions are found: itself, unless a link's angle is given in place of that of a drive.
+    /// The mechanism by which positions are found: itself, unless a link's angle is given in place of a drive's
+    /// position.
     #[must_use]
     pub fn for_positions(&self) -> &Mechanism {
         self.placing.as_ref().map_or(self, |p| &p.mechanism)
@@ -163,7 +171,8 @@ impl Mechanism {
         &self.points[id.0]
     }
 
-    /// Names of the drives: turned links first, then pushed ones: by link on the ground, by slider on a moving link, as in `3/2`.
+    /// Names of the drives: driven links by their names, then driven sliders: on the ground by the sliding link, on a
+    /// moving link as `3/2`.
     #[must_use]
     pub fn drive_names(&self) -> Vec<String> {
         let turned = self.bodies.iter();
@@ -196,7 +205,7 @@ impl Mechanism {
             .filter(|(_, b)| b.role != Role::Ground && !b.is_nameless())
     }
 
-    /// The points of group links that no known body holds: those whose places have to be found.
+    /// The points of group links that are on no body of known motion: those whose places have to be found.
     #[must_use]
     pub fn inner_points(&self) -> Vec<PointId> {
         let holds = |p: &PointId, known: bool| {
@@ -209,13 +218,14 @@ impl Mechanism {
 }
 
 impl Body {
-    /// Whether it is no link of the scene and not the ground.
+    /// Whether it is a carrier, a block or a carriage: neither the ground nor a link of the scene.
     #[must_use]
     pub fn is_nameless(&self) -> bool {
         self.block || matches!(self.role, Role::Carrier { .. })
     }
 
-    /// The local coordinates of one of its points; `None` in a drawn configuration or for a foreign point.
+    /// The coordinates of one of its points in its own frame; `None` in a drawn configuration, and for a point of other
+    /// bodies.
     #[must_use]
     pub fn local_of(&self, point: PointId) -> Option<Point> {
         let index = self.points.iter().position(|&p| p == point)?;

@@ -4,14 +4,15 @@ use super::{Body, BodyId, GROUND, Guide, Mechanism, Placing, Role, Slider, Struc
 use crate::geometry::{Point, Vector};
 use crate::scene::Scene;
 
-/// How positions are found where `link` stands at `angle` degrees and one drive does not say where it stands.
+/// How positions are found where `link` is at `angle` degrees from +x and one drive has no position.
 ///
-/// That drive lets go of its link, and a carriage without mass or size holds the given link at its angle: it slides along y of the
-/// ground, and the link along x of it. So the same groups, loops and assembly modes serve as for a drive. `mechanism` has its bodies
-/// and sliders, but not yet its compound links and pins.
+/// That drive is removed, and a carriage without mass or size holds the given link at its angle: the carriage slides
+/// along y of the ground, and the link along x of the carriage. So the same groups, loops and assembly modes serve as
+/// for a drive. `mechanism` has its bodies and sliders, but neither compound links nor pins yet.
 ///
 /// # Errors
-/// Where the angle does not change with the drive: one part of the mechanism is then held twice, another not at all.
+/// The angle does not depend on the drive: one part of the mechanism then has a constraint too many, another one too
+/// few.
 pub(super) fn placing(
     scene: &Scene,
     mut mechanism: Mechanism,
@@ -28,7 +29,7 @@ pub(super) fn placing(
     }
     mechanism.join_driven();
     let held = mechanism.link(link).expect("it is a link of the scene");
-    hold(&mut mechanism, held, angle);
+    add_carriage(&mut mechanism, held, angle);
     add_pins(&mut mechanism);
     mechanism.groups = groups(scene, &mechanism).map_err(|_| {
         let message = format!(
@@ -41,8 +42,8 @@ pub(super) fn placing(
     Ok(Placing { link: held, angle, mechanism })
 }
 
-/// Adds the carriage on which `link` keeps its angle.
-fn hold(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
+/// Adds the carriage on which `link` keeps its angle, in degrees from +x.
+fn add_carriage(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     let carriage = BodyId(mechanism.bodies.len());
     mechanism.bodies.push(Body {
         name: String::new(),
@@ -51,12 +52,12 @@ fn hold(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
         role: Role::Member,
         block: true,
     });
-    // Both sliders are followed at the link's first point: only where they count from depends on it.
+    // Both sliders hold the link's first point; the choice only changes the zero of their positions.
     let points = &mechanism.body(link).points;
     let at = *points.first().expect("a link given by lengths has a point");
-    // Positions count from a place of the ground, so that a far origin costs no digits.
+    // Positions count from a point of the ground, so that no digits are lost where the origin is far away.
     let ground = mechanism.body(GROUND).local.first().copied();
-    // The carriage keeps the angle of the ground: its guide, at 90°, and its axis are −90° apart.
+    // The carriage does not turn: from its guide, at 90°, to its axis are −90°.
     let slides = [(GROUND, carriage, ground, Vector::y(), -90.0), (carriage, link, None, Vector::x(), angle)];
     for (on, link, through, direction, turned) in slides {
         let through = through.unwrap_or_else(Point::origin);

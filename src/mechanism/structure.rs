@@ -1,18 +1,21 @@
-//! Which links can be solved together, and in which order: the Assur groups, found from the joints alone.
+//! The Assur groups, and the order in which they can be solved, found from links and joints alone.
 //!
-//! A link has three free motions, a joint supplies constraints: most kinds two. Each constraint is given to one of the two links it joins, three to
-//! a link at most; a link given a constraint depends on the link at the joint's other end. The strongly connected components of that
-//! dependence are the groups of L. V. Assur (1914), and they do not depend on which of the possible assignments was found
-//! (A. L. Dulmage, N. S. Mendelsohn, "Coverings of bipartite graphs", Canadian Journal of Mathematics 10, 1958).
+//! A link has three degrees of freedom; a joint supplies constraints, most kinds two. Each constraint is assigned to
+//! one of the two links it joins, three to a link at most; a link depends on the other links of the joints whose
+//! constraints it is assigned. The strongly connected components of that dependence are the groups of L. V. Assur
+//! (1914), and they are the same for every possible assignment (A. L. Dulmage, N. S. Mendelsohn, "Coverings of
+//! bipartite graphs", Canadian Journal of Mathematics 10, 1958).
 //!
-//! Three to a link is not enough: two links joined twice are rigid together with a constraint to spare, though three to each may still
-//! come out. Bodies joined in the plane are independent only if `n` of them share at most `3 n - 3` constraints (T.-S. Tay, "Rigidity of
-//! multi-graphs I", Journal of Combinatorial Theory B 36, 1984). So a constraint is taken only when its two ends have room for four,
-//! one more than a rigid body needs: the (3, 3) pebble game of A. Lee and I. Streinu, "Pebble game algorithms and sparse graphs",
-//! Discrete Mathematics 308, 2008. All bodies of known motion are one body in this count.
+//! Three constraints to a link are not enough: two links joined twice are rigid together with one constraint too many,
+//! though an assignment of three to each may exist. Constraints between bodies in the plane are independent only if any
+//! `n` bodies share at most `3 n - 3` of them (T.-S. Tay, "Rigidity of multi-graphs I", Journal of Combinatorial Theory
+//! B 36, 1984). So a constraint is taken only if four more could be assigned to its two ends, one more than a rigid
+//! body needs: the (3, 3) pebble game of A. Lee and I. Streinu, "Pebble game algorithms and sparse graphs", Discrete
+//! Mathematics 308, 2008. All bodies of known motion count as one body.
 //!
-//! The count speaks for general dimensions. Special ones (parallel slides, equal and parallel cranks) show only in the solving, and
-//! mechanisms that move only thanks to them are counted as over-constrained: a wedge between three slides, a double parallelogram.
+//! The count holds for general dimensions. Special ones (parallel slides, equal and parallel cranks) show only in the
+//! solving, and mechanisms that move only because of them count as over-constrained: a wedge between three slides, a
+//! double parallelogram.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
@@ -20,56 +23,58 @@ use std::collections::{BTreeSet, BinaryHeap};
 use petgraph::algo::kosaraju_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
 
-/// Free motions of a link in the plane.
+/// Degrees of freedom of a link in the plane.
 const MOTIONS: usize = 3;
 
-/// A joint as the structure sees it.
+/// A joint between two bodies, by its number of constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Edge {
-    /// How many constraints it supplies.
+    /// The number of constraints it supplies.
     pub constraints: usize,
-    /// The two bodies joined: the index of an unknown link, or `None` for a body whose motion is known (ground, drivers, given).
+    /// The two bodies joined: the index of a link of unknown motion, or `None` for a body of known motion.
     pub ends: [Option<usize>; 2],
 }
 
-/// What the unknown links make up.
+/// The groups that the links form, or why they form none.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Structure {
-    /// Assur groups, each after all those it hangs on; among groups ready at the same time, the one with the smallest link index first.
-    /// Every link is in exactly one.
+    /// Assur groups, each after all groups on which it hangs; of groups that can be solved at the same time, the one
+    /// with the smallest link index first. Every link is in exactly one group.
     Groups(Vec<Component>),
-    /// Some links have too few constraints, or too many, or some the one and some the other. Lists are in ascending order.
+    /// Some links have too few or too many constraints. Lists are in ascending order.
     Misfit {
-        /// Links that can still move.
+        /// Links that can move though all drives are given.
         under: Vec<usize>,
-        /// Free motions left: the drivers missing.
+        /// The number of degrees of freedom left, which is that of missing drives.
         missing: usize,
-        /// Links of the over-constrained part: each stands in a smallest set of links and joints with a constraint too many.
+        /// Links of the over-constrained part: each belongs to a smallest set of links and joints with a constraint too
+        /// many.
         over: Vec<usize>,
-        /// Constraints too many.
+        /// The number of constraints too many.
         surplus: usize,
     },
 }
 
-/// Links to be solved together, given the groups before: an Assur group, which has three constraints for each link.
+/// An Assur group: links that can be solved only together, given the groups before it. It has three constraints for
+/// each link.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Component {
     /// Indices of links, ascending.
     pub links: Vec<usize>,
-    /// Indices of the joints among these links, and from them to known bodies and earlier groups, ascending.
+    /// Indices of the joints among these links, and between them and known bodies or earlier groups, ascending.
     pub joints: Vec<usize>,
 }
 
-/// The Assur groups of `links` unknown links in an order in which they can be solved, or what keeps them from falling into groups.
+/// The Assur groups of `links` links of unknown motion in an order in which they can be solved, or why they form none.
 ///
-/// The order of `edges` and of the ends of an edge does not change the groups. An edge that constrains nothing unknown, between two
-/// known bodies or from a link to itself, is passed over and belongs to no group. Time grows at most with links times joints.
+/// The order of `edges` and of the ends of an edge does not change the groups. An edge between two known bodies or from
+/// a link to itself belongs to no group. The time grows at most with links times joints.
 ///
-/// A pin through three or more bodies is better written with every joint at a body known early: the structure does not see that joints
-/// share a pin, and may otherwise find one large group where two small ones would do.
+/// A pin through three or more bodies should be written as joints that all have one end at a body known early: the
+/// structure does not see that joints share a pin, and may otherwise find one large group in place of two small ones.
 ///
 /// # Panics
-/// When an edge names a link that is not below `links`.
+/// If an edge names a link that is not below `links`.
 pub fn structure(links: usize, edges: &[Edge]) -> Structure {
     let known = links;
     let mut assignment = Assignment::new(links);
@@ -101,29 +106,30 @@ pub fn structure(links: usize, edges: &[Edge]) -> Structure {
     Structure::Misfit { under: assignment.movable(links), missing, over: over.into_iter().collect(), surplus }
 }
 
-/// A constraint of `joint`, given to the body `to`; it refers to the motion of the body `from`.
+/// A constraint of `joint`, assigned to the body `to`, which therefore depends on the body `from`.
 struct Constraint {
     joint: usize,
     to: usize,
     from: usize,
 }
 
-/// Constraints given to bodies so that none has more than three. The last body stands for all known ones.
+/// Constraints assigned to bodies, three to each at most. The last body stands for all known bodies.
 struct Assignment {
     taken: Vec<Constraint>,
-    /// For each body, the constraints given to it, as indices into `taken`.
-    given: Vec<Vec<usize>>,
-    /// For each body, how many more it could be given: the free pebbles of Lee & Streinu.
+    /// For each body, the constraints assigned to it, as indices into `taken`.
+    assigned: Vec<Vec<usize>>,
+    /// For each body, the number of constraints that could still be assigned: the free pebbles of Lee & Streinu.
     room: Vec<usize>,
 }
 
 impl Assignment {
     fn new(links: usize) -> Self {
-        Self { taken: Vec::new(), given: vec![Vec::new(); links + 1], room: vec![MOTIONS; links + 1] }
+        Self { taken: Vec::new(), assigned: vec![Vec::new(); links + 1], room: vec![MOTIONS; links + 1] }
     }
 
-    /// Whether a constraint between `ends` is independent of those taken before; if so, it is taken. If not, all the room that `ends`
-    /// can reach has been brought to them, so that [`Self::reach`] from them is the smallest rigid set holding both (Lee & Streinu).
+    /// Takes a constraint between `ends` and returns true, if it is independent of those taken before. If it is not,
+    /// all free pebbles that `ends` can reach have been moved to them, so that [`Self::reach`] from `ends` is the
+    /// smallest rigid set with both (Lee & Streinu).
     fn take(&mut self, joint: usize, ends: [usize; 2]) -> bool {
         let [first, second] = ends;
         while self.room[first] + self.room[second] <= MOTIONS {
@@ -131,26 +137,27 @@ impl Assignment {
                 return false;
             }
         }
-        // At most three are at either end, so neither is without room.
+        // More than three are free at both ends and at most three at either, so each end has one.
         self.room[first] -= 1;
-        self.given[first].push(self.taken.len());
+        self.assigned[first].push(self.taken.len());
         self.taken.push(Constraint { joint, to: first, from: second });
         true
     }
 
-    /// Takes every constraint from `body`, which is possible for any one body: three motions of the whole always stay free.
+    /// Passes every constraint of `body` on to others. This is possible for any one body, as the whole keeps three
+    /// degrees of freedom.
     fn clear(&mut self, body: usize) {
         while self.make_room(body, body) {}
-        debug_assert!(self.given[body].is_empty(), "the whole keeps three free motions");
+        debug_assert!(self.assigned[body].is_empty(), "the whole keeps three free motions");
     }
 
-    /// Passes one constraint of `body` along an augmenting path to a body with room, leaving the room of `keep` alone.
-    /// False if there is no such path.
+    /// Passes one constraint of `body` along an augmenting path to a body with room, but not to `keep`. False if there
+    /// is no such path.
     fn make_room(&mut self, body: usize, keep: usize) -> bool {
         let mut arrived_by = vec![None; self.room.len()];
         let mut pending = vec![body];
         while let Some(here) = pending.pop() {
-            for &constraint in &self.given[here] {
+            for &constraint in &self.assigned[here] {
                 let next = self.taken[constraint].from;
                 if next == body || arrived_by[next].is_some() {
                     continue;
@@ -168,25 +175,25 @@ impl Assignment {
         false
     }
 
-    /// Turns every constraint on the path by which `end` was reached.
+    /// Reverses every constraint on the path by which `end` was reached.
     fn pass_back(&mut self, end: usize, arrived_by: &[Option<usize>]) {
         let mut here = end;
         while let Some(index) = arrived_by[here] {
             let constraint = &mut self.taken[index];
             let before = constraint.to;
             (constraint.to, constraint.from) = (here, before);
-            self.given[before].retain(|&other| other != index);
-            self.given[here].push(index);
+            self.assigned[before].retain(|&other| other != index);
+            self.assigned[here].push(index);
             here = before;
         }
     }
 
-    /// The bodies `starts` and all they depend on.
+    /// The bodies `starts` and all bodies on which they depend.
     fn reach(&self, starts: &[usize]) -> BTreeSet<usize> {
         let mut reached: BTreeSet<usize> = starts.iter().copied().collect();
         let mut pending = starts.to_vec();
         while let Some(here) = pending.pop() {
-            for &constraint in &self.given[here] {
+            for &constraint in &self.assigned[here] {
                 let next = self.taken[constraint].from;
                 if reached.insert(next) {
                     pending.push(next);
@@ -196,8 +203,8 @@ impl Assignment {
         reached
     }
 
-    /// The links with room and all that depend on them: the alternating paths of Dulmage & Mendelsohn. Holds once no constraint is
-    /// given to the known body.
+    /// The links with room and all that depend on them: the alternating paths of Dulmage & Mendelsohn. Requires that no
+    /// constraint is assigned to the known body.
     fn movable(&self, links: usize) -> Vec<usize> {
         let mut dependents = vec![Vec::new(); links + 1];
         for constraint in &self.taken {
@@ -217,7 +224,8 @@ impl Assignment {
     }
 }
 
-/// The strongly connected components of the dependence between links, in order of solving. Each link is given three constraints.
+/// The strongly connected components of the dependence between links, in solving order. Every link has three
+/// constraints.
 fn groups(links: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> {
     let known = links;
     let between_links = || taken.iter().filter(|constraint| constraint.from != known);
@@ -230,7 +238,7 @@ fn groups(links: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> 
         dependence.add_edge(NodeIndex::new(constraint.to), NodeIndex::new(constraint.from), ());
     }
 
-    // Kosaraju rather than Tarjan: petgraph's Tarjan recurses, and a long chain of groups could exhaust the stack.
+    // Kosaraju, not Tarjan: petgraph's Tarjan is recursive, and a long chain of groups could exhaust the stack.
     let mut components: Vec<Component> = kosaraju_scc(&dependence)
         .into_iter()
         .map(|nodes| {
@@ -239,7 +247,7 @@ fn groups(links: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> 
             Component { links, joints: Vec::new() }
         })
         .collect();
-    // By smallest link, so that a group's position is also its rank among those ready at the same time.
+    // By smallest link, so that a group's index is its rank among the groups that can be solved at the same time.
     components.sort_unstable_by_key(|component| component.links[0]);
 
     let mut group_of = vec![0; links];
@@ -252,7 +260,8 @@ fn groups(links: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> 
         components[group_of[constraint.to]].joints.push(constraint.joint);
     }
     for component in &mut components {
-        // A joint split between two links makes them depend on each other, so all its constraints are in one group.
+        // A joint with constraints assigned to both its links makes them depend on each other, so they are in one
+        // group.
         component.joints.sort_unstable();
         component.joints.dedup();
         debug_assert_eq!(

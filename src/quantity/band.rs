@@ -1,44 +1,45 @@
-//! What honest errors of a hand make of quantities.
+//! Bands of quantities: the scatter that honest errors of a hand drawing give them.
 
 use super::name::Asked;
 use super::reading::{Reading, Sense, Unread, read_by_hand};
 use super::value::Scales;
 use crate::construction::{Change, Construction, Disturbance, Sheet, SheetScales, Solution, Tolerance, Values};
 
-/// What honest hand drawings give for a quantity: its value, and how far they are from it.
+/// The value that a hand drawing gives for a quantity, and its scatter; in the quantity's unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
     /// The value without any error, as read from the drawing: a measured segment without its sign.
     pub value: f64,
-    /// At least 95 of 100 honest drawings give a value that is at most this far from `value`.
+    /// Half the width of the band: at least 95 of 100 honest drawings give a value that differs from `value` by at most
+    /// this.
     pub band: f64,
-    /// Whether errors are so large against the quantity that the band is only a rough one: crossings under small angles, vectors
-    /// hardly longer than the pencil's width.
+    /// Whether the band is only a rough one, because errors are large against the quantity: lines that cross under
+    /// small angles, vectors hardly longer than a pencil line is wide.
     pub is_rough: bool,
 }
 
 /// Half the width of a band in standard deviations.
 const DEVIATIONS: f64 = 2.1;
 
-/// Share of the standard deviation that the second-order part of the errors may reach before first order counts as rough.
+/// Largest second-order part of the error, in standard deviations, for which first order counts as sufficient.
 const SECOND_ORDER: f64 = 0.2;
 
-/// Pairs of drawings by which the second-order part is found.
+/// Pairs of drawings from which the second-order part is estimated.
 const DRAWINGS: u32 = 32;
 
 /// The bands of a scene's quantities as drawn by hand at given scales.
 #[derive(Clone, Debug)]
 pub struct Pencil {
-    /// How good the hand is.
+    /// The limits of the hand's errors.
     pub tolerance: Tolerance,
-    /// The scales at which it draws.
+    /// The scales of its sheets.
     pub scales: Scales,
-    /// What was asked for, with its band or why it has none.
+    /// The quantities asked for, each with its band, or why it has none.
     pub quantities: Vec<(Asked, Result<Band, Unread>)>,
 }
 
 impl Pencil {
-    /// The band of a quantity by its name; `None` where it has none.
+    /// The band of a quantity by its name; `None` if it has none or was not asked for.
     #[must_use]
     pub fn band(&self, name: &str) -> Option<Band> {
         let mut quantities = self.quantities.iter();
@@ -47,14 +48,15 @@ impl Pencil {
     }
 }
 
-/// The bands of the quantities `asked` for; or why one has none.
+/// The bands of the quantities `asked` for, or why one has none.
 ///
-/// Every act brings errors e_i of its own, independent of each other, which the later acts pass on. With limits t_i within which an
-/// error is equally likely, its standard deviation is t_i/√3 (JCGM 100:2008, 4.3.7), that of a quantity q to first order
-/// σ = √(Σ (∂q/∂e_i)² t_i²/3) (5.1.2), and the band is 2.1 σ: 96 % of a normal distribution. Here ∂q/∂e_i is the difference quotient over
-/// the whole tolerance, (q(t_i) − q(−t_i))/2t_i. What first order neglects is seen on pairs of drawings with all errors at once,
-/// once with each sign: the mean of both leaves the exact value by the second-order part. Where its root mean square exceeds σ/5, as
-/// under small angles of crossing, or where a distance may be nothing within its band, the band says that it is rough.
+/// Every operation brings errors e_i of its own, independent of each other, which the later operations pass on. An
+/// error that is equally likely within limits ±t_i has the standard deviation t_i/√3 (JCGM 100:2008, 4.3.7); that of a
+/// quantity q is to first order σ = √(Σ (∂q/∂e_i)² t_i²/3) (5.1.2), and the band is 2.1 σ: 96 % of a normal
+/// distribution. Here ∂q/∂e_i is the difference quotient over the whole tolerance, (q(t_i) − q(−t_i))/2t_i. The
+/// second-order part is estimated from pairs of drawings with all errors at once, of opposite sign in the two: it is
+/// the difference of the pair's mean from the exact value. The band is rough if the root mean square of that part
+/// exceeds σ/5, as under small angles of crossing, or if a distance may be zero within its band.
 #[must_use]
 pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked: Vec<Asked>) -> Pencil {
     let (construction, readings) = read_by_hand(solution, &asked);
@@ -70,11 +72,11 @@ pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked:
     });
     let readings: Vec<Result<Reading, Unread>> = on_sheets.collect();
     let per_sheet = SheetScales {
-        // On a sheet that is not there nothing is read.
+        // Nothing is read from a sheet without a scale.
         per_mm: given.map(|scale| scale.unwrap_or(0.0)),
     };
-    let there: Vec<Reading> = readings.iter().flatten().copied().collect();
-    let mut bands = construction.bands(per_sheet, &tolerance, &there).into_iter();
+    let readable: Vec<Reading> = readings.iter().flatten().copied().collect();
+    let mut bands = construction.bands(per_sheet, &tolerance, &readable).into_iter();
     let all = asked.into_iter().zip(readings).map(|(asked, reading)| {
         let band = reading.and_then(|reading| {
             let mut band = bands.next().ok_or(Unread::NotDrawn)?;
@@ -94,7 +96,7 @@ pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked:
 }
 
 impl Construction {
-    /// The bands of what is read, in the scene's units.
+    /// The bands of `readings`, in the scene's units.
     #[must_use]
     pub fn bands(&self, scales: SheetScales, tolerance: &Tolerance, readings: &[Reading]) -> Vec<Band> {
         let errors = self.operations.iter().enumerate().flat_map(|(index, operation)| {
@@ -108,21 +110,21 @@ impl Construction {
         let bands = bands.map(|((reading, deviation), second_order)| {
             let value = reading.value(&hand.exact);
             let band = DEVIATIONS * deviation;
-            let is_firm = second_order <= SECOND_ORDER * deviation;
-            Band { value, band, is_rough: !is_firm || reading.sense == Sense::Distance && band > value }
+            let is_first_order = second_order <= SECOND_ORDER * deviation;
+            Band { value, band, is_rough: !is_first_order || reading.sense == Sense::Distance && band > value }
         });
         bands.collect()
     }
 }
 
-/// A construction in the hands of somebody, who makes errors.
+/// A construction as a hand carries it out, with errors.
 struct Hand<'a> {
     construction: &'a Construction,
     scales: SheetScales,
     readings: &'a [Reading],
-    /// All errors: the operation, which of its errors, the limit.
+    /// All errors: index of the operation, index of the error among those of the operation, its limit.
     errors: Vec<(usize, usize, f64)>,
-    /// What comes out without any.
+    /// The values without any error.
     exact: Values,
 }
 
@@ -134,7 +136,7 @@ impl Hand<'_> {
         let operations = &self.construction.operations;
         for &(operation, which, limit) in &self.errors {
             for (values, size) in pair.iter_mut().zip([limit, -limit]) {
-                // What stands before the operation is as it was.
+                // Values from operations before this one are exact.
                 values.clone_from(&self.exact);
                 let change = Change::Error(which, size);
                 values.carry_out(operations, operation, self.scales, &[Disturbance { operation, change }]);
@@ -147,7 +149,8 @@ impl Hand<'_> {
         squares.into_iter().map(f64::sqrt).collect()
     }
 
-    /// The root mean square of each reading's second-order part, from drawings with all errors as large as their standard deviations.
+    /// The root mean square of each reading's second-order part, from drawings whose errors have the size of their
+    /// standard deviations and random signs.
     fn second_order(&self) -> Vec<f64> {
         let mut squares = vec![0.0; self.readings.len()];
         let mut pair = [self.exact.clone(), self.exact.clone()];
@@ -155,9 +158,9 @@ impl Hand<'_> {
             for (values, sign) in pair.iter_mut().zip([1.0, -1.0]) {
                 let all = self.errors.iter().enumerate();
                 let all = all.map(|(index, &(operation, which, limit))| {
-                    let is_up = scattered(index) >> drawing & 1 == 0;
+                    let is_positive = random_bits(index) >> drawing & 1 == 0;
                     let size = sign * limit / 3.0_f64.sqrt();
-                    let change = Change::Error(which, if is_up { size } else { -size });
+                    let change = Change::Error(which, if is_positive { size } else { -size });
                     Disturbance { operation, change }
                 });
                 let all: Vec<Disturbance<'_>> = all.collect();
@@ -171,7 +174,7 @@ impl Hand<'_> {
         squares.into_iter().map(f64::sqrt).collect()
     }
 
-    /// How far each reading is off in both drawings of a pair.
+    /// The error of each reading in both drawings of a pair.
     fn differences<'p>(&'p self, pair: &'p [Values; 2]) -> impl Iterator<Item = [f64; 2]> + 'p {
         self.readings.iter().map(|reading| {
             let exact = self.exact.number(reading.number);
@@ -180,8 +183,8 @@ impl Hand<'_> {
     }
 }
 
-/// 64 bits that look as if tossed for each index, always the same (Splitmix64: Steele, Lea, Flood 2014).
-fn scattered(index: usize) -> u64 {
+/// 64 pseudorandom bits, the same for the same index (Splitmix64: Steele, Lea, Flood 2014).
+fn random_bits(index: usize) -> u64 {
     let mut z = (index as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -189,14 +192,14 @@ fn scattered(index: usize) -> u64 {
 }
 
 impl Reading {
-    /// The quantity in values of a replay.
+    /// The quantity in the values of a run of the construction.
     #[must_use]
     pub fn value(&self, values: &Values) -> f64 {
         let value = values.number(self.number);
         if self.sense == Sense::Magnitude { value.abs() } else { value }
     }
 
-    /// How far the quantity is from `signed`; of an angle the shorter way round.
+    /// The difference of the quantity from `signed`; that of an angle is within ±180°.
     #[must_use]
     pub fn difference(&self, values: &Values, signed: f64) -> f64 {
         let difference = values.number(self.number) - signed;

@@ -1,18 +1,18 @@
-//! Lists of quantities that a solved scene has.
+//! Lists of the quantities of a solved scene.
 
 use super::name::is_acceleration;
 use crate::construction::{Action, Construction, Solution, coincident_name};
 use crate::mechanism::{Role, SliderId};
 use crate::motion::Order;
 
-/// Names of what results and steps give and a hand drawing may have read from it: measured lengths and segments, rates, vectors by size
-/// and angle, angles of links, positions of sliders.
+/// Names of the quantities that results and steps give and that may be read from a hand drawing: measured lengths and
+/// segments, rates, vectors by size and angle, angles of links, positions of sliders.
 #[must_use]
 pub fn readable_names(solution: &Solution) -> Vec<String> {
     let Solution { mechanism, motion, construction, .. } = solution;
     let mut names = measured_names(construction);
     for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Stub) {
-        // A link with one point has no line of its own.
+        // A link with one point has no line whose angle could be measured.
         let heads = ["angle", "omega", "alpha"].into_iter();
         let heads = heads.skip(usize::from(body.points.len() < 2));
         names.extend(heads.map(|head| format!("{head}({})", body.name)));
@@ -38,13 +38,14 @@ pub fn readable_names(solution: &Solution) -> Vec<String> {
     names
 }
 
-/// Names of everything that the construction measures, in its order.
+/// Names of the lengths and segments that the construction measures, in its order.
 #[must_use]
 pub fn measured_names(construction: &Construction) -> Vec<String> {
     names(construction, |action| action.is_measured())
 }
 
-/// Names of everything that stands in the construction's steps with a value: what is measured, then the rest of the plans.
+/// Names of the quantities whose values the construction's steps give: first those measured, then those of each plan in
+/// order.
 #[must_use]
 pub fn step_names(construction: &Construction) -> Vec<String> {
     let mut all = measured_names(construction);

@@ -1,7 +1,7 @@
-//! In: the name of a quantity and a solved scene. Out: its value ([`Asked::value`]), its unit and symbol, how a hand reads it from its drawing
-//! ([`read_by_hand`]) and how far an honest hand is off ([`Pencil`]).
-//! Each property of a quantity is said once, in the file of that property. Not here: what an error of a measured value means (`check/`),
-//! and how a number is written (`words/`).
+//! In: the name of a quantity and a solved scene. Out: its value ([`Asked::value`]), its unit and symbol, how a hand
+//! reads it from its drawing ([`read_by_hand`]) and the scatter of honest drawings ([`Pencil`]). Each property of a
+//! quantity has a file. Not here: which mistake explains a wrong value (`check/`), and how a number is written
+//! (`words/`).
 
 mod band;
 mod lists;

@@ -1,4 +1,4 @@
-//! Names of quantities and what they stand for.
+//! Names of quantities, and the quantities they name.
 
 use crate::construction::PlanKind;
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
@@ -6,31 +6,31 @@ use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 /// Why a quantity has no value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum QuantityError {
-    /// The name is not one of the known forms.
+    /// The name has none of the known forms.
     #[error(
         "`{0}` is no quantity; known forms: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) \
          a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); vectors also with .x .y .size .angle, \
          plan segments with /mu"
     )]
     Form(String),
-    /// It names something that this scene does not have.
+    /// The name contains a link, slider or point that this scene does not have.
     #[error("`{quantity}`: there is no {what} `{name}` here{hint}")]
     Unknown {
         /// The whole name.
         quantity: String,
-        /// What was looked for.
+        /// The kind of what is missing, as `link`.
         what: &'static str,
-        /// The name that is missing.
+        /// Its name.
         name: String,
-        /// A similar name, in words, or nothing.
+        /// A similar name, in words; empty if there is none.
         hint: String,
     },
-    /// It lies at infinity, or is an acceleration where only velocities were asked for.
+    /// The quantity lies at infinity, has no zero to count from, or needs what was not computed.
     #[error("`{0}` has no value here: {1}")]
     NoValue(String, &'static str),
 }
 
-/// Whether a quantity of that name needs accelerations.
+/// Whether the quantity of that name needs accelerations.
 #[must_use]
 pub fn is_acceleration(name: &str) -> bool {
     let head = name.split('(').next().unwrap_or_default().trim();
@@ -39,71 +39,74 @@ pub fn is_acceleration(name: &str) -> bool {
 
 /// A quantity by its name, looked up in a mechanism once.
 ///
-/// `v(A/B)` is the velocity of A minus that of B. `a_n` and `a_t` split the relative acceleration of two points of one
-/// link (of links that driven sliders join, without what the sliders add), or of a special point and the outer joint of one of its legs (there along and across the cut line). `x(D)` and `y(D)` are
-/// a point's coordinates, `position(3/2)` a slider's. A vector's `.x`, `.y`, `.size` and `.angle` (degrees) are numbers.
+/// `v(A/B)` is the velocity of A minus that of B. `a_n` and `a_t` are the normal and the tangential part of the
+/// relative acceleration of two points of one link; of two links that driven sliders join, without the sliding and
+/// Coriolis parts; of a special point and the outer joint of one of its legs, along and across the cut line. `x(D)` and
+/// `y(D)` are a point's coordinates, `position(3/2)` a slider's. A vector's `.x`, `.y`, `.size` and `.angle` (degrees)
+/// are numbers.
 #[derive(Clone, Debug)]
 pub struct Asked {
     pub(super) name: String,
-    /// Whether it takes accelerations.
-    pub(super) accelerates: bool,
+    /// Whether it needs accelerations.
+    pub(super) needs_accelerations: bool,
     pub(super) what: What,
     pub(super) component: Option<Component>,
 }
 
-/// What a name asks for.
+/// The quantity that a name asks for.
 #[derive(Clone, Debug)]
 pub enum What {
-    /// Angular velocity.
+    /// Angular velocity of a link.
     Omega(BodyId),
-    /// Angular acceleration.
+    /// Angular acceleration of a link.
     Alpha(BodyId),
-    /// Angle of the axis.
+    /// Angle of a link's axis from +x.
     Angle(BodyId),
-    /// Position along the guide.
+    /// Position of a slider along its guide.
     SlidePosition(SliderId),
-    /// Velocity along the guide.
+    /// Velocity of a slider along its guide.
     SlideVelocity(SliderId),
-    /// Acceleration along the guide.
+    /// Acceleration of a slider along its guide.
     SlideAcceleration(SliderId),
-    /// Coriolis acceleration, and the body that carries the guide.
+    /// Coriolis acceleration of a slider, and the body that carries its guide.
     Coriolis(SliderId, BodyId),
-    /// A coordinate: axis 0 or 1.
+    /// A coordinate of a place: axis 0 for x, 1 for y.
     Coordinate(usize, Spot),
-    /// A distance.
+    /// Distance of two places.
     Length(Spot, Spot),
-    /// Velocity, relative to a second place where there is one.
+    /// Velocity of a place, relative to the second place if there is one.
     Velocity(Spot, Option<Spot>),
-    /// Acceleration, relative to a second place where there is one.
+    /// Acceleration of a place, relative to the second place if there is one.
     Acceleration(Spot, Option<Spot>),
-    /// Normal or tangential part of the acceleration of the first, relative to the second; the link to which both belong.
+    /// Normal or tangential part of the acceleration of the first place relative to the second; the link to which both
+    /// belong.
     Part(Normality, Spot, Spot, Option<BodyId>),
     /// A segment of a plan.
     Segment {
-        /// Which plan.
+        /// The plan.
         kind: PlanKind,
-        /// From this plan point …
+        /// The plan point where it begins.
         from: String,
-        /// … to this one.
+        /// The plan point where it ends.
         to: String,
-        /// Whether it is asked for in millimetres of paper.
+        /// Whether its length in millimetres of paper is asked for.
         on_paper: bool,
     },
 }
 
-/// Which part of an acceleration.
+/// Normal or tangential part of an acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Normality {
-    /// Towards the other place.
+    /// Along the line to the other place.
     Normal,
-    /// Across that.
+    /// Across that line.
     Tangential,
 }
 
 /// A named place of a body.
 #[derive(Clone, Debug)]
 pub enum Spot {
-    /// Where this point is, as a place of this body.
+    /// The place of this point, as a place of this body, and the name as written.
     Point(BodyId, PointId, String),
     /// A special point by its name.
     Special(String),
@@ -126,14 +129,14 @@ pub enum Component {
     X,
     /// Along y.
     Y,
-    /// Its length.
+    /// Its magnitude.
     Size,
-    /// Its direction in degrees.
+    /// Its direction from +x, in degrees.
     Angle,
 }
 
 impl Asked {
-    /// The quantity of that name. Plan points are looked up later, in the construction.
+    /// The quantity of that name. Plan points are looked up only when it is evaluated.
     ///
     /// # Errors
     /// [`QuantityError::Form`] and [`QuantityError::Unknown`].
@@ -152,7 +155,7 @@ impl Asked {
             _ => return Err(finder.form()),
         };
         let what = finder.what(head, argument, on_paper)?;
-        let asked = Asked { name: name.to_owned(), accelerates: is_acceleration(name), what, component };
+        let asked = Asked { name: name.to_owned(), needs_accelerations: is_acceleration(name), what, component };
         if component.is_some() && !asked.is_of_vectors() {
             return Err(finder.form());
         }
@@ -165,13 +168,13 @@ impl Asked {
         &self.name
     }
 
-    /// What it asks for.
+    /// The quantity that it asks for.
     #[must_use]
     pub fn what(&self) -> &What {
         &self.what
     }
 
-    /// Which number of a vector it asks for, if one.
+    /// The number of a vector that it asks for, if any.
     #[must_use]
     pub fn component(&self) -> Option<Component> {
         self.component
@@ -193,7 +196,7 @@ pub(super) fn unknown<'n>(
     }
 }
 
-/// Looks names up in a mechanism.
+/// Looks up the parts of a quantity's name in a mechanism.
 struct Finder<'a> {
     name: &'a str,
     mechanism: &'a Mechanism,
@@ -274,13 +277,13 @@ impl Finder<'_> {
         found.ok_or_else(|| unknown(self.name, "slider", name, known()))
     }
 
-    /// The names of special points, with the links to which they belong.
+    /// The names of special points, each with the link to which it belongs.
     fn special(&self) -> impl Iterator<Item = (&str, BodyId)> {
         let points = self.mechanism.groups.iter().flat_map(|g| &g.special);
         points.filter(|s| s.target.is_none()).map(|s| (s.name.as_str(), s.link))
     }
 
-    /// The place that a name means: a joint, a special point, or `D_2`.
+    /// The place of a name: a joint, a special point, or, as `D_2`, the point of link 2 that coincides with D.
     fn spot(&self, name: &str) -> Result<Spot, QuantityError> {
         if self.special().any(|(special, _)| special == name) {
             return Ok(Spot::Special(name.to_owned()));
@@ -302,19 +305,20 @@ impl Finder<'_> {
         Err(unknown(self.name, "point", name, known))
     }
 
-    /// A link to which both belong, or that of the first where driven sliders join it to one of the second.
+    /// The link to which both places belong; else a link of the first place that driven sliders join to one of the
+    /// second.
     fn common_link(&self, a: &Spot, b: &Spot) -> Option<BodyId> {
         let holds = |link: BodyId, spot: &Spot| match spot {
             Spot::Special(name) => self.special().any(|s| s == (name.as_str(), link)),
             Spot::Point(body, point, _) => *body == link || self.mechanism.body(link).points.contains(point),
         };
         let links = || self.mechanism.links().map(|(id, _)| id);
-        let joined = |link: BodyId| {
+        let is_joined = |link: BodyId| {
             let root = self.mechanism.root(link);
             links().any(|other| self.mechanism.root(other) == root && holds(other, b))
         };
-        let own = |link: &BodyId| holds(*link, a);
-        let common = links().filter(own).find(|&link| holds(link, b));
-        common.or_else(|| links().filter(own).find(|&link| joined(link)))
+        let holds_first = |link: &BodyId| holds(*link, a);
+        let common = links().filter(holds_first).find(|&link| holds(link, b));
+        common.or_else(|| links().filter(holds_first).find(|&link| is_joined(link)))
     }
 }

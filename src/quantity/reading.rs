@@ -1,4 +1,4 @@
-//! How a hand reads quantities from its drawing.
+//! How quantities are read from a hand drawing.
 
 use super::name::{Asked, Component, Normality, Spot, What};
 use crate::construction::{
@@ -8,32 +8,32 @@ use crate::construction::{
 use crate::mechanism::{BodyId, PointId, SliderId};
 use indexmap::IndexMap;
 
-/// How a quantity is read: a number of the construction, and what its sign says.
+/// How a quantity is read: a number of the construction, and the meaning of its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
     /// The number.
     pub number: NumberId,
-    /// What its sign says.
+    /// The meaning of its sign.
     pub sense: Sense,
-    /// The latest sheet that it needs.
+    /// The last sheet that is needed for it.
     pub sheet: Sheet,
 }
 
-/// What the sign of a number says.
+/// The meaning of the sign of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sense {
-    /// It belongs to the quantity.
+    /// The sign belongs to the quantity.
     Signed,
-    /// Nothing to a reader: only the magnitude counts, although the construction goes on with the sign.
+    /// The quantity is the magnitude, although the construction goes on with the sign.
     Magnitude,
-    /// It is an angle, which comes back after 360°.
+    /// The number is an angle, of period 360°.
     Angle,
-    /// It is the distance of two places, of which nobody sees that it should be negative.
+    /// The number is the distance of two places, which is read as positive on the sheet.
     Distance,
 }
 
 impl Reading {
-    /// Whether a reader writes it without a sign of its own.
+    /// Whether it is written without a sign.
     #[must_use]
     pub fn is_size(&self) -> bool {
         matches!(self.sense, Sense::Magnitude | Sense::Distance)
@@ -46,28 +46,28 @@ pub enum Unread {
     /// The scene gives it.
     #[error("the scene gives it")]
     Given,
-    /// Some group has no construction, and it depends on that.
+    /// It depends on a group without a construction.
     #[error("it depends on a group without a construction (a special point at infinity, or a higher class)")]
     NoConstruction,
-    /// Only one of a vector's numbers has a band.
+    /// It is a vector, and only single numbers of a vector have bands.
     #[error("a vector: its `.size` and `.angle` have bands")]
     Vector,
     /// The drawing does not show it.
     #[error("the drawing does not show it")]
     NotDrawn,
-    /// With such errors the construction does not hold together: lines that should cross may be parallel.
+    /// Errors of this size make lines parallel that should cross.
     #[error("errors of this size take the construction apart")]
     Apart,
-    /// The figure has no such panel.
+    /// The figure lacks the panel from which it is read.
     #[error("the figure has no {}, so no scale", .0.name())]
     NoSheet(Sheet),
 }
 
-/// The construction of a solved scene as far as a hand can carry it out, and after it the operations by which quantities are read off; with how each is
-/// read, or why there is nothing to read.
+/// The construction of a solved scene as far as a hand can carry it out, followed by the operations that read the
+/// quantities `asked` for; and for each quantity how it is read, or why it is not.
 ///
-/// A quantity that the construction measures or solves for is read there. A segment or a vector of a plan, a direction and a
-/// length are measured once more, with an error of their own.
+/// A quantity that the construction measures or solves for is taken from there. A segment or a vector of a plan, a
+/// direction and a length are measured once more, with errors of their own.
 #[must_use]
 pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<Result<Reading, Unread>>) {
     let writer = construction_writer(&solution.mechanism, &solution.pose, &solution.motion);
@@ -80,11 +80,11 @@ pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<
 
 struct Reader<'a> {
     writer: Writer<'a>,
-    /// Which step gives each quantity.
+    /// The step that gives each quantity, by its name.
     steps: IndexMap<String, StepId>,
 }
 
-/// Where a vector stands in a plan, or what it is computed from.
+/// A vector as a segment of a plan, or by its computed size along a line.
 enum Drawn {
     Segment([PlaceId; 2]),
     Computed(NumberId, Along),
@@ -127,19 +127,19 @@ impl Reader<'_> {
         Ok((number, Sense::Signed))
     }
 
-    /// One number of a vector, measured where it stands or computed.
+    /// One number of a vector: measured from the segment, or computed.
     fn component(&mut self, asked: &Asked, drawn: Drawn) -> Result<(NumberId, Sense), Unread> {
         let component = asked.component().ok_or(Unread::Vector)?;
         let sheet = asked.sheet();
         let ends = match (drawn, component) {
-            // Points at rest and vectors of nothing are not measured.
+            // A segment of zero length, as of a point at rest, is not measured.
             (Drawn::Segment(ends), _) if ends.iter().any(|&end| self.writer.is_place_not_by_hand(end)) => {
                 return Err(Unread::NoConstruction);
             }
             (Drawn::Segment([from, to]), _) if from == to => return Err(Unread::Given),
             (Drawn::Segment(ends), _) => ends,
             (Drawn::Computed(size, _), Component::Size) => return Ok((size, Sense::Magnitude)),
-            // Its direction and components show when it is laid off.
+            // Its direction and components are measured after it has been laid off.
             (Drawn::Computed(size, along), _) => {
                 let pole = self.writer.pole_of(sheet).ok_or(Unread::NotDrawn)?;
                 [pole, self.writer.lay_off(sheet, pole, vec![Product::plain(size)], along)]
@@ -154,13 +154,13 @@ impl Reader<'_> {
         Ok((self.measure(sheet, asked.name(), ends, how), sense))
     }
 
-    /// Measures for a reader.
+    /// Measures a number with errors of its own, as part of the step that gives the quantity `name`.
     fn measure(&mut self, sheet: Sheet, name: &str, ends: [PlaceId; 2], how: MeasuredAs) -> NumberId {
         self.writer.step = self.steps.get(name).copied();
         self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how)
     }
 
-    /// A vector of a plan, relative to another where there is one.
+    /// The vector of a place in a plan, relative to another place if there is one.
     fn vector(&mut self, sheet: Sheet, a: &Spot, b: Option<&Spot>) -> Result<Drawn, Unread> {
         let to = self.plan_point(sheet, a)?;
         let from = match b {
@@ -181,7 +181,7 @@ impl Reader<'_> {
         Ok(Drawn::Computed(size, Along::line(self.writer.guide(id)).turned(1)))
     }
 
-    /// A rate of a link that is found; given ones are not read.
+    /// The angular velocity (order 0) or acceleration (order 1) of a link that is solved for; given rates are not read.
     fn rate(&self, link: BodyId, order: usize) -> Result<NumberId, Unread> {
         if self.is_given(link) {
             return Err(Unread::Given);
@@ -189,17 +189,17 @@ impl Reader<'_> {
         self.rate_or_given(link, order)?.ok_or(Unread::Given)
     }
 
-    /// Whether a link turns as the scene says: by itself, or tied by sliders to one that does.
+    /// Whether the rotation of a link is given, its own or that of a body with which sliders make it turn alike.
     fn is_given(&self, link: BodyId) -> bool {
         let mechanism = self.writer.mechanism;
         let spins = &self.writer.construction.spins;
         let bodies = || (0..mechanism.bodies.len()).map(BodyId);
         let mut known = bodies().filter(|&b| mechanism.is_known(b));
-        let own = spins[link.0];
-        mechanism.is_known(link) || own.is_some_and(|own| known.any(|b| spins[b.0] == Some(own)))
+        let spin = spins[link.0];
+        mechanism.is_known(link) || spin.is_some_and(|spin| known.any(|b| spins[b.0] == Some(spin)))
     }
 
-    /// Nothing for a rate that is given as zero.
+    /// The angular velocity (order 0) or acceleration (order 1) of a link; `None` if it is given as zero.
     fn rate_or_given(&self, link: BodyId, order: usize) -> Result<Option<NumberId>, Unread> {
         let rates = self.writer.construction.spins[link.0];
         Ok(rates.ok_or(Unread::NoConstruction)?[order])
@@ -217,7 +217,7 @@ impl Reader<'_> {
         Ok(rates.ok_or(Unread::NoConstruction)?[order])
     }
 
-    /// The direction of a link's axis, from its first to its second point.
+    /// The direction of a link's axis, measured from its first to its second point.
     fn axis(&mut self, name: &str, link: BodyId) -> Result<NumberId, Unread> {
         let (mechanism, pose) = (self.writer.mechanism, self.writer.pose);
         let axis = pose.axes[link.0].ok_or(Unread::NotDrawn)?;
@@ -225,7 +225,7 @@ impl Reader<'_> {
             return Err(Unread::NotDrawn);
         };
         let arm = pose.arm(from, to);
-        // With a shape of its own the axis may run elsewhere.
+        // The axis of a link with a shape of its own need not pass through these points.
         let apart = crate::geometry::cross(axis.normalize(), arm).abs();
         if arm.norm() == 0.0 || arm.dot(&axis) < 0.0 || apart > 1e-9 * arm.norm() {
             return Err(Unread::NotDrawn);
@@ -234,7 +234,7 @@ impl Reader<'_> {
         Ok(self.measure(Sheet::Scheme, name, ends, MeasuredAs::Direction))
     }
 
-    /// The position along a guide, where a point of the guide's body stands at the place from which it counts.
+    /// The position along a guide, if a point of the guide's body lies at the place from which it counts.
     fn slide_position(&mut self, name: &str, id: SliderId) -> Result<NumberId, Unread> {
         let (mechanism, pose) = (self.writer.mechanism, self.writer.pose);
         let slider = mechanism.slider(id);
@@ -258,7 +258,7 @@ impl Reader<'_> {
         Ok(self.measure(Sheet::Scheme, name, [zero, place], how))
     }
 
-    /// A length: that which the construction measures, else measured for this reading.
+    /// The distance of two places: the length that the construction measures, else one measured for this reading.
     fn length(&mut self, name: &str, a: &Spot, b: &Spot) -> Result<(NumberId, Sense), Unread> {
         if let (Some(a), Some(b)) = (self.end(a), self.end(b))
             && let Some(number) = self.measured(&NumberKind::Length([a, b]))
@@ -269,7 +269,7 @@ impl Reader<'_> {
         Ok((self.measure(Sheet::Scheme, name, ends, MeasuredAs::Size), Sense::Distance))
     }
 
-    /// A segment of a plan: that which the construction measures, else measured for this reading.
+    /// The length of a segment of a plan: the one that the construction measures, else one measured for this reading.
     fn segment(&mut self, kind: PlanKind, from: &str, to: &str) -> Result<(NumberId, Sense), Unread> {
         let sheet = kind.sheet();
         let segment = NumberKind::Segment(sheet, [from, to].map(str::to_owned));
@@ -287,7 +287,7 @@ impl Reader<'_> {
         Ok((self.measure(sheet, &kind.segment_name(from, to), ends, MeasuredAs::Size), Sense::Distance))
     }
 
-    /// A number that the construction measures.
+    /// The number of this kind that the construction measures.
     fn measured(&self, kind: &NumberKind) -> Option<NumberId> {
         let construction = &self.writer.construction;
         construction.operations.iter().find_map(|operation| match operation.kind {
@@ -296,7 +296,7 @@ impl Reader<'_> {
         })
     }
 
-    /// A place as the end of a length, if lengths that are measured end there.
+    /// A place as the end of a measured length; `None` if no measured length ends there.
     fn end(&self, spot: &Spot) -> Option<End> {
         match spot {
             Spot::Point(_, point, name) => {
@@ -316,7 +316,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The end of a named place's vector: the plan's own point of that name where a hand has found it, else laid off.
+    /// The end of a place's vector in a plan: the image that the construction has found, else one laid off.
     fn plan_point(&mut self, sheet: Sheet, spot: &Spot) -> Result<PlaceId, Unread> {
         let named = self.writer.construction.place(sheet, &image_name(spot.name()));
         match (named.filter(|&place| !self.writer.is_place_not_by_hand(place)), spot) {
@@ -329,19 +329,20 @@ impl Reader<'_> {
         }
     }
 
-    /// The body over which a point's vector is found soonest: one of known motion, or one where it is already.
+    /// The body with which a point's vector is laid off: one of known motion, else one whose point is found already,
+    /// else `body`.
     fn holder(&self, sheet: Sheet, body: BodyId, point: PointId) -> BodyId {
         let mechanism = self.writer.mechanism;
-        let own = mechanism.body(body).points.contains(&point);
+        let is_on_body = mechanism.body(body).points.contains(&point);
         let holders = || {
             let bodies = (0..mechanism.bodies.len()).map(BodyId);
-            bodies.filter(|&b| own && mechanism.body(b).points.contains(&point))
+            bodies.filter(|&b| is_on_body && mechanism.body(b).points.contains(&point))
         };
         let known = holders().find(|&b| mechanism.is_known(b));
         known.or_else(|| holders().find(|&b| self.writer.place_of_motion(sheet, b, point).is_some())).unwrap_or(body)
     }
 
-    /// A part of a relative acceleration: between plan points where the construction lays it off, else computed.
+    /// A part of a relative acceleration: a segment if the construction lays it off, else computed.
     fn part(&mut self, name: &str, part: Normality, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<Drawn, Unread> {
         let sheet = Sheet::Acceleration;
         if let Spot::Special(special) = a {

@@ -3,21 +3,21 @@ use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::motion::{Motion, Order};
 use crate::position::Pose;
 
-/// A position with its rates, as far as quantities are read from it.
+/// A position with its rates, as far as quantities are evaluated from it; in the fixed frame and in the scene's units.
 pub trait State {
     /// Whether accelerations have been computed.
     fn has_accelerations(&self) -> bool;
-    /// Where a point is.
+    /// The place of a point.
     fn place(&self, point: PointId) -> Point;
-    /// The direction of a link's axis, if it has one.
+    /// A vector along a link's axis; `None` for a link without one.
     fn axis(&self, link: BodyId) -> Option<Vector>;
     /// The unit direction of a slider's guide.
     fn guide(&self, slider: SliderId) -> Vector;
-    /// A slider's position along its guide, if there is a point to count from.
+    /// A slider's position along its guide; `None` if there is no point to count from.
     fn slide_position(&self, slider: SliderId) -> Option<f64>;
     /// A slider's velocity and acceleration along its guide.
     fn slide_rates(&self, slider: SliderId) -> [f64; 2];
-    /// A body's angular velocity and acceleration.
+    /// A body's angular velocity and acceleration, in rad per unit of time.
     fn spin(&self, body: BodyId) -> [f64; 2];
     /// Velocity and acceleration of the body's point at a place.
     fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2];
@@ -26,9 +26,9 @@ pub trait State {
 /// A pose and its motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Snapshot<'a> {
-    /// Where everything is.
+    /// The position.
     pub pose: &'a Pose,
-    /// How it moves.
+    /// Its rates.
     pub motion: &'a Motion,
 }
 

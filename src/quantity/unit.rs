@@ -4,12 +4,12 @@ use crate::mechanism::Mechanism;
 use crate::scene::Units;
 use crate::words::Notation;
 
-/// Of what kind a quantity is: what may share an axis.
+/// The kind of a quantity: quantities of one kind may share an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// An angle, in degrees.
     Angle,
-    /// An angular velocity.
+    /// An angular velocity, in rad per unit of time.
     AngularVelocity,
     /// An angular acceleration.
     AngularAcceleration,
@@ -38,23 +38,23 @@ impl Kind {
         }
     }
 
-    /// Whether it is a rate, whose zero means rest; a place or an angle counts from anywhere.
+    /// Whether it is a rate, whose zero means rest; the zero of a place or an angle is arbitrary.
     #[must_use]
     pub fn is_rate(self) -> bool {
         !matches!(self, Kind::Angle | Kind::Position | Kind::Length)
     }
 }
 
-/// A symbol in parts: letter, what stands high and low beside it, what follows.
+/// The parts of a symbol: letter, upper and lower index, text behind them.
 struct Symbol {
     letter: &'static str,
-    high: &'static str,
-    low: String,
+    upper: &'static str,
+    lower: String,
     after: String,
 }
 
 impl Asked {
-    /// Of what kind its value is; a vector's size and components are of the vector's kind.
+    /// The kind of its value; a vector's size and components are of the vector's kind, its angle is an angle.
     #[must_use]
     pub fn kind(&self) -> Kind {
         if self.component == Some(Component::Angle) {
@@ -93,7 +93,7 @@ impl Asked {
         matches!(self.what, What::Coriolis(..) | What::Velocity(..) | What::Acceleration(..) | What::Part(..))
     }
 
-    /// Whether it can be read without the places and motions of points.
+    /// Whether it can be evaluated without the places and motions of points.
     #[must_use]
     pub fn is_of_links_alone(&self) -> bool {
         matches!(
@@ -108,7 +108,7 @@ impl Asked {
         )
     }
 
-    /// Whether special points or plans are needed for it.
+    /// Whether special points or plans are needed to evaluate it.
     #[must_use]
     pub fn needs_construction(&self) -> bool {
         let special = |spot: &Spot| matches!(spot, Spot::Special(_));
@@ -133,53 +133,53 @@ impl Asked {
         }
     }
 
-    /// Whether it is seen on its sheet as a length; a rate is only computed.
+    /// Whether it is a length on its sheet; rates are computed from lengths.
     #[must_use]
     pub fn is_length_on_sheet(&self) -> bool {
         let is_turning = matches!(self.kind(), Kind::Angle | Kind::AngularVelocity | Kind::AngularAcceleration);
         !is_turning && !matches!(self.what, What::SlideVelocity(_) | What::SlideAcceleration(_))
     }
 
-    /// Whether it is a rate that is solved for or given: it has a sense, which people write as a sign or not at all.
+    /// Whether it is a rate that is solved for or given: its sense is written as a sign, or not at all.
     #[must_use]
     pub fn is_rate(&self) -> bool {
         use What::{Alpha, Omega, SlideAcceleration, SlideVelocity};
         matches!(self.what, Omega(_) | Alpha(_) | SlideVelocity(_) | SlideAcceleration(_))
     }
 
-    /// Whether it counts by turning: its sign hangs on which sense of rotation is positive.
+    /// Whether it is an angle or an angular rate: its sign depends on the positive sense of rotation.
     #[must_use]
     pub fn turns(&self) -> bool {
         matches!(self.kind(), Kind::Angle | Kind::AngularVelocity | Kind::AngularAcceleration)
     }
 
-    /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, which is zero at dead centres.
+    /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, whose zeros are dead centres.
     #[must_use]
     pub fn has_dead_centres(&self) -> bool {
         matches!(self.what, What::Omega(_) | What::SlideVelocity(_))
     }
 
-    /// What it belongs to, as in `4` of `omega(4)` and `alpha(4)`.
+    /// The part of its name in parentheses, as `4` of `omega(4)` and `alpha(4)`.
     #[must_use]
     pub fn subject(&self) -> &str {
         let inner = self.name().split_once('(').map_or("", |(_, rest)| rest);
         inner.rsplit_once(')').map_or(inner, |(inner, _)| inner)
     }
 
-    /// How it is written, as in `ω_{4}`; a vector by its size, as in `|v_{D}|`. `shown` gives the text for a name; segments of plans
-    /// are called by the points' own names.
+    /// Its symbol in markup, as `ω_{4}`; of a vector that of its size, as `|v_{D}|`. `shown` gives the text for a name;
+    /// segments of plans are written by the names of their ends.
     #[must_use]
     pub fn symbol(&self, mechanism: &Mechanism, notation: &Notation, shown: &dyn Fn(&str) -> String) -> String {
-        let plain = |letter, low: String| Symbol { letter, high: "", low, after: String::new() };
-        let relative = |letter, high, a: &str, b: Option<&str>| Symbol {
-            high,
+        let plain = |letter, lower: String| Symbol { letter, upper: "", lower, after: String::new() };
+        let relative = |letter, upper, a: &str, b: Option<&str>| Symbol {
+            upper,
             ..plain(letter, shown(a) + &b.map_or(String::new(), shown))
         };
         let link = |id| shown(&mechanism.body(id).name);
-        let slider = |letter, low: &str, id| {
+        let slider = |letter, lower: &str, id| {
             let name = mechanism.slider_name(id);
             let parts: Vec<String> = name.split('/').map(shown).collect();
-            Symbol { after: format!("({})", parts.join("/")), ..plain(letter, low.to_owned()) }
+            Symbol { after: format!("({})", parts.join("/")), ..plain(letter, lower.to_owned()) }
         };
         let symbol = match &self.what {
             What::Omega(id) => plain("ω", link(*id)),
@@ -210,8 +210,8 @@ impl Asked {
             Some(Component::Y) => ",y",
             _ => "",
         };
-        let (high, low) = (script('^', symbol.high), script('_', &(symbol.low + axis)));
-        let written = format!("{}{high}{low}{}", symbol.letter, symbol.after);
+        let (upper, lower) = (script('^', symbol.upper), script('_', &(symbol.lower + axis)));
+        let written = format!("{}{upper}{lower}{}", symbol.letter, symbol.after);
         match self.component {
             Some(Component::Angle) => format!("∠{written}"),
             Some(Component::Size) => format!("|{written}|"),

@@ -6,7 +6,7 @@ use crate::construction::{Construction, PlanKind, Sheet, Solution, image_name, n
 use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
 use crate::mechanism::BodyId;
 
-/// The value of a named quantity, in the scene's units; angles in degrees, rates in rad.
+/// The value of a quantity, in the scene's units; angles in degrees, rates in rad per unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Quantity {
     /// A number.
@@ -15,7 +15,8 @@ pub enum Quantity {
     Vector(Vector),
 }
 
-/// The scales of a figure: units of the scene per millimetre of paper; none for a panel that it does not have.
+/// The scales of a figure, in units of the scene per millimetre of paper; `None` for a panel that the figure does not
+/// have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
     /// Length per mm.
@@ -37,7 +38,7 @@ impl Scales {
         }
     }
 
-    /// The scales of all sheets.
+    /// The scales of scheme, velocity plan and acceleration plan.
     #[must_use]
     pub fn all(&self) -> [Option<f64>; 3] {
         Sheet::ALL.map(|sheet| self.of(sheet))
@@ -45,16 +46,17 @@ impl Scales {
 }
 
 impl Solution {
-    /// The value of the quantity of that name, as in `omega(2)`, `a_n(D/G)` or `vplan(b,s3)`; lengths on paper (`/mu`) have no value here,
-    /// for they need a figure's scales: [`Asked::value`].
+    /// The value of the quantity of that name, as `omega(2)`, `a_n(D/G)` or `vplan(b,s3)`. A length on paper (`/mu`)
+    /// has no value here, as it needs the scales of a figure: use [`Asked::value`].
     ///
     /// # Errors
-    /// Says what the name should be, or why there is no value. For many positions look the name up once: [`Asked`].
+    /// [`QuantityError`]: the name is of no known form, or the quantity has no value here. For many positions look the
+    /// name up once: [`Asked`].
     pub fn quantity(&self, name: &str) -> Result<Quantity, QuantityError> {
         Asked::new(name, &self.mechanism)?.value(&self.snapshot(), Some(&self.construction), None)
     }
 
-    /// Position and motion together, as quantities are read from them.
+    /// Position and motion together, from which quantities are evaluated.
     #[must_use]
     pub fn snapshot(&self) -> Snapshot<'_> {
         Snapshot { pose: &self.pose, motion: &self.motion }
@@ -62,7 +64,8 @@ impl Solution {
 }
 
 impl Asked {
-    /// Its value; `scales` only for lengths on paper, `construction` only where [`Self::needs_construction`].
+    /// Its value. `scales` are needed only for lengths on paper, `construction` only where
+    /// [`Self::needs_construction`].
     ///
     /// # Errors
     /// [`QuantityError::NoValue`], and [`QuantityError::Unknown`] for a point that the plan does not have.
@@ -73,7 +76,7 @@ impl Asked {
         scales: Option<&Scales>,
     ) -> Result<Quantity, QuantityError> {
         use Quantity::{Number, Vector};
-        if self.accelerates && !state.has_accelerations() {
+        if self.needs_accelerations && !state.has_accelerations() {
             return Err(self.none("accelerations were not asked for"));
         }
         let reader = Reader { asked: self, state, construction };
@@ -126,7 +129,7 @@ impl Asked {
     }
 }
 
-/// Reads a quantity from a position.
+/// Evaluates a quantity in a position.
 struct Reader<'a, S: State> {
     asked: &'a Asked,
     state: &'a S,
@@ -138,7 +141,7 @@ impl<S: State> Reader<'_, S> {
         self.asked.none(why)
     }
 
-    /// The body to which a named place belongs, and where it is.
+    /// The body to which a named place belongs, and its coordinates.
     fn place(&self, spot: &Spot) -> Result<(BodyId, Point), QuantityError> {
         match spot {
             Spot::Point(body, point, _) => Ok((*body, self.state.place(*point))),
@@ -152,7 +155,7 @@ impl<S: State> Reader<'_, S> {
         }
     }
 
-    /// Velocity (order 0) or acceleration (order 1) of one place, less that of another.
+    /// Velocity (order 0) or acceleration (order 1) of place `a`, minus that of `b`.
     fn difference(&self, order: usize, a: &Spot, b: Option<&Spot>) -> Result<Vector, QuantityError> {
         let of = |spot: &Spot| -> Result<Vector, QuantityError> {
             let (body, place) = self.place(spot)?;
@@ -166,11 +169,12 @@ impl<S: State> Reader<'_, S> {
         let plan = self.construction.and_then(|c| c.acceleration.as_ref());
         if let (Spot::Special(special), Some(plan)) = (a, plan) {
             let normal = normal_name(b.name(), special);
-            let image = image_name;
-            // It starts at the image of `b`, or where driven sliders have led from there.
+            // The normal part starts at the image of `b`, or at the end of the parts of driven sliders laid off from
+            // there.
             let laid = plan.arrows().find(|arrow| arrow.to == normal);
-            let parts =
-                laid.and_then(|laid| plan.segment(&laid.from, &normal)).zip(plan.segment(&normal, &image(special)));
+            let parts = laid
+                .and_then(|laid| plan.segment(&laid.from, &normal))
+                .zip(plan.segment(&normal, &image_name(special)));
             if let Some((normal, tangential)) = parts {
                 return Ok([normal, tangential]);
             }
@@ -181,7 +185,7 @@ impl<S: State> Reader<'_, S> {
         Ok([arm * -(omega * omega), quarter_turn(arm) * alpha])
     }
 
-    /// The length of a plan segment; `scales` asks for millimetres of paper.
+    /// The length of a plan segment, in the plan's units; in millimetres of paper if `scales` are given.
     fn segment(
         &self,
         kind: PlanKind,
@@ -203,10 +207,7 @@ impl<S: State> Reader<'_, S> {
         let Some(scales) = scales else {
             return Ok(length);
         };
-        let mu = scales.and_then(|s| match kind {
-            PlanKind::Velocity => s.velocity,
-            PlanKind::Acceleration => s.acceleration,
-        });
+        let mu = scales.and_then(|scales| scales.of(kind.sheet()));
         let mu = mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
         Ok(length / mu)
     }

@@ -1,4 +1,4 @@
-//! A scene put together in Rust: the types of the scene file, filled in key by key.
+//! Builds a scene in Rust: fills the types of the scene file key by key.
 
 use super::build_parts::{Guide, NewLink};
 use super::error::SceneError;
@@ -15,10 +15,11 @@ use super::value::{Entries, NearValue, Vector};
 use super::wrong::Wrong;
 use super::{text, write};
 
-/// Puts a scene together in Rust.
+/// Builds a scene in Rust.
 ///
-/// Each method fills in what the key of the same name says in a scene file, and [`Builder::build`] checks it as that of a
-/// file: so a scene built in code and one read from a file are the same, with the same checks and messages.
+/// Each method sets the key of the same name of a scene file, and [`Builder::build`] checks the scene as if it were
+/// read
+/// from that file, with the same messages.
 ///
 /// ```
 /// use kinegon::scene::{Builder, Guide, LengthUnit, NewLink, TimeUnit, Turn};
@@ -55,7 +56,7 @@ use super::{text, write};
 #[must_use]
 pub struct Builder {
     file: SceneFile,
-    /// A key that was set twice.
+    /// The first key that was set twice.
     wrong: Option<Wrong>,
 }
 
@@ -71,7 +72,7 @@ impl Builder {
         self
     }
 
-    /// Adds a point of the frame.
+    /// Adds a point of the frame, with its coordinates in the fixed frame.
     pub fn ground(mut self, point: &str, place: [f64; 2]) -> Builder {
         if let Ground::Places(places) = self.file.ground.get_or_insert(Ground::Places(Entries::default())) {
             places.add(point, Vector(place));
@@ -79,14 +80,14 @@ impl Builder {
         self
     }
 
-    /// Adds the coordinates of a moving point. The scene is then a drawn configuration: every point has coordinates, and
-    /// there are no lengths, shapes, angles or approximate places.
+    /// Adds the coordinates of a moving point in the fixed frame. The scene is then a drawn configuration: every point
+    /// has coordinates, and there are no lengths, shapes, angles or approximate places.
     pub fn point(mut self, point: &str, place: [f64; 2]) -> Builder {
         self.file.points.get_or_insert_default().add(point, Vector(place));
         self
     }
 
-    /// Gives the motion of a point, in a drawn configuration; [`polar`](super::polar) takes size and angle.
+    /// Gives the motion of a point, in a drawn configuration; [`polar`](super::polar) makes vectors of size and angle.
     pub fn known(mut self, point: &str, motion: PointMotion) -> Builder {
         self.file.known.get_or_insert_default().add(point, motion);
         self
@@ -99,7 +100,7 @@ impl Builder {
         self
     }
 
-    /// Lets a link, by its point `at`, slide on a guide.
+    /// Lets a link slide on a guide by its point `at`.
     pub fn slider(self, link: &str, at: &str, guide: Guide) -> Builder {
         self.sliding(guide, |slider| SliderFile { link: Some(link.to_owned()), at: Some(at.to_owned()), ..slider })
     }
@@ -109,61 +110,54 @@ impl Builder {
         self.sliding(slot, |slider| SliderFile { pin: Some(pin.to_owned()), ..slider })
     }
 
-    fn sliding(mut self, guide: Guide, who: impl Fn(SliderFile) -> SliderFile) -> Builder {
+    fn sliding(mut self, guide: Guide, set: impl Fn(SliderFile) -> SliderFile) -> Builder {
         let sliders = self.file.sliders.get_or_insert_default();
         let index = sliders.len().to_string();
-        sliders.push(who(guide.0.file));
+        sliders.push(set(guide.0.file));
         self.wrong = self.wrong.or(guide.0.wrong.map(|wrong| wrong.inside(&["sliders", &index])));
         self
     }
 
-    /// Says roughly where a point is, to choose the assembly mode.
+    /// Gives the approximate place of a point in the fixed frame, to choose the assembly mode.
     pub fn near(mut self, point: &str, place: [f64; 2]) -> Builder {
         self.file.near.get_or_insert_default().add(point, NearValue::Vector(place));
         self
     }
 
-    /// Says roughly how a link lies, in degrees from +x to its axis, to choose the assembly mode.
+    /// Gives the approximate angle of a link's axis from +x, in degrees, to choose the assembly mode.
     pub fn near_angle(mut self, link: &str, degrees: f64) -> Builder {
         self.file.near.get_or_insert_default().add(&format!("angle({link})"), NearValue::Degrees(degrees));
         self
     }
 
-    /// Says what the figure shows, and how large. Without it there are all three panels on A4.
-    ///
-    /// ```
-    /// # use kinegon::scene::{Builder, Figure, LengthUnit, PanelName, TimeUnit};
-    /// # let builder = Builder::new(LengthUnit::Mm, TimeUnit::S);
-    /// let panels = vec![PanelName::Scheme, PanelName::Velocity];
-    /// let builder = builder.figure(Figure { panels, mu_v: Some(10.0), ..Figure::default() });
-    /// ```
+    /// Sets what the figure shows, and its scales. Without it the figure has all three panels on A4.
     pub fn figure(mut self, figure: Figure) -> Builder {
         self.file.figure = Some(figure);
         self
     }
 
-    /// Names the quantities that are asked for, as `"omega(2)"`. Without it everything is computed.
+    /// Names the quantities that are asked for, as `"omega(2)"`. Without it all are computed.
     pub fn want<'a>(mut self, names: impl IntoIterator<Item = &'a str>) -> Builder {
         self.file.want = Some(names.into_iter().map(str::to_owned).collect());
         self
     }
 
-    /// The scene, checked.
+    /// The checked scene.
     ///
     /// # Errors
-    /// The first thing that is wrong, as [`Scene::read`] says it; its place is in [`Builder::text`].
+    /// The first error, as [`Scene::read`] gives it; its place is in [`Builder::text`].
     pub fn build(&self) -> Result<Scene, SceneError> {
         let text = self.text();
-        // What Rust can say and a text cannot: a name twice, numbers that are none or too large.
-        let said = text::parse(Source(&text), &FileKind::SCENE).map(|_| ());
-        let wrong = said.err().or_else(|| self.wrong.clone());
+        // A builder can be given what a parsed text cannot have: a name twice, numbers not finite or too large.
+        let parsed = text::parse(Source(&text), &FileKind::SCENE);
+        let wrong = parsed.err().or_else(|| self.wrong.clone());
         match wrong {
             Some(wrong) => Err(Source(&text).error(wrong)),
             None => Scene::checked(self.file.clone(), &text),
         }
     }
 
-    /// The text of the scene's file, to be saved.
+    /// The text of the scene file.
     #[must_use]
     pub fn text(&self) -> String {
         write::text(&self.file)

@@ -1,6 +1,6 @@
-//! Choices: enums whose values are single words of the file.
+//! Choices: enums whose values are single words in the file.
 
-/// Makes an enum of such words, each said once: as the file has it, as the schema offers it, as it is written.
+/// Makes an enum of such words, with one list for reading, schema and writing.
 macro_rules! choice {
     ($(#[$about:meta])* $name:ident { $($(#[$doc:meta])* $value:ident = $word:literal,)* }) => {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]

@@ -1,4 +1,4 @@
-//! Drives: one turns a link, or pushes a slider along its guide.
+//! Drives: of a link that turns, or of a slider along its guide.
 
 use std::f64::consts::{PI, TAU};
 
@@ -61,14 +61,14 @@ pub struct SliderDrive {
 
 write_keys!(SliderDrive { speed, position, acceleration } unless SliderDrive { position: None, speed: 0.0, acceleration: 0.0 });
 
-/// What the drive written in a link does.
+/// A drive that is written in a link.
 pub(super) enum LinkDrive {
     Turns(Drive),
     Pushes(SliderDrive),
 }
 
 impl LinkDriveFile {
-    /// Errors at what the drawing gives already.
+    /// Refuses keys of a position in a drawn configuration, which gives it already.
     pub fn check_given_by(&self, given_by: GivenBy, link: &str) -> Result<(), Wrong> {
         match first_given(&[("angle", self.angle.is_some()), ("position", self.position.is_some())]) {
             Some(key) if given_by == GivenBy::Drawing => {
@@ -79,7 +79,7 @@ impl LinkDriveFile {
         }
     }
 
-    /// The drive of this link, checked.
+    /// The checked drive; `link` is its link.
     pub fn read(&self, time: TimeUnit, link: &str) -> Result<LinkDrive, Wrong> {
         let pushes = self.position.is_some() || self.speed.is_some() || self.acceleration.is_some();
         if pushes { self.pushing(link).map(LinkDrive::Pushes) } else { self.turning(time, link).map(LinkDrive::Turns) }
@@ -123,7 +123,7 @@ impl LinkDriveFile {
     }
 }
 
-/// The first of these keys that is given.
+/// The first key that is given.
 pub(super) fn first_given<'a>(keys: &[(&'a str, bool)]) -> Option<&'a str> {
     keys.iter().find(|(_, given)| *given).map(|(key, _)| *key)
 }

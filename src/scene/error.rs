@@ -1,16 +1,16 @@
-//! What is wrong with a scene, where, and what to try.
+//! Errors of a scene: message, place in the text, hint.
 
 use std::fmt;
 use std::ops::Range;
 
-/// The first thing that is wrong with a scene, or with a file that is read as strictly (a drawing style).
+/// The first error of a scene, or of a file that is read as strictly (a drawing style).
 ///
-/// Displayed as `line:column: path: message; hint: what to try`, with the parts that are known.
+/// Displayed as `line:column: path: message; hint: what to try`, without the parts that are not known.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub struct SceneError {
-    /// Where in the JSON: `links.4.lengths.GD`, `sliders[0].at`; empty for the scene as a whole.
+    /// The JSON path: `links.4.lengths.GD`, `sliders[0].at`; empty for the scene as a whole.
     pub path: String,
-    /// Where in the text; `None` where the text as a whole is meant.
+    /// The place in the text; `None` for the text as a whole.
     pub place: Option<Place>,
     /// What is wrong.
     pub message: String,
@@ -25,7 +25,7 @@ pub struct Place {
     pub line: usize,
     /// Column in characters, counted from 1.
     pub column: usize,
-    /// The bytes of the text that are meant.
+    /// The bytes of the text.
     pub span: Range<usize>,
 }
 

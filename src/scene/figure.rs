@@ -1,4 +1,4 @@
-//! What a scene asks of its figure.
+//! The figure that a scene asks for.
 
 use indexmap::IndexMap;
 use schemars::JsonSchema;
@@ -12,8 +12,8 @@ use super::words::{number, shortened, suggestion};
 use super::write::{write_forms, write_keys};
 use super::wrong::Wrong;
 
-/// What the figure shows, and how large. A panel has a `mu`, its scale: units per millimetre of paper, or `None` for the
-/// next one at which it fits.
+/// What the figure shows, and how large. The scale `mu` of a panel is in units per millimetre of paper; `None` stands
+/// for the next round scale at which the panel fits.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = r#"a figure as { "panels": ["scheme", "velocity"] }"#)]
 #[schemars(rename = "figure", description = "What the figure shows, and how large.", transform = without_defaults)]
@@ -63,7 +63,7 @@ write_keys!(Figure {
     panels, mu_l, mu_v, mu_a, page, worksheet, style, notation, language, decimal, labels, special_points, construction, step
 } unless Figure::default());
 
-/// Steps are read as `u16`: none is larger, and a message can say so.
+/// Steps are read as `u16`: no construction has more, and messages can name the range.
 fn step<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<usize>, D::Error> {
     Option::<u16>::deserialize(deserializer).map(|step| step.map(usize::from))
 }
@@ -91,7 +91,7 @@ impl Default for Figure {
 }
 
 impl Figure {
-    /// The scale that is given for a panel, in units per millimetre of paper.
+    /// The given scale of a panel, in units per millimetre of paper; `None` if the panel is to fit.
     #[must_use]
     pub fn mu(&self, panel: PanelName) -> Option<f64> {
         match panel {
@@ -101,10 +101,11 @@ impl Figure {
         }
     }
 
-    /// The scale itself, if it is one: a positive number of units per millimetre of paper, at most 1e100 as all numbers of scenes.
+    /// The scale, if it is valid: in units per millimetre of paper, positive, and at most 1e100 as all numbers of
+    /// scenes.
     ///
     /// # Errors
-    /// Says in words what is wrong with it.
+    /// The message without its subject.
     pub fn checked_scale(scale: f64) -> Result<f64, String> {
         if scale > LARGEST {
             return Err(format!("{}; numbers are at most {LARGEST:e}", number(scale)));
@@ -115,7 +116,7 @@ impl Figure {
         Err(format!("{}; a scale, in units per millimetre of paper, is positive", number(scale)))
     }
 
-    /// Errors at scales, panels and steps that cannot be drawn.
+    /// Refuses scales, panels and steps that cannot be drawn.
     pub(super) fn check(&self) -> Result<(), Wrong> {
         for (key, scale) in [("mu_l", self.mu_l), ("mu_v", self.mu_v), ("mu_a", self.mu_a)] {
             if let Some(Err(why)) = scale.map(Figure::checked_scale) {
@@ -127,8 +128,8 @@ impl Figure {
             let hint = r#"name some of "scheme", "velocity", "acceleration", or leave `panels` out"#;
             return Err(Wrong::value(&["panels"], "a figure without panels shows nothing").hint(hint));
         }
-        let twice = |&index: &usize| self.panels[..index].contains(&self.panels[index]);
-        if let Some(index) = (1..self.panels.len()).find(twice) {
+        let is_doubled = |&index: &usize| self.panels[..index].contains(&self.panels[index]);
+        if let Some(index) = (1..self.panels.len()).find(is_doubled) {
             return Err(Wrong::value(&["panels", &index.to_string()], "this panel stands twice"));
         }
         match self.step {
@@ -136,7 +137,7 @@ impl Figure {
                 let hint = "`kinegon steps` lists them; leave `step` out for the finished figure";
                 Err(Wrong::value(&["step"], "steps of the construction are numbered from 1").hint(hint))
             }
-            // No file gets here: its types say the same.
+            // Only from Rust: the types of the file refuse it before.
             Some(step) if step > u16::MAX.into() => {
                 let message = format!("expected a whole number from 1 to 65535, found the number {step}");
                 Err(Wrong::value(&["step"], message))
@@ -248,7 +249,7 @@ impl Default for Page {
 }
 
 impl Page {
-    /// Every way to write a page in a scene file.
+    /// All names of pages in a scene file.
     pub(super) const NAMES: [&str; 9] = [
         "a4",
         "a4-landscape",
@@ -261,7 +262,7 @@ impl Page {
         "letter-portrait",
     ];
 
-    /// The page of this name, or `None` if there is none; without a suffix it is landscape.
+    /// The page of this name; `None` if there is none. Without a suffix it is landscape.
     pub(super) fn from_name(name: &str) -> Option<Page> {
         let (size, landscape) = match name.split_once('-') {
             None => (name, true),
@@ -273,7 +274,7 @@ impl Page {
         Some(Page { size, landscape })
     }
 
-    /// The page as a scene file writes it: `"a4"`, `"a4-portrait"`.
+    /// Its name in a scene file: `"a4"`, `"a4-portrait"`.
     #[must_use]
     pub fn name(self) -> &'static str {
         let names = |name: &&str| Page::from_name(name) == Some(self);

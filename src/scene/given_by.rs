@@ -1,13 +1,13 @@
-//! The two ways to give a mechanism: by lengths, or by a drawing of it.
+//! The two ways to give the positions of a mechanism: by lengths, or by a drawing.
 
-/// What gives the places of a scene's points.
+/// How a scene gives the places of its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GivenBy {
-    /// Ground points, lengths or shapes, and drives with angles: positions have to be found.
+    /// By ground points, lengths or shapes, and angles of drives: positions have to be found.
     Lengths,
-    /// Coordinates of every point: positions are given.
+    /// By the coordinates of every point, as drawn.
     Drawing,
 }
 
-/// Why the drawn form has no room for something, and what it does instead; for hints.
+/// End of hints: why a drawn configuration refuses a key.
 pub(super) const DRAWN: &str = "the drawing, `points`, gives it already";

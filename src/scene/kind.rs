@@ -1,26 +1,26 @@
-//! The kinds of files that are read strictly, in the words of messages.
+//! Kinds of files that are read strictly, for messages.
 
-/// A kind of file: what it is called, and by which key it gives the version of its format.
+/// A kind of file: its name in messages and the key with the version of its format.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FileKind {
-    /// What one such file is called, as `scene`.
+    /// Its name, as `scene`.
     pub what: &'static str,
     /// The key of the version.
     pub key: &'static str,
-    /// The version that this program reads.
+    /// The version that is read.
     pub version: u64,
 }
 
 impl FileKind {
-    /// A mechanism.
+    /// A scene.
     pub(super) const SCENE: FileKind = FileKind { what: "scene", key: "kinegon", version: 1 };
 
-    /// How such a file begins, for a hint.
+    /// How such a file begins, in a sentence for a hint.
     pub(super) fn beginning(&self) -> String {
         format!("a {} begins with {}", self.what, self.start())
     }
 
-    /// Its first characters.
+    /// How such a file begins, as JSON.
     pub(super) fn start(&self) -> String {
         format!(r#"{{ "{}": {}, … }}"#, self.key, self.version)
     }

@@ -1,4 +1,4 @@
-//! Known motions: whose they are, and that no point's motion is given twice.
+//! Given motions: of which points they are, and that none is given twice.
 
 use indexmap::IndexMap;
 
@@ -10,7 +10,7 @@ use super::slider::{On, Slider};
 use super::value::{At, Entries};
 use super::wrong::Wrong;
 
-/// The points whose motion is known.
+/// The points of given motion.
 pub(super) fn known(
     given_by: GivenBy,
     names: &Names<'_>,
@@ -31,14 +31,14 @@ pub(super) fn known(
     Ok(known.into_iter().collect())
 }
 
-/// Errors at points whose motion is given twice: by `known`, by the motion or the drive of a link, by the drive of a
+/// Refuses a second motion of a point: given by `known`, by the motion or the drive of a link, or by the drive of a
 /// slider on the ground.
 pub(super) fn check_given_once(
     names: &Names<'_>,
     known: &IndexMap<String, PointMotion>,
     sliders: &[Slider],
 ) -> Result<(), Wrong> {
-    // What gives the motion of a point, in words, by the point.
+    // For each point the source of its motion, in words.
     let mut given: IndexMap<&str, String> = IndexMap::new();
     let mut give = |point, whose: &str, path: &[&str]| match given.insert(point, whose.to_owned()) {
         None => Ok(()),
@@ -47,7 +47,7 @@ pub(super) fn check_given_once(
             Err(Wrong::value(path, message).hint("keep one of them"))
         }
     };
-    // A slider driven along a moving link says how two links move against each other, of no point how it moves.
+    // A slider driven on a moving link gives a relative motion only, which is that of no point.
     let driven = |s: &Slider| s.drive.is_some() && s.on == On::Ground;
     for (name, link) in names.links {
         let pushes = |s: &Slider| driven(s) && s.link.as_ref() == Some(name);
@@ -75,7 +75,7 @@ pub(super) fn check_given_once(
     Ok(())
 }
 
-/// Errors at motions of links that are given at a point there is not.
+/// Refuses motions of links at points that do not exist.
 pub(super) fn check_motions(names: &Names<'_>) -> Result<(), Wrong> {
     for (name, link) in names.links {
         if let Some(At::Point(point)) = link.motion.as_ref().map(|motion| &motion.at) {

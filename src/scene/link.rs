@@ -1,4 +1,4 @@
-//! Links: what the file says of one, and what it means: its points, what fixes them, its drive or motion.
+//! Links: their keys in the file and their checked form, with points, shape, and drive or motion.
 
 use indexmap::IndexMap;
 use schemars::JsonSchema;
@@ -35,7 +35,7 @@ pub(super) struct LinkFields {
 
 write_keys!(LinkFields { points, shape, lengths, drive, angle, motion });
 
-/// A link as the file has it: a bare list of points, or its fields.
+/// A link in the file: a list of points, or an object.
 #[derive(Debug, Clone)]
 pub(super) struct LinkFile(pub LinkFields);
 
@@ -55,24 +55,24 @@ several_forms!(LinkFile, "link", NamesOr {
 /// A rigid link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Link {
-    /// Names of its points, in file order (with [`Shape::Local`] and no list of points: in the order of the shape).
-    /// Its axis runs from the first to the second, except with [`Shape::Local`].
+    /// Names of its points, in file order; of a shape without a list of points in the order of the shape. Its axis runs
+    /// from the first to the second, except with [`Shape::Local`].
     pub points: Vec<String>,
-    /// What fixes the points to each other; always [`Shape::Bare`] in the drawn form.
+    /// The distances between its points; always [`Shape::Bare`] in a drawn configuration.
     pub shape: Shape,
     /// The drive that turns it, if any.
     pub drive: Option<Drive>,
-    /// Angle of its axis from +x, in degrees, in place of the angle of another link's drive. One that the file gives on a link with
-    /// a drive of its own stands in the drive.
+    /// Angle of its axis from +x, in degrees, given in place of the angle of another link's drive. The angle of a link
+    /// with a drive of its own is in the drive.
     pub angle_deg: Option<f64>,
-    /// Its motion, if it is a known moving body (drawn form only).
+    /// Its motion, if it is a body of given motion; only in a drawn configuration.
     pub motion: Option<LinkMotion>,
 }
 
-/// Drives that push a sliding link, by the name of the link.
+/// Drives along a guide that are written in the sliding link, by the name of the link.
 pub(super) type Pushes = IndexMap<String, SliderDrive>;
 
-/// The links, and the drives written in links that push sliders.
+/// The links, and the drives in them that belong to sliders.
 pub(super) fn links(
     given_by: GivenBy,
     time: TimeUnit,
@@ -94,7 +94,7 @@ pub(super) fn links(
     Ok((links, pushes))
 }
 
-/// A link, and the drive in it that pushes its slider.
+/// A link, and the drive in it that belongs to its slider.
 fn link(
     given_by: GivenBy,
     time: TimeUnit,
@@ -133,7 +133,7 @@ fn link(
     Ok((Link { points, shape, drive, angle_deg, motion: fields.motion }, push))
 }
 
-/// Errors at the keys that belong to the other form.
+/// Refuses the keys that belong to the other way of giving a mechanism.
 fn check_given_by(given_by: GivenBy, name: &str, fields: &LinkFields) -> Result<(), Wrong> {
     if given_by == GivenBy::Lengths {
         if fields.motion.is_some() {
@@ -154,7 +154,7 @@ fn check_given_by(given_by: GivenBy, name: &str, fields: &LinkFields) -> Result<
     fields.drive.as_ref().map_or(Ok(()), check).map_err(|wrong| wrong.inside(&["drive"]))
 }
 
-/// The names of a link's points: those of `points`, or else of `shape`.
+/// The names of a link's points: those of `points`, else of `shape`.
 fn points(name: &str, fields: &LinkFields) -> Result<Vec<String>, Wrong> {
     let shape = fields.shape.as_ref().map(|shape| shape.0.iter().map(|(point, _)| point));
     for point in shape.clone().into_iter().flatten() {

@@ -1,13 +1,14 @@
-//! In: the text of a scene file (version 1), or a scene put together in Rust. Out: a checked [`Scene`], or a [`SceneError`]
-//! with its place. A `Scene` says what the person wrote, in the person's units, degrees and order; every name in it refers
-//! to something. It does not solve positions, count degrees of freedom, look for groups or read files: later stages do.
+//! In: the text of a scene file (version 1), or a scene built in Rust. Out: a checked [`Scene`], or a [`SceneError`]
+//! with its place in the text. A `Scene` has the values of the file, in its units, degrees and order; every name in it
+//! refers to something. Positions, degrees of freedom and groups are found in later stages, which also read the files.
 //!
-//! In reading order: from text to types (`text` makes JSON of it, `typed` the types of any strict file), with the place of
-//! what is wrong (`wrong`, `place`, `words`); then the parts of a scene, a file each, with the types that stand in the scene
-//! file, what a `Scene` makes of them and what must be true; `read` lists them key by key, and goes the whole way.
-//! `build` fills the same types in Rust, and `write` lays their text out.
+//! In reading order: `text` makes JSON of the text and `typed` makes typed values of it, for any file that is read
+//! strictly; `wrong`, `place` and `words` are errors, their places and their words. Then come the parts of a scene, a
+//! file each, with the types of the scene file, the types of a `Scene`, and the checks. `read` lists the parts key by
+//! key, and joins all stages. `build` fills the same types in Rust, and `write` makes their text.
 //!
-//! To add a kind of joint: a file like `slider`; its key, its field and its line in `read`. CONTRIBUTING.md has the whole list.
+//! To add a kind of joint: a file like `slider`; its key, its field and its line in `read`. CONTRIBUTING.md has the
+//! whole list.
 
 mod error;
 mod kind;

@@ -1,4 +1,4 @@
-//! Given motions, in the fixed frame: of points, and of links.
+//! Given motions of points and links, in the fixed frame.
 
 use schemars::JsonSchema;
 use serde::Deserialize;

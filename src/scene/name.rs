@@ -1,14 +1,14 @@
-//! One name: what it may be made of; and keys that join two names.
+//! Names: the characters they may have, and keys that join two of them.
 
 use std::collections::HashSet;
 
 use super::words::{close, list, shortened};
 use super::wrong::Wrong;
 
-/// The longest name, in characters.
+/// Longest name, in characters.
 const LONGEST: usize = 64;
 
-/// Checks what a name is made of; `what` is "a point" or "a link".
+/// Refuses a name with other characters than allowed; `what` is "a point" or "a link".
 pub(super) fn check_name(what: &str, name: &str) -> Result<(), Wrong> {
     if name.is_empty() {
         let hint = "write a letter or a number between the quotes";
@@ -35,7 +35,7 @@ pub(super) fn check_name(what: &str, name: &str) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// Errors at names of a list of points that are no names or stand twice in it; `place` is empty or as ` in link 4`.
+/// Refuses a list of points with an invalid name or with a name twice; `place` is empty or as ` in link 4`.
 pub(super) fn check_list(points: &[String], place: &str) -> Result<(), Wrong> {
     let mut seen = HashSet::new();
     for (index, point) in points.iter().enumerate() {
@@ -58,7 +58,7 @@ pub(super) fn no_point(carrier: &str, point: &str, points: &[String]) -> String 
     }
 }
 
-/// The two points of a carrier that a key like `AB` or `A-B` names; `what` is what the key is called in messages.
+/// The two points of a carrier that a key like `AB` or `A-B` names; `what` is the name of the key in messages.
 pub(super) fn pair(
     what: &str,
     key: &str,
@@ -88,7 +88,7 @@ pub(super) fn pair(
                 return Err(wrong(format!(" can mean {a} and {b}, or {c} and {d}")).hint(hint));
             }
             (None, _) => {
-                // The part that is not a point: beside the longest part that is one.
+                // The unknown point is the rest of the key beside its longest part that is a point.
                 let known = cuts.flat_map(|(from, to)| [(from, to), (to, from)]).filter(|(part, _)| is_point(part));
                 return unknown(known.max_by_key(|(part, _)| part.len()).map_or(key, |(_, rest)| rest));
             }

@@ -1,4 +1,4 @@
-//! All names of a scene: which point is on which link, and which names are kept for results.
+//! All names of a scene: the points of each link, and the names that results need.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,7 +9,7 @@ use super::name::no_point;
 use super::words::{shortened, suggestion};
 use super::wrong::Wrong;
 
-/// All names of a scene, and which point is on which link.
+/// All names of a scene, and the points of each link.
 #[derive(Debug)]
 pub(super) struct Names<'a> {
     /// The frame's points, in file order.
@@ -19,7 +19,7 @@ pub(super) struct Names<'a> {
     on_ground: HashSet<&'a str>,
     on_link: HashSet<(&'a str, &'a str)>,
     on_any_link: HashSet<&'a str>,
-    /// The first point of each name in lower case, which is its image in the plans.
+    /// The first point of each name in lower case, which is the name of its image in the plans.
     images: HashMap<String, &'a str>,
 }
 
@@ -57,7 +57,7 @@ impl<'a> Names<'a> {
         self.on_ground(point) || self.on_any_link.contains(point)
     }
 
-    /// The link of this name, which stands at `path`, or an error that names the nearest.
+    /// The link of this name, or an error at `path` that suggests the nearest name.
     pub fn link(&self, path: &[&str], name: &str) -> Result<&'a Link, Wrong> {
         self.links.get(name).ok_or_else(|| {
             let hint = suggestion(name, self.links.keys().map(String::as_str), "the links are");
@@ -65,7 +65,7 @@ impl<'a> Names<'a> {
         })
     }
 
-    /// An error if there is no point of this name, which stands at `path`; it names the nearest.
+    /// An error at `path` if there is no point of this name; it suggests the nearest.
     pub fn point(&self, path: &[&str], name: &str) -> Result<(), Wrong> {
         if self.is_point(name) {
             return Ok(());
@@ -77,7 +77,7 @@ impl<'a> Names<'a> {
         Err(Wrong::value(path, format!("there is no point {}", shortened(name))).maybe_hint(hint))
     }
 
-    /// An error if the point, which stands at `path`, is not on the link; it names the link's points.
+    /// An error at `path` if the point is not on the link; it lists the link's points.
     pub fn point_of_link(&self, path: &[&str], link: &str, point: &str) -> Result<(), Wrong> {
         if self.on_link(link, point) {
             return Ok(());
@@ -86,22 +86,22 @@ impl<'a> Names<'a> {
         Err(Wrong::value(path, no_point(&format!("link {link}"), point, points)))
     }
 
-    /// An error at a name that results need: `S3` beside link 3, `D_2` beside link 2, `d` beside D.
+    /// Refuses a name that results need: `S3` beside link 3, `D_2` beside link 2, `d` beside D.
     pub fn check_reserved(&self, point: &str) -> Result<(), Wrong> {
-        let kept = |what: String| {
+        let reserved = |what: String| {
             Err(Wrong::key(&[], format!("the name `{point}` is kept for {what}"))
                 .hint("choose another name for the point"))
         };
         if let Some(first) = self.images.get(&point.to_lowercase()).filter(|first| **first != point) {
-            return kept(format!("the image of {first} in the plans"));
+            return reserved(format!("the image of {first} in the plans"));
         }
         if let Some(link) = point.strip_prefix('S').filter(|link| self.links.contains_key(*link)) {
-            return kept(format!("the special point of link {link}"));
+            return reserved(format!("the special point of link {link}"));
         }
         for (at, _) in point.match_indices('_') {
             let (before, link) = (&point[..at], &point[at + 1..]);
             if !before.is_empty() && self.links.contains_key(link) {
-                return kept(format!("the point of link {link} under {before}"));
+                return reserved(format!("the point of link {link} under {before}"));
             }
         }
         Ok(())

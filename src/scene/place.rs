@@ -1,4 +1,4 @@
-//! In: an error by its JSON path, or a range of bytes. Out: its place in the text.
+//! In: an error with its JSON path or its range of bytes. Out: its place in the text.
 
 use std::ops::Range;
 
@@ -15,14 +15,14 @@ use super::wrong::{Spot, Wrong};
 pub(super) struct Source<'a>(pub &'a str);
 
 impl<'a> Source<'a> {
-    /// The text without the byte order mark that some editors put before it. All ranges count in its bytes.
+    /// The text without a byte order mark, which some editors add. Ranges count in bytes of this text.
     pub fn body(self) -> &'a str {
         self.0.strip_prefix('\u{feff}').unwrap_or(self.0)
     }
 
-    /// The error with its place: that of its part, or of the nearest part around it that is there.
+    /// The error with its place: that of its path, or of the nearest part around it that the text has.
     pub fn error(self, Wrong { paths, spot, bytes, message, hint }: Wrong) -> SceneError {
-        // A text that is no JSON has no paths.
+        // An error in a text that is not JSON has no paths.
         let tree = if paths.is_empty() { None } else { parse_tree(self.body()).ok() };
         let root = tree.and_then(|tree| tree.value);
         let walks = paths.iter().filter_map(|path| root.as_ref().map(|root| walk(root, path, spot)));
@@ -44,7 +44,7 @@ impl<'a> Source<'a> {
     }
 }
 
-/// The tree of the text with its ranges of bytes; nothing beyond JSON is let through that the parser can refuse.
+/// The JSON tree of the text with its ranges of bytes; every extension of JSON that the parser can refuse is refused.
 pub(super) fn parse_tree(body: &str) -> Result<ParseResult<'_>, ParseError> {
     let strict = ParseOptions {
         allow_comments: false,
@@ -61,17 +61,17 @@ pub(super) fn parse_tree(body: &str) -> Result<ParseResult<'_>, ParseError> {
     parse_to_ast(body, &CollectOptions::default(), &strict)
 }
 
-/// Where a path leads.
+/// The part of the text to which a path leads.
 struct Walk {
-    /// The path as shown in messages.
+    /// The path as it is shown in messages.
     shown: String,
-    /// The bytes meant.
+    /// Its range of bytes.
     span: Range<usize>,
-    /// Whether every part of the path is there.
+    /// Whether the text has every part of the path.
     complete: bool,
 }
 
-/// Follows a path as far as it goes.
+/// Follows a path as far as the text has it.
 fn walk(root: &Value<'_>, path: &[String], spot: Spot) -> Walk {
     let (mut shown, mut span, mut node) = (String::new(), value_span(root, None), Some(root));
     for (depth, part) in path.iter().enumerate() {
@@ -105,7 +105,7 @@ pub(super) fn range_of(part: &impl Ranged) -> Range<usize> {
     part.start()..part.end()
 }
 
-/// What to point at for a value: itself, or for one that holds others its key, or else its opening bracket.
+/// The range that is shown for a value: the value itself; of an object or a list its key, else its opening bracket.
 fn value_span(value: &Value<'_>, key: Option<Range<usize>>) -> Range<usize> {
     match value {
         Value::Object(_) | Value::Array(_) => key.unwrap_or(value.start()..value.start() + 1),

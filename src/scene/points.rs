@@ -1,4 +1,4 @@
-//! The frame and the points: every point has a place where the form needs one, and every name is a point of something.
+//! The frame and the points: their coordinates where they are needed, and approximate places.
 
 use indexmap::IndexMap;
 
@@ -31,19 +31,19 @@ several_forms!(Ground, "ground", NamesOr {
     ]
 });
 
-/// Approximate positions, which choose among the assembly modes.
+/// Approximate positions, which choose the assembly mode.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Near {
     /// Approximate coordinates of points, in the fixed frame.
     pub points: IndexMap<String, [f64; 2]>,
-    /// Approximate angles of links by link name, in degrees (written `"angle(3)"` in the file).
+    /// Approximate angles of links from +x by link name, in degrees (`"angle(3)"` in the file).
     pub angles_deg: IndexMap<String, f64>,
 }
 
-/// Coordinates by the name of a point.
+/// Coordinates in the fixed frame, by the name of the point.
 pub(super) type Coordinates = IndexMap<String, [f64; 2]>;
 
-/// The names of the frame's points and the coordinates that the scene gives.
+/// The names of the frame's points, and all coordinates that the scene gives.
 pub(super) fn ground(
     given_by: GivenBy,
     ground: Option<Ground>,
@@ -82,7 +82,8 @@ pub(super) fn ground(
     Ok((names, coordinates))
 }
 
-/// Errors at points without coordinates, points that are on nothing, names kept for results, and zero-length links.
+/// Refuses points without coordinates, points on no link and not on the ground, names that results need, and links of
+/// zero length.
 pub(super) fn check_points(given_by: GivenBy, names: &Names<'_>, coordinates: &Coordinates) -> Result<(), Wrong> {
     let place_of = |point: &str| {
         coordinates.get(point).copied().ok_or_else(|| {
@@ -100,7 +101,7 @@ pub(super) fn check_points(given_by: GivenBy, names: &Names<'_>, coordinates: &C
     for (name, link) in names.links {
         let mut places = Vec::with_capacity(link.points.len());
         for (index, point) in link.points.iter().enumerate() {
-            // In the lengths form points get their places later.
+            // A scene given by lengths has no places of moving points yet.
             let place = || if given_by == GivenBy::Drawing { place_of(point).map(Some) } else { Ok(None) };
             let place = names.check_reserved(point).and_then(|()| place()).map_err(|wrong| {
                 let index = index.to_string();
@@ -119,7 +120,7 @@ pub(super) fn check_points(given_by: GivenBy, names: &Names<'_>, coordinates: &C
     Ok(())
 }
 
-/// The approximate positions.
+/// The approximate places and angles.
 pub(super) fn near(given_by: GivenBy, names: &Names<'_>, file: Option<Entries<NearValue>>) -> Result<Near, Wrong> {
     if file.is_some() && given_by == GivenBy::Drawing {
         let message = "a drawn configuration needs no `near`";

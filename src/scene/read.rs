@@ -1,4 +1,4 @@
-//! The scene file, version 1: the contract, key by key; what a scene makes of it; and the whole way there: text, file, checks.
+//! The scene file, version 1, key by key; the checked scene; and the way from text to scene.
 
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -58,7 +58,7 @@ fn version(_: &mut SchemaGenerator) -> Schema {
 }
 
 impl SceneFile {
-    /// A file that says nothing but its units.
+    /// A file with units only.
     pub fn new(units: Units) -> SceneFile {
         SceneFile {
             kinegon: 1,
@@ -78,39 +78,39 @@ impl SceneFile {
 
 write_keys!(SceneFile { kinegon, title, units, ground, points, known, links, sliders, near, figure, want });
 
-/// A mechanism as its scene file describes it: checked, complete, in the file's order and units, angles in degrees.
+/// A mechanism as its scene file describes it: checked, in the file's order and units, angles in degrees.
 ///
-/// Every coordinate is in the fixed frame (x right, y up) and in `units.length`, unless its field says otherwise.
+/// Coordinates are in the fixed frame (x right, y up) and in `units.length`, unless the field says otherwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
-    /// The title, if the scene has one.
+    /// The title, if any.
     pub title: Option<String>,
     /// The units of every length and time of the scene.
     pub units: Units,
-    /// Whether the scene gives lengths or a drawn configuration.
+    /// Whether the scene is given by lengths or by a drawing.
     pub given_by: GivenBy,
     /// Names of the frame's points, in file order.
     pub ground: Vec<String>,
-    /// Given positions: of the ground points (lengths form), of every point (drawn form).
+    /// Given coordinates: of the ground points, or in a drawn configuration of every point.
     pub coordinates: IndexMap<String, [f64; 2]>,
-    /// Points whose motion is given (drawn form only).
+    /// Points whose motion is given; only in a drawn configuration.
     pub known: IndexMap<String, PointMotion>,
-    /// The links by name. Without the frame.
+    /// The links by name, without the frame.
     pub links: IndexMap<String, Link>,
-    /// The sliders and pins in slots.
+    /// The sliders, and the pins in slots.
     pub sliders: Vec<Slider>,
-    /// Approximate positions that choose the assembly mode (lengths form only).
+    /// Approximate positions that choose the assembly mode; not in a drawn configuration.
     pub near: Near,
     /// What the figure shows, and how large.
     pub figure: Figure,
-    /// Names of the quantities asked for; `None` asks for all. The names themselves are not checked here.
+    /// Names of the quantities asked for; `None` for all. They are not checked here.
     pub want: Option<Vec<String>>,
-    /// The scene's text, to find the places of later findings.
+    /// The scene's text, for the places of errors of later stages.
     text: String,
 }
 
 impl Scene {
-    /// The scene that `text` describes, or the first thing that is wrong with it.
+    /// The scene that `text` describes, or the first error in it.
     ///
     /// ```
     /// use kinegon::scene::Scene;
@@ -127,14 +127,14 @@ impl Scene {
         Scene::checked(read_as(text, &FileKind::SCENE)?, text)
     }
 
-    /// The scene that the file describes, whose places are in `text`.
+    /// The scene of a file; the places of its errors are in `text`.
     pub(super) fn checked(file: SceneFile, text: &str) -> Result<Scene, SceneError> {
         check(file, text).map_err(|wrong| Source(text).error(wrong))
     }
 
-    /// An error at a JSON path of this scene, for findings of later stages; an index of a list is written in digits.
+    /// An error of a later stage at a JSON path of this scene; an index of a list is written in digits.
     ///
-    /// Where the scene has nothing at the path, the place is that of the nearest part around it.
+    /// If the scene has nothing at the path, the place is that of the nearest part around it.
     pub fn error_at(&self, path: &[&str], message: impl Into<String>, hint: Option<String>) -> SceneError {
         Source(&self.text).error(Wrong::value(path, message).maybe_hint(hint))
     }
@@ -145,7 +145,7 @@ impl Scene {
     }
 }
 
-/// Each part of the file, checked, in the order in which mistakes are told.
+/// Checks the parts of the file, in the order in which errors are reported.
 fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
     let given_by = if file.points.is_some() { GivenBy::Drawing } else { GivenBy::Lengths };
     let (links, pushes) = links(given_by, file.units.time, file.links)?;

@@ -1,4 +1,4 @@
-//! The JSON Schemas of files, from the types that read them.
+//! JSON Schemas of files, made from the types that read them.
 
 use schemars::generate::SchemaSettings;
 use schemars::transform::{RecursiveTransform, Transform};
@@ -18,7 +18,7 @@ pub(crate) fn schema_of<T: JsonSchema>(title: &str) -> Json {
     schema.to_value()
 }
 
-/// A key that may be left out is not `null`: that is refused.
+/// Forbids `null`: a key is left out in its place.
 fn forbid_null(schema: &mut Schema) {
     let null = |value: &Json| *value == json!("null") || *value == json!({ "type": "null" });
     let Some(object) = schema.as_object_mut() else {
@@ -41,7 +41,7 @@ fn forbid_null(schema: &mut Schema) {
     }
 }
 
-/// Lets every object have a `note`.
+/// Allows a `note` in every object.
 fn allow_note(schema: &mut Schema) {
     if schema.get("type").and_then(Json::as_str) != Some("object") {
         return;
@@ -52,7 +52,7 @@ fn allow_note(schema: &mut Schema) {
     }
 }
 
-/// Takes out what a key that may be left out then is, which its description says.
+/// Removes the defaults of keys that may be left out; their descriptions give them.
 pub(super) fn without_defaults(schema: &mut Schema) {
     let properties = schema.get_mut("properties").and_then(Json::as_object_mut);
     for property in properties.into_iter().flat_map(|properties| properties.values_mut()) {

@@ -1,4 +1,4 @@
-//! What fixes the points of a link to each other: lengths, which are positive and of which three close; or a shape.
+//! Shapes of links: lengths, which are positive and of which three form a triangle; or coordinates.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,18 +9,18 @@ use super::value::{Entries, ShapePoint};
 use super::words::number;
 use super::wrong::Wrong;
 
-/// How far, relative to the longest, three lengths may miss adding up and still be a straight link: the rounding of
-/// decimal lengths, with room for a few operations.
+/// Relative tolerance of three lengths that add up, in parts of the longest: within it the link is straight. It covers
+/// the rounding of decimal lengths, with room for a few operations.
 const STRAIGHT: f64 = 1e-12;
 
-/// What fixes the points of a link to each other.
+/// The distances between the points of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// Nothing is needed: no point, one point, or a drawn configuration.
+    /// Not needed: no point, one point, or a drawn configuration.
     Bare,
-    /// Distances: one for two points, three for three points. They can be joined: the triangle closes or is straight.
+    /// Distances: one for two points, three for three points. The triangle closes or is straight.
     Lengths(Vec<Length>),
-    /// Coordinates in the link's own frame, whose x axis is the link's axis; one entry for each point.
+    /// Coordinates of every point in the link's own frame, whose x axis is the link's axis.
     Local(IndexMap<String, [f64; 2]>),
 }
 
@@ -43,7 +43,7 @@ impl Length {
     }
 }
 
-/// The lengths of a link, as many as its points need.
+/// The lengths of a link: none for up to one point, one for two, three for three.
 pub(super) fn lengths(link: &str, points: &[String], given: Entries<f64>) -> Result<Shape, Wrong> {
     if points.len() > 3 {
         let message = format!("link {link} has {} points, which lengths do not fix", points.len());
@@ -77,7 +77,7 @@ pub(super) fn lengths(link: &str, points: &[String], given: Entries<f64>) -> Res
     Ok(if lengths.is_empty() { Shape::Bare } else { Shape::Lengths(lengths) })
 }
 
-/// One length of a link, beside those before it.
+/// One length of a link; `before` are those before it.
 fn length(link: &str, points: &[String], before: &[Length], key: String, value: f64) -> Result<Length, Wrong> {
     let is_point = |point: &str| points.iter().any(|other| other == point);
     let (from, to) = pair("lengths key", &key, &format!("link {link}"), points, is_point)?;
@@ -113,7 +113,7 @@ fn check_triangle(link: &str, sides: [&Length; 3]) -> Result<(), Wrong> {
         (false, true) => (b, a, c),
         (false, false) => (c, a, b),
     };
-    // Differences first: a sum could overflow.
+    // A difference, as the sum of two lengths could overflow.
     if long - one - other <= STRAIGHT * long {
         return Ok(());
     }
@@ -123,7 +123,7 @@ fn check_triangle(link: &str, sides: [&Length; 3]) -> Result<(), Wrong> {
     Err(Wrong::value(&["lengths"], message))
 }
 
-/// The shape of a link: one place for each of its points, no two the same.
+/// The shape of a link: coordinates of each of its points, no two the same.
 pub(super) fn local(link: &str, points: &[String], given: Entries<ShapePoint>) -> Result<Shape, Wrong> {
     if given.0.is_empty() {
         return Err(Wrong::value(&["shape"], format!("the shape of link {link} has no points")));
@@ -143,14 +143,14 @@ pub(super) fn local(link: &str, points: &[String], given: Entries<ShapePoint>) -
     Ok(Shape::Local(places))
 }
 
-/// An error at the first of a link's points that is exactly where an earlier one is.
+/// An error at the first of a link's points that coincides with an earlier one.
 pub(super) fn check_apart<'a>(
     link: &str,
     points: impl Iterator<Item = (&'a str, [f64; 2])>,
 ) -> Result<(), (&'a str, Wrong)> {
     let mut seen: HashMap<[u64; 2], &str> = HashMap::new();
     for (second, place) in points {
-        // Adding zero makes a negative zero a positive one.
+        // Adding zero turns a negative zero into a positive one, which has other bits.
         let key = place.map(|coordinate| (coordinate + 0.0).to_bits());
         if let Some(first) = seen.insert(key, second) {
             let message = format!("link {link} has {first} and {second} in one place: a zero-length link");

@@ -1,4 +1,4 @@
-//! Sliders: links on straight guides, pins in slots. What the file says of one, what it means, and what must be true of it.
+//! Sliders: links on straight guides and pins in slots; their keys in the file, their checked form and the checks.
 
 use std::collections::HashSet;
 
@@ -43,31 +43,31 @@ pub(super) struct SliderFile {
 
 write_keys!(SliderFile { link, at, pin, on, through, along, turned, drive });
 
-/// A link, or a lone pin, that slides along a straight guide of another link or of the frame.
+/// A link, or a pin without a block, that slides along a straight guide of another link or of the frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slider {
-    /// The sliding link; `None` where a pin rides in the slot.
+    /// The sliding link; `None` for a pin in a slot.
     pub link: Option<String>,
-    /// The point of `link` that slides; `None` where a pin rides in the slot.
+    /// The point of `link` that slides; `None` for a pin in a slot.
     pub at: Option<String>,
-    /// The pin that rides in the slot, a point of another link or of the frame; `None` where a link slides.
+    /// The pin in the slot, a point of another link or of the frame; `None` for a sliding link.
     pub pin: Option<String>,
-    /// What carries the guide.
+    /// The carrier of the guide.
     pub on: On,
-    /// A place on the guide: a point of `on`; or coordinates, in the fixed frame for a guide on the ground, in the own
-    /// frame of `on` (its shape) otherwise. `None`: the first point of `along`, else of `on`, which is there in the
-    /// lengths form; in the drawn form a guide given by its direction passes through the sliding point.
+    /// A place on the guide: a point of `on`; or coordinates, on the ground in the fixed frame, else in the own frame
+    /// of `on` (its shape). `None`: the first point of `along`, else of `on`; in a drawn configuration a guide given by
+    /// its direction passes through the sliding point.
     pub through: Option<At>,
     /// The direction of the guide.
     pub along: Along,
-    /// Angle from the guide to the slider's axis, in degrees; zero unless given, always zero in the drawn form.
+    /// Angle from the guide to the sliding link's axis, in degrees; zero by default and in a drawn configuration.
     pub turned_deg: f64,
-    /// The drive that pushes the slider, if any; it has no `position` in the drawn form.
-    /// One that the file gives in the sliding link stands here too.
+    /// The drive along the guide, if any, whether the file has it in the slider or in the sliding link; it has no
+    /// `position` in a drawn configuration.
     pub drive: Option<SliderDrive>,
 }
 
-/// What carries a guide.
+/// The carrier of a guide.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum On {
     /// The frame.
@@ -81,13 +81,13 @@ pub enum On {
 pub enum Along {
     /// From the first to the second of two points of the guide's carrier.
     Points(String, String),
-    /// An angle in degrees: from +x on the ground, from the axis of the carrier otherwise. Zero unless given.
+    /// An angle in degrees, from +x on the ground, else from the axis of the carrier; zero by default.
     Degrees(f64),
-    /// A direction, not zero: in the fixed frame on the ground and in the drawn form, in the carrier's own otherwise.
+    /// A direction, not zero: on the ground and in a drawn configuration in the fixed frame, else in the carrier's own.
     Direction([f64; 2]),
 }
 
-/// The sliders; `pushes` are the drives that stand in sliding links, which are moved to their sliders.
+/// The sliders. `pushes` are the drives written in sliding links, which are moved to their sliders.
 pub(super) fn sliders(
     given_by: GivenBy,
     names: &Names<'_>,
@@ -121,8 +121,8 @@ pub(super) fn sliders(
     }
     let carriers: HashSet<&On> = sliders.iter().map(|slider| &slider.on).collect();
     for (name, link) in names.links {
-        let idle = link.points.is_empty() && link.motion.is_none();
-        if idle && !carriers.contains(&On::Link(name.clone())) {
+        let is_idle = link.points.is_empty() && link.motion.is_none();
+        if is_idle && !carriers.contains(&On::Link(name.clone())) {
             let message = format!("link {name} has no points, and nothing slides on it");
             return Err(Wrong::value(&["links", name], message).hint("remove it, or name its points"));
         }
@@ -139,7 +139,7 @@ fn slider(given_by: GivenBy, names: &Names<'_>, coordinates: &Coordinates, given
         }
     };
     let carrier = Carrier { given_by, names, on: &on };
-    check_who(&carrier, given.link.as_deref(), given.at.as_deref(), given.pin.as_deref())?;
+    check_sliding(&carrier, given.link.as_deref(), given.at.as_deref(), given.pin.as_deref())?;
     let through = given.through.map(|through| carrier.through(through)).transpose()?;
     let along = carrier.along(coordinates, given.along)?;
     let placed = through.is_some() || matches!(along, Along::Points(..)) || !carrier.points().is_empty();
@@ -163,8 +163,8 @@ fn slider(given_by: GivenBy, names: &Names<'_>, coordinates: &Coordinates, given
     Ok(Slider { link, at, pin, on, through, along, turned_deg: turned.unwrap_or(0.0), drive })
 }
 
-/// Errors at a link, point or pin that cannot slide on the carrier.
-fn check_who(carrier: &Carrier<'_>, link: Option<&str>, at: Option<&str>, pin: Option<&str>) -> Result<(), Wrong> {
+/// Refuses a link, point or pin that cannot slide on the carrier.
+fn check_sliding(carrier: &Carrier<'_>, link: Option<&str>, at: Option<&str>, pin: Option<&str>) -> Result<(), Wrong> {
     match (link, at, pin) {
         (Some(link), Some(at), None) => {
             carrier.names.link(&["link"], link)?;
@@ -197,7 +197,7 @@ fn check_who(carrier: &Carrier<'_>, link: Option<&str>, at: Option<&str>, pin: O
     }
 }
 
-/// What carries a guide, among the names of the scene.
+/// The carrier of a guide, with the names of the scene.
 struct Carrier<'a> {
     given_by: GivenBy,
     names: &'a Names<'a>,
@@ -232,7 +232,7 @@ impl Carrier<'_> {
         }
     }
 
-    /// An error if the sliding point is fixed to what it should slide on.
+    /// An error if the sliding point is a point of the carrier.
     fn check_free(&self, key: &str, point: &str) -> Result<(), Wrong> {
         if self.has(point) {
             let message = format!("point {point} is a point of {}, so it cannot slide on it", self.name());
@@ -260,7 +260,7 @@ impl Carrier<'_> {
     }
 
     fn along(&self, coordinates: &Coordinates, given: Option<Direction>) -> Result<Along, Wrong> {
-        // Without the key the place is that of the slider as a whole.
+        // Without the key the error is at the slider as a whole.
         let path: &[&str] = if given.is_some() { &["along"] } else { &[] };
         match given.unwrap_or(Direction::Degrees(0.0)) {
             Direction::Points(key) => self.along_points(coordinates, &key),

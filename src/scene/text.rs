@@ -1,4 +1,5 @@
-//! In: the text of a file. Out: JSON, strictly: no comments, no doubled keys, no number that overflows, no `null`, not too deep.
+//! In: the text of a file. Out: JSON, read strictly: no comments, no key twice, no `null`, no number that overflows,
+//! limited nesting.
 
 use jsonc_parser::ast::Value;
 use jsonc_parser::errors::{ParseError, ParseErrorKind as Kind};
@@ -9,13 +10,13 @@ use super::place::{Source, key_range, parse_tree, range_of};
 use super::words::shortened;
 use super::wrong::Wrong;
 
-/// The largest scene text that is read, in bytes; a larger one is refused before anything is parsed.
+/// The largest scene text that is read, in bytes; a larger one is refused before it is parsed.
 pub const MAX_BYTES: usize = 4 << 20;
 
 /// The deepest nesting of brackets that is read; a scene needs five.
 const MAX_DEPTH: usize = 64;
 
-/// The largest number that is read: products of three are still numbers. No unit makes a larger one necessary.
+/// The largest number that is read: products of three such numbers are finite. No choice of units needs a larger one.
 pub(super) const LARGEST: f64 = 1e100;
 
 /// The text as JSON, without its notes and its `$schema`.
@@ -30,7 +31,7 @@ pub(super) fn parse(source: Source<'_>, kind: &FileKind) -> Result<Json, Wrong> 
     }
     scan(body)?;
     let tree = parse_tree(body).map_err(|error| not_json(body, &error, kind))?.value;
-    // What the parser lets through although it is not JSON, such as control characters in texts.
+    // The parser accepts some texts that are not JSON, as with control characters in strings; serde_json does not.
     serde_json::from_str::<serde::de::IgnoredAny>(body).map_err(|error| {
         let start = offset_of(body, error.line(), error.column());
         let whole = error.to_string();
@@ -40,7 +41,7 @@ pub(super) fn parse(source: Source<'_>, kind: &FileKind) -> Result<Json, Wrong> 
     json(source, &tree.expect("a text that is not blank has a value"), true)
 }
 
-/// What the parser would not find in time, or at all: brackets nested too deep, and line breaks inside texts.
+/// Refuses what the parser would find too late or not at all: brackets nested too deep, and line breaks within strings.
 fn scan(body: &str) -> Result<(), Wrong> {
     let (mut depth, mut in_text, mut escaped) = (0_usize, false, false);
     for (at, byte) in body.bytes().enumerate() {
@@ -67,14 +68,14 @@ fn scan(body: &str) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// The byte at a line and a column of bytes, both counted from 1, moved back to the start of its character.
+/// The byte offset of a line and a column in bytes, both counted from 1, moved back to the start of its character.
 fn offset_of(body: &str, line: usize, column: usize) -> usize {
     let line_start: usize = body.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
     let at = (line_start + column.saturating_sub(1)).min(body.len());
     (0..=at).rev().find(|&at| body.is_char_boundary(at)).unwrap_or(0)
 }
 
-/// Where a text stops being JSON, why, and what to try.
+/// The error of a text that is not JSON: place, message and hint.
 fn not_json(body: &str, error: &ParseError, kind: &FileKind) -> Wrong {
     let what = kind.what;
     let span = range_of(&error.range());
@@ -145,7 +146,7 @@ fn not_json(body: &str, error: &ParseError, kind: &FileKind) -> Wrong {
     Wrong::bytes(shown, message).maybe_hint(hint.map(str::to_owned))
 }
 
-/// A part of the tree as JSON. At the top stands the `$schema` for editors.
+/// A part of the tree as JSON, without notes; at the top without `$schema`, which is for editors.
 fn json(source: Source<'_>, value: &Value<'_>, top: bool) -> Result<Json, Wrong> {
     Ok(match value {
         Value::StringLit(text) => Json::String(text.value.clone().into_owned()),

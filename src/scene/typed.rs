@@ -1,4 +1,4 @@
-//! In: the text of a file. Out: its types, or the first thing that keeps it from being them, in plain words.
+//! In: the text of a file. Out: its typed values, or its first error in in_plain_words words.
 
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
@@ -11,7 +11,7 @@ use super::text;
 use super::words::{nearest, shortened, suggestion};
 use super::wrong::Wrong;
 
-/// The file of that kind that the text holds, as its types, or the first thing that is wrong with it.
+/// The typed values of a file of that kind, or its first error.
 pub(crate) fn read_as<T: DeserializeOwned>(text: &str, kind: &FileKind) -> Result<T, SceneError> {
     let source = Source(text);
     let read = || {
@@ -22,7 +22,7 @@ pub(crate) fn read_as<T: DeserializeOwned>(text: &str, kind: &FileKind) -> Resul
     read().map_err(|wrong| source.error(wrong))
 }
 
-/// The version comes first: a file of another version may have other keys.
+/// Checks the version before all else: a file of another version may have other keys.
 fn check_version(json: &Json, kind: &FileKind) -> Result<(), Wrong> {
     let FileKind { what, key, version } = *kind;
     let Some(object) = json.as_object() else {
@@ -31,7 +31,7 @@ fn check_version(json: &Json, kind: &FileKind) -> Result<(), Wrong> {
     };
     match object.get(key) {
         None => {
-            // An unknown key that is nearly this one is the better message.
+            // A key with nearly this name is probably a misspelling of it.
             let hint = match object.keys().find(|other| nearest(other, [key]).is_some()) {
                 Some(other) => format!("did you mean `{key}` by `{}`?", shortened(other)),
                 None => format!(r#"add "{key}": {version}, the version of the {what} format"#),
@@ -51,17 +51,17 @@ fn check_version(json: &Json, kind: &FileKind) -> Result<(), Wrong> {
     }
 }
 
-/// The JSON as the types of the file.
+/// The JSON as typed values.
 fn typed<T: DeserializeOwned>(json: &Json) -> Result<T, Wrong> {
     let mut track = serde_path_to_error::Track::new();
     T::deserialize(serde_path_to_error::Deserializer::new(json, &mut track)).map_err(|error| {
         let parts = track.path().iter().filter_map(part).collect::<Vec<_>>();
         let path: Vec<&str> = parts.iter().map(String::as_str).collect();
-        plain(&error.to_string(), &path, at(json, &path))
+        in_plain_words(&error.to_string(), &path, at(json, &path))
     })
 }
 
-/// A step of a path, in the form of this stage.
+/// A step of a path as text.
 fn part(segment: &Segment) -> Option<String> {
     match segment {
         Segment::Seq { index } => Some(index.to_string()),
@@ -79,7 +79,7 @@ fn at<'a>(json: &'a Json, path: &[&str]) -> Option<&'a Json> {
     })
 }
 
-/// What a JSON value is, as part of a sentence.
+/// A JSON value as part of a sentence.
 fn describe(value: &Json) -> String {
     match value {
         Json::Null => "nothing".into(),
@@ -92,13 +92,13 @@ fn describe(value: &Json) -> String {
     }
 }
 
-/// What a type error, made by serde about `found` at the end of `path`, means in plain words.
-fn plain(message: &str, path: &[&str], found: Option<&Json>) -> Wrong {
+/// A message of serde about the value `found` at the end of `path`, in in_plain_words words.
+fn in_plain_words(message: &str, path: &[&str], found: Option<&Json>) -> Wrong {
     if let Some((word, names)) = unknown(message, "unknown field `") {
         return unknown_key(path, word, &names);
     }
     if let Some((word, names)) = unknown(message, "unknown variant `") {
-        // The word may be a key of an object whose keys are chosen from a list.
+        // In an object whose keys are chosen from a list, the word is a key.
         if found.is_some_and(Json::is_object) {
             return unknown_key(path, word, &names);
         }
@@ -131,17 +131,17 @@ fn plain(message: &str, path: &[&str], found: Option<&Json>) -> Wrong {
     }
 }
 
-/// What stands before the hint in the message of a type's own.
+/// Separates message and hint in the errors of types that read themselves.
 pub(super) const HINT: &str = "; hint: ";
 
-/// The word and the names allowed in a message like ``unknown field `x`, expected one of `a`, `b` ``.
+/// The word and the allowed names of a message like ``unknown field `x`, expected one of `a`, `b` ``.
 fn unknown<'a>(message: &'a str, start: &str) -> Option<(&'a str, Vec<&'a str>)> {
     let rest = message.strip_prefix(start)?;
     let (word, rest) = rest.split_once("`, expected ").or_else(|| rest.split_once("`, there are "))?;
     Some((word, rest.split('`').skip(1).step_by(2).collect()))
 }
 
-/// An unknown key in the object at `path`, or at its end.
+/// The error of an unknown key, which is in the object at `path` or the last part of it.
 fn unknown_key(path: &[&str], word: &str, names: &[&str]) -> Wrong {
     let key = if path.last() == Some(&word) { &[][..] } else { &[word] };
     let names = names.iter().copied().filter(|name| !name.starts_with("kinegon")).chain(["note"]);

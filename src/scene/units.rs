@@ -1,4 +1,4 @@
-//! The units of a scene: labels that are printed, never converted.
+//! The units of a scene: labels that are printed and never converted.
 
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -1,6 +1,6 @@
 //! Values that a file may write in several forms: vectors, places, directions; and entries by name.
 //!
-//! A wrong value is told which forms it may have.
+//! The error of a wrong value lists the forms it may have.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -14,7 +14,7 @@ use serde::{Deserialize, Deserializer};
 use super::words::number;
 use super::write::{Write, Written, write_forms};
 
-/// Values by name, in the order of the file. A program can give a name twice; a text in which one stands twice is refused.
+/// Values by name, in file order. A builder can give a name twice; a text with a name twice is refused.
 #[derive(Debug, Clone)]
 pub(super) struct Entries<T>(pub Vec<(String, T)>);
 
@@ -50,30 +50,30 @@ impl<T> Entries<T> {
     }
 }
 
-/// `[x, y]`, or size and angle.
+/// A vector, written as `[x, y]` or by size and angle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Vector(pub [f64; 2]);
 
-/// Reads a vector into its components.
+/// Reads a vector as its components.
 pub(super) fn vector<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 2], D::Error> {
     Vector::deserialize(deserializer).map(|vector| vector.0)
 }
 
-/// The coordinates of a point in a shape: a vector, or a distance along the axis.
+/// The coordinates of a point in a shape, written as a vector or as a distance along the axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ShapePoint(pub [f64; 2]);
 
-/// A value of `near`: coordinates of a point, or degrees of an angle.
+/// A value of `near`: coordinates of a point, or an angle in degrees.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum NearValue {
     Vector([f64; 2]),
     Degrees(f64),
 }
 
-/// A place: that of a named point, or coordinates.
+/// A place, by a named point or by coordinates.
 #[derive(Debug, Clone, PartialEq)]
 pub enum At {
-    /// Where this point is.
+    /// The place of this point.
     Point(String),
     /// Coordinates, in the fixed frame unless the field that holds it says otherwise.
     Place([f64; 2]),
@@ -120,7 +120,7 @@ impl From<[f64; 2]> for Direction {
     }
 }
 
-/// The vector of this size at this angle from +x, in degrees; at multiples of 90° its zeros are exact.
+/// The vector of this size at this angle from +x, in degrees; at multiples of 90° its zero component is exact.
 #[must_use]
 pub fn polar(size: f64, angle_deg: f64) -> [f64; 2] {
     let angle = angle_deg % 360.0;
@@ -145,7 +145,7 @@ struct SizeAngle {
     angle: f64,
 }
 
-/// Reads a text, a number or a vector, as far as `from` makes a `T` of them.
+/// Reads a string, a number or a vector; `from` makes a `T` of the forms that are allowed.
 struct OneOf<T> {
     expecting: &'static str,
     from: fn(Direction) -> Option<T>,
@@ -196,7 +196,7 @@ impl<'de, T> Visitor<'de> for OneOf<T> {
     }
 }
 
-/// Reads a list of names, or else an `M`.
+/// Reads a list of names, or an `M`.
 pub(super) struct NamesOr<T, M> {
     pub expecting: &'static str,
     pub names: fn(Vec<String>) -> T,
@@ -219,7 +219,7 @@ impl<'de, T, M: Deserialize<'de>> Visitor<'de> for NamesOr<T, M> {
     }
 }
 
-/// How a type of several forms is read, and what the schema says of it.
+/// Implements reading and schema of a type that may be written in several forms.
 macro_rules! several_forms {
     ($type:ident, $name:literal, $reads:expr, $generator:ident => $schema:tt) => {
         impl<'de> serde::Deserialize<'de> for $type {

@@ -1,6 +1,6 @@
-//! The words of messages: names and numbers as they are shown, and which name was meant.
+//! Names and numbers as messages show them, and suggestions for misspelt names.
 
-/// The text on one line for a message, cut after 80 characters; control characters cannot reach a terminal.
+/// The text on one line, cut after 80 characters; control characters are replaced, so that none reaches a terminal.
 pub(super) fn shortened(text: &str) -> String {
     let end = text.char_indices().nth(80).map_or(text.len(), |(end, _)| end);
     let shown = text[..end].chars().map(|c| if c.is_control() { '\u{fffd}' } else { c });
@@ -8,7 +8,7 @@ pub(super) fn shortened(text: &str) -> String {
     shown.chain(more.chars()).collect()
 }
 
-/// A number as a person would write it.
+/// A number as a person would write it, very small and large ones with a power of ten.
 pub(super) fn number(value: f64) -> String {
     match value.abs() {
         0.0 | 1e-5..1e16 => value.to_string(),
@@ -16,7 +16,7 @@ pub(super) fn number(value: f64) -> String {
     }
 }
 
-/// Names joined by commas; of many the first twelve.
+/// Names joined by commas; only the first twelve.
 pub(super) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let mut names = names.into_iter();
     let mut shown = names.by_ref().take(12).map(shortened).collect::<Vec<_>>().join(", ");
@@ -26,12 +26,12 @@ pub(super) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     shown
 }
 
-/// The name closest to `word`, if one is close enough that a slip of the pen explains it: one letter in three wrong, or the rest left out.
+/// The most similar name, if at most one letter in three differs or the name only goes on; else `None`.
 pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     nearest_within(word, names, 3)
 }
 
-/// The same where one letter in so many may be wrong: names of points have few.
+/// The same with one wrong letter in `letters`, as names of points are short.
 pub(crate) fn nearest_within<'a>(
     word: &str,
     names: impl IntoIterator<Item = &'a str>,
@@ -39,7 +39,7 @@ pub(crate) fn nearest_within<'a>(
 ) -> Option<&'a str> {
     let word = shortened(&word.to_lowercase());
     let mut best: Option<(usize, &str)> = None;
-    // A scene may hold a million names; comparing the first thousands is enough to be helpful.
+    // A scene may have a million names; comparing the first thousands is enough for a hint.
     for name in names.into_iter().take(4096) {
         let lower = name.to_lowercase();
         let begins = word.chars().count() >= 3 && lower.starts_with(&word);

@@ -1,22 +1,23 @@
-//! The text of a file that is put together in Rust, laid out as a person would write it: a link, a slider, a known motion a line.
+//! The text of a file that is built in Rust, in a readable layout: a line for each link, slider and known motion.
 //!
-//! Nothing is checked here: a name given twice or a number that is none stands in the text, where the reader finds it.
+//! Nothing is checked here: a name given twice and a number that is not finite are written, and refused when the text
+//! is parsed.
 
 use indexmap::IndexMap;
 
 use super::words::number;
 
-/// What stands in a file, or nothing where its key is left out.
+/// A value of the file; `Nothing` for a key that is left out.
 #[derive(Debug, PartialEq)]
 pub(super) enum Written {
     Nothing,
-    /// A word in quotes, a number.
+    /// A string in quotes, a number or a boolean.
     Bare(String),
     List(Vec<Written>),
     Object(Vec<(String, Written)>),
 }
 
-/// What can stand in a file.
+/// A value that can be written to a file.
 pub(super) trait Write {
     fn written(&self) -> Written;
 }
@@ -26,10 +27,10 @@ pub(super) fn text(file: &impl Write) -> String {
     laid_out(&file.written(), 0) + "\n"
 }
 
-/// The text of a value that stands `depth` levels below the top.
+/// The text of a value that is `depth` levels below the top.
 fn laid_out(value: &Written, depth: usize) -> String {
     let is_object = |value: &Written| matches!(value, Written::Object(_));
-    // A line each for the parts at the top, and for the objects below it.
+    // Keys of the top have a line each, and so have the objects in their values.
     let (open, close, parts, in_lines): (_, _, Vec<String>, _) = match value {
         Written::Nothing => return String::new(),
         Written::Bare(text) => return text.clone(),
@@ -38,10 +39,10 @@ fn laid_out(value: &Written, depth: usize) -> String {
             ("[", "]", parts.collect(), depth == 1 && values.iter().any(is_object))
         }
         Written::Object(entries) => {
-            let said = entries.iter().filter(|(_, value)| *value != Written::Nothing);
-            let parts = said.map(|(key, value)| format!("{}: {}", quoted(key), laid_out(value, depth + 1)));
-            let long = depth == 1 && entries.iter().any(|(_, value)| is_object(value));
-            ("{", "}", parts.collect(), depth == 0 || long)
+            let given = entries.iter().filter(|(_, value)| *value != Written::Nothing);
+            let parts = given.map(|(key, value)| format!("{}: {}", quoted(key), laid_out(value, depth + 1)));
+            let has_objects = depth == 1 && entries.iter().any(|(_, value)| is_object(value));
+            ("{", "}", parts.collect(), depth == 0 || has_objects)
         }
     };
     let line = format!("\n{}", "  ".repeat(depth));
@@ -57,8 +58,8 @@ fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
-/// How parts are written: these keys in this order, after the first without those that are as in `unless`.
-/// A key of a part that is not named here does not compile.
+/// Writes a type as an object with these keys in this order; after the first, keys with the value of `unless` are left
+/// out. A field that is missing in the list does not compile.
 macro_rules! write_keys {
     ($part:ident { $($key:ident),* } $(unless $standard:expr)?) => {
         impl super::write::Write for $part {
@@ -73,7 +74,7 @@ macro_rules! write_keys {
     };
 }
 
-/// How values of several forms are written: as what is in them.
+/// Writes a type of several forms as the value of its form.
 macro_rules! write_forms {
     ($($type:ty { $($form:pat => $value:expr),* $(,)? })*) => { $(
         impl super::write::Write for $type {
@@ -86,7 +87,7 @@ macro_rules! write_forms {
 pub(super) use {write_forms, write_keys};
 
 impl Written {
-    /// An object without the entries after its first that the standard has, too.
+    /// An object without the entries after its first that `standard` has, too.
     pub fn without(self, standard: &[(String, Written)]) -> Written {
         let Written::Object(mut entries) = self else { return self };
         let rest = entries.split_off(1).into_iter().filter(|entry| !standard.contains(entry));
@@ -109,7 +110,7 @@ impl Write for bool {
 
 impl Write for f64 {
     fn written(&self) -> Written {
-        // A negative zero needs decimals: whole numbers have none.
+        // A negative zero is written with a decimal, as `-0` would be read as a whole number.
         let negative_zero = *self == 0.0 && self.is_sign_negative();
         Written::Bare(if negative_zero { "-0.0".into() } else { number(*self) })
     }

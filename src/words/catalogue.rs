@@ -1,26 +1,27 @@
-//! A catalogue: the sentences of one language in a text file, read once into a list in the order of their declarations.
+//! Catalogues: the sentences of one language in a text file, read once into a list in the order of the declarations.
 
-/// All sentences of a language, a method each; `sentences.rs` declares them.
+/// All sentences of a language, with a method for each; `sentences.rs` declares them.
 #[derive(Clone, Debug)]
 pub struct Language {
-    /// Its code, as scenes and the command line write it.
+    /// Its code in scenes and on the command line, as `en`.
     pub code: &'static str,
-    /// In the order in which they are declared, those of mistakes last.
+    /// In the order of their declarations, those of mistakes last.
     pub(super) sentences: Vec<Sentence>,
 }
 
-/// What every catalogue has to say.
+/// The declaration of a sentence.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Declared {
-    /// Before the equals sign.
+    /// Its key in the catalogues.
     pub key: &'static str,
-    /// The names of its blanks, in the order in which they are filled.
+    /// The names of its blanks, in the order of the arguments that fill them.
     pub blanks: &'static [&'static str],
-    /// Whether every blank must be filled somewhere in the sentence.
+    /// Whether every blank must occur in the sentence.
     pub needs_all: bool,
 }
 
-/// A sentence: how it starts, then each blank by its number, with the words behind it.
+/// A sentence: the words before its first blank, then the index of each blank in [`Declared::blanks`] and the words
+/// behind it.
 #[derive(Clone, Debug)]
 pub(super) struct Sentence {
     start: &'static str,
@@ -33,10 +34,10 @@ impl Sentence {
         Sentence { start: words, rest: Vec::new() }
     }
 
-    /// A sentence with its blanks in braces.
+    /// Reads a sentence with its blanks in braces.
     ///
     /// # Errors
-    /// In words: a brace alone, a blank that is not declared, or one that is missing.
+    /// In words: a lone brace, a blank that is not declared, or a missing one.
     fn read(text: &'static str, declared: &Declared) -> Result<Sentence, String> {
         let mut parts = text.split('{');
         let start = parts.next().unwrap_or_default();
@@ -64,7 +65,7 @@ impl Sentence {
         self.start
     }
 
-    /// The sentence with its blanks filled, in the order of their declaration.
+    /// The sentence with its blanks filled; `blanks` in the order of their declaration.
     pub fn filled(&self, blanks: &[&str]) -> String {
         let length = self.rest.iter().map(|(blank, words)| blanks[*blank].len() + words.len()).sum::<usize>();
         let mut text = String::with_capacity(self.start.len() + length);
@@ -76,14 +77,14 @@ impl Sentence {
         text
     }
 
-    /// The numbers of its blanks, each once.
+    /// The indices of its blanks, each once.
     #[cfg(test)]
     pub fn blanks(&self) -> std::collections::BTreeSet<usize> {
         self.rest.iter().map(|(blank, _)| *blank).collect()
     }
 }
 
-/// Names of blanks as a catalogue writes them.
+/// Names of blanks in braces, as a catalogue writes them; `words` for a sentence without blanks.
 fn braced(names: &[&str]) -> String {
     if names.is_empty() {
         return "words".to_owned();
@@ -91,7 +92,8 @@ fn braced(names: &[&str]) -> String {
     names.iter().map(|name| format!("{{{name}}}")).collect::<Vec<_>>().join(", ")
 }
 
-/// The sentences of a catalogue in the order of their declarations, none where it lacks one; and all that is wrong with it, a line each.
+/// The sentences of a catalogue in the order of their declarations, `None` where missing or unreadable; and its faults,
+/// a line each.
 pub(super) fn read(text: &'static str, declared: &[Declared]) -> (Vec<Option<Sentence>>, Vec<String>) {
     let mut sentences = vec![None; declared.len()];
     let mut faults = Vec::new();
@@ -103,15 +105,15 @@ pub(super) fn read(text: &'static str, declared: &[Declared]) -> (Vec<Option<Sen
             continue;
         };
         let key = key.trim();
-        let Some(place) = declared.iter().position(|one| one.key == key) else {
+        let Some(index) = declared.iter().position(|one| one.key == key) else {
             fault(format!("no sentence is called `{key}`"));
             continue;
         };
         let sentence = sentence.trim();
         let quoted = sentence.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
-        match Sentence::read(quoted.unwrap_or(sentence), &declared[place]) {
-            Ok(_) if sentences[place].is_some() => fault(format!("`{key}` is here for the second time")),
-            Ok(sentence) => sentences[place] = Some(sentence),
+        match Sentence::read(quoted.unwrap_or(sentence), &declared[index]) {
+            Ok(_) if sentences[index].is_some() => fault(format!("`{key}` is here for the second time")),
+            Ok(sentence) => sentences[index] = Some(sentence),
             Err(says) => fault(format!("`{key}`: {says}")),
         }
     }
@@ -138,7 +140,7 @@ mod tests {
         let [plan, cross, wrong] = [0, 1, 2].map(|i| sentences[i].as_ref().expect("it is there"));
         assert_eq!(plan.plain(), " plan");
         assert_eq!(cross.filled(&["b", "r"]), "on r: b, r");
-        // What fills a blank is not read again.
+        // Braces in the text that fills a blank are no blanks.
         assert_eq!(wrong.filled(&["{ray}", "r"]), "a = {ray}");
     }
 

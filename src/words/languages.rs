@@ -1,4 +1,4 @@
-//! The languages: a text file each.
+//! The languages, each a text file.
 
 use super::catalogue::{Declared, Language, Sentence, read};
 use super::mistakes::MISTAKES;
@@ -14,12 +14,13 @@ fn catalogue(name: LanguageName) -> &'static str {
     }
 }
 
-/// What every catalogue says: the sentences of figures and reports, then those of mistakes.
+/// The declarations of all sentences: those of figures and reports, then those of mistakes.
 fn declared() -> Vec<Declared> {
     SENTENCES.iter().chain(MISTAKES).copied().collect()
 }
 
-/// The languages by their names. What a catalogue lacks is said in English; what English lacks shows its key.
+/// The languages in the order of [`LanguageName::ALL`]. A sentence that a catalogue lacks is taken from the English
+/// one; one that English lacks is its key.
 static LANGUAGES: LazyLock<[Language; LanguageName::ALL.len()]> = LazyLock::new(|| {
     let declared = declared();
     let sentences = |name: LanguageName, instead: &[Sentence]| -> Vec<Sentence> {
@@ -43,7 +44,7 @@ impl Language {
 mod tests {
     use super::*;
 
-    /// The sentences of a catalogue with which nothing is wrong.
+    /// The sentences of a catalogue, which must have no faults.
     fn faultless(name: LanguageName) -> Vec<Sentence> {
         let (sentences, faults) = read(catalogue(name), &declared());
         assert!(faults.is_empty(), "the catalogue of `{}`:\n{}", name.as_str(), faults.join("\n"));
@@ -54,7 +55,7 @@ mod tests {
     fn every_catalogue_says_everything() {
         let english = faultless(LanguageName::English);
         for name in LanguageName::ALL {
-            // Of a mistake's blanks each sentence takes those that English takes.
+            // Each sentence uses the same blanks as in English, where a sentence of a mistake may leave some out.
             for ((own, english), declared) in faultless(name).iter().zip(&english).zip(declared()) {
                 let [own, english] = [own, english].map(Sentence::blanks);
                 let different = own.symmetric_difference(&english).map(|blank| declared.blanks[*blank]);

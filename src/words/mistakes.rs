@@ -1,103 +1,104 @@
-//! What is said of mistakes: two sentences each, declared once with the names of their blanks.
+//! The sentences of mistakes: for each what was done and what should be, declared once with the names of their blanks.
 
 use super::Wording;
 use super::catalogue::Declared;
 use super::sentences::SENTENCES;
 
-/// How a blank's text is shown.
-type Shown = fn(&Wording, &str) -> String;
+/// Turns the text for a blank into the text that is shown.
+type Show = fn(&Wording, &str) -> String;
 
-/// Makes the list of mistakes. Behind a blank's name stands how it is shown, where it is not shown as it is.
+/// Declares the mistakes. The function behind a blank's name shows its text; without one the text stays as it is.
 macro_rules! mistakes {
     ($($(#[$about:meta])+ $mistake:ident ($($blank:ident $(: $shown:ident)?),*);)+) => {
-        /// The sentences of a mistake: what was probably done, and what it should be.
+        /// A mistake, by the common key of its two sentences.
         #[expect(non_camel_case_types, reason = "they are the keys of the catalogues")]
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum MistakeWords { $($(#[$about])+ $mistake),+ }
 
-        /// The keys and blanks that every catalogue has, behind those of other sentences.
+        /// The keys and blanks of every catalogue, behind [`SENTENCES`].
         pub(super) const MISTAKES: &[Declared] = &[$(
             Declared { key: concat!(stringify!($mistake), ".done"), blanks: &[$(stringify!($blank)),*], needs_all: false },
             Declared { key: concat!(stringify!($mistake), ".should"), blanks: &[$(stringify!($blank)),*], needs_all: false },
         )+];
 
-        /// How each one's blanks are shown.
-        const SHOWN: &[&[Shown]] = &[$(&[$(mistakes!(@shown $($shown)?)),*]),+];
+        /// For each mistake, how its blanks are shown.
+        const SHOWN: &[&[Show]] = &[$(&[$(mistakes!(@shown $($shown)?)),*]),+];
     };
-    (@shown) => { as_it_is };
+    (@shown) => { unchanged };
     (@shown $shown:ident) => { $shown };
 }
 
 mistakes! {
-    /// Between two plan points.
+    /// A ray between two plan points, turned by 90°.
     turned_ray(from, to);
-    /// For a special point.
+    /// The cut line through a joint for a special point, turned by 90°.
     turned_cut_line(joint, point);
-    /// To an image.
+    /// The ray to an image, drawn through the wrong plan point.
     ray_from_wrong_point(image, wrong, right);
-    /// For a special point.
+    /// A special point, marked on wrong cut lines.
     wrong_lines(point, wrong: line, right: line);
-    /// Between two plan points.
+    /// A vector between two plan points, of opposite sense.
     reversed_vector(from, to);
-    /// Between two plan points.
+    /// A normal part between two plan points, of opposite sense.
     normal_outward(from, to, rate: symbol, length: symbol);
-    /// The same.
+    /// A normal part from ω in place of ω².
     omega_not_squared(from, to, rate: symbol, length: symbol);
-    /// The same.
+    /// A normal part of twice the size.
     diameter(from, to, rate: symbol, length: symbol);
-    /// The same.
+    /// A normal part from the absolute velocity.
     normal_from_absolute(from, to, rate: symbol, length: symbol);
-    /// The same.
+    /// A missing normal part.
     normal_forgotten(from, to, rate: symbol, length: symbol);
-    /// The same.
+    /// A missing Coriolis part.
     coriolis_forgotten(from, to, rate: symbol, velocity: symbol);
-    /// The same.
+    /// A Coriolis part of half the size.
     coriolis_without_two(from, to, rate: symbol, velocity: symbol);
-    /// The same.
+    /// A Coriolis part of opposite sense.
     coriolis_turned(from, to, rate: symbol, velocity: symbol);
-    /// The same.
+    /// A Coriolis part where nothing slides.
     coriolis_where_none(from, to, rate: symbol, length: symbol);
-    /// `other` is the image that gives the side.
+    /// The image of a link, mirrored; `other` is the image that fixes the side.
     mirrored_image(start, point, other);
-    /// Between wrong ends.
+    /// A segment measured between the wrong plan points.
     wrong_segment(segment, from, to);
-    /// Between the right ends.
+    /// A component of a segment in place of its length.
     component(segment, axis: axis, from, to);
-    /// Between wrong ends.
+    /// A length measured between the wrong points.
     wrong_length(length: symbol, from, to);
-    /// Of a rate.
+    /// A rate of opposite sense.
     wrong_sense(rate: symbol);
-    /// Of a rate.
+    /// A rate in revolutions per minute in place of radians per second, or the other way round.
     revolutions_for_radians(rate: symbol);
-    /// Of a rate.
+    /// A rate in degrees in place of radians, or the other way round.
     degrees_for_radians(rate: symbol);
-    /// Of a segment, or of all on a sheet where it has no name.
+    /// A segment by the wrong scale; all segments of a sheet where `segment` is empty.
     wrong_scale(segment: segments, wrong, scale);
-    /// The same, with no scale in place of a wrong one.
+    /// The same without any scale.
     scale_forgotten(segment: segments, scale);
-    /// Of the whole drawing.
+    /// The mechanism in another assembly mode.
     other_mode();
-    /// Two quantities.
+    /// Two quantities in each other's place.
     swapped(first, second);
-    /// Of a quantity; its digits.
+    /// Two digits of a number in each other's place.
     digits_transposed(quantity, written: number, meant: number);
-    /// Of a quantity; its digits.
+    /// A number with its decimal mark in the wrong place.
     decimal_slipped(quantity, written: number, meant: number);
-    /// Of all quantities.
+    /// All numbers cut off in place of rounded.
     truncated();
-    /// Of a quantity; both units.
+    /// A value with the wrong unit beside it.
     wrong_unit(quantity, number: number, wrong, right);
-    /// Of a quantity; the unit that it is in, and the scene's own.
+    /// A value in another unit than the scene's own, without that unit beside it.
     other_unit(quantity, number: number, unit, own);
-    /// Of a quantity.
+    /// A quantity that no mistake of the catalogue explains.
     unknown(quantity);
 }
 
 impl Wording {
-    /// What was probably done in a mistake, and what it should be, with its blanks in the order of their declaration.
+    /// The two sentences of a mistake, what was probably done and what should be; `blanks` in the order of their
+    /// declaration.
     #[must_use]
     pub fn mistake(&self, mistake: MistakeWords, blanks: &[String]) -> [String; 2] {
-        // A scale that was left out has no name.
+        // A wrong scale without a name is a forgotten one.
         let (mistake, blanks) = match blanks {
             [segment, wrong, scale, ..] if mistake == MistakeWords::wrong_scale && wrong.is_empty() => {
                 (MistakeWords::scale_forgotten as usize, vec![segment, scale])
@@ -111,16 +112,16 @@ impl Wording {
     }
 }
 
-fn as_it_is(_: &Wording, text: &str) -> String {
+fn unchanged(_: &Wording, text: &str) -> String {
     text.to_owned()
 }
 
-/// A number with its decimal mark.
+/// A number with the wording's decimal mark.
 fn number(words: &Wording, written: &str) -> String {
     words.number(written.to_owned())
 }
 
-/// A quantity's name as people write it.
+/// The symbol of a rate or a length: `ω_2` for `omega(2)`, `L_AB` for `L(A,B)`.
 fn symbol(_: &Wording, name: &str) -> String {
     let inner = |head: &str| name.strip_prefix(head).and_then(|n| n.strip_suffix(')'));
     if let Some(link) = inner("omega(") {
@@ -146,12 +147,12 @@ fn line(words: &Wording, name: &str) -> String {
     }
 }
 
-/// Of which axis a component is.
+/// The word for the axis of a component, `x` or else `y`.
 fn axis(words: &Wording, name: &str) -> String {
     (if name == "x" { words.language.horizontal() } else { words.language.vertical() }).to_owned()
 }
 
-/// A segment, or all of a sheet where it has no name.
+/// A segment, or all segments of a sheet for an empty name.
 fn segments(words: &Wording, name: &str) -> String {
     (if name.is_empty() { words.language.all_segments() } else { name }).to_owned()
 }

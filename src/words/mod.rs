@@ -1,10 +1,11 @@
-//! In: what a scene's figure says of language, notation and decimal mark. Out: a [`Wording`]: every sentence, heading and symbol that figures
-//! and the text of the construction show. Names of quantities, keys of files and messages of errors never change and are not here.
+//! In: language, notation and decimal mark of a scene's figure. Out: a [`Wording`]: the sentences, headings and symbols
+//! of figures and of the text of the construction. Names of quantities, keys of files and messages of errors are the
+//! same in every language and are not here.
 //!
-//! Each language is a text file of sentences with named blanks, `english.txt` and so on. `sentences.rs` and `mistakes.rs` declare every sentence
-//! once, and give it a method: so the compiler sees that every blank is filled, and a test that every language says everything. A file is
-//! read once; after that a sentence is found by its place. (Fluent and rust-i18n find sentences by name at run time, and bring plural forms
-//! that two or three sentences would use.)
+//! Each language is a text file of sentences with named blanks, as `english.txt`. `sentences.rs` and `mistakes.rs`
+//! declare every sentence once and give it a method: the compiler checks that every blank is filled, a test that every
+//! language has every sentence. A file is read once; then a sentence is found by its index. (Fluent and rust-i18n find
+//! sentences by name at run time, and bring plural forms that two or three sentences would use.)
 
 mod catalogue;
 mod languages;
@@ -20,26 +21,26 @@ pub use number::{Medium, NumberStyle, power_of_ten};
 
 use crate::scene::{DecimalMark, Figure, NotationName};
 
-/// How things are said and written on figures and in the steps.
+/// Language, notation and decimal mark of figures and steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Wording {
-    /// All sentences.
+    /// The sentences.
     pub language: &'static Language,
-    /// All symbols that schools write differently.
+    /// The symbols that schools write differently.
     pub notation: &'static Notation,
-    /// What stands before the decimals of a number.
+    /// The decimal mark of numbers.
     pub decimal: DecimalMark,
 }
 
 impl Default for Wording {
-    /// English, as the source paper writes, with decimal points.
+    /// English, the source paper's notation, decimal points.
     fn default() -> Self {
         Wording::of(&Figure::default())
     }
 }
 
 impl Wording {
-    /// What a figure asks for.
+    /// The wording that a figure asks for.
     #[must_use]
     pub fn of(figure: &Figure) -> Wording {
         Wording {
@@ -54,13 +55,13 @@ impl Wording {
         }
     }
 
-    /// A number, with the decimal mark.
+    /// A number in this style, with the wording's decimal mark.
     #[must_use]
     pub fn write(&self, x: f64, style: NumberStyle) -> String {
         style.write(x, self.decimal)
     }
 
-    /// A number that was written with a point, with its decimal mark.
+    /// A number that was written with a decimal point, with the wording's decimal mark.
     #[must_use]
     pub fn number(&self, written: String) -> String {
         match self.decimal {

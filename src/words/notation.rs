@@ -1,4 +1,4 @@
-/// How a school writes poles, images of points and parts of accelerations; in markup, `_{…}` low.
+/// How a school writes poles, images of points and parts of accelerations; in markup, where `_{…}` is an index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Notation {
     /// The pole of the velocity plan.
@@ -7,13 +7,13 @@ pub struct Notation {
     pub acceleration_pole: &'static str,
     /// Whether images of points bear a prime in the acceleration plan: `b′` beside `b` of the velocity plan.
     pub primes: bool,
-    /// Normal part.
+    /// Index of the normal part of an acceleration.
     pub normal: &'static str,
-    /// Tangential part.
+    /// Index of the tangential part of an acceleration.
     pub tangential: &'static str,
-    /// Coriolis part.
+    /// Index of the Coriolis part of an acceleration.
     pub coriolis: &'static str,
-    /// Part along a guide.
+    /// Index of the part along a guide.
     pub relative: &'static str,
 }
 

@@ -1,34 +1,35 @@
 use crate::scene::DecimalMark;
 
-/// Where a number stands.
+/// The kind of text that a number is part of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Medium {
-    /// On a figure, in markup: `−2.5·10^{−7}`. This minus is as wide as a plus.
+    /// On a figure, in markup: `−2.5·10^{−7}`, with the minus sign that is as wide as a plus.
     Figure,
     /// In plain text: `-2.5e-7`.
     Text,
 }
 
-/// How many digits a number has.
+/// The digits with which a number is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Digits {
-    /// So many, counted from the first that is not 0.
+    /// This number of digits, from the first that is not 0.
     Significant(usize),
-    /// So many behind the decimal mark.
+    /// This number of digits behind the decimal mark.
     Decimals(usize),
-    /// As few as read back to the same number.
+    /// The fewest from which the same number is read back.
     Shortest,
-    /// One, rounded away from 0.
+    /// One digit, rounded away from 0.
     OneUp,
 }
 
-/// How a number is written; its decimal mark is the [`Wording`](super::Wording)'s. In plain text, if nothing else is said.
+/// How a number is written, by default in plain text; the [`Wording`](super::Wording) gives the decimal mark.
 ///
-/// Nothing is `0`, with its decimals where they are given.
+/// Zero is `0`, with decimals only in a style of [`NumberStyle::decimals`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NumberStyle {
     digits: Digits,
-    /// A number is written in full if the power of ten of its first digit is one of these, the last not included.
+    /// A number is written without a power of ten if the exponent of its first digit is in this range, the end
+    /// excluded.
     full: [i32; 2],
     is_trimmed: bool,
     has_plus: bool,
@@ -40,49 +41,50 @@ impl NumberStyle {
         NumberStyle { digits, full, is_trimmed: false, has_plus: false, medium: Medium::Text }
     }
 
-    /// So many significant digits, zeros among them: `0.1200`; with a power of ten outside of 10⁻⁴ to 10⁹.
+    /// With this number of significant digits, as `0.1200`; with a power of ten outside of 10⁻⁴ to 10⁹.
     #[must_use]
     pub const fn significant(digits: usize) -> NumberStyle {
         NumberStyle::new(Digits::Significant(digits), [-4, 9])
     }
 
-    /// So many decimals: `12.30`; never with a power of ten.
+    /// With this number of decimals, as `12.30`; never with a power of ten.
     #[must_use]
     pub const fn decimals(decimals: usize) -> NumberStyle {
         NumberStyle::new(Digits::Decimals(decimals), [i32::MIN, i32::MAX])
     }
 
-    /// As few digits as read back to the same number: `0.25`; never with a power of ten.
+    /// With the fewest digits from which the same number is read back, as `0.25`; never with a power of ten.
     #[must_use]
     pub const fn shortest() -> NumberStyle {
         NumberStyle::new(Digits::Shortest, [i32::MIN, i32::MAX])
     }
 
-    /// A bound: one digit, rounded away from 0, with its power of ten: `3e-17`.
+    /// A bound: one digit, rounded away from 0, with a power of ten, as `3e-17`.
     #[must_use]
     pub const fn bound() -> NumberStyle {
         NumberStyle::new(Digits::OneUp, [0, 0])
     }
 
-    /// Written in full from 10^`from` on to below 10^`to`, as rounded; else with a power of ten, there with all digits if decimals are given.
+    /// Without a power of ten where the rounded number is at least 10^`from` and below 10^`to`; elsewhere with one, and
+    /// with all digits in a style of [`NumberStyle::decimals`].
     #[must_use]
     pub const fn in_full(self, from: i32, to: i32) -> NumberStyle {
         NumberStyle { full: [from, to], ..self }
     }
 
-    /// Without zeros at the end of its decimals.
+    /// Without trailing zeros of its decimals.
     #[must_use]
     pub const fn trimmed(self) -> NumberStyle {
         NumberStyle { is_trimmed: true, ..self }
     }
 
-    /// With a plus before what is not negative.
+    /// With a plus sign unless negative.
     #[must_use]
     pub const fn with_plus(self) -> NumberStyle {
         NumberStyle { has_plus: true, ..self }
     }
 
-    /// As it is written there.
+    /// As it is written in this kind of text.
     #[must_use]
     pub const fn on(self, medium: Medium) -> NumberStyle {
         NumberStyle { medium, ..self }
@@ -92,9 +94,9 @@ impl NumberStyle {
     #[must_use]
     pub fn write(self, x: f64, mark: DecimalMark) -> String {
         let mut text = match self.digits {
-            Digits::Decimals(_) => self.unsigned(x),
+            Digits::Decimals(_) => self.ascii(x),
             _ if x == 0.0 => "0".to_owned(),
-            _ => self.unsigned(x),
+            _ => self.ascii(x),
         };
         if self.has_plus && !text.starts_with('-') {
             text.insert(0, '+');
@@ -108,12 +110,12 @@ impl NumberStyle {
         }
     }
 
-    /// With a hyphen, a decimal point and without a plus.
-    fn unsigned(self, x: f64) -> String {
+    /// The number in ASCII: hyphen as minus sign, decimal point, no plus sign.
+    fn ascii(self, x: f64) -> String {
         if !x.is_finite() {
             return x.to_string();
         }
-        // The power is that of the rounded number: with four digits, 9.9996 is 10.00.
+        // The exponent is that of the rounded number: with four digits, 9.9996 is 10.00.
         let scientific = match self.digits {
             Digits::Significant(digits) => format!("{x:.*e}", digits - 1),
             Digits::OneUp => one_up(x),
@@ -129,16 +131,16 @@ impl NumberStyle {
                 Digits::Decimals(decimals) => format!("{x:.decimals$}"),
                 Digits::Shortest | Digits::OneUp => x.to_string(),
             };
-            return self.tidy(&full).to_owned();
+            return self.without_idle_zeros(&full).to_owned();
         }
-        let mantissa = self.tidy(mantissa);
+        let mantissa = self.without_idle_zeros(mantissa);
         match self.medium {
             Medium::Figure => format!("{mantissa}·{}", power_of_ten(power)),
             Medium::Text => format!("{mantissa}e{power}"),
         }
     }
 
-    fn tidy(self, number: &str) -> &str {
+    fn without_idle_zeros(self, number: &str) -> &str {
         let has_idle = self.is_trimmed && number.contains('.');
         if has_idle { number.trim_end_matches('0').trim_end_matches('.') } else { number }
     }
@@ -156,7 +158,7 @@ fn one_up(x: f64) -> String {
     if text.parse().is_ok_and(|rounded: f64| x.abs() <= rounded.abs()) {
         return text;
     }
-    // Rounded down: one unit more; 9 was rounded down to itself.
+    // It was rounded down: one unit is added, with a carry from 9 to 10.
     let (digit, power) = text.split_once('e').unwrap_or((&text, "0"));
     let [digit, power] = [digit, power].map(|part| part.parse::<i32>().unwrap_or(0));
     let next = digit + digit.signum();

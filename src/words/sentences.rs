@@ -1,18 +1,18 @@
-//! All sentences, each declared once: its key in the catalogues, and the names of its blanks. From every line comes a method of
-//! [`Language`]; so the compiler sees that no blank is left open.
+//! The sentences of figures and reports, each declared once: its key in the catalogues and the names of its blanks.
+//! Each declaration gives a method of [`Language`], so the compiler checks that every blank is filled.
 
 use super::catalogue::{Declared, Language};
 
-/// Makes the list of sentences, and a method for each: `title;` gives `title(&self) -> &str`, and `cross(image);` gives
+/// Declares the sentences and a method for each: `title;` gives `title(&self) -> &str`, and `cross(image);` gives
 /// `cross(&self, image: &str) -> String`.
 macro_rules! sentences {
     ($($(#[$about:meta])+ $key:ident $(($($blank:ident),+))?;)+) => {
-        /// The place of every sentence in the list, under its key.
+        /// Index of each sentence in [`SENTENCES`].
         #[expect(non_camel_case_types, reason = "they are the keys of the catalogues")]
         #[derive(Clone, Copy)]
         enum Key { $($key),+ }
 
-        /// The keys and blanks that every catalogue has.
+        /// The keys and blanks of every catalogue; behind them are those of mistakes.
         pub(super) const SENTENCES: &[Declared] =
             &[$(Declared { key: stringify!($key), blanks: &[$($(stringify!($blank)),+)?], needs_all: true }),+];
 
@@ -36,266 +36,266 @@ macro_rules! sentences {
     };
 }
 
-// Names of points come in backticks, numbers written out.
+// Names of points are passed in backticks, numbers as text.
 sentences! {
     // Names of lines.
     /// The guide of a slider.
     guide_of(slider);
-    /// A cut line.
+    /// A cut line of a leg with a slider: through `point`, normal to the guide.
     normal_to_guide(slider, point);
-    /// The line on which all directions meet.
+    /// The cut line of a leg with two sliders, on which all directions meet.
     line_at_infinity;
 
-    // What a step says to do.
-    /// Where a plan begins.
+    // Steps of the construction.
+    /// The pole of a plan and its scale.
     choose_pole(pole, scale);
-    /// The same, with the images of points at rest.
+    /// The pole of a plan, its scale, and the images of points at rest, which lie at the pole.
     choose_pole_with(pole, scale, images);
-    /// The cut lines of a link meet.
+    /// A special point, where two cut lines meet.
     special_point(point, link, first, second);
-    /// They are parallel; the direction in degrees.
+    /// A special point at infinity, where two cut lines are parallel; their direction in degrees.
     special_point_at_infinity(point, link, direction, first, second);
-    /// Between two points of the mechanism.
+    /// The length between two points of the scheme.
     measure_length(from, to);
-    /// Of a point of a driven link; `arm` is the line that it is normal to.
+    /// The velocity of a point of a driven link; `arm` is the line to which it is normal.
     lay_off_velocity(point, arm, link);
-    /// Of a point of a driven link that turns uniformly.
+    /// The acceleration of a point of a driven link that turns uniformly.
     lay_off_normal_acceleration(point, pivot, link);
-    /// Of a point of a driven link that does not.
+    /// The acceleration of a point of a driven link with angular acceleration.
     lay_off_whole_acceleration(point, pivot, arm);
-    /// A vector that the scene gives.
+    /// A velocity or acceleration that the scene gives.
     lay_off_given(vector);
-    /// Of a known body, below another's point.
+    /// The vector of the point of a known body that coincides with a point of another link.
     lay_off_point_under(body, point);
-    /// A ray: the point that it goes through, the line, the image that it leads to.
+    /// A ray normal to a line: the plan point on it, the line, the image that is sought.
     ray_normal(through, line, image);
-    /// The same.
+    /// A ray parallel to a line: the plan point on it, the line, the image that is sought.
     ray_parallel(through, line, image);
-    /// Two rays.
+    /// The crossing of two rays, which is the image.
     cross(image);
-    /// Between two points of a plan.
+    /// The segment between two points of a plan.
     measure_segment(from, to);
-    /// The normal part along a cut line, between two points of the plan.
+    /// The normal part along a cut line, between two points of the acceleration plan.
     lay_off_normal_part(line, from, to);
-    /// The same, of both links on the way.
+    /// The normal parts of both links of a leg, laid off as one.
     lay_off_normal_parts(line, from, to);
-    /// The same, with the Coriolis part.
+    /// The normal and the Coriolis part of a leg, laid off as one.
     lay_off_normal_and_coriolis(line, from, to);
-    /// The Coriolis part alone.
+    /// The Coriolis part of a leg without a normal part.
     lay_off_coriolis_part(line, from, to);
-    /// A group's equations.
+    /// The equations that give the rates of a group.
     solve(unknowns);
-    /// Where there is none.
+    /// For a group without a construction by two rays.
     no_construction;
-    /// Where special points lie at infinity.
+    /// For a group whose special points lie at infinity.
     no_construction_far(points);
-    /// The velocity of a point of a link that turns, relative to another one.
+    /// The velocity of a point of a link of known rotation, relative to another of its points.
     lay_off_relative(link, point, from, arm);
-    /// Of a slider, between two points of the plan.
+    /// The sliding velocity of a driven slider, between two points of the plan.
     lay_off_sliding_velocity(slider, from, to);
-    /// The same, where the way goes from the sliding link to the guide.
+    /// The sliding velocity reversed, where the leg runs from the sliding link to the guide.
     lay_off_sliding_velocity_reversed(slider, from, to);
-    /// Of a slider, between two points of the plan.
+    /// The sliding acceleration of a driven slider, between two points of the plan.
     lay_off_sliding_acceleration(slider, from, to);
-    /// The same, where the way goes from the sliding link to the guide.
+    /// The sliding acceleration reversed, where the leg runs from the sliding link to the guide.
     lay_off_sliding_acceleration_reversed(slider, from, to);
-    /// Of a slider, between two points of the plan.
+    /// The Coriolis acceleration of a driven slider, between two points of the plan.
     lay_off_coriolis(slider, from, to);
-    /// The same, where the way goes from the sliding link to the guide.
+    /// The Coriolis acceleration reversed, where the leg runs from the sliding link to the guide.
     lay_off_coriolis_reversed(slider, from, to);
 
     // Words of equations.
-    /// Behind a vector.
+    /// Behind a given vector.
     given;
-    /// Before the first of what a vector is made of.
+    /// Before the first product of which a vector is made.
     made_from;
-    /// Before the next.
+    /// Before each further product.
     and;
-    /// Before the Coriolis part.
+    /// Before a Coriolis product.
     coriolis_word;
-    /// The name of a part.
+    /// Name of the normal part of an acceleration.
     normal;
-    /// The name of a part.
+    /// Name of the tangential part of an acceleration.
     tangential;
-    /// The name of a part.
+    /// Name of the sliding part of a vector.
     sliding;
-    /// The name of a part.
+    /// Name of the Coriolis part of an acceleration.
     coriolis;
 
     // The figure.
-    /// Its title where the scene has none.
+    /// Title of a figure whose scene has none.
     title;
-    /// Heading of a panel.
+    /// Heading of the scheme.
     scheme;
-    /// Heading of a panel.
+    /// Heading of the velocity plan.
     velocity_plan;
-    /// Heading of a panel.
+    /// Heading of the acceleration plan.
     acceleration_plan;
-    /// How far from another point a special point lies.
+    /// Distance of a special point off the sheet from another point.
     far_away(point, distance, from);
-    /// Of a special point.
+    /// Of a special point at infinity.
     at_infinity(point);
-    /// The difference of both routes, and the one allowed.
+    /// Relative difference of the rates from construction and loop equations, and the one that crossings allow.
     agreement(difference, allowed);
-    /// Why there is only one route.
+    /// Why rates come from the loop equations alone: a special point at infinity.
     one_route_far;
-    /// Why there is only one route.
+    /// Why rates come from the loop equations alone: no construction by two rays.
     one_route;
-    /// A vector; the direction in degrees.
+    /// A vector by size and direction, in degrees.
     with_direction(size, degrees);
-    /// Above the names of measured segments.
+    /// Heading of the names of measured segments.
     segment;
-    /// Above what they are worth.
+    /// Heading of their values.
     value;
-    /// Above the ruler of 50 mm that shows whether a sheet was printed at 100 %.
+    /// Caption of the ruler of 50 mm, which shows whether a sheet was printed at 100 %.
     ruler;
-    /// The figure, for those who cannot see it.
+    /// Alternative text of the figure.
     description(panels, groups);
-    /// A panel in that sentence.
+    /// The scheme, in the alternative text.
     described_scheme;
-    /// A panel in that sentence.
+    /// The velocity plan, in the alternative text.
     described_velocity_plan;
-    /// A panel in that sentence.
+    /// The acceleration plan, in the alternative text.
     described_acceleration_plan;
-    /// A group in that sentence.
+    /// An Assur group, in the alternative text.
     described_group(class, links);
-    /// The class of a group above the fourth.
+    /// The class of a group above class IV.
     higher;
 
     // Curves.
-    /// Their title where the scene has none.
+    /// Title of curves whose scene has none.
     curves;
-    /// The way of a vector's tip over the cycle.
+    /// Title: the path of a vector's tip over the cycle.
     hodograph(vector);
-    /// A kind of quantity.
+    /// Kind of quantity: angle.
     angle;
-    /// A kind of quantity.
+    /// Kind of quantity: angular velocity.
     angular_velocity;
-    /// A kind of quantity.
+    /// Kind of quantity: angular acceleration.
     angular_acceleration;
-    /// A kind of quantity.
+    /// Kind of quantity: coordinate, or position along a guide.
     position;
-    /// A kind of quantity.
+    /// Kind of quantity: distance.
     length;
-    /// A kind of quantity.
+    /// Kind of quantity: velocity.
     velocity;
-    /// A kind of quantity.
+    /// Kind of quantity: acceleration.
     acceleration;
-    /// What a panel shows.
+    /// Heading of a panel: kind of quantity and unit.
     in_unit(kind, unit);
-    /// What the axis of a drive that turns shows; the symbol of its angle.
+    /// Label of the axis of a turning drive; the symbol of its angle.
     drive_angle(symbol);
-    /// What the axis of a drive that slides shows.
+    /// Label of the axis of a sliding drive.
     drive_position(drive, unit);
-    /// A vertical line.
+    /// Legend of the vertical line at a limit position.
     limit;
-    /// A vertical line.
+    /// Legend of the vertical line at a change point.
     change;
-    /// A vertical line: where the scene stands.
+    /// Legend of the vertical line at the scene's own position.
     scene;
-    /// A mark.
+    /// Legend of the mark of a dead centre.
     dead_centre;
-    /// A mark.
+    /// Legend of the mark of an extreme value.
     extremes;
-    /// For those who cannot see it: the drive's quantity, its first and last value.
+    /// Alternative text of curves: the drive's quantity, its first and last value.
     over(drive, from, to);
-    /// The same: a quantity that does not change.
+    /// Alternative text: a constant quantity.
     is_constant(quantity, value);
-    /// The same: a value, and the drive's there.
+    /// Alternative text: the least value, and the drive's value there.
     least(value, at);
-    /// The same.
+    /// Alternative text: the greatest value, and the drive's value there.
     greatest(value, at);
-    /// Without a least value.
+    /// Alternative text: no least value.
     no_least;
-    /// Without a greatest value.
+    /// Alternative text: no greatest value.
     no_greatest;
 
     // The text of the steps.
-    /// All scales.
+    /// All scales of the figure.
     scales(scales);
-    /// A scale.
+    /// One scale, in units per mm of paper.
     scale_per_mm(scale, value, unit);
-    /// What bands are: the errors of a hand.
+    /// What the bands ± mean, with the limits of a hand's errors.
     bands(mm, degrees);
-    /// Why a value has no band.
+    /// Why a value has no band: no construction.
     no_band_no_construction;
-    /// Why a value has no band.
+    /// Why a value has no band: the figure lacks the panel.
     no_band_no_sheet(panel);
-    /// Heading.
+    /// Heading of the steps on the scheme.
     on_the_mechanism;
-    /// The difference of both routes, and the one allowed.
+    /// Relative difference of the rates from construction and loop equations, and the one that crossings allow.
     routes_differ(difference, allowed);
-    /// A length.
+    /// A length on paper, in mm.
     on_paper(mm);
-    /// Behind a band that is a rough one.
+    /// Behind a rough band.
     only_roughly;
-    /// Of a ray.
+    /// Direction of a ray, in degrees.
     direction(degrees);
-    /// Of two rays.
+    /// Angle between two rays, in degrees.
     angle_of_crossing(degrees);
 
-    // What stands on the buttons of a page for the classroom, or is read out for them; names of keys are in brackets.
+    // Buttons of the classroom page, shown or read out; the key that does the same is in brackets.
     /// The whole row of buttons.
     page_figure;
-    /// Which panels show.
+    /// Group of buttons: the panels that are shown.
     page_panels;
-    /// All panels.
+    /// Shows all panels.
     page_all;
-    /// The steps of the construction.
+    /// Group of buttons: the steps of the construction.
     page_steps;
     /// To the first step.
     page_first;
-    /// A step back.
+    /// One step back.
     page_back;
-    /// A step forward.
+    /// One step forward.
     page_forward;
     /// To the finished figure.
     page_finished;
     /// Behind the number of steps.
     page_count;
-    /// The motion.
+    /// Group of buttons: the motion.
     page_motion;
-    /// Sets it going.
+    /// Starts the motion.
     page_play;
-    /// Stops it.
+    /// Stops the motion.
     page_pause;
     /// Back to the scene's own position.
     page_own;
-    /// How fast.
+    /// Speed of the motion.
     page_speed;
-    /// Colours and paper.
+    /// Group of buttons: colours and paper.
     page_look;
-    /// Dark or light.
+    /// Switches between dark and light.
     page_dark;
-    /// Prints.
+    /// Prints the figure.
     page_print;
     /// What printing does.
     page_to_scale;
-    /// Where scripts are off.
+    /// Shown where scripts are off.
     page_no_script;
-    /// Where the browser is too old.
+    /// Shown where the browser is too old.
     page_too_old;
 
     // The report on a student's values.
-    /// Heading: how many values are right, within the tolerance, off.
+    /// Heading: numbers of values that are right, within tolerance, off.
     check_counts(right, within, off);
-    /// Verdict.
+    /// Verdict: right.
     check_right;
-    /// Verdict.
+    /// Verdict: within tolerance.
     check_within;
-    /// Verdict.
+    /// Verdict: off.
     check_off;
-    /// Verdict.
+    /// Verdict: not judged.
     check_unjudged;
     /// Heading of a column: the quantity.
     check_column_quantity;
-    /// Heading of a column: the value that was written.
+    /// Heading of a column: the student's value.
     check_column_written;
     /// Heading of a column: the right value.
     check_column_expected;
-    /// Heading of a column: the difference of both.
+    /// Heading of a column: the difference in units.
     check_column_difference;
-    /// Heading of a column: the difference on the sheet.
+    /// Heading of a column: the difference on paper.
     check_column_on_paper;
     /// Heading of a column: the difference in per cent.
     check_column_percent;
@@ -303,31 +303,31 @@ sentences! {
     check_column_allowed;
     /// Heading of a column: the verdict.
     check_column_verdict;
-    /// The limits of a hand.
+    /// The limits of a hand's errors.
     check_tolerance(mm, degrees);
-    /// Heading.
+    /// Heading of the explanation.
     check_probably;
-    /// Heading where nothing is to be explained.
+    /// In place of an explanation: no value is off.
     check_nothing;
-    /// Where no single mistake explains the values.
+    /// Where several mistakes together explain the values.
     check_no_single;
-    /// Where nothing in the catalogue does.
+    /// Where no mistake of the catalogue explains the values.
     check_none;
-    /// A step.
+    /// The step of a mistake.
     check_step(number);
-    /// Before the first step.
+    /// In place of a step: the whole drawing.
     check_whole;
-    /// Before what it should be.
+    /// Before what should have been done.
     check_instead;
-    /// Values that follow.
+    /// Values that follow from a mistake.
     check_follows(values);
-    /// Where no value follows.
+    /// Where no value follows from a mistake.
     check_follows_none;
-    /// Probability.
+    /// Probability of an explanation.
     check_sure(percent);
     /// Heading of other explanations.
     check_others;
-    /// Behind one that values cannot tell from the first.
+    /// Behind an explanation that the values cannot tell from the first.
     check_alike;
     /// Values without an explanation.
     check_unexplained(values);
@@ -335,55 +335,55 @@ sentences! {
     check_mirrored(plan);
 
     // A student's drawing over the right figure.
-    /// Its lines: as it should be.
+    /// Legend of lines as they should be.
     check_key_right;
-    /// Its lines: the student's.
+    /// Legend of the student's lines.
     check_key_own;
-    /// Its lines: where it went wrong.
+    /// Legend of the first wrong lines.
     check_key_wrong;
-    /// How many values follow, and how they are marked in the table.
+    /// Number of values that follow from a mistake, and their mark in the table.
     check_follows_marked(count, mark);
-    /// How far from the panel's edge a point lies.
+    /// Distance of a point beyond the panel's edge, in mm.
     check_beyond(point, mm);
-    /// How far a student's points were turned to lie over the right ones.
+    /// Angle by which a student's plan was turned to fit the right one.
     check_turned(plan, degrees);
 
-    // What fills the blanks of mistakes' sentences.
-    /// A line of the scheme: a cut line, by its special point.
+    // Texts that fill the blanks of mistakes' sentences.
+    /// A cut line, by its special point.
     line_cut(point);
-    /// A line of the scheme: a guide.
+    /// A guide, by its slider.
     line_guide(slider);
     /// A line of the scheme, by two of its points.
     line_through(points);
-    /// All that was measured on a sheet.
+    /// All segments of a sheet.
     all_segments;
-    /// Of a component.
+    /// Of an x component.
     horizontal;
-    /// Of a component.
+    /// Of a y component.
     vertical;
 
-    // Marks, and what is said of a whole class.
-    /// Marks earned, of how many.
+    // Marks, and the summary of a class.
+    /// Marks earned, and the most that could be.
     class_marks(earned, of);
-    /// The same, with those among them for values that follow from a mistake.
+    /// The same, with the marks for values that follow from a mistake.
     class_marks_following(earned, of, follow);
-    /// A class of one file.
+    /// The counts of a class of one file.
     class_counts_one(files, passed, off, broken);
-    /// How many files there are; of them passed, off, not understood.
+    /// Numbers of files: all, passed, off, not understood.
     class_counts(files, passed, off, broken);
-    /// How many of how many files that were understood begin with a mistake, at which step, what was done.
+    /// A common first mistake: in how many of the files that were understood, its step, what was done.
     class_common(count, of, step, done);
-    /// The same of the whole drawing.
+    /// A common mistake of the whole drawing.
     class_common_whole(count, of, done);
 
     // The sheets of exercises.
-    /// All that is given, parted by commas.
+    /// All that is given, separated by commas.
     exercise_given(all);
-    /// The scales of the plans, parted by commas.
+    /// The scales of the plans, separated by commas.
     exercise_draw(scales);
-    /// What a teacher finds below the drawn key: all rates, parted by commas.
+    /// Below the drawn key: all rates with their bands, separated by commas.
     exercise_rates(all);
-    /// Above the names of what is to be found.
+    /// Heading of the names of quantities to be found.
     exercise_quantity;
 }
 

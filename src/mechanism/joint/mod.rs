@@ -1,7 +1,8 @@
-//! Joints. A joint says what it holds, places or rotations or both: every later stage asks for that, and none for its kind.
+//! Joints. A joint tells whether it constrains places, rotations or both; later stages ask for that, and never for its
+//! kind.
 //!
-//! To add a kind of joint: a file here like `slider`, with all that makes it one, and its line in [`add_given`]. Its reader is a file beside `scene/slider.rs`,
-//! with a line in `scene/read.rs`.
+//! To add a kind of joint: a file like `slider` with all that belongs to it, and its line in [`add_given`]. It is read
+//! by a file beside `scene/slider.rs`, with a line in `scene/read.rs`.
 
 mod pin;
 mod slider;
@@ -19,33 +20,34 @@ use smallvec::SmallVec;
 
 /// A joint between two bodies.
 ///
-/// A pin holds a point of both in one place. A slider holds a point on a line, and its tie keeps the angle between the two.
+/// A pin makes a point of both bodies coincide. A slider keeps a point on a line, and its tie keeps the angle between
+/// the two bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The letter of its kind in patterns: R revolute, P prismatic.
     pub letter: char,
-    /// The bodies that it joins; of a slider: guide body, then sliding link.
+    /// The bodies that it joins; for a slider the guide's body, then the sliding link.
     pub bodies: [BodyId; 2],
-    /// The point that both bodies have in one place, where it holds one so.
+    /// The point that coincides on both bodies, for a revolute joint.
     pub pin: Option<PointId>,
-    /// The slider whose point it holds on a guide, where it does that.
+    /// The slider whose point it keeps on a guide, for a prismatic joint.
     pub slider: Option<SliderId>,
-    /// How it ties rotations, where it does.
+    /// The relation between angles of bodies that it keeps, if any.
     pub tie: Option<Tie>,
-    /// How it is drawn.
+    /// The marks by which it is drawn.
     pub marks: SmallVec<[Mark; 2]>,
 }
 
 /// A mark by which a joint is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
-    /// A circle to scale, but at least as large as that of a pin.
+    /// A circle to scale, but not smaller than that of a pin.
     Circle {
-        /// The point about which it is.
+        /// Its centre.
         center: PointId,
-        /// A point to which its radius is compared.
+        /// A point at a distance from the centre, to which the radius is proportional.
         towards: PointId,
-        /// The radius as a part of the distance of the two.
+        /// The radius in parts of that distance.
         part: f64,
     },
     /// A block on the guide of a slider.
@@ -53,13 +55,14 @@ pub enum Mark {
 }
 
 impl Joint {
-    /// How many of the free motions between its bodies it takes away.
+    /// The number of degrees of freedom that it takes away between its bodies.
     #[must_use]
     pub fn constraints(&self) -> usize {
         2 * usize::from(self.pin.is_some()) + usize::from(self.slider.is_some()) + usize::from(self.tie.is_some())
     }
 
-    /// Whether it holds places, so that where one of its bodies is says something of where the other is; loops run over such joints.
+    /// Whether it constrains places: the place of one of its bodies then limits that of the other. Loops run over such
+    /// joints only.
     #[must_use]
     pub fn holds_places(&self) -> bool {
         self.pin.is_some() || self.slider.is_some()
@@ -73,10 +76,10 @@ impl Mechanism {
         &self.joints[id.0]
     }
 
-    /// The point where a joint is: the pin, or the slider's point on the guide.
+    /// The point of a joint: the pin, or the slider's point on the guide.
     ///
     /// # Panics
-    /// When the joint does not hold places, as every joint of a loop does.
+    /// If the joint does not constrain places, as every joint of a loop does.
     #[must_use]
     pub fn joint_point(&self, id: JointId) -> PointId {
         let joint = self.joint(id);
@@ -84,8 +87,8 @@ impl Mechanism {
         joint.pin.or_else(sliding).expect("a joint of a loop holds places")
     }
 
-    /// Where a joint is on one of its bodies, in that body's frame: at the pin; on a guide at the place from which the slider's position counts, on the
-    /// sliding link at its point. The origin where the body does not say.
+    /// The place of a joint in the frame of one of its bodies: the pin; on the guide's body the place from which the
+    /// slider's position counts; on the sliding link its point. The origin in a drawn configuration.
     #[must_use]
     pub fn joint_on(&self, id: JointId, body: BodyId) -> Point {
         let joint = self.joint(id);
@@ -96,7 +99,7 @@ impl Mechanism {
     }
 }
 
-/// Adds the joints that a scene lists. Pins are not listed: they follow from shared points.
+/// Adds the joints that a scene lists; pins follow from shared points.
 pub(super) fn add_given(scene: &Scene, mechanism: &mut Mechanism) {
     slider::add(scene, mechanism);
 }

@@ -5,7 +5,7 @@ use crate::mechanism::{BodyId, Mechanism, PointId};
 use smallvec::smallvec;
 
 impl Joint {
-    /// A pin at a point of both bodies.
+    /// A pin at a common point of both bodies.
     #[must_use]
     pub fn pin(point: PointId, bodies: [BodyId; 2]) -> Self {
         let circle = Mark::Circle { center: point, towards: point, part: 0.0 };
@@ -13,7 +13,7 @@ impl Joint {
     }
 }
 
-/// Adds one revolute joint for every further body at a point, from the first known one where there is one.
+/// Adds the pins: for a point of n bodies n − 1 of them, all at the first body of known motion, or else at the first.
 pub(in crate::mechanism) fn add_pins(mechanism: &mut Mechanism) {
     for point in (0..mechanism.points.len()).map(PointId) {
         let mut bodies: Vec<BodyId> =

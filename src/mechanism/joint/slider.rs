@@ -1,4 +1,4 @@
-//! Sliders: prismatic joints, each a point of one link on a straight guide of another body.
+//! Sliders: prismatic joints, each with a point of one link on a straight guide of another body.
 
 use super::{Joint, Mark, Tie};
 use crate::geometry::{Point, Turn, Vector, direction_of_degrees, turn_of_degrees};
@@ -12,39 +12,40 @@ use smallvec::smallvec;
 pub struct Slider {
     /// The sliding link.
     pub link: BodyId,
-    /// Its point that stands on the guide's line.
+    /// The point of the sliding link that stays on the guide.
     pub at: PointId,
     /// The body that carries the guide.
     pub on: BodyId,
     /// The guide.
     pub guide: Guide,
-    /// In a drawn configuration: the point of the guide from which the slider's position counts, if there is one.
+    /// In a drawn configuration: the point of the guide from which the slider's position counts; `None` if there is
+    /// none.
     pub counted_from: Option<PointId>,
-    /// Degrees from the guide to the sliding link's axis.
+    /// Angle from the guide to the sliding link's axis, in degrees.
     pub turned: f64,
-    /// How it is pushed along the guide, if it is driven; the position is none in a drawn configuration.
+    /// Its drive, if it is driven; the drive has no position in a drawn configuration.
     pub drive: Option<SliderDrive>,
 }
 
 /// A straight guide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Guide {
-    /// In the frame of its body: a point of it, and its unit direction.
+    /// In the frame of its body.
     Local {
         /// A point of the guide, from which the slider's position counts.
         through: Point,
         /// Unit direction.
         direction: Vector,
     },
-    /// As drawn, through the slider's `at`: between two points of its body, from the first to the second.
+    /// As drawn, through the slider's `at`, in the direction from the first to the second of these points of its body.
     DrawnBetween(PointId, PointId),
-    /// As drawn, through the slider's `at`: in this direction.
+    /// As drawn, through the slider's `at`, in this direction of the fixed frame.
     Drawn(Vector),
 }
 
 impl Slider {
-    /// The guide in the frame of its body: the place from which the slider's position counts, and the unit direction. Of a drawn guide only a direction that
-    /// the scene gives is known here; the rest is the origin and the x axis.
+    /// The guide in the frame of its body: the place from which the slider's position counts, and the unit direction.
+    /// In a drawn configuration only a given direction is known here; otherwise origin and x axis are returned.
     #[must_use]
     pub fn line(&self) -> (Point, Vector) {
         match self.guide {
@@ -54,7 +55,7 @@ impl Slider {
         }
     }
 
-    /// The sliding link's frame seen from that of the guide's body.
+    /// The rotation from the frame of the guide's body to that of the sliding link.
     #[must_use]
     pub fn turn(&self) -> Turn {
         let (_, direction) = self.line();
@@ -78,14 +79,14 @@ impl Mechanism {
         self.sliders.push(slider);
     }
 
-    /// The joint that a slider is.
+    /// The joint of a slider.
     #[must_use]
     pub fn slider_joint(&self, id: SliderId) -> JointId {
         let index = self.joints.iter().position(|joint| joint.slider == Some(id));
         JointId(index.expect("every slider is a joint"))
     }
 
-    /// Where the sliding point is on its link, in the link's frame.
+    /// The sliding point in the frame of its link.
     #[must_use]
     pub fn slider_at(&self, id: SliderId) -> Point {
         let slider = self.slider(id);
@@ -98,21 +99,21 @@ impl Mechanism {
         &self.sliders[id.0]
     }
 
-    /// The name of a slider in results: sliding link / guide body, as in `3/2`, or pin / guide body, as in `P/3`.
-    ///
-    /// Of further sliders with the same two, as where a pin rides in two slots of a link, `P/3#2`, in scene order.
+    /// The name of a slider in results: sliding link / guide's body, as `3/2`, or pin / guide's body, as `P/3`. Further
+    /// sliders between the same two, as of a pin in two slots of a link, are `P/3#2` and so on in scene order.
     #[must_use]
     pub fn slider_name(&self, id: SliderId) -> String {
         let names = |slider: &Slider| [slider.link, slider.on].map(|b| self.body(b).name.as_str());
-        let own = names(self.slider(id));
-        let before = self.sliders[..id.0].iter().filter(|s| names(s) == own);
+        let name = names(self.slider(id));
+        let before = self.sliders[..id.0].iter().filter(|s| names(s) == name);
         match before.count() {
-            0 => own.join("/"),
-            count => format!("{}#{}", own.join("/"), count + 1),
+            0 => name.join("/"),
+            count => format!("{}#{}", name.join("/"), count + 1),
         }
     }
 
-    /// The name by which a driven slider is called as a drive.
+    /// The name of a driven slider as a drive: that of the sliding link on the ground, as in [`Self::slider_name`] on a
+    /// moving link.
     #[must_use]
     pub fn push_name(&self, id: SliderId) -> String {
         let slider = self.slider(id);
@@ -149,7 +150,7 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
     }
 }
 
-/// Adds the block of a pin that rides in a slot: a body with that one point.
+/// Adds the block of a pin in a slot: a body with that one point.
 fn add_block(mechanism: &mut Mechanism, pin: &str) -> Option<(BodyId, PointId)> {
     let point = mechanism.point(pin)?;
     let local = match mechanism.given_by {
@@ -167,7 +168,7 @@ fn guide(mechanism: &Mechanism, slider: &scene::Slider, on: BodyId) -> Guide {
         return match &slider.along {
             Along::Points(a, b) => Guide::DrawnBetween(id(a), id(b)),
             Along::Direction(d) => Guide::Drawn(direction(Vector::from(*d))),
-            // Degrees count from the axis of the guide's body.
+            // Degrees count from the axis of the guide's body, on the ground from +x.
             Along::Degrees(angle) => {
                 let axis = match body.points.as_slice() {
                     [a, b, ..] if on != GROUND => {

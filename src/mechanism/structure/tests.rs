@@ -117,7 +117,7 @@ fn nothing_unknown_is_no_group() {
 
 #[test]
 fn missing_driver_leaves_all_that_moves() {
-    // A four-bar without its driver, and a dyad beside it that stands.
+    // A four-bar without its driver, and a rigid dyad beside it.
     let joints = edges(&[
         [None, Some(0)],
         [Some(0), Some(1)],
@@ -151,14 +151,14 @@ fn surplus_and_missing_motion_stand_side_by_side() {
 
 #[test]
 fn links_joined_twice_are_found_though_the_numbers_agree() {
-    // Three constraints to each link can be had here, and yet the pair turns about its one pin.
+    // Three constraints can be assigned to each link, and yet the pair turns about its one pin on the ground.
     let joints = edges(&[[Some(0), Some(1)], [Some(1), Some(0)], [Some(0), None]]);
     assert_eq!(structure(2, &joints), misfit(&[0, 1], 1, &[0, 1], 1));
 }
 
 #[test]
 fn wedge_moves_but_is_counted_over_constrained() {
-    // Known weakness: the slides ground to driver, driver to wedge, wedge to ground allow no turning, which the count ignores.
+    // Known weakness: the three slides allow no rotation of any link, which the count ignores.
     assert_eq!(structure(1, &edges(&[[None, Some(0)], [Some(0), None]])), misfit(&[], 0, &[0], 1));
 }
 
@@ -195,7 +195,7 @@ fn two_hundred_dyads_in_reverse_come_in_order() {
     assert_eq!(groups_of(2 * count, &joints), expected);
 }
 
-/// The count by its definition: constraints are independent when no set of bodies shares more than three less than three each.
+/// Independence by its definition: any n bodies share at most 3 n − 3 of the constraints.
 fn independent(bodies: usize, constraints: &[[usize; 2]]) -> bool {
     (1_usize..1 << bodies).all(|set| {
         let inside = |ends: &&[usize; 2]| ends.iter().all(|&end| set >> end & 1 == 1);
@@ -289,7 +289,7 @@ fn random_structures_agree_with_the_definition() {
             [Some(first), Some(second).filter(|&link| link < links)]
         };
         let mut joints: Vec<Edge> = (0..count).map(|_| Edge { ends: ends(), constraints: 2 }).collect();
-        // In some, joints of one constraint stand for one of two.
+        // In a third of them, two joints of one constraint replace one of two.
         if let Some(joint) = joints.first_mut().filter(|_| round % 3 == 0) {
             joint.constraints = 1;
             joints.push(Edge { ends: ends(), constraints: 1 });
