@@ -89,7 +89,7 @@ impl Writer<'_> {
         self.image_steps(group);
     }
 
-    /// Draws the cut lines and has_crossing them; a dyad's inner joint is only plotted. `None` for a special point at
+    /// Draws the cut lines and crosses them; a dyad's inner joint is only plotted. `None` for a special point at
     /// infinity.
     fn special_point<'s>(&mut self, special: &'s Special, id: SpecialId, has_rays: bool) -> Option<Drawn<'s>> {
         self.step = None;
@@ -176,7 +176,7 @@ impl Writer<'_> {
         self.note_motion(sheet, base, point, place);
     }
 
-    /// Draws rays, has_crossing them, measures segments, and solves for the rates with the ties' equations. `None`
+    /// Draws rays, crosses them, measures segments, and solves for the rates with the ties' equations. `None`
     /// where rays are parallel or the equations have no solution.
     fn rays(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, drawn: &[Drawn<'_>]) -> Option<()> {
         let (mut rows, mut written) = (Vec::new(), Vec::new());
