@@ -46,7 +46,7 @@ pub struct Seat {
     pub local: Point,
 }
 
-/// A drive: what a scene or a sweep sets.
+/// A drive, whose value a scene or a sweep sets.
 #[derive(Clone, Debug)]
 pub struct Input {
     /// The driven body; of a slider the sliding link.

@@ -113,7 +113,7 @@ impl<'a> OwnLayer<'a> {
         }
     }
 
-    /// Writes the number of a step beside what it draws or measures.
+    /// Writes the number of a step beside its largest mark.
     fn name_step(&self, canvas: &mut Canvas<'_>, wrong: &WrongStep) {
         let marks = canvas.marks().iter().filter(|m| self.belongs_to(m, wrong));
         let size = |mark: &Mark| {

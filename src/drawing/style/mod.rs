@@ -40,7 +40,7 @@ impl Style {
 
     /// The style that the text of a style file describes, or the first thing that is wrong with it.
     ///
-    /// What the file leaves out is as in the style that it is based on, `paper` unless it says otherwise.
+    /// Values that the file leaves out are those of the style that it is based on, by default `paper`.
     ///
     /// ```
     /// use kinegon::drawing::Style;
