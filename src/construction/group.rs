@@ -395,8 +395,8 @@ impl Writer<'_> {
         let [outer_link, inner_link] = [leg.outer, second.inner].map(|joint| mechanism.side(joint, second.carrier));
         let mut from = image_name(mechanism.point_name(outer));
         if let Some(slider) = mechanism.joint(leg.outer).slider {
-            let [under, own] = self.sliding_velocity_step(slider);
-            from = if mechanism.slide_sign(slider, second.carrier) > 0.0 { under } else { own };
+            let [guide_image, slider_image] = self.sliding_velocity_step(slider);
+            from = if mechanism.slide_sign(slider, second.carrier) > 0.0 { guide_image } else { slider_image };
         }
         let way = leg.carrier_slides(mechanism);
         if !way.is_empty() {
@@ -408,14 +408,14 @@ impl Writer<'_> {
         let inner = mechanism.joint_point(second.inner);
         let name = mechanism.point_name(inner);
         let slider = mechanism.joint(second.inner).slider;
-        let own = match slider.is_some_and(|id| mechanism.slider(id).on == inner_link) {
+        let end = match slider.is_some_and(|id| mechanism.slider(id).on == inner_link) {
             true => coincident_name(name, &mechanism.body(inner_link).name),
             false => name.to_owned(),
         };
-        let to = image_name(&own);
+        let to = image_name(&end);
         // A dyad's inner joint has its image already, the crossing of its rays.
         if !self.plan(sheet).points.contains_key(&to) {
-            let of = VectorOf::Relative { link: inner_link, from: mechanism.point_name(outer).to_owned(), to: own };
+            let of = VectorOf::Relative { link: inner_link, from: mechanism.point_name(outer).to_owned(), to: end };
             self.begin(sheet, Action::LayOff(Arrow { from, to: to.clone(), of }));
             let place = self.motion(sheet, inner_link, inner);
             self.show(sheet, &to, place, PointRole::Image);
@@ -436,11 +436,11 @@ impl Writer<'_> {
         let names = [image_name(&under), image_name(at)];
         let of = VectorOf::Sliding(id, under);
         self.begin(sheet, Action::LayOff(Arrow { from: names[0].clone(), to: names[1].clone(), of }));
-        let own = self.motion(sheet, slider.link, slider.at);
-        let under = self.motion(sheet, slider.on, slider.at);
-        self.show(sheet, &names[0], under, PointRole::Image);
-        self.show(sheet, &names[1], own, PointRole::Image);
-        self.claim(own);
+        let image = self.motion(sheet, slider.link, slider.at);
+        let guide_image = self.motion(sheet, slider.on, slider.at);
+        self.show(sheet, &names[0], guide_image, PointRole::Image);
+        self.show(sheet, &names[1], image, PointRole::Image);
+        self.claim(image);
         names
     }
 

@@ -209,20 +209,20 @@ impl<'a> Teller<'a> {
             Role::Driver { pivot, alpha, .. } => {
                 let (k, link) = (mechanism.point_name(*pivot), &body.name);
                 let (arm, line) = (format!("L{}", subscript(&[k, name])), format!("{k}{name}"));
-                let (of_point, relative) = (subscript(&[name]), subscript(&[name, k]));
+                let (end, pair) = (subscript(&[name]), subscript(&[name, k]));
                 let (n, t) = (notation.normal, notation.tangential);
                 match kind {
                     PlanKind::Velocity => (
-                        format!("v{of_point} = ω_{link} {arm}").into(),
+                        format!("v{end} = ω_{link} {arm}").into(),
                         language.lay_off_velocity(name, &line, link),
                     ),
                     PlanKind::Acceleration if *alpha == 0.0 => (
-                        format!("a{of_point} = a^{n}{relative} = ω_{link}^2 {arm}").into(),
+                        format!("a{end} = a^{n}{pair} = ω_{link}^2 {arm}").into(),
                         language.lay_off_normal_acceleration(name, k, link),
                     ),
                     PlanKind::Acceleration => (
                         format!(
-                            "a{of_point} = a^{n}{relative} + a^{t}{relative}, a^{n}{relative} = ω_{link}^2 {arm}, a^{t}{relative} = α_{link} {arm}"
+                            "a{end} = a^{n}{pair} + a^{t}{pair}, a^{n}{pair} = ω_{link}^2 {arm}, a^{t}{pair} = α_{link} {arm}"
                         )
                         .into(),
                         language.lay_off_whole_acceleration(name, k, &line),

@@ -2,7 +2,7 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::shape::{Shape, around, on_circle};
 
-/// Length of an arrowhead in mm where its vector leaves room for it.
+/// Length of an arrowhead on a vector long enough for it, in mm.
 const HEAD_LENGTH: f64 = 2.6;
 /// Largest length of a head over that of its vector, so that the length of a short vector remains visible.
 const HEAD_SHARE: f64 = 0.5;

@@ -153,8 +153,8 @@ impl<'a> Canvas<'a> {
         let crosses = |&&(a, b): &&(Point, Point)| {
             side(a, b, from) * side(a, b, to) < 0.0 && side(from, to, a) * side(from, to, b) < 0.0
         };
-        let own = Rect::from_points(from, to);
-        let touches = |area: &&Rect| area.overlaps(own);
+        let segment_box = Rect::from_points(from, to);
+        let touches = |area: &&Rect| area.overlaps(segment_box);
         let lines = self.obstacles.lines.iter().filter(crosses).count();
         lines + self.obstacles.boxes.iter().filter(touches).count()
     }

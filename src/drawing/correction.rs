@@ -48,8 +48,8 @@ pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
         sheet.items.pop();
     }
     let figure = sheet.draw(&layout);
-    let said = (place == WordsPlace::Apart).then_some(overlay);
-    let tables = tables(&figure, said, table);
+    let unplaced = (place == WordsPlace::Apart).then_some(overlay);
+    let tables = tables(&figure, unplaced, table);
     std::iter::once(figure).chain(tables).collect()
 }
 
@@ -60,8 +60,9 @@ fn sheet<'a>(
     extents: &[(PanelName, Extent)],
     notes: Notes<'a>,
 ) -> Composition<'a> {
-    let own = |panel| Box::new(OwnLayer { overlay, scheme, panel });
-    let panels = panels(scheme, extents, |panel| vec![hints(scheme, panel), content(scheme, panel), own(panel)]);
+    let student_layer = |panel| Box::new(OwnLayer { overlay, scheme, panel });
+    let panels =
+        panels(scheme, extents, |panel| vec![hints(scheme, panel), content(scheme, panel), student_layer(panel)]);
     let mut sheet = composition(scheme, panels, None, vec![Box::new(notes)]);
     if let Some(name) = &overlay.name {
         sheet.title = format!("{} – {name}", sheet.title);
@@ -92,13 +93,13 @@ fn best_division<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Division<'
     };
     // First whether all panels are large enough, then how many show their whole contents.
     let shows = |division: &Division| [division.layout.worth[0], division.layout.worth[1]];
-    let own = extents(scheme);
+    let right_extents = extents(scheme);
     let mut best: Option<Division> = None;
     // Panels extended for the student's points: all, then all but one, all but two …, none.
-    let mut kept: Vec<u32> = (0..1 << own.len()).collect();
+    let mut kept: Vec<u32> = (0..1 << right_extents.len()).collect();
     kept.sort_by_key(|panels| std::cmp::Reverse(panels.count_ones()));
     for panels in kept {
-        let extents = own.iter().enumerate().map(|(index, &(panel, extent))| {
+        let extents = right_extents.iter().enumerate().map(|(index, &(panel, extent))| {
             let is_given = scheme.figure.mu(panel).is_some();
             let is_kept = panels & (1 << index) != 0;
             (panel, if is_kept { overlay.extended(panel, extent, is_given) } else { extent })
@@ -114,28 +115,28 @@ fn best_division<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Division<'
 
 /// Sheets with the title, the sentences without room on the figure, and the table, as many as its rows need; portrait
 /// unless the rows are too wide.
-fn tables<const N: usize>(figure: &Drawing, said: Option<&Overlay>, mut table: Table<N>) -> Vec<Drawing> {
+fn tables<const N: usize>(figure: &Drawing, unplaced: Option<&Overlay>, mut table: Table<N>) -> Vec<Drawing> {
     let narrow = figure.width.min(figure.height);
     let [width, height] = match table.column() <= narrow - 2.0 * MARGIN {
         true => [narrow, figure.width.max(figure.height)],
         false => [figure.width, figure.height],
     };
     let area = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN);
-    let said = said.map(|said| said.lines(lines::width([width, height]), false));
-    let mut said: Vec<RichText> = said.unwrap_or_default();
+    let sentences = unplaced.map(|overlay| overlay.lines(lines::width([width, height]), false));
+    let mut sentences: Vec<RichText> = sentences.unwrap_or_default();
     let mut sheets = Vec::new();
     while !table.rows.is_empty() {
         let mut drawing = Drawing { width, height, marks: Vec::new(), panels: Vec::new(), ..figure.clone() };
         draw_title(&mut drawing);
-        let mut own = area;
-        if !said.is_empty() {
-            let room = Rect { y1: own.y0 + lines::height(said.len()), ..own };
+        let mut left = area;
+        if !sentences.is_empty() {
+            let room = Rect { y1: left.y0 + lines::height(sentences.len()), ..left };
             drawing.draw(Pen::Frame, Shape::Polygon(corners(room)));
-            lines::draw(&mut drawing, room, 0, &std::mem::take(&mut said));
-            own.y0 = room.y1 + GAP;
+            lines::draw(&mut drawing, room, 0, &std::mem::take(&mut sentences));
+            left.y0 = room.y1 + GAP;
         }
-        let later = table.rows.split_off(table.capacity(own).clamp(1, table.rows.len()));
-        table.draw_in(&mut drawing, table.needed(own));
+        let later = table.rows.split_off(table.capacity(left).clamp(1, table.rows.len()));
+        table.draw_in(&mut drawing, table.needed(left));
         table.rows = later;
         sheets.push(drawing);
     }

@@ -124,9 +124,9 @@ impl Face {
     pub(super) fn measure(&self, text: &str) -> Extent {
         let mut ink: Option<Rect> = None;
         let advance = self.set(text, |glyph, _, pen| {
-            if let Some(own) = self.extent(glyph).ink {
-                let own = own + kurbo::Vec2::new(pen, 0.0);
-                ink = Some(ink.map_or(own, |all| all.union(own)));
+            if let Some(glyph_ink) = self.extent(glyph).ink {
+                let glyph_ink = glyph_ink + kurbo::Vec2::new(pen, 0.0);
+                ink = Some(ink.map_or(glyph_ink, |all| all.union(glyph_ink)));
             }
         });
         Extent { advance, ink }

@@ -121,7 +121,7 @@ pub(super) fn layout(
     let mut best: Option<([f64; 3], Division)> = None;
     for (room, aside) in rooms {
         for frames in arrangements(room, needs) {
-            let placed: Vec<Placed> = needs.iter().zip(frames).map(|(own, frame)| place(own, frame)).collect();
+            let placed: Vec<Placed> = needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame)).collect();
             let worth = worth(needs, &placed);
             if best.as_ref().is_none_or(|(most, _)| worth > *most) {
                 best = Some((worth, (aside, placed)));

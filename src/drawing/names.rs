@@ -44,8 +44,8 @@ impl Names {
 
 /// The links in a special point's name: those of its legs, or its own link.
 fn links<'a>(mechanism: &'a Mechanism, special: &'a Special) -> Vec<&'a str> {
-    let own = special.name.strip_prefix('S').unwrap_or(&special.name);
+    let name = special.name.strip_prefix('S').unwrap_or(&special.name);
     let legs = special.cuts.each_ref().map(|cut| cut.carrier);
     let legs = legs.map(|link| mechanism.body(link).name.as_str());
-    if legs.concat() == own { legs.to_vec() } else { vec![own] }
+    if legs.concat() == name { legs.to_vec() } else { vec![name] }
 }

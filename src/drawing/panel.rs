@@ -62,11 +62,11 @@ impl Panel<'_> {
             layer.draw(&mut canvas, &view);
         }
         canvas.finish();
-        let mut own = drawing.marks.split_off(before);
+        let mut marks = drawing.marks.split_off(before);
         for layer in &self.layers {
-            layer.retouch(&mut own);
+            layer.retouch(&mut marks);
         }
-        drawing.marks.append(&mut own);
+        drawing.marks.append(&mut marks);
     }
 }
 

@@ -34,8 +34,8 @@ pub(super) fn extent(plan: &Plan) -> Extent {
 
 /// The same without special points and the points that lead to them.
 pub(super) fn extent_of_images(plan: &Plan) -> Extent {
-    let own = |role| matches!(role, PointRole::Pole | PointRole::Known | PointRole::Image);
-    Extent::of(plan.points.values().filter(|p| own(p.role)).map(|p| p.vector.into()))
+    let is_image = |role| matches!(role, PointRole::Pole | PointRole::Known | PointRole::Image);
+    Extent::of(plan.points.values().filter(|p| is_image(p.role)).map(|p| p.vector.into()))
 }
 
 /// Whether a plan point only leads to others, in a figure that does not show such points.
@@ -283,9 +283,10 @@ fn right_angle(canvas: &mut Canvas<'_>, step: u16, corner: Point, ray: Vec2) {
 /// By link: the plan points of its image, in the order of the link's points. The image is the link rotated and scaled.
 fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
     let image = |body: &Body| {
-        let own = body.points.iter().map(|&p| mechanism.point_name(p).to_owned());
-        let under = mechanism.sliders.iter().filter(|s| mechanism.body(s.on).name == body.name);
-        own.chain(under.map(|s| coincident_name(mechanism.point_name(s.at), &body.name)))
+        let points = body.points.iter().map(|&p| mechanism.point_name(p).to_owned());
+        let coincident = mechanism.sliders.iter().filter(|s| mechanism.body(s.on).name == body.name);
+        points
+            .chain(coincident.map(|s| coincident_name(mechanism.point_name(s.at), &body.name)))
             .map(|name| image_name(&name))
             .filter(|name| plan.points.contains_key(name))
             .collect()
@@ -295,7 +296,7 @@ fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
 
 /// Whether a name is that of the end of a vanishing normal acceleration, which coincides with another point.
 fn is_vanished(plan: &Plan, name: &str) -> bool {
-    let own = &plan.points[name];
+    let end = &plan.points[name];
     let mut others = plan.points.values();
-    own.role == PointRole::Normal && others.any(|p| p.role != PointRole::Normal && p.vector == own.vector)
+    end.role == PointRole::Normal && others.any(|p| p.role != PointRole::Normal && p.vector == end.vector)
 }

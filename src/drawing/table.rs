@@ -170,9 +170,9 @@ impl<const N: usize> Table<N> {
                 drawing.draw(Pen::Frame, Shape::Line(ends[0], ends[1]));
             }
             let room = if column + 1 < columns { depth } else { last };
-            let (own, later) = left.split_at(room.min(left.len()));
+            let (rows, later) = left.split_at(room.min(left.len()));
             left = later;
-            if own.is_empty() {
+            if rows.is_empty() {
                 continue;
             }
             let head = Point::new(x + PAD * small, area.y0 + (PAD + 4.2) * small);
@@ -180,7 +180,7 @@ impl<const N: usize> Table<N> {
             let y = area.y0 + (PAD + HEAD - 1.6) * small;
             let ends = [x + PAD * small, x + pitch - PAD * small].map(|x| Point::new(x, y));
             drawing.draw(Pen::Grid, Shape::Line(ends[0], ends[1]));
-            for (line, row) in own.iter().enumerate() {
+            for (line, row) in rows.iter().enumerate() {
                 let below = PAD + HEAD + ROW * line as f64 + 4.0;
                 let at = Point::new(head.x, area.y0 + below * small);
                 self.row(drawing, at, small, Some(row), &row.texts);

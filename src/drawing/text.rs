@@ -53,14 +53,14 @@ impl RichText {
         let mut lines = vec![String::new()];
         let mut taken = 0.0;
         for word in source.split(' ') {
-            let own = measured(word);
+            let word_width = measured(word);
             let line = lines.last_mut().expect("there is one line at least");
-            if line.is_empty() || taken + space + own <= width {
-                taken += if line.is_empty() { own } else { space + own };
+            if line.is_empty() || taken + space + word_width <= width {
+                taken += if line.is_empty() { word_width } else { space + word_width };
                 line.extend((!line.is_empty()).then_some(' '));
                 line.push_str(word);
             } else {
-                taken = own;
+                taken = word_width;
                 lines.push(word.to_owned());
             }
         }

@@ -220,11 +220,11 @@ impl Writer<'_> {
                 name = if name.is_empty() { along.to_owned() } else { format!("{name}, {along}") };
             }
             let name = RichText::plain(&name);
-            let (own, below) = (text.width(EQUATION), name.width(SMALL));
+            let (text_width, below) = (text.width(EQUATION), name.width(SMALL));
             // White between the names of neighbouring parts.
-            let width = own.max(below + if below > 0.0 { 1.6 } else { 0.0 });
+            let width = text_width.max(below + if below > 0.0 { 1.6 } else { 0.0 });
             let middle = x + 0.5 * width;
-            let start = middle - 0.5 * own;
+            let start = middle - 0.5 * text_width;
             self.write(Pen::Caption, text, EQUATION, Point::new(start, from.y));
             let lines = match term.known {
                 Known::Sign | Known::Words | Known::Nothing => 0,
@@ -233,7 +233,7 @@ impl Writer<'_> {
             };
             for line in 0..lines {
                 let y = from.y + UNDER + 0.7 * f64::from(line);
-                let under = Shape::Line(Point::new(start, y), Point::new(start + own, y));
+                let under = Shape::Line(Point::new(start, y), Point::new(start + text_width, y));
                 self.put(Pen::Guide, under);
             }
             if !name.is_empty() {

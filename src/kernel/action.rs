@@ -116,10 +116,10 @@ pub(super) const ZERO: usize = 0;
 /// Indices of the columns of [`Reduced`](crate::geometry::Reduced).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ReducedColumns {
-    /// s, t of one loop.
+    /// Columns s, t of one loop's unknowns.
     One([usize; 2]),
     Two {
-        /// h, s, t by loop.
+        /// By loop: column h of its own unknown, s and t of the shared ones.
         columns: [[usize; 3]; 2],
         /// By loop: whether a slider changes the length of h.
         varies: [bool; 2],

@@ -5,7 +5,7 @@ use crate::geometry::{Lanes, MANY, Pair, Row, Vector};
 use std::f64::consts::TAU;
 
 /// Rotates the vectors of all loops' members and guides into the fixed frame, and computes the gaps of loops and ties.
-/// A loop's gap is the vector from its start along its members to its end point.
+/// A loop's gap is the vector from its start to its end point less the sum of its members' vectors.
 #[inline(always)]
 pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     let Block { turns, slides, points, columns, lengths, sides, .. } = block;

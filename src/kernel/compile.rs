@@ -46,7 +46,7 @@ pub struct Seat {
     pub local: Point,
 }
 
-/// A drive: what a scene or a sweep sets.
+/// A drive, whose value a scene or a sweep sets.
 #[derive(Clone, Debug)]
 pub struct Input {
     /// The driven body; of a slider the sliding link.
@@ -248,8 +248,8 @@ impl<'a> Compiler<'a> {
     /// Makes a placed point the body's first one, and places the body's other points relative to it.
     fn place_body(&mut self, body: BodyId, slot: usize, local: Point) {
         self.anchors[body.0] = Some((slot, local));
-        let own = self.mechanism.body(body);
-        for (point, place) in own.points.iter().zip(&own.local) {
+        let placed_body = self.mechanism.body(body);
+        for (point, place) in placed_body.points.iter().zip(&placed_body.local) {
             if !self.placed[point.0] && point.0 != slot {
                 self.place(point.0, slot, body, place - local, None);
             }
@@ -296,32 +296,32 @@ impl<'a> Compiler<'a> {
         let (slot, anchor) = self.anchors[from.0].unwrap_or((0, Point::origin()));
         if slider.on == from {
             // A link without points slides: its place gets a slot of its own.
-            let own = self.mechanism.body(to).points.contains(&slider.at);
-            let here = if own { slider.at.0 } else { self.new_slot() };
-            if !own || !self.placed[here] {
-                self.place(here, slot, from, through - anchor, Some((id.0, direction)));
+            let has_point = self.mechanism.body(to).points.contains(&slider.at);
+            let slot_at = if has_point { slider.at.0 } else { self.new_slot() };
+            if !has_point || !self.placed[slot_at] {
+                self.place(slot_at, slot, from, through - anchor, Some((id.0, direction)));
             }
-            self.place_body(to, here, at);
+            self.place_body(to, slot_at, at);
         } else {
-            let own = self.mechanism.body(to);
-            let first = own.points.iter().zip(&own.local);
+            let to_body = self.mechanism.body(to);
+            let first = to_body.points.iter().zip(&to_body.local);
             let (next, local) = match first.clone().find(|(p, _)| !self.placed[p.0]) {
                 Some((point, local)) => (point.0, *local),
                 None => (self.new_slot(), through),
             };
             // The guide's point is the sliding point less the slide.
             let behind = Some((id.0, -direction));
-            let here = self.slot_of(from, slider.at.0);
-            self.place(next, here, to, local - through, behind);
+            let from_slot = self.slot_of(from, slider.at.0);
+            self.place(next, from_slot, to, local - through, behind);
             self.place_body(to, next, local);
         }
     }
 
     /// The slot of a body's point; for a body without points that of its own place.
     fn slot_of(&self, body: BodyId, point: usize) -> usize {
-        let own = self.mechanism.body(body).points.iter().any(|p| p.0 == point);
+        let has_point = self.mechanism.body(body).points.iter().any(|p| p.0 == point);
         let place = self.anchors[body.0].map(|(slot, _)| slot);
-        if own { point } else { place.unwrap_or(point) }
+        if has_point { point } else { place.unwrap_or(point) }
     }
 
     fn compile_group(&mut self, index: usize, group: &Group) -> Closing {

@@ -82,9 +82,9 @@ impl BodyMotion {
 /// The motion of a slider along its guide, relative to the guide's body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlideMotion {
-    /// BoundedSlide velocity v_r, positive along the guide.
+    /// Sliding velocity v_r, positive along the guide.
     pub velocity: f64,
-    /// BoundedSlide acceleration a_r.
+    /// Sliding acceleration a_r.
     pub acceleration: f64,
     /// Bound on the error of `velocity`.
     pub velocity_error: f64,

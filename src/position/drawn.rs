@@ -22,8 +22,8 @@ pub(super) fn drawn_pose(mechanism: &Mechanism) -> Pose {
         // The axis of a link with one point is its guide.
         _ => {
             let mut sliders = mechanism.sliders.iter().zip(&guides);
-            let own = sliders.find(|(s, _)| s.on.0 == index || s.link.0 == index);
-            own.map(|(_, direction)| *direction)
+            let guide = sliders.find(|(s, _)| s.on.0 == index || s.link.0 == index);
+            guide.map(|(_, direction)| *direction)
         }
     });
     let slides = mechanism.sliders.iter().zip(&guides).map(|(slider, along)| {

@@ -43,7 +43,7 @@ impl Lever {
             let slider = mechanism.slider(id);
             let point = only_point(mechanism, slider.on);
             let (through, direction) = slider.line();
-            // Exact comparison: these are the scene's point coordinates.
+            // Exact comparison: these are the scene's own coordinates.
             cross(through - point, direction) == 0.0
         };
         !self.sliders.is_empty()

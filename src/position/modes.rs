@@ -24,7 +24,7 @@ const SAME_TURN: f64 = 1e-6;
 /// exceeds it, two modes that nearly coincide do not.
 const MOVABLE: f64 = 1e10;
 
-/// Why a group has no assembly mode.
+/// Reasons why a group has no assembly mode.
 pub(super) enum NoMode {
     /// There is none: the distance by which its links fail to meet, in words.
     Apart(String),

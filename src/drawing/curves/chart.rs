@@ -86,8 +86,8 @@ fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>,
     for (index, (kind, members)) in kinds.into_iter().enumerate() {
         let head = HEADING + if index == 0 { BAND } else { 0.0 };
         let rows = [y, y + head, y + head + each];
-        let own = members.into_iter().map(|member| (&curves.curves[member], looks[member]));
-        graphs.push(Graph::new(course.words, kind, own.collect(), rows));
+        let graph_curves = members.into_iter().map(|member| (&curves.curves[member], looks[member]));
+        graphs.push(Graph::new(course.words, kind, graph_curves.collect(), rows));
         y = rows[2] + GAP;
     }
     Ok(graphs)

@@ -147,14 +147,14 @@ impl<'a> Graph<'a> {
         for (pen, a, b) in &straight {
             canvas.draw(*pen, Shape::Line(*a, *b));
         }
-        let lines: Vec<Vec<Vec<Point>>> = self.curves.iter().map(|own| line(canvas, own, place)).collect();
-        for own in &self.curves {
-            dots(canvas, own, place);
+        let lines: Vec<Vec<Vec<Point>>> = self.curves.iter().map(|curve| line(canvas, curve, place)).collect();
+        for curve in &self.curves {
+            dots(canvas, curve, place);
         }
         // Names keep off the extreme values, which are at their preferred places.
         let mut taken = Vec::new();
-        for own in &self.curves {
-            self.values(canvas, own, &mut taken, place);
+        for curve in &self.curves {
+            self.values(canvas, curve, &mut taken, place);
         }
         let straight: Vec<(Point, Point)> = straight.iter().map(|(_, a, b)| (*a, *b)).collect();
         let around = Surroundings { frame, curves: &lines, lines: &straight };

@@ -66,8 +66,8 @@ pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesErro
     for (panel, placed) in panels.iter().zip(places(&course, whole, &panels)) {
         panel.draw(&mut drawing, &placed, &scene.figure.labels);
     }
-    let said: Vec<String> = all.hodographs.iter().map(|one| words.language.hodograph(one.asked.name())).collect();
-    drawing.description = format!("{}.", said.join("; "));
+    let sentences: Vec<String> = all.hodographs.iter().map(|one| words.language.hodograph(one.asked.name())).collect();
+    drawing.description = format!("{}.", sentences.join("; "));
     Ok(drawing)
 }
 

@@ -9,10 +9,10 @@ pub(super) fn looks(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<usize>
     // The links and points with curves in more than one panel.
     let mut shared: Vec<&str> = Vec::new();
     for (number, (_, members)) in kinds.iter().enumerate() {
-        for own in members.iter().map(subject) {
-            let again = kinds[number + 1..].iter().any(|(_, other)| other.iter().any(|index| subject(index) == own));
-            if again && !shared.contains(&own) {
-                shared.push(own);
+        for named in members.iter().map(subject) {
+            let again = kinds[number + 1..].iter().any(|(_, other)| other.iter().any(|index| subject(index) == named));
+            if again && !shared.contains(&named) {
+                shared.push(named);
             }
         }
     }
@@ -24,16 +24,16 @@ pub(super) fn looks(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<usize>
             numbers[index] = free.remove(place);
         };
         for &index in members {
-            let own = shared.iter().position(|s| *s == subject(&index));
-            match free.iter().position(|number| Some(*number) == own) {
+            let wanted = shared.iter().position(|s| *s == subject(&index));
+            match free.iter().position(|number| Some(*number) == wanted) {
                 Some(place) => take(&mut free, index, place),
                 None => later.push(index),
             }
         }
         // Other curves take numbers that are not shared, while there are any.
         for index in later {
-            let own = free.iter().position(|number| *number >= shared.len());
-            take(&mut free, index, own.unwrap_or(0));
+            let unshared = free.iter().position(|number| *number >= shared.len());
+            take(&mut free, index, unshared.unwrap_or(0));
         }
     }
     numbers

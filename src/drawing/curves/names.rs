@@ -26,13 +26,13 @@ pub(super) struct Surroundings<'a> {
 /// Places all along the curve, above and below it, are compared by their distance from other curves and from `taken`
 /// boxes; of equals the rightmost one wins.
 pub(super) fn name_place(
-    own: usize,
+    named: usize,
     size: Size,
     around: &Surroundings<'_>,
     taken: &[Rect],
 ) -> Option<(Point, Vec2, Rect)> {
     let mut best: Option<(f64, (Point, Vec2, Rect))> = None;
-    for anchor in around.curves[own].iter().flat_map(|part| along(part)) {
+    for anchor in around.curves[named].iter().flat_map(|part| along(part)) {
         for up in [-1.0, 1.0] {
             let toward = Vec2::new(0.0, up);
             let centre = anchor + toward * (CLEARANCE + 0.5 * size.height);
@@ -41,7 +41,7 @@ pub(super) fn name_place(
                 continue;
             }
             let least = best.as_ref().map_or(f64::NEG_INFINITY, |best| best.0);
-            let room = room(own, area, around, taken, least);
+            let room = room(named, area, around, taken, least);
             if room >= least {
                 best = Some((room, (anchor, toward, area)));
             }
@@ -68,7 +68,7 @@ fn along(line: &[Point]) -> Vec<Point> {
 
 /// The distance of a box from other things, in mm, negative where they overlap; or any value less than `least` if the
 /// distance is less.
-fn room(own: usize, area: Rect, around: &Surroundings<'_>, taken: &[Rect], least: f64) -> f64 {
+fn room(named: usize, area: Rect, around: &Surroundings<'_>, taken: &[Rect], least: f64) -> f64 {
     let mut room = ROOM;
     for other in taken {
         room = room.min(apart(area, *other).clamp(-1.0, ROOM));
@@ -82,12 +82,12 @@ fn room(own: usize, area: Rect, around: &Surroundings<'_>, taken: &[Rect], least
                 return room;
             }
             // The named curve may be as near as its clearance.
-            let near = if index == own { 0.8 * CLEARANCE } else { room };
+            let near = if index == named { 0.8 * CLEARANCE } else { room };
             if apart(area, Rect::from_points(ends[0], ends[1])) >= near {
                 continue;
             }
             let gap = gap_to_line(area, ends[0], ends[1]);
-            let left = if index == own {
+            let left = if index == named {
                 ROOM + 12.0 * (gap - near).min(0.0)
             } else if gap > 0.0 {
                 gap

@@ -113,13 +113,13 @@ impl Search<'_> {
             let Some(cost) = self.cost_below(index, place, cost_here - gain) else {
                 continue;
             };
-            let own_gain = cost_here - cost;
-            if own_gain <= gain {
+            let gain_here = cost_here - cost;
+            if gain_here <= gain {
                 continue;
             }
             match self.blockers(index, place, 1) {
                 (_, 0) => {
-                    gain = own_gain;
+                    gain = gain_here;
                     best = Some((place, None));
                 }
                 ([other, _], 1) => {
@@ -128,8 +128,8 @@ impl Search<'_> {
                     };
                     let others_cost = self.cost(other, others_place);
                     self.labels[index].chosen = Some(place);
-                    if let Some((there, cost)) = self.cheapest(other, others_cost + own_gain - gain) {
-                        gain = own_gain + others_cost - cost;
+                    if let Some((there, cost)) = self.cheapest(other, others_cost + gain_here - gain) {
+                        gain = gain_here + others_cost - cost;
                         best = Some((place, Some((other, there))));
                     }
                     self.labels[index].chosen = Some(here);

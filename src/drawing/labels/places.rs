@@ -18,7 +18,7 @@ pub(super) const LINE_GAP: f64 = 0.6;
 /// White between a leader and the ink it leads to, in mm.
 pub(super) const LEADER_GAP: f64 = 0.4;
 
-// Costs, in mm of distance from the anchor; what lies near a place is counted by the search.
+// Costs, in mm of distance from the anchor; the search adds those of things near a place.
 /// Of a direction normal to the preferred one; the opposite direction costs twice that.
 const DEVIATION: f64 = 1.2;
 /// The same for labels without a preference: a slight one for the upper right, where readers look first.

@@ -103,9 +103,9 @@ impl<'a> Search<'a> {
         }
         // Summation stops at the limit; the sum is then a better lower bound for the next time.
         let mut whole = true;
-        let own = gap(ink, label.anchor);
+        let own_gap = gap(ink, label.anchor);
         for &other in &label.anchors {
-            least += AMBIGUITY * (own + CLEARLY - gap(ink, other)).max(0.0);
+            least += AMBIGUITY * (own_gap + CLEARLY - gap(ink, other)).max(0.0);
         }
         let area = ink.inflate(LINE_GAP, LINE_GAP);
         for line in &label.lines {

@@ -113,16 +113,16 @@ impl<'a> OwnLayer<'a> {
         }
     }
 
-    /// Writes the number of a step beside what it draws or measures.
+    /// Writes the number of a step beside its largest mark.
     fn name_step(&self, canvas: &mut Canvas<'_>, wrong: &WrongStep) {
-        let own = canvas.marks().iter().filter(|m| self.belongs_to(m, wrong));
+        let marks = canvas.marks().iter().filter(|m| self.belongs_to(m, wrong));
         let size = |mark: &Mark| {
             let area = mark.shape.bounds();
             // A special point is preferred to its lines.
             let is_point = mark.pen == Pen::Special && matches!(mark.shape, Shape::Circle { .. });
             (is_point, area.width() + area.height())
         };
-        let largest = own.max_by(|a, b| {
+        let largest = marks.max_by(|a, b| {
             let ((a, p), (b, q)) = (size(a), size(b));
             a.cmp(&b).then(p.total_cmp(&q))
         });
@@ -172,11 +172,11 @@ impl<'a> OwnLayer<'a> {
     }
 
     fn points(&self) -> impl Iterator<Item = &'a OwnPoint> {
-        self.overlay.points.iter().filter(|own| own.panel == self.panel && self.shows(&own.name))
+        self.overlay.points.iter().filter(|point| point.panel == self.panel && self.shows(&point.name))
     }
 
     fn lines(&self) -> impl Iterator<Item = &'a OwnLine> {
-        self.overlay.lines.iter().filter(|own| own.panel == self.panel && self.shows(&own.leads_to))
+        self.overlay.lines.iter().filter(|line| line.panel == self.panel && self.shows(&line.leads_to))
     }
 
     /// Whether the right figure shows a point of that name.

@@ -64,10 +64,10 @@ impl Notes<'_> {
     /// The samples in the key: 0 right, 1 the student's, 2 wrong.
     fn key(&self) -> impl Iterator<Item = usize> {
         let Overlay { points, lines, steps, .. } = self.overlay;
-        let own = !(points.is_empty() && lines.is_empty());
+        let has_own = !(points.is_empty() && lines.is_empty());
         let wrong = !steps.is_empty();
-        let there = [own || wrong, own, wrong];
-        (0..there.len()).filter(move |&sample| there[sample])
+        let needed = [has_own || wrong, has_own, wrong];
+        (0..needed.len()).filter(move |&sample| needed[sample])
     }
 
     /// Number of lines of the key above the words, in a column or in a row.

@@ -92,14 +92,14 @@ pub struct OwnValue {
 impl Overlay {
     /// A panel's extent with those of the student's points that do not enlarge it too much; `is_given` where the scene
     /// gives the panel's scale.
-    pub(in crate::drawing) fn extended(&self, panel: PanelName, own: Extent, is_given: bool) -> Extent {
+    pub(in crate::drawing) fn extended(&self, panel: PanelName, content: Extent, is_given: bool) -> Extent {
         let reach = REACH[usize::from(is_given)];
         let points = self.points.iter().filter(|p| p.panel == panel);
         let ends = self.lines.iter().filter(|l| l.panel == panel).flat_map(|l| l.ends);
-        let mut extent = own;
+        let mut extent = content;
         for place in points.map(|p| p.at).chain(ends) {
             let all = Extent::of([extent.low, extent.high, place]);
-            if all.size().norm() <= reach * own.size().norm() {
+            if all.size().norm() <= reach * content.size().norm() {
                 extent = all;
             }
         }

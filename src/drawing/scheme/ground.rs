@@ -42,10 +42,10 @@ impl Scheme<'_> {
         // Cosine of the largest angle from the vertical at which a link is in the way.
         let steep = libm::cos(50.0_f64.to_radians());
         let links = self.mechanism.links();
-        let own: Vec<(BodyId, &Body)> = links.filter(|l| l.1.points.contains(&point)).collect();
-        let is_own = |link: BodyId| own.iter().any(|(id, _)| *id == link);
-        let blocks = self.mechanism.sliders.iter().filter(|s| is_own(s.on));
-        let places = own.iter().flat_map(|(_, body)| &body.points).copied();
+        let at_pivot: Vec<(BodyId, &Body)> = links.filter(|l| l.1.points.contains(&point)).collect();
+        let is_at_pivot = |link: BodyId| at_pivot.iter().any(|(id, _)| *id == link);
+        let blocks = self.mechanism.sliders.iter().filter(|s| is_at_pivot(s.on));
+        let places = at_pivot.iter().flat_map(|(_, body)| &body.points).copied();
         let places = places.chain(blocks.map(|slider| slider.at));
         let arms = places.map(|other| self.at(view, other) - self.at(view, point));
         let arms = arms.filter(|arm| arm.hypot() > 0.0);

@@ -101,17 +101,17 @@ impl Scheme<'_> {
     /// Place, clearance and preferred side of the label of a link with fewer than two points: beside its block or its
     /// guide.
     fn place_of_small(&self, view: &View, link: BodyId) -> Option<(Point, f64, Option<Vec2>)> {
-        let own = |s: &Slider| s.link == link || s.on == link;
-        let index = self.mechanism.sliders.iter().position(own)?;
+        let belongs = |s: &Slider| s.link == link || s.on == link;
+        let index = self.mechanism.sliders.iter().position(belongs)?;
         let slider = &self.mechanism.sliders[index];
         let at = self.at(view, slider.at);
         let along = on_sheet(self.pose.guide(SliderId(index)));
         if slider.link != link {
             // Between its only point and the block, if there is room.
-            let own = self.mechanism.body(link).points.first();
-            let own = own.map(|&point| self.at(view, point));
-            if let Some(own) = own.filter(|own| (*own - at).hypot() > 5.0 * BLOCK.x) {
-                return Some((own.midpoint(at), 1.0, None));
+            let only_point = self.mechanism.body(link).points.first();
+            let only_point = only_point.map(|&point| self.at(view, point));
+            if let Some(only_point) = only_point.filter(|only_point| (*only_point - at).hypot() > 5.0 * BLOCK.x) {
+                return Some((only_point.midpoint(at), 1.0, None));
             }
             return Some((at + along * (2.4 * BLOCK.x), 1.0, None));
         }

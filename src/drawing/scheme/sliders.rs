@@ -134,8 +134,8 @@ impl Scheme<'_> {
         for link in others.filter(|&link| link != slider.link && link != slider.on) {
             let lines = self.shape(view, link).lines();
             for [a, b] in lines.into_iter().filter(|&ends| is_on(ends, at)) {
-                let own = |p: Point| Point::new((p - at).dot(along), (p - at).dot(across));
-                if let Some((a, b)) = clipped_segment(area, own(a), own(b)) {
+                let in_block = |p: Point| Point::new((p - at).dot(along), (p - at).dot(across));
+                if let Some((a, b)) = clipped_segment(area, in_block(a), in_block(b)) {
                     let bar = Shape::Line(on_sheet(a), on_sheet(b));
                     canvas.draw(Pen::Link, bar).number = self.number(link);
                 }

@@ -26,10 +26,10 @@ impl Scheme<'_> {
 
     /// Whether a special point is near enough to be drawn at its place.
     pub(in super::super) fn is_near(&self, special: &Special) -> bool {
-        let own = span(self.pose.points.iter().copied());
+        let size = span(self.pose.points.iter().copied());
         special.place.finite().is_some_and(|place| {
             let points = self.pose.points.iter().copied();
-            span(points.chain([place])) <= REACH * own
+            span(points.chain([place])) <= REACH * size
         })
     }
 

@@ -1,4 +1,4 @@
-//! The style file, version 1, as it is written: the contract, key by key.
+//! The format of the style file, version 1, key by key.
 
 use super::super::look::{Cap, Colour, Dash};
 use super::super::pen::Pen;
@@ -46,7 +46,7 @@ pub(super) struct StyleFile {
     pub pens: IndexMap<PenName, PenFile>,
 }
 
-/// A pen as a key. It is read as a text first, so that a message about its value can name it.
+/// A pen as a key, read as a text first: a message about its value can then name it.
 #[derive(Debug, PartialEq, Eq, Hash)]
 pub(super) struct PenName(Pen);
 
@@ -88,7 +88,7 @@ pub(super) struct PenFile {
 }
 
 impl PenFile {
-    /// This pen where it says something, the other elsewhere.
+    /// This pen, with the values of the other where it has none.
     fn or(self, other: PenFile) -> PenFile {
         PenFile {
             stroke: self.stroke.or(other.stroke),
@@ -103,7 +103,7 @@ impl PenFile {
 }
 
 impl StyleFile {
-    /// What a style is: this file where it says something, the table elsewhere.
+    /// The table of a style, with the values of this file in place of its own.
     pub(super) fn over(self, mut table: Table) -> Table {
         table.background = self.background.unwrap_or(table.background);
         table.ink = self.ink.unwrap_or(table.ink);
@@ -123,7 +123,7 @@ impl StyleFile {
     }
 }
 
-/// A style file with everything that it is based on.
+/// All values of a style, from its file and those on which it is based.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Table {
     pub background: Colour,

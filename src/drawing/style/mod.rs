@@ -40,7 +40,7 @@ impl Style {
 
     /// The style that the text of a style file describes, or the first thing that is wrong with it.
     ///
-    /// What the file leaves out is as in the style that it is based on, `paper` unless it says otherwise.
+    /// Values that the file leaves out are those of the style that it is based on, by default `paper`.
     ///
     /// ```
     /// use kinegon::drawing::Style;
@@ -64,22 +64,22 @@ impl Style {
     /// The look of a mark with this pen that belongs to the link or curve with this number, or to none.
     #[must_use]
     pub fn look(&self, pen: Pen, number: Option<usize>) -> Look {
-        let own = &self.0.pens[pen as usize];
+        let pen = &self.0.pens[pen as usize];
         let paint = |paint: Option<Paint>| paint.and_then(|paint| self.colour(paint, number));
-        let stroke = paint(own.stroke);
-        let ink = paint(own.ink).or(stroke).unwrap_or(self.0.ink);
+        let stroke = paint(pen.stroke);
+        let ink = paint(pen.ink).or(stroke).unwrap_or(self.0.ink);
         Look {
             stroke,
-            width: own.width.map_or(0.0, f64::from),
-            dash: match &own.dash {
+            width: pen.width.map_or(0.0, f64::from),
+            dash: match &pen.dash {
                 Some(Dashes::Of(dash)) => dash.clone(),
                 Some(Dashes::OfCurve) => self.curve_dash(number.unwrap_or(0)),
                 None => Dash::new(),
             },
-            fill: paint(own.fill),
-            cap: own.cap.unwrap_or_default(),
+            fill: paint(pen.fill),
+            cap: pen.cap.unwrap_or_default(),
             ink,
-            halo: own.halo.map_or(0.0, f64::from),
+            halo: pen.halo.map_or(0.0, f64::from),
         }
     }
 
