@@ -109,7 +109,7 @@ impl Exercises {
     /// The next exercise.
     ///
     /// # Errors
-    /// None of [`TRIES`] variants was an exercise; says what was wrong most often.
+    /// None of 1000 variants was an exercise; says what was wrong most often.
     #[expect(clippy::should_implement_trait, reason = "there is no end to iterate to")]
     pub fn next(&mut self) -> Result<Exercise, ExerciseError> {
         self.number += 1;
