@@ -36,8 +36,7 @@ pub(crate) fn mechanism_with(scene: &Scene, add: impl FnOnce(&mut Mechanism)) ->
 
 /// The Assur groups of the links of unknown motion, in an order in which they can be solved.
 pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureError> {
-    let members: Vec<BodyId> =
-        (0..mechanism.bodies.len()).map(BodyId).filter(|&b| mechanism.body(b).role == Role::Member).collect();
+    let members: Vec<BodyId> = mechanism.body_ids().filter(|&b| mechanism.body(b).role == Role::Member).collect();
     let index = |b: BodyId| members.iter().position(|&m| m == mechanism.lead(b));
     let edges: Vec<Edge> = mechanism
         .joints
@@ -46,10 +45,7 @@ pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>,
         .collect();
     let (mut surplus, mut over) = mechanism.surplus();
     let (mut missing, mut under) = (0, Vec::new());
-    let links = |found: Vec<usize>| {
-        let leads = found.into_iter().map(|i| members[i]);
-        leads.flat_map(|lead| mechanism.compound(lead))
-    };
+    let links = |found: Vec<usize>| found.into_iter().flat_map(|i| mechanism.compound(members[i]));
     let components = match structure(members.len(), &edges) {
         Structure::Groups(components) => components,
         Structure::Misfit { under: movable, missing: free, over: fixed, surplus: more } => {

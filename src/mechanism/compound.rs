@@ -55,7 +55,7 @@ impl Mechanism {
         let mut next = 0;
         while next < found.len() {
             let from_here = |b: &BodyId| matches!(self.body(*b).role, Role::Pushed { from, .. } if from == found[next]);
-            let pushed: Vec<BodyId> = (0..self.bodies.len()).map(BodyId).filter(from_here).collect();
+            let pushed: Vec<BodyId> = self.body_ids().filter(from_here).collect();
             found.extend(pushed);
             next += 1;
         }
@@ -65,29 +65,22 @@ impl Mechanism {
     /// The names of a compound link's links, as in `2+3`; the name of any other link.
     #[must_use]
     pub fn compound_name(&self, lead: BodyId) -> String {
-        let names = self.compound(lead).into_iter();
-        let names: Vec<&str> = names.map(|b| self.body(b).name.as_str()).collect();
+        let names: Vec<&str> = self.compound(lead).into_iter().map(|b| self.body(b).name.as_str()).collect();
         names.join("+")
     }
 
     /// The body of `link`'s compound link that a joint touches; `link` itself if the joint touches none of them.
     #[must_use]
     pub fn side(&self, joint: JointId, link: BodyId) -> BodyId {
-        let mut sides = self.joint(joint).bodies.into_iter();
-        let side = sides.find(|&b| b == link || self.lead(b) == link);
-        side.unwrap_or(link)
+        self.joint(joint).bodies.into_iter().find(|&b| b == link || self.lead(b) == link).unwrap_or(link)
     }
 
     /// The joints of a group, then those of the driven sliders within its compound links.
     #[must_use]
     pub fn joints_of(&self, group: &Group) -> Vec<JointId> {
-        let within = |id: &JointId| {
-            let joint = self.joint(*id);
-            joint.bodies.iter().all(|b| group.bodies.contains(b))
-        };
-        let inner = (0..self.joints.len()).map(JointId).filter(within);
-        let inner = inner.filter(|id| !group.joints.contains(id));
-        group.joints.iter().copied().chain(inner).collect()
+        let is_within = |id: &JointId| self.joint(*id).bodies.iter().all(|b| group.bodies.contains(b));
+        let within = (0..self.joints.len()).map(JointId).filter(|id| is_within(id) && !group.joints.contains(id));
+        group.joints.iter().copied().chain(within).collect()
     }
 
     /// +1 if `from`, or another link of its compound link, carries the slider's guide; −1 if it slides.
@@ -137,7 +130,7 @@ impl Mechanism {
     ///
     /// Bodies of known motion come first as roots; among links of groups the first in the scene is the lead.
     pub(super) fn join_driven(&mut self) {
-        let all = (0..self.bodies.len()).map(BodyId);
+        let all = self.body_ids();
         let (known, sought): (Vec<BodyId>, Vec<BodyId>) = all.partition(|&b| self.is_known(b));
         let mut reached = known.clone();
         for start in known.into_iter().chain(sought) {
@@ -146,7 +139,7 @@ impl Mechanism {
             }
             let mut pending = vec![start];
             while let Some(from) = pending.pop() {
-                for slider in (0..self.sliders.len()).map(SliderId) {
+                for slider in self.slider_ids() {
                     let Slider { on, link, drive, .. } = *self.slider(slider);
                     let touches = drive.is_some() && (on == from || link == from);
                     let other = if on == from { link } else { on };

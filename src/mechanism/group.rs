@@ -121,8 +121,7 @@ impl Group {
         match self.class {
             Class::Second => joints(0).map(letter).collect(),
             Class::Third => {
-                let legs = self.legs();
-                let legs = legs.map(|[outer, inner]| [letter(&outer), letter(&inner)].iter().collect());
+                let legs = self.legs().map(|[outer, inner]| [letter(&outer), letter(&inner)].iter().collect());
                 legs.collect::<Vec<String>>().join("-")
             }
             Class::Fourth => joints(0).chain(joints(1).rev().skip(1).take(2)).map(letter).collect(),

@@ -156,8 +156,7 @@ impl LoopEquations {
     /// one.
     #[must_use]
     pub fn slide_unknown(&self, slider: SliderId) -> Option<usize> {
-        let found = self.slides.iter().find(|(s, _)| *s == slider);
-        found.map(|(_, unknown)| *unknown)
+        self.slides.iter().find(|(s, _)| *s == slider).map(|(_, unknown)| *unknown)
     }
 
     /// The index of the unknown that is the angular rate of `link`; `None` if `link` turns as a known body does, or is
@@ -179,9 +178,7 @@ impl LoopEquations {
     /// The first link whose angular rate is this unknown; `None` for a slide rate.
     #[must_use]
     pub fn link_of(&self, unknown: usize) -> Option<BodyId> {
-        let mut spins = self.spins.iter();
-        let found = spins.find(|(_, spin)| *spin == Spin::Unknown(unknown))?;
-        Some(found.0)
+        self.spins.iter().find(|(_, spin)| *spin == Spin::Unknown(unknown)).map(|(body, _)| *body)
     }
 
     /// The value of `link`'s angular rate, where `x` are the unknowns and `known` gives the rates of known bodies.
@@ -229,8 +226,7 @@ impl LoopEquations {
 }
 
 fn spin_of(spins: &[(BodyId, Spin)], body: BodyId) -> Spin {
-    let found = spins.iter().find(|(b, _)| *b == body);
-    found.map_or(Spin::Known(body), |(_, spin)| *spin)
+    spins.iter().find(|(b, _)| *b == body).map_or(Spin::Known(body), |(_, spin)| *spin)
 }
 
 /// The terms of a loop; new slide rates get the indices from `unknowns` on.
@@ -284,8 +280,7 @@ fn terms(
         }
     }
     // A group with a loop without revolute joints is singular by structure, so any point serves.
-    let first = pins.first().copied();
-    let first = first.unwrap_or_else(|| mechanism.joint_point(chain.joints[0]));
+    let first = pins.first().copied().unwrap_or_else(|| mechanism.joint_point(chain.joints[0]));
     let last = pins.last().copied().unwrap_or(first);
     let ends = [chain.bodies[0], chain.bodies[chain.bodies.len() - 1]];
     if chain.closed {

@@ -159,6 +159,21 @@ impl Mechanism {
         self.placing.as_ref().map_or(self, |p| &p.mechanism)
     }
 
+    /// The indices of all bodies.
+    pub(crate) fn body_ids(&self) -> impl Iterator<Item = BodyId> + use<> {
+        (0..self.bodies.len()).map(BodyId)
+    }
+
+    /// The indices of all points.
+    pub(crate) fn point_ids(&self) -> impl Iterator<Item = PointId> + use<> {
+        (0..self.points.len()).map(PointId)
+    }
+
+    /// The indices of all sliders.
+    pub(crate) fn slider_ids(&self) -> impl Iterator<Item = SliderId> + use<> {
+        (0..self.sliders.len()).map(SliderId)
+    }
+
     /// The body of that index.
     #[must_use]
     pub fn body(&self, id: BodyId) -> &Body {
@@ -175,10 +190,8 @@ impl Mechanism {
     /// moving link as `3/2`.
     #[must_use]
     pub fn drive_names(&self) -> Vec<String> {
-        let turned = self.bodies.iter();
-        let turned = turned.filter(|b| matches!(b.role, Role::Driver { .. }));
-        let pushed = (0..self.sliders.len()).map(SliderId);
-        let pushed = pushed.filter(|&id| self.slider(id).drive.is_some());
+        let turned = self.bodies.iter().filter(|b| matches!(b.role, Role::Driver { .. }));
+        let pushed = self.slider_ids().filter(|&id| self.slider(id).drive.is_some());
         turned.map(|body| body.name.clone()).chain(pushed.map(|id| self.push_name(id))).collect()
     }
 
@@ -191,29 +204,21 @@ impl Mechanism {
     /// The link of that name (or `ground`).
     #[must_use]
     pub fn link(&self, name: &str) -> Option<BodyId> {
-        let mut bodies = self.bodies.iter();
-        let index = bodies.position(|b| b.name == name && !b.is_nameless())?;
-        Some(BodyId(index))
+        self.bodies.iter().position(|b| b.name == name && !b.is_nameless()).map(BodyId)
     }
 
     /// The links with names of their own: all bodies but ground, carriers and blocks.
     pub fn links(&self) -> impl Iterator<Item = (BodyId, &Body)> {
-        self.bodies
-            .iter()
-            .enumerate()
-            .map(|(i, b)| (BodyId(i), b))
-            .filter(|(_, b)| b.role != Role::Ground && !b.is_nameless())
+        self.body_ids().zip(&self.bodies).filter(|(_, b)| b.role != Role::Ground && !b.is_nameless())
     }
 
     /// The points of group links that are on no body of known motion: those whose places have to be found.
     #[must_use]
     pub fn inner_points(&self) -> Vec<PointId> {
         let holds = |p: &PointId, known: bool| {
-            let mut bodies = (0..self.bodies.len()).map(BodyId);
-            bodies.any(|b| self.is_known(b) == known && self.body(b).points.contains(p))
+            self.body_ids().any(|b| self.is_known(b) == known && self.body(b).points.contains(p))
         };
-        let points = (0..self.points.len()).map(PointId);
-        points.filter(|p| holds(p, false) && !holds(p, true)).collect()
+        self.point_ids().filter(|p| holds(p, false) && !holds(p, true)).collect()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::name::is_acceleration;
 use crate::construction::{Action, Construction, Solution, coincident_name};
-use crate::mechanism::{Role, SliderId};
+use crate::mechanism::Role;
 use crate::motion::Order;
 
 /// Names of the quantities that results and steps give and that may be read from a hand drawing: measured lengths and
@@ -13,11 +13,10 @@ pub fn readable_names(solution: &Solution) -> Vec<String> {
     let mut names = measured_names(construction);
     for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Stub) {
         // A link with one point has no line whose angle could be measured.
-        let heads = ["angle", "omega", "alpha"].into_iter();
-        let heads = heads.skip(usize::from(body.points.len() < 2));
+        let heads = ["angle", "omega", "alpha"].into_iter().skip(usize::from(body.points.len() < 2));
         names.extend(heads.map(|head| format!("{head}({})", body.name)));
     }
-    for slider in (0..mechanism.sliders.len()).map(SliderId) {
+    for slider in mechanism.slider_ids() {
         let slider = mechanism.slider_name(slider);
         names.extend(["position", "v_r", "a_r"].map(|head| format!("{head}({slider})")));
         names.push(format!("a_c({slider}).size"));

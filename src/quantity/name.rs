@@ -270,8 +270,7 @@ impl Finder<'_> {
     }
 
     fn slider(&self, name: &str) -> Result<SliderId, QuantityError> {
-        let ids = (0..self.mechanism.sliders.len()).map(SliderId);
-        let names: Vec<String> = ids.map(|id| self.mechanism.slider_name(id)).collect();
+        let names: Vec<String> = self.mechanism.slider_ids().map(|id| self.mechanism.slider_name(id)).collect();
         let found = names.iter().position(|n| n == name).map(SliderId);
         let known = || names.iter().map(String::as_str);
         found.ok_or_else(|| unknown(self.name, "slider", name, known()))

@@ -193,8 +193,7 @@ impl Reader<'_> {
     fn is_given(&self, link: BodyId) -> bool {
         let mechanism = self.writer.mechanism;
         let spins = &self.writer.construction.spins;
-        let bodies = || (0..mechanism.bodies.len()).map(BodyId);
-        let mut known = bodies().filter(|&b| mechanism.is_known(b));
+        let mut known = mechanism.body_ids().filter(|&b| mechanism.is_known(b));
         let spin = spins[link.0];
         mechanism.is_known(link) || spin.is_some_and(|spin| known.any(|b| spins[b.0] == Some(spin)))
     }
@@ -334,10 +333,7 @@ impl Reader<'_> {
     fn holder(&self, sheet: Sheet, body: BodyId, point: PointId) -> BodyId {
         let mechanism = self.writer.mechanism;
         let is_on_body = mechanism.body(body).points.contains(&point);
-        let holders = || {
-            let bodies = (0..mechanism.bodies.len()).map(BodyId);
-            bodies.filter(|&b| is_on_body && mechanism.body(b).points.contains(&point))
-        };
+        let holders = || mechanism.body_ids().filter(|&b| is_on_body && mechanism.body(b).points.contains(&point));
         let known = holders().find(|&b| mechanism.is_known(b));
         known.or_else(|| holders().find(|&b| self.writer.place_of_motion(sheet, b, point).is_some())).unwrap_or(body)
     }
