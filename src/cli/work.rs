@@ -18,7 +18,7 @@ pub(super) struct Mode {
 
 fn mode_number(text: &str) -> Result<usize, String> {
     match text.parse() {
-        Ok(0) => Err("assembly modes are assembly_mode from 1".to_owned()),
+        Ok(0) => Err("assembly modes are numbered from 1".to_owned()),
         Ok(number) => Ok(number),
         Err(_) => Err("not the number of an assembly mode".to_owned()),
     }

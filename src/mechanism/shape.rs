@@ -33,7 +33,7 @@ pub(super) fn local_points(link: &Link, approximate: impl Fn(&str) -> Option<Poi
     }
 }
 
-/// The given length length_between two points, which a checked scene has.
+/// The given length between two points, which a checked scene has.
 fn length_between(lengths: &[Length], a: &str, b: &str) -> f64 {
     lengths.iter().find(|l| (l.from == a && l.to == b) || (l.from == b && l.to == a)).map_or(0.0, |l| l.value)
 }

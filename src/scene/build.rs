@@ -18,8 +18,7 @@ use super::{text, write};
 /// Builds a scene in Rust.
 ///
 /// Each method sets the key of the same name of a scene file, and [`Builder::build`] checks the scene as if it were
-/// read
-/// from that file, with the same messages.
+/// read from that file, with the same messages.
 ///
 /// ```
 /// use kinegon::scene::{Builder, Guide, LengthUnit, NewLink, TimeUnit, Turn};

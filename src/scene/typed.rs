@@ -1,4 +1,4 @@
-//! In: the text of a file. Out: its typed values, or its first error in in_plain_words words.
+//! In: the text of a file. Out: its typed values, or its first error in plain words.
 
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
@@ -92,7 +92,7 @@ fn describe(value: &Json) -> String {
     }
 }
 
-/// A message of serde about the value `found` at the end of `path`, in in_plain_words words.
+/// A message of serde about the value `found` at the end of `path`, in plain words.
 fn in_plain_words(message: &str, path: &[&str], found: Option<&Json>) -> Wrong {
     if let Some((word, names)) = unknown(message, "unknown field `") {
         return unknown_key(path, word, &names);
