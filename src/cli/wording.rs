@@ -5,13 +5,13 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 /// How things are said and written, in place of what the scene's figure asks for.
 #[derive(Debug, Default, Args)]
 pub(super) struct Words {
-    /// Whose way of writing poles, images and parts of accelerations.
+    /// Notation of poles, images and parts of accelerations.
     #[arg(long, value_parser = one_of(NotationName::ALL, NotationName::as_str))]
     notation: Option<NotationName>,
     /// Language of headings and captions.
     #[arg(long, value_parser = one_of(LanguageName::ALL, LanguageName::as_str))]
     language: Option<LanguageName>,
-    /// What stands before the decimals of numbers.
+    /// Decimal mark of numbers.
     #[arg(long, value_parser = one_of(DecimalMark::ALL, DecimalMark::as_str))]
     decimal: Option<DecimalMark>,
 }

@@ -44,7 +44,7 @@ pub struct Figure {
     /// Language of headings and captions; left out: "en".
     #[schemars(with = "Option<LanguageName>")]
     pub language: LanguageName,
-    /// What stands before the decimals of numbers on figures and in the text of steps; left out: "point".
+    /// Decimal mark of the numbers on figures and in the text of steps; left out: "point".
     #[schemars(with = "Option<DecimalMark>")]
     pub decimal: DecimalMark,
     /// Text to show in place of a name: { "B'": "B₁" }.
@@ -178,7 +178,7 @@ choice! {
 }
 
 choice! {
-    /// Whose way of writing poles, images and parts of accelerations. Names of quantities stay the same.
+    /// Notation of poles, images and parts of accelerations. Names of quantities stay the same.
     #[derive(Default)]
     #[schemars(rename = "notation")]
     NotationName {
@@ -208,7 +208,7 @@ choice! {
 }
 
 choice! {
-    /// What stands before the decimals of numbers on figures and in the text of steps; results always have points.
+    /// Decimal mark of the numbers on figures and in the text of steps; results always have points.
     #[derive(Default)]
     #[schemars(rename = "decimal")]
     DecimalMark {
