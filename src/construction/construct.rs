@@ -14,6 +14,8 @@ use indexmap::IndexMap;
 /// behind them.
 #[derive(Clone, Debug)]
 pub struct Construction {
+    /// How far the plans go.
+    pub extent: Extent,
     /// By group: its special points.
     pub special: Vec<Vec<Special>>,
     /// By group: how the construction's rates compare with the loop equations'; none where there is no construction.
@@ -48,23 +50,45 @@ pub struct Construction {
 /// them, any other in its direction. For a group without a construction, and for bodies whose motion follows from it,
 /// rates and vectors are taken from `motion`.
 #[must_use]
-pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Construction {
-    construction_writer(mechanism, pose, motion).construction
+pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion, extent: Extent) -> Construction {
+    construction_writer(mechanism, pose, motion, extent).construction
+}
+
+/// How far the plans go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// To the rates of all links, and in the velocity plan to the joints, as in the source paper (Quintero et al.,
+    /// 2011).
+    Rates,
+    /// To every point of every link.
+    Points,
 }
 
 /// The same, as a writer that can add further measurements.
-pub(crate) fn construction_writer<'a>(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Writer<'a> {
-    let mut writer = Writer::new(mechanism, pose, motion);
+pub(crate) fn construction_writer<'a>(
+    mechanism: &'a Mechanism,
+    pose: &'a Pose,
+    motion: &'a Motion,
+    extent: Extent,
+) -> Writer<'a> {
+    let mut writer = Writer::new(mechanism, pose, motion, extent);
     for group in &mechanism.groups {
         writer.group(group);
+        if extent == Extent::Points {
+            group.bodies.iter().for_each(|&body| writer.further_images(body));
+        }
+    }
+    if extent == Extent::Points {
+        mechanism.body_ids().filter(|&body| mechanism.is_known(body)).for_each(|body| writer.further_images(body));
     }
     writer
 }
 
 impl Construction {
-    pub(super) fn empty(mechanism: &Mechanism, order: Order, origin: Point) -> Self {
+    pub(super) fn empty(mechanism: &Mechanism, order: Order, origin: Point, extent: Extent) -> Self {
         let plan = |kind| Plan { kind, points: IndexMap::new(), steps: Vec::new() };
         Self {
+            extent,
             special: Vec::new(),
             agreement: Vec::new(),
             scheme: Vec::new(),
@@ -233,6 +257,9 @@ impl NumberedStep<'_> {
             Action::MeasureLength { from, to, .. } => vec![format!("L({from},{to})")],
             Action::LayOff(arrow) => segment(&arrow.from, &arrow.to),
             Action::Cross { point, .. } => segment(self.plan.map_or("", |p| p.kind.pole()), point),
+            Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                segment(self.plan.map_or("", |p| p.kind.pole()), point)
+            }
             Action::Measure { from, to, .. } => segment(from, to),
             Action::Solve { unknowns, .. } => unknowns.iter().map(|u| u.0.clone()).collect(),
             Action::Pole { .. } | Action::SpecialPoint { .. } | Action::Ray(_) | Action::NoConstruction { .. } => {

@@ -2,11 +2,12 @@
 //! points.
 
 use super::body::Anchor;
+use super::construct::Extent;
 use super::cut::{CutLine, Special, SpecialId, special_points};
 use super::leg::Drawn;
 use super::name::{coincident_name, image_name, point_on};
 use super::operation::{LineId, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, Rate, Sheet};
-use super::step::{Action, Arrow, LegEquation, PointRole, Ray, Relation, VectorOf};
+use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn, span};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId, Spin};
@@ -67,9 +68,14 @@ impl Writer<'_> {
             if sheet == Sheet::Velocity {
                 self.note_anchors(group);
             }
-            self.images(sheet, group);
+            if sheet == Sheet::Velocity || self.construction.extent == Extent::Rates {
+                self.images(sheet, group);
+            }
         }
         self.image_steps(group);
+        if self.construction.extent == Extent::Points && self.plans().contains(&Sheet::Acceleration) {
+            self.relative_images(Sheet::Acceleration, group);
+        }
         Some(())
     }
 
@@ -84,9 +90,8 @@ impl Writer<'_> {
         self.take_computed_rates(group, equations);
         self.note_anchors(group);
         for &sheet in self.plans() {
-            self.images(sheet, group);
+            self.relative_images(sheet, group);
         }
-        self.image_steps(group);
     }
 
     /// Draws the cut lines and crosses them; a dyad's inner joint is only plotted. `None` for a special point at
@@ -140,6 +145,11 @@ impl Writer<'_> {
     /// Lays off the known vector of the point from which a ray starts.
     fn known_vector(&mut self, sheet: Sheet, base: BodyId, point: PointId) {
         let name = self.start_name(base, point);
+        // An earlier group may have constructed it.
+        if let Some(shown) = self.plan(sheet).points.get_mut(&name).filter(|shown| shown.role != PointRole::Pole) {
+            shown.role = PointRole::Known;
+            return;
+        }
         match self.mechanism.body(base).role {
             Role::Pushed { from, .. } if from != GROUND && self.mechanism.is_known(base) => {
                 self.pushed_vector(sheet, base, point, &name);
@@ -334,8 +344,7 @@ impl Writer<'_> {
                 to: image_name(&point.special.name),
                 direction: quarter_turn(cut.line.direction().unwrap_or_else(Vector::x)),
                 relation,
-                special: point.id,
-                side,
+                of: RayOf::Leg(point.id, side),
             }),
         );
         // Two special points may have a ray in common.
@@ -442,6 +451,35 @@ impl Writer<'_> {
         self.show(sheet, &names[1], image, PointRole::Image);
         self.claim(image);
         names
+    }
+
+    /// Constructs the images of the group's joints by relative motions: first of pins, then of sliders.
+    fn relative_images(&mut self, sheet: Sheet, group: &Group) {
+        let mechanism = self.mechanism;
+        for joint in mechanism.joints_of(group) {
+            if let Some(point) = mechanism.joint(joint).pin {
+                let bodies = mechanism.joint(joint).bodies;
+                let body = bodies.into_iter().find(|&body| self.place_of_motion(sheet, body, point).is_some());
+                let anchored = || bodies.into_iter().find(|&body| self.anchors[body.0].is_some());
+                if let Some(body) = body.or_else(anchored) {
+                    self.relative_image(sheet, body, point);
+                    let place = self.motion(sheet, body, point);
+                    for other in bodies {
+                        if self.place_of_motion(sheet, other, point).is_none() {
+                            self.note_motion(sheet, other, point, place);
+                        }
+                    }
+                }
+            }
+        }
+        for joint in mechanism.joints_of(group) {
+            let Some(slider) = mechanism.joint(joint).slider else { continue };
+            let ends = mechanism.slider(slider);
+            for body in [ends.on, ends.link] {
+                self.relative_image(sheet, body, ends.at);
+            }
+        }
+        self.step = None;
     }
 
     /// Names the images of the group's joints: first of pins, each by the motion of its carrying link, then of sliders.

@@ -14,6 +14,7 @@ mod construct;
 mod cut;
 mod formula;
 mod group;
+mod images;
 mod leg;
 mod name;
 mod operation;
@@ -25,7 +26,7 @@ mod writer;
 
 pub use agreement::Agreement;
 pub(crate) use construct::construction_writer;
-pub use construct::{Construction, NumberedStep, construct};
+pub use construct::{Construction, Extent, NumberedStep, construct};
 pub use cut::{Course, CutLine, Special, SpecialId, Term, special_points};
 pub use formula::{Formula, FormulaTerm, Known, NamedPart};
 pub use name::{coincident_name, coriolis_name, display, image_name, normal_name, point_on, slide_name};
@@ -37,6 +38,7 @@ pub use run::{Change, Disturbance, Drawable, SheetScales, Tolerance, Values};
 pub use sentence::{Teller, plain_text, rate_symbol, shown_text};
 pub use solution::Solution;
 pub use step::{
-    Action, Added, Arrow, ArrowKind, LegEquation, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step, VectorOf,
+    Action, Added, Arrow, ArrowKind, LegEquation, Plan, PlanKind, PlanPoint, PointRole, Ray, RayOf, Relation,
+    RelativePart, Step, VectorOf,
 };
 pub(crate) use writer::Writer;

@@ -5,7 +5,7 @@ use super::cut::{CutLine, Special, Term};
 use super::formula::{Formula, Known, NamedPart};
 use super::name::{image_name, point_on};
 use super::solution::Solution;
-use super::step::{Action, Added, Arrow, LegEquation, Plan, PlanKind, Ray, Relation, VectorOf};
+use super::step::{Action, Added, Arrow, LegEquation, Plan, PlanKind, Ray, RayOf, Relation, RelativePart, VectorOf};
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role};
 use crate::position::Pose;
@@ -109,10 +109,19 @@ impl<'a> Teller<'a> {
                 let sentence = match ray.relation {
                     Relation::Perpendicular => Language::ray_normal,
                     Relation::Parallel => Language::ray_parallel,
+                    Relation::Angle => Language::ray_at_angle,
                 };
                 sentence(language, &marked(&ray.through), &self.line_of(ray), &marked(&ray.to))
             }
             Action::Cross { point, .. } => language.cross(&marked(point)),
+            Action::Divide { point, between: [from, to], points } => {
+                let [first, second, third] = points.map(|point| self.mechanism.point_name(point));
+                let ratio = [format!("{first}{third}"), format!("{first}{second}")];
+                language.divide(&marked(from), &marked(to), &ratio[0], &ratio[1], &marked(point))
+            }
+            Action::Coincide { point, with, link } => {
+                language.coincide(&self.mechanism.body(*link).name, &marked(point), &marked(with))
+            }
             Action::Measure { from, to, .. } => language.measure_segment(&marked(from), &marked(to)),
             Action::Solve { unknowns, .. } => {
                 let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
@@ -131,9 +140,15 @@ impl<'a> Teller<'a> {
             Action::LayOff(arrow) => self.lay_off(kind, arrow).0,
             Action::Ray(ray) => self.ray_equation(kind, ray),
             Action::Measure { from, to, .. } => measured(kind, from, to).into(),
+            Action::Divide { point, between: [from, to], points } => {
+                let [first, second, third] = points.map(|point| self.mechanism.point_name(point));
+                let [from, to, point] = [from, to, point].map(|name| marked(name));
+                format!("{from} {point} : {from} {to} = {first}{third} : {first}{second}").into()
+            }
             Action::Pole { .. }
             | Action::SpecialPoint { .. }
             | Action::Cross { .. }
+            | Action::Coincide { .. }
             | Action::Solve { .. }
             | Action::NoConstruction { .. } => Formula::default(),
         }
@@ -142,8 +157,15 @@ impl<'a> Teller<'a> {
     /// The line of the mechanism that gives a ray its direction, by name.
     #[must_use]
     pub fn line_of(&self, ray: &Ray) -> String {
-        let special = self.construction.special(ray.special);
-        let cut = &special.cuts[ray.side];
+        let name = |point: PointId| self.mechanism.point_name(point);
+        let (special, side) = match ray.of {
+            RayOf::Leg(special, side) => (self.construction.special(special), side),
+            RayOf::Arm { from, to, other, .. } if ray.relation == Relation::Angle => {
+                return format!("∠{}{}{}", name(other), name(from), name(to));
+            }
+            RayOf::Arm { from, to, .. } => return format!("{}{}", name(from), name(to)),
+        };
+        let cut = &special.cuts[side];
         match cut.guide() {
             Some(slider) => self.words.language.guide_of(&self.mechanism.slider_name(slider)),
             None => cut.name(self.words, self.mechanism, &special.name),
@@ -177,13 +199,7 @@ impl<'a> Teller<'a> {
         match of {
             VectorOf::Point(body, point) => self.known_vector(*body, *point, kind),
             VectorOf::Normal(special, side) => self.normal_part(self.construction.special(*special), *side, from, to),
-            VectorOf::Relative { link, from, to } => {
-                let link = &self.mechanism.body(*link).name;
-                let formula = format!("v{0} = ω_{link} L{0}", subscript(&[to, from])).into();
-                let language = self.words.language;
-                let line = format!("{from}{to}");
-                (formula, language.lay_off_relative(link, &marked(to), &marked(from), &line))
-            }
+            VectorOf::Relative { link, from, to, part } => self.relative(*link, [from, to], *part),
             VectorOf::Sliding(slider, under) => {
                 let name = self.mechanism.slider_name(*slider);
                 let at = self.mechanism.point_name(self.mechanism.slider(*slider).at);
@@ -193,6 +209,28 @@ impl<'a> Teller<'a> {
             }
             VectorOf::Driven(slide, added) => self.driven_part(slide, *added, [from, to]),
         }
+    }
+
+    /// Equation and caption of the motion of one point of a link relative to another.
+    fn relative(&self, link: BodyId, [from, to]: [&str; 2], part: RelativePart) -> (Formula, String) {
+        let (language, notation) = (self.words.language, self.words.notation);
+        let link = &self.mechanism.body(link).name;
+        let (pair, line) = (subscript(&[to, from]), format!("{from}{to}"));
+        let (to, from) = (marked(to), marked(from));
+        let (equation, caption) = match part {
+            RelativePart::Velocity => {
+                (format!("v{pair} = ω_{link} L{pair}"), language.lay_off_relative(link, &to, &from, &line))
+            }
+            RelativePart::Normal => (
+                format!("a^{}{pair} = ω_{link}^2 L{pair}", notation.normal),
+                language.lay_off_relative_normal(&to, &from, &line),
+            ),
+            RelativePart::Tangential => (
+                format!("a^{}{pair} = α_{link} L{pair}", notation.tangential),
+                language.lay_off_relative_tangential(link, &to, &from, &line),
+            ),
+        };
+        (equation.into(), caption)
     }
 
     /// Equation and caption of the known velocity or acceleration of body `base` at a point.
@@ -251,12 +289,24 @@ impl<'a> Teller<'a> {
 
     /// The vector equation behind a ray: motion of the sought point relative to the leg's start.
     fn ray_equation(&self, kind: PlanKind, ray: &Ray) -> Formula {
-        let special = self.construction.special(ray.special);
-        let cut = &special.cuts[ray.side];
+        let (special, side) = match ray.of {
+            RayOf::Leg(special, side) => (self.construction.special(special), side),
+            RayOf::Arm { from, to, .. } => return self.arm_equation(kind, from, to),
+        };
+        let cut = &special.cuts[side];
         let start = cut.start().map(|point| point_on(self.mechanism, cut.leg.base, point)).unwrap_or_default();
         match kind {
             PlanKind::Velocity => self.relative_velocity(&cut.slides, &special.name, &start),
             PlanKind::Acceleration => self.relative_acceleration(cut, &special.name, &start),
+        }
+    }
+
+    /// The vector equation behind a ray for the image of a further point of a link.
+    fn arm_equation(&self, kind: PlanKind, from: PointId, to: PointId) -> Formula {
+        let [from, to] = [from, to].map(|point| self.mechanism.point_name(point));
+        match kind {
+            PlanKind::Velocity => self.relative_velocity(&[], to, from),
+            PlanKind::Acceleration => Formula::default(),
         }
     }
 

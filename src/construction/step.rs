@@ -161,6 +161,24 @@ pub enum Action {
         /// The unknowns' quantity names and values.
         unknowns: Vec<(String, f64)>,
     },
+    /// Divide the line between two images in the ratio of the link: the image of a point on the line of two others.
+    Divide {
+        /// The plan point made.
+        point: String,
+        /// The images that are divided.
+        between: [String; 2],
+        /// On the link: the points whose images they are, and the point looked for.
+        points: [PointId; 3],
+    },
+    /// The link does not turn: a further point has the image of another.
+    Coincide {
+        /// The plan point made.
+        point: String,
+        /// The image that is there.
+        with: String,
+        /// The link.
+        link: BodyId,
+    },
     /// There is no construction by two rays.
     NoConstruction {
         /// Names of the special points at infinity, where these are the reason; else empty.
@@ -175,12 +193,21 @@ impl Action {
         matches!(self, Action::MeasureLength { .. } | Action::Measure { .. })
     }
 
+    /// The plan point that it makes or leads to.
+    #[must_use]
+    pub fn towards(&self) -> Option<&str> {
+        match self {
+            Action::Ray(ray) => Some(&ray.to),
+            _ => self.image(),
+        }
+    }
+
     /// The plan point that it makes, if it makes one.
     #[must_use]
     pub fn image(&self) -> Option<&str> {
         match self {
             Action::LayOff(arrow) => Some(&arrow.to),
-            Action::Cross { point, .. } => Some(point),
+            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => Some(point),
             _ => None,
         }
     }
@@ -217,7 +244,7 @@ pub enum VectorOf {
     Point(BodyId, PointId),
     /// The normal part of a leg, Coriolis acceleration included: special point and leg.
     Normal(SpecialId, usize),
-    /// The velocity of one point of a link relative to another, by their names.
+    /// The velocity or acceleration of one point of a link relative to another, by their names, or a part of it.
     Relative {
         /// The link.
         link: BodyId,
@@ -225,6 +252,8 @@ pub enum VectorOf {
         from: String,
         /// … to this one.
         to: String,
+        /// Which part of it.
+        part: RelativePart,
     },
     /// The sliding velocity at a slider, from the coincident point of the guide's body, given by name, to the slider's
     /// point.
@@ -233,7 +262,18 @@ pub enum VectorOf {
     Driven(DrivenSlide, Added),
 }
 
-/// A part of the relative motion at a driven slider.
+/// A part of the motion of one point of a link relative to another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RelativePart {
+    /// The velocity, ω × r.
+    Velocity,
+    /// The normal acceleration, −ω² r.
+    Normal,
+    /// The tangential acceleration, α × r.
+    Tangential,
+}
+
+/// A part of the relative motion at a slider.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Added {
     /// Relative velocity v_r, along the guide.
@@ -262,7 +302,7 @@ pub enum ArrowKind {
     Whole,
     /// A normal part.
     Normal,
-    /// A relative velocity of two points of one link.
+    /// A relative velocity of two points of one link, or a tangential acceleration.
     Relative,
     /// A sliding velocity or acceleration.
     Sliding,
@@ -276,7 +316,7 @@ impl Arrow {
     pub fn kind(&self) -> ArrowKind {
         match self.of {
             VectorOf::Point(..) => ArrowKind::Whole,
-            VectorOf::Normal(..) => ArrowKind::Normal,
+            VectorOf::Normal(..) | VectorOf::Relative { part: RelativePart::Normal, .. } => ArrowKind::Normal,
             VectorOf::Relative { .. } => ArrowKind::Relative,
             VectorOf::Driven(_, Added::Coriolis) => ArrowKind::Coriolis,
             VectorOf::Sliding(..) | VectorOf::Driven(..) => ArrowKind::Sliding,
@@ -295,10 +335,26 @@ pub struct Ray {
     pub direction: Vector,
     /// Its relation to the line of the mechanism that gives the direction.
     pub relation: Relation,
-    /// The sought point …
-    pub special: SpecialId,
-    /// … and the leg, 0 or 1.
-    pub side: usize,
+    /// What gives its direction.
+    pub of: RayOf,
+}
+
+/// What gives a ray its direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayOf {
+    /// The leg, 0 or 1, of a sought point.
+    Leg(SpecialId, usize),
+    /// A link, for the image of a further point of it.
+    Arm {
+        /// The link.
+        link: BodyId,
+        /// The point from whose image the ray starts.
+        from: PointId,
+        /// The point looked for.
+        to: PointId,
+        /// A third point, whose image is there too.
+        other: PointId,
+    },
 }
 
 /// Relation of a ray to a line of the mechanism.
@@ -308,6 +364,8 @@ pub enum Relation {
     Perpendicular,
     /// Parallel to it.
     Parallel,
+    /// At the same angle to the line of two images as it makes with the line of their points.
+    Angle,
 }
 
 impl Plan {

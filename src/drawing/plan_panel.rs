@@ -6,7 +6,7 @@ use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::stages::PlanStages;
 use super::view::{Extent, View, on_sheet, towards};
-use crate::construction::{Action, ArrowKind, Plan, PlanKind, PointRole, Relation, coincident_name, image_name};
+use crate::construction::{Action, ArrowKind, Plan, PlanKind, PointRole, Relation, Step, coincident_name, image_name};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::quantity::Kind;
@@ -99,7 +99,7 @@ impl PlanOnPaper<'_> {
 
     /// The rays, lines of known direction.
     fn rays(&self, canvas: &mut Canvas<'_>) {
-        if !(self.scheme.figure.construction && self.scheme.figure.special_points) {
+        if !(self.scheme.figure.construction.has_lines() && self.scheme.figure.special_points) {
             return;
         }
         for ray in self.plan.rays() {
@@ -141,7 +141,11 @@ impl PlanOnPaper<'_> {
         let pole = plan.kind.pole();
         let from_pole = |name: &str| {
             let special = plan.points.get(name).map(|p| p.role) == Some(PointRole::Special);
-            (special || plan.rays().any(|ray| ray.to == name)) && !self.is_hidden(name)
+            let made =
+                |step: &Step| matches!(step.action, Action::Ray(_) | Action::Divide { .. } | Action::Coincide { .. });
+            let steps = plan.steps.iter().filter(|step| made(step));
+            let is_whole = special || steps.map(|step| step.action.towards()).any(|end| end == Some(name));
+            is_whole && !self.is_hidden(name)
         };
         for name in plan.points.keys().filter(|name| from_pole(name)) {
             canvas.set_step(self.stages.point(name));

@@ -73,7 +73,9 @@ impl PlanStages {
                     let ends = [arrow.from.clone(), arrow.to.clone()];
                     stages.vectors.entry(ends).or_insert(number);
                 }
-                Action::Cross { point, .. } => made(point),
+                Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                    made(point)
+                }
                 Action::Ray(ray) => {
                     let ends = [ray.through.clone(), ray.to.clone()];
                     stages.rays.entry(ends).or_insert(number);

@@ -129,15 +129,19 @@ impl Writer<'_> {
                 let sign = match ray.relation {
                     Relation::Perpendicular => "⊥",
                     Relation::Parallel => "∥",
+                    Relation::Angle => "",
                 };
                 let along = format!("{sign} {}", self.scheme.teller().line_of(ray));
-                self.equation(&formula, plan, Some(&along), from)
+                let along = along.trim_start();
+                self.equation(&formula, plan, Some(along), from)
             }
             _ => self.equation(&formula, plan, None, from),
         };
         let ends = match action {
             Action::LayOff(arrow) => Some([arrow.from.as_str(), arrow.to.as_str()]),
-            Action::Cross { point, .. } => kind.map(|kind| [kind.pole(), point.as_str()]),
+            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                kind.map(|kind| [kind.pole(), point.as_str()])
+            }
             _ => None,
         };
         let vector = ends.and_then(|[from, to]| plan?.segment(from, to));

@@ -228,6 +228,12 @@ impl StepList<'_> {
                 let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, kind)));
                 [self.crossing(*sine)].into_iter().chain(drawn).collect()
             }
+            Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                let pole = plan.map_or("", |p| p.kind.pole());
+                let vector = plan.and_then(|p| p.segment(pole, point));
+                let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, kind)));
+                [equation].into_iter().filter(|equation| !equation.is_empty()).chain(drawn).collect()
+            }
             Action::Measure { from, to, value } => {
                 vec![segment(from, to, self.measure(*value, kind))]
             }

@@ -70,7 +70,8 @@ pub enum Unread {
 /// direction and a length are measured once more, with errors of their own.
 #[must_use]
 pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<Result<Reading, Unread>>) {
-    let writer = construction_writer(&solution.mechanism, &solution.pose, &solution.motion);
+    let writer =
+        construction_writer(&solution.mechanism, &solution.pose, &solution.motion, solution.construction.extent);
     let mut reader = Reader { steps: writer.construction.steps_of_quantities(), writer };
     let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
     let mut construction = reader.writer.construction;

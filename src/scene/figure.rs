@@ -2,12 +2,15 @@
 
 use indexmap::IndexMap;
 use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer, de::Error};
+use serde::de::{Error, Unexpected, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
 
 use super::choice::choice;
 use super::schema::without_defaults;
 use super::text::LARGEST;
 use super::typed::HINT;
+use super::value::several_forms;
 use super::words::{number, shortened, suggestion};
 use super::write::{write_forms, write_keys};
 use super::wrong::Wrong;
@@ -51,8 +54,9 @@ pub struct Figure {
     pub labels: IndexMap<String, String>,
     /// Whether special points are shown; left out: true.
     pub special_points: bool,
-    /// Whether construction lines are shown; left out: true.
-    pub construction: bool,
+    /// Whether construction lines are shown; "paper": shown, and the plans end where the source paper's end; left out: true.
+    #[schemars(with = "Option<ConstructionShown>")]
+    pub construction: ConstructionShown,
     /// The step of the construction up to which the figure is drawn, from 1; left out: finished.
     #[serde(deserialize_with = "step")]
     #[schemars(with = "Option<u16>", range(min = 1))]
@@ -84,7 +88,7 @@ impl Default for Figure {
             decimal: DecimalMark::default(),
             labels: IndexMap::new(),
             special_points: true,
-            construction: true,
+            construction: ConstructionShown::default(),
             step: None,
         }
     }
@@ -217,6 +221,58 @@ choice! {
         Point = "point",
         /// 2,5
         Comma = "comma",
+    }
+}
+
+/// How much of the construction a figure shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ConstructionShown {
+    /// Images and vectors alone, without the lines that lead to them.
+    Hidden,
+    /// Everything: every point of every link has its image.
+    #[default]
+    Whole,
+    /// As in the source paper (Quintero et al., 2011): after the rates are known, the acceleration plan goes on to no
+    /// further joint, and neither plan to points that no joint needs.
+    Paper,
+}
+
+impl ConstructionShown {
+    /// Whether construction lines are shown.
+    #[must_use]
+    pub fn has_lines(self) -> bool {
+        self != ConstructionShown::Hidden
+    }
+}
+
+write_forms! { ConstructionShown {
+    ConstructionShown::Hidden => false, ConstructionShown::Whole => true, ConstructionShown::Paper => "paper"
+} }
+
+several_forms!(ConstructionShown, "construction", Shown, _generator => {
+    "description": "Whether construction lines are shown; \"paper\": shown, and the plans end where the source paper's end",
+    "anyOf": [{ "type": "boolean" }, { "const": "paper" }]
+});
+
+/// Reads [`ConstructionShown`].
+struct Shown;
+
+impl Visitor<'_> for Shown {
+    type Value = ConstructionShown;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("true, false or \"paper\"")
+    }
+
+    fn visit_bool<E: Error>(self, shown: bool) -> Result<ConstructionShown, E> {
+        Ok(if shown { ConstructionShown::Whole } else { ConstructionShown::Hidden })
+    }
+
+    fn visit_str<E: Error>(self, name: &str) -> Result<ConstructionShown, E> {
+        match name {
+            "paper" => Ok(ConstructionShown::Paper),
+            _ => Err(E::invalid_value(Unexpected::Str(name), &self)),
+        }
     }
 }
 

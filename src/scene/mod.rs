@@ -50,7 +50,9 @@ pub use build::Builder;
 pub use build_parts::{Guide, NewLink, Push, Turn};
 pub use drive::{Drive, SliderDrive};
 pub use error::{Place, SceneError};
-pub use figure::{DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, StyleName};
+pub use figure::{
+    ConstructionShown, DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, StyleName,
+};
 pub use given_by::GivenBy;
 pub use link::Link;
 pub use motion::{LinkMotion, PointMotion};

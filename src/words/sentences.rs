@@ -71,6 +71,12 @@ sentences! {
     ray_normal(through, line, image);
     /// A ray parallel to a line: the plan point on it, the line, the image that is sought.
     ray_parallel(through, line, image);
+    /// A ray at the angle that two lines of the mechanism make: the plan point on it, the angle, the image that is sought.
+    ray_at_angle(through, angle, image);
+    /// The image of a point on the line of two others: their images, the ratio of two lengths, the image.
+    divide(from, to, part, whole, image);
+    /// The image of a point of a link that does not turn: the link, the image, the image with which it coincides.
+    coincide(link, image, with);
     /// The crossing of two rays, which is the image.
     cross(image);
     /// The segment between two points of a plan.
@@ -91,6 +97,10 @@ sentences! {
     no_construction_far(points);
     /// The velocity of a point of a link of known rotation, relative to another of its points.
     lay_off_relative(link, point, from, arm);
+    /// The normal acceleration of one point of a link relative to another: the point, the other, their line.
+    lay_off_relative_normal(point, from, arm);
+    /// The tangential acceleration of one point of a link relative to another: the link, the point, the other, their line.
+    lay_off_relative_tangential(link, point, from, arm);
     /// The sliding velocity of a driven slider, between two points of the plan.
     lay_off_sliding_velocity(slider, from, to);
     /// The sliding velocity reversed, where the leg runs from the sliding link to the guide.

@@ -8,6 +8,7 @@ mod accuracy;
 mod architecture;
 mod bad_scenes;
 mod committed_files;
+mod complete_plans;
 mod curves;
 mod cycle;
 mod drawing;

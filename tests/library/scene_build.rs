@@ -218,7 +218,7 @@ fn every_other_key() {
             decimal: DecimalMark::Comma,
             worksheet: true,
             special_points: false,
-            construction: false,
+            construction: kinegon::scene::ConstructionShown::Hidden,
             step: Some(7),
             ..Figure::default()
         })

@@ -118,7 +118,9 @@ impl<'a> Sheets<'a> {
             let sheet = self.own.construction.operations[index].sheet;
             let is_changed = self.instead.iter().any(|(operation, _)| *operation == index);
             match *self.done(index) {
-                OperationKind::Plot { place, .. } if self.is_elsewhere(sheet, place) => {
+                OperationKind::Plot { place, .. } | OperationKind::Divide { place, .. }
+                    if self.is_elsewhere(sheet, place) =>
+                {
                     self.mark(sheet, place);
                 }
                 OperationKind::LayOff { place, from, .. } => {

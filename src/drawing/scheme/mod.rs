@@ -14,7 +14,7 @@ use super::shape::Shape;
 use super::sheet::Pen;
 use super::stages::Stages;
 use super::view::{Extent, View};
-use crate::construction::{Action, Construction, NumberedStep, Plan, Ray, Solution, Teller};
+use crate::construction::{Action, Construction, NumberedStep, Plan, Ray, RayOf, Solution, Teller};
 use crate::geometry;
 use crate::mechanism::{BodyId, GROUND, Mark, Mechanism, PointId, Role};
 use crate::position::Pose;
@@ -174,8 +174,13 @@ impl<'a> Scheme<'a> {
 
     /// The segment of the cut line to which a ray is normal, from its joint to the special point.
     fn line_of(&self, ray: &Ray) -> Option<(geometry::Point, geometry::Point)> {
-        let special = self.construction.special(ray.special);
-        Some((self.pose.point(special.cuts[ray.side].start()?), special.place.finite()?))
+        match ray.of {
+            RayOf::Leg(special, side) => {
+                let special = self.construction.special(special);
+                Some((self.pose.point(special.cuts[side].start()?), special.place.finite()?))
+            }
+            RayOf::Arm { from, to, .. } => Some((self.pose.point(from), self.pose.point(to))),
+        }
     }
 
     /// The markup of a point's name, on the mechanism or within a plan: the scene's own, or else that of the figure's

@@ -35,7 +35,7 @@ impl Scheme<'_> {
 
     /// The cut lines of a special point, from their joints to it.
     pub(super) fn cuts(&self, canvas: &mut Canvas<'_>, view: &View, special: &Special) {
-        if !self.figure.construction {
+        if !self.figure.construction.has_lines() {
             return;
         }
         let bounds = canvas.room();

@@ -1,0 +1,113 @@
+//! Every point of every link has its image in both plans: at the end of its velocity and its acceleration, and so that
+//! the image of a link is similar to the link.
+
+use crate::support::files::{list, read, scenes};
+use crate::support::stages::solved;
+use kinegon::Solution;
+use kinegon::construction::{Plan, PlanKind, image_name};
+use kinegon::geometry::Vector;
+use kinegon::mechanism::BodyId;
+
+/// Largest error, in parts of the largest vector of the plan.
+const MOST: f64 = 1e-12;
+
+/// All scenes with lengths or coordinates of whole mechanisms: templates, examples, worked cases, scenes of a lecture.
+fn all_scenes() -> Vec<(String, String)> {
+    let mut all: Vec<(String, String)> = ["templates", "tests/templates", "tests/driven_sliders", "tests/lecture"]
+        .iter()
+        .flat_map(|f| scenes(f))
+        .collect();
+    for case in list("tests/worked") {
+        for scene in ["scene", "drawn"] {
+            let file = format!("tests/worked/{case}/{scene}.json");
+            if crate::support::files::path(&file).exists() {
+                all.push((file.clone(), read(&file)));
+            }
+        }
+    }
+    all
+}
+
+/// The images of a link's points with their true vectors and their places; the names of those that have none.
+struct Image {
+    places: Vec<Vector>,
+    images: Vec<Vector>,
+    missing: Vec<String>,
+    worst: f64,
+}
+
+fn image(solution: &Solution, plan: &Plan, link: BodyId) -> Image {
+    let Solution { mechanism, pose, motion, .. } = solution;
+    let size = plan.points.values().map(|p| p.vector.norm()).fold(0.0, f64::max);
+    let mut image = Image { places: Vec::new(), images: Vec::new(), missing: Vec::new(), worst: 0.0 };
+    for &point in &mechanism.body(link).points {
+        let (name, place) = (mechanism.point_name(point), pose.point(point));
+        let Some(drawn) = plan.points.get(&image_name(name)) else {
+            image.missing.push(name.to_owned());
+            continue;
+        };
+        let rates = motion.body(link);
+        let truth = match plan.kind {
+            PlanKind::Velocity => rates.velocity_at(place),
+            PlanKind::Acceleration => rates.acceleration_at(place),
+        };
+        let error = (drawn.vector - truth).norm();
+        image.worst = image.worst.max(if size > 0.0 { error / size } else { error });
+        image.places.push(place.coords);
+        image.images.push(drawn.vector);
+    }
+    image
+}
+
+#[test]
+fn every_point_has_an_image_at_the_end_of_its_vector() {
+    let (mut points, mut faults) = (0, Vec::new());
+    for (name, text) in all_scenes() {
+        let Ok(solution) = solved(&text) else { continue };
+        for plan in solution.construction.plans() {
+            for (link, body) in solution.mechanism.links() {
+                let image = image(&solution, plan, link);
+                points += image.images.len();
+                if !image.missing.is_empty() {
+                    faults
+                        .push(format!("{name}, {:?}, link {}: no image of {:?}", plan.kind, body.name, image.missing));
+                }
+                if !(image.worst <= MOST) {
+                    faults.push(format!("{name}, {:?}, link {}: off by {:e}", plan.kind, body.name, image.worst));
+                }
+            }
+        }
+    }
+    println!("{points} images");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(points > 800, "{points}");
+}
+
+#[test]
+fn the_image_of_a_link_is_similar_to_it() {
+    let (mut links, mut faults) = (0, Vec::new());
+    for (name, text) in all_scenes() {
+        let Ok(solution) = solved(&text) else { continue };
+        for plan in solution.construction.plans() {
+            let size = plan.points.values().map(|p| p.vector.norm()).fold(0.0, f64::max);
+            for (link, body) in solution.mechanism.links() {
+                let Image { places, images, .. } = image(&solution, plan, link);
+                // As complex numbers: (c' − a') (b − a) = (b' − a') (c − a), where all sides turn and grow alike.
+                let (Some(a), Some(b)) = (places.first(), places.get(1)) else { continue };
+                let times = |p: Vector, q: Vector| Vector::new(p.x * q.x - p.y * q.y, p.x * q.y + p.y * q.x);
+                for (c, image) in places.iter().zip(&images).skip(2) {
+                    let [whole, part] = [times(image - images[0], b - a), times(images[1] - images[0], c - a)];
+                    let (off, allowed) = ((whole - part).norm(), MOST * size * ((b - a).norm() + (c - a).norm()));
+                    links += 1;
+                    if off > allowed {
+                        faults
+                            .push(format!("{name}, {:?}, link {}: {off:e}, allowed {allowed:e}", plan.kind, body.name));
+                    }
+                }
+            }
+        }
+    }
+    println!("{links} images of three points");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(links > 60, "{links}");
+}
