@@ -117,6 +117,11 @@ impl Values {
     ) {
         let mut waiting = disturbances.iter().peekable();
         for (index, operation) in operations.iter().enumerate().skip(first) {
+            let per_mm = scales.per_mm[operation.sheet as usize];
+            if waiting.peek().is_none_or(|next| next.operation != index) {
+                self.run(&operation.kind, [0.0; 2], per_mm);
+                continue;
+            }
             let (mut kind, mut errors) = (&operation.kind, [0.0; 2]);
             let mut afterwards: SmallVec<[&Change<'_>; 2]> = SmallVec::new();
             while let Some(next) = waiting.next_if(|d| d.operation == index) {
@@ -126,7 +131,7 @@ impl Values {
                     number => afterwards.push(number),
                 }
             }
-            self.run(kind, errors, scales.per_mm[operation.sheet as usize]);
+            self.run(kind, errors, per_mm);
             for change in afterwards {
                 match change {
                     Change::Times(number, factor) => self.numbers[number.0] *= factor,
@@ -271,26 +276,34 @@ impl<S: Drawable> Values<S> {
     fn solved(&self, equations: &[Equation]) -> SmallVec<[S; 4]> {
         let count = equations.len();
         // By row: the coefficients of the unknowns, and the right side.
-        let mut rows: SmallVec<[[S; 5]; 4]> =
-            equations.iter().map(|equation| self.coefficients_and_side(equation)).collect();
-        let mut columns: SmallVec<[usize; 4]> = (0..count).collect();
+        let mut rows = [[S::default(); 5]; 4];
+        for (row, equation) in rows.iter_mut().zip(equations) {
+            *row = self.coefficients_and_side(equation);
+        }
+        let mut columns = [0, 1, 2, 3];
         for step in 0..count {
-            let all = (step..count).flat_map(|row| (step..count).map(move |column| (row, column)));
-            let size = |&(row, column): &(usize, usize)| rows[row][columns[column]].rounded().abs();
-            let (row, column) = all.max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or((step, step));
-            rows.swap(step, row);
-            columns.swap(step, column);
+            let (mut pivot_row, mut pivot_column, mut largest) = (step, step, 0.0);
+            for row in step..count {
+                for column in step..count {
+                    let size = rows[row][columns[column]].rounded().abs();
+                    if size >= largest {
+                        (pivot_row, pivot_column, largest) = (row, column, size);
+                    }
+                }
+            }
+            rows.swap(step, pivot_row);
+            columns.swap(step, pivot_column);
             let pivot = rows[step];
-            for row in &mut rows[step + 1..] {
+            for row in &mut rows[step + 1..count] {
                 let part = row[columns[step]] / pivot[columns[step]];
-                for &column in columns[step + 1..].iter().chain(&[RIGHT]) {
+                for &column in columns[step + 1..count].iter().chain(&[RIGHT]) {
                     row[column] = row[column].minus_product(part, pivot[column]);
                 }
             }
         }
         let mut solution: SmallVec<[S; 4]> = SmallVec::from_elem(S::default(), count);
         for step in (0..count).rev() {
-            let later = columns[step + 1..].iter();
+            let later = columns[step + 1..count].iter();
             let rest = later.fold(rows[step][RIGHT], |rest, &c| rest.minus_product(rows[step][c], solution[c]));
             solution[columns[step]] = rest / rows[step][columns[step]];
         }
