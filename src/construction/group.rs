@@ -7,7 +7,7 @@ use super::cut::{CutLine, Special, SpecialId, special_points};
 use super::leg::Drawn;
 use super::name::{coincident_name, image_name, point_on};
 use super::operation::{LineId, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, Rate, Sheet};
-use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, VectorOf};
+use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn, span};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId, Spin};
@@ -424,7 +424,12 @@ impl Writer<'_> {
         let to = image_name(&end);
         // A dyad's inner joint has its image already, the crossing of its rays.
         if !self.plan(sheet).points.contains_key(&to) {
-            let of = VectorOf::Relative { link: inner_link, from: mechanism.point_name(outer).to_owned(), to: end };
+            let of = VectorOf::Relative {
+                link: inner_link,
+                from: mechanism.point_name(outer).to_owned(),
+                to: end,
+                part: RelativePart::Velocity,
+            };
             self.begin(sheet, Action::LayOff(Arrow { from, to: to.clone(), of }));
             let place = self.motion(sheet, inner_link, inner);
             self.show(sheet, &to, place, PointRole::Image);

@@ -246,7 +246,7 @@ impl ConstructionShown {
 }
 
 write_forms! { ConstructionShown {
-    ConstructionShown::Hidden => false, ConstructionShown::Whole => true, ConstructionShown::Paper => "paper"
+    ConstructionShown::Hidden => &false, ConstructionShown::Whole => &true, ConstructionShown::Paper => "paper"
 } }
 
 several_forms!(ConstructionShown, "construction", Shown, _generator => {
