@@ -11,6 +11,9 @@ use crate::mechanism::{BodyId, Mechanism, PointId};
 /// Least sine of the angle at a point between its arms to two others, for its image to be crossed by two rays.
 const LEAST_SINE: f64 = 0.1;
 
+/// Least distance of two images from which a third is constructed, in parts of the plan's longest vector.
+const LEAST_BASE: f64 = 0.02;
+
 /// A point of a link with its image in a plan.
 #[derive(Clone)]
 struct Imaged {
@@ -63,7 +66,7 @@ impl Writer<'_> {
                 let (a, b) = (arm(first.point), arm(second.point));
                 let between = self.pose.arm(first.point, second.point);
                 let coincide = [a, b, between].iter().any(|arm| arm.norm() <= self.near);
-                if coincide || !self.are_apart(first.place, second.place) {
+                if coincide || !self.are_apart(sheet, first.place, second.place) {
                     continue;
                 }
                 let on_line = (cross(a, between) / between.norm()).abs() <= self.near;
@@ -84,10 +87,12 @@ impl Writer<'_> {
         Some(())
     }
 
-    /// Whether two plan points are certainly apart.
-    fn are_apart(&self, a: PlaceId, b: PlaceId) -> bool {
-        let between = self.exact.exact_place(b) - self.exact.exact_place(a);
-        [between.x, between.y].iter().any(|part| part.high.abs() > 1e6 * part.error())
+    /// Whether two plan points are so far apart that the image of their link can be drawn from them, in parts of the
+    /// plan drawn so far.
+    fn are_apart(&mut self, sheet: Sheet, a: PlaceId, b: PlaceId) -> bool {
+        let between = (self.exact.exact_place(b) - self.exact.exact_place(a)).rounded();
+        let size = self.plan(sheet).points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
+        between.norm() > LEAST_BASE * size
     }
 
     /// The image of a point on the line of two others, by division of the line of their images.

@@ -1,7 +1,7 @@
 use super::canvas::Canvas;
 use super::clip::clipped_segment;
 use super::inset::Inset;
-use super::scheme::Scheme;
+use super::scheme::{Scheme, outline};
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::stages::PlanStages;
@@ -83,14 +83,19 @@ impl PlanOnPaper<'_> {
     /// The corners of an image, and the step that completes it.
     fn corners(&self, image: &[String]) -> (Vec<Point>, u16) {
         let steps = image.iter().map(|name| self.stages.point(name));
-        (image.iter().filter_map(|name| self.at(name)).collect(), steps.max().unwrap_or_default())
+        let mut corners: Vec<geometry::Point> =
+            image.iter().filter_map(|name| self.plan.points.get(name)).map(|point| point.vector.into()).collect();
+        if corners.len() > 3 {
+            corners = outline(corners);
+        }
+        (corners.into_iter().map(|corner| self.view.at(corner)).collect(), steps.max().unwrap_or_default())
     }
 
     /// The areas of the links' images.
     fn areas(&self, canvas: &mut Canvas<'_>) {
         for (number, image) in self.images.iter().enumerate() {
-            if image.len() > 2 {
-                let (corners, since) = self.corners(image);
+            let (corners, since) = self.corners(image);
+            if corners.len() > 2 {
                 canvas.set_step(since);
                 canvas.draw(Pen::ImageFill, Shape::Polygon(corners)).number = Some(number);
             }
@@ -123,7 +128,7 @@ impl PlanOnPaper<'_> {
             let (corners, since) = self.corners(image);
             let outline = match corners.as_slice() {
                 [a, b] => Shape::Line(*a, *b),
-                [_, _, _] => Shape::Polygon(corners),
+                [_, _, _, ..] => Shape::Polygon(corners),
                 _ => continue,
             };
             canvas.set_step(since);

@@ -40,7 +40,7 @@ impl Scheme<'_> {
     /// The shape of a link.
     pub(super) fn shape(&self, view: &View, link: BodyId) -> LinkShape {
         let points = &self.mechanism.body(link).points;
-        let outline = self.outline(points);
+        let outline = outline(points.iter().map(|&p| self.pose.point(p)).collect());
         if let [_, _, _, ..] = outline.as_slice()
             && let Some(bars) = self.yoke(view, link)
         {
@@ -84,37 +84,6 @@ impl Scheme<'_> {
             bars.push([from, a.lerp(b, share.clamp(0.0, 1.0))]);
         }
         Some(bars)
-    }
-
-    /// Corners of a link in order around it; two for a straight one.
-    fn outline(&self, points: &[PointId]) -> Vec<geometry::Point> {
-        let mut places: Vec<geometry::Point> = points.iter().map(|&p| self.pose.point(p)).collect();
-        if places.len() < 3 {
-            return places;
-        }
-        // The convex hull by Andrew's monotone chain.
-        places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-        let size = span(places.iter().copied());
-        let mut hull: Vec<geometry::Point> = Vec::new();
-        for pass in 0..2 {
-            let base = hull.len();
-            for &p in &places {
-                while hull.len() >= base + 2 {
-                    let (a, b) = (hull[hull.len() - 2], hull[hull.len() - 1]);
-                    // A corner flatter than a thousandth of the link counts as straight.
-                    if cross(b - a, p - b) > 1e-3 * size * (p - a).norm() {
-                        break;
-                    }
-                    hull.pop();
-                }
-                hull.push(p);
-            }
-            hull.pop();
-            if pass == 0 {
-                places.reverse();
-            }
-        }
-        hull
     }
 
     pub(super) fn link_areas(&self, canvas: &mut Canvas<'_>, view: &View) {
@@ -214,4 +183,34 @@ impl Scheme<'_> {
 pub(super) fn is_on([a, b]: [Point; 2], point: Point) -> bool {
     let nearest = Line::new(a, b).nearest(point, 0.1 * ON_LINE);
     nearest.distance_sq <= ON_LINE * ON_LINE
+}
+
+/// Corners of a link, or of its image, in order around it; two for a straight one.
+pub(in crate::drawing) fn outline(mut places: Vec<geometry::Point>) -> Vec<geometry::Point> {
+    if places.len() < 3 {
+        return places;
+    }
+    // The convex hull by Andrew's monotone chain.
+    places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    let size = span(places.iter().copied());
+    let mut hull: Vec<geometry::Point> = Vec::new();
+    for pass in 0..2 {
+        let base = hull.len();
+        for &p in &places {
+            while hull.len() >= base + 2 {
+                let (a, b) = (hull[hull.len() - 2], hull[hull.len() - 1]);
+                // A corner flatter than a thousandth of the link counts as straight.
+                if cross(b - a, p - b) > 1e-3 * size * (p - a).norm() {
+                    break;
+                }
+                hull.pop();
+            }
+            hull.push(p);
+        }
+        hull.pop();
+        if pass == 0 {
+            places.reverse();
+        }
+    }
+    hull
 }

@@ -8,6 +8,8 @@ mod names;
 mod sliders;
 mod special;
 
+pub(super) use links::outline;
+
 use super::canvas::Canvas;
 use super::names::Names;
 use super::shape::Shape;
