@@ -7,7 +7,7 @@ use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch};
 use kinegon::drawing::{Drawing, curves, hodographs, overlay};
 use kinegon::exercise::Exercises;
-use kinegon::format::structure;
+use kinegon::format::{Text, structure, svg_with};
 use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Scene, StyleName};
 use std::error::Error;
 use std::fmt::Write;
@@ -280,7 +280,12 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
         };
         let description = if drawing.description.is_empty() { purpose } else { &drawing.description };
         let _ = write!(page, "\n{purpose}\n\n`kinegon {command}`\n\n![{description}](gallery/{name}.svg)\n");
-        pictures.push((format!("docs/gallery/{name}.svg"), drawing.svg()));
+        // Running text must not hang on the fonts of whoever reads the page.
+        let text = match kind {
+            Kind::Check(_) | Kind::Exercise(_) => Text::Outlines,
+            _ => Text::Letters,
+        };
+        pictures.push((format!("docs/gallery/{name}.svg"), svg_with(&drawing, text)));
     }
     pictures.insert(0, ("docs/gallery.md".to_owned(), page));
     Ok(pictures)

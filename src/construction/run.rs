@@ -283,9 +283,9 @@ impl<S: Drawable> Values<S> {
         let mut columns = [0, 1, 2, 3];
         for step in 0..count {
             let (mut pivot_row, mut pivot_column, mut largest) = (step, step, 0.0);
-            for row in step..count {
-                for column in step..count {
-                    let size = rows[row][columns[column]].rounded().abs();
+            for (row, numbers) in rows.iter().enumerate().take(count).skip(step) {
+                for (column, &unknown) in columns.iter().enumerate().take(count).skip(step) {
+                    let size = numbers[unknown].rounded().abs();
                     if size >= largest {
                         (pivot_row, pivot_column, largest) = (row, column, size);
                     }

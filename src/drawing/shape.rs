@@ -137,8 +137,8 @@ impl Shape {
         }
     }
 
-    /// Whether all numbers of the shape are finite; formats leave out marks for which they are not.
-    pub fn is_finite(&self) -> bool {
+    /// Whether all its numbers are finite, and a text has letters; formats leave out all other marks.
+    pub fn is_drawable(&self) -> bool {
         match self {
             Shape::Line(a, b) | Shape::Arrow { from: a, to: b } => a.is_finite() && b.is_finite(),
             Shape::Polyline(points) | Shape::Polygon(points) => points.iter().all(|point| point.is_finite()),
@@ -146,7 +146,7 @@ impl Shape {
             Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep } => {
                 center.is_finite() && radius.is_finite() && start.is_finite() && sweep.is_finite()
             }
-            Shape::Text(text) => text.origin.is_finite() && text.size.is_finite(),
+            Shape::Text(text) => text.origin.is_finite() && text.size.is_finite() && !text.text.runs().is_empty(),
         }
     }
 }

@@ -50,9 +50,11 @@ impl Drawing {
         self.add(Mark::new(pen, shape))
     }
 
-    /// Writes a caption from the left end of its baseline.
+    /// Writes a caption from the left end of its baseline; an empty one is no mark.
     pub(super) fn caption(&mut self, text: RichText, from: Point) {
-        self.draw(Pen::Caption, Shape::Text(PlacedText::new(text, CAPTION, from)));
+        if !text.runs().is_empty() {
+            self.draw(Pen::Caption, Shape::Text(PlacedText::new(text, CAPTION, from)));
+        }
     }
 
     /// Draws a mark with an `id` for slide programs and scripts.

@@ -352,7 +352,7 @@ fn faults(drawing: &Drawing, curves: &[Curve]) -> Vec<String> {
     for mark in &drawing.marks {
         let area = mark.shape.bounds();
         let line = matches!(mark.shape, Shape::Polyline(_) | Shape::Line(..));
-        if !mark.shape.is_finite() || line && !frames.iter().any(|frame| within(area, *frame)) {
+        if !mark.shape.is_drawable() || line && !frames.iter().any(|frame| within(area, *frame)) {
             faults.push(format!("{mark:?} leaves its panel"));
         }
     }

@@ -42,7 +42,7 @@ pub fn faults(drawing: &Drawing) -> Vec<String> {
     let mut faults = Vec::new();
     let sheet = Rect::new(0.0, 0.0, drawing.width, drawing.height);
     for mark in &drawing.marks {
-        if !mark.shape.is_finite() {
+        if !mark.shape.is_drawable() {
             faults.push(format!("{mark:?} is not finite"));
         }
         if !within(mark.shape.drawn_box(), sheet) {

@@ -75,7 +75,7 @@ impl Drawing {
                 halo(&mut surface, background, &self.look(mark), &mark.shape);
                 surface.end_tagged();
             }
-            for (mark, _) in marks.iter().filter(|(mark, _)| mark.shape.is_finite()) {
+            for (mark, _) in marks.iter().filter(|(mark, _)| mark.shape.is_drawable()) {
                 let look = self.look(mark);
                 if let Shape::Text(text) = &mark.shape {
                     pens(&mut surface, None, Some(fill(look.ink)));

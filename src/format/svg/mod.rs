@@ -92,7 +92,7 @@ type Drawn<'a> = (&'a Mark, bool);
 
 /// All marks whose numbers are finite.
 fn drawn(drawing: &Drawing) -> Vec<Drawn<'_>> {
-    drawing.marks.iter().zip(drawing.halos()).filter(|(mark, _)| mark.shape.is_finite()).collect()
+    drawing.marks.iter().zip(drawing.halos()).filter(|(mark, _)| mark.shape.is_drawable()).collect()
 }
 
 /// All marks, written straight into one string: building an `Element` for each would take many times as long.
@@ -361,6 +361,14 @@ mod tests {
         drawing.draw(Pen::Link, Shape::Circle { center: Point::ORIGIN, radius: f64::INFINITY });
         let file = drawing.svg();
         assert!(!file.contains("<path") && !file.contains("<circle"));
+    }
+
+    #[test]
+    fn empty_texts_are_left_out() {
+        let mut drawing = Drawing::new(10.0, 10.0);
+        let empty = PlacedText::new(RichText::plain(""), 4.0, Point::new(1.0, 5.0));
+        drawing.draw(Pen::Caption, Shape::Text(empty));
+        assert!(!drawing.svg().contains("<text"));
     }
 
     #[test]

@@ -60,7 +60,7 @@ impl Drawing {
 fn fits(shape: &Shape) -> bool {
     let bounds = shape.bounds();
     let sides = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
-    shape.is_finite() && sides.iter().all(|side| side.abs() < 5000.0)
+    shape.is_drawable() && sides.iter().all(|side| side.abs() < 5000.0)
 }
 
 /// The text before the styles: comments, the document around a picture that is compiled by itself, and macros common to
