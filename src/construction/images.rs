@@ -5,7 +5,7 @@ use super::name::{coriolis_name, image_name, normal_name, point_on, slide_name};
 use super::operation::{Along, LineId, Part, PlaceId, Sheet};
 use super::step::{Action, Added, Arrow, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
-use crate::geometry::{Vector, cross};
+use crate::geometry::{Ball, Pair, Vector, cross};
 use crate::mechanism::{BodyId, Mechanism, PointId};
 
 /// Least sine of the angle at a point between its arms to two others, for its image to be crossed by two rays.
@@ -80,11 +80,30 @@ impl Writer<'_> {
         }
         let (worth, pair) = best?;
         let place = match worth >= 2.0 {
-            true => self.divided_image(sheet, point, name, pair),
+            true => self.divided_image(sheet, body, point, name, pair),
             false => self.crossed_image(sheet, body, point, name, pair)?,
         };
         self.note_motion(sheet, body, point, place);
         Some(())
+    }
+
+    /// Narrows the bounds of an image to those of the rotation about another point of its link, with the constructed
+    /// rates. From crossing to crossing bounds would grow; the place that a hand draws stays the same.
+    fn narrow(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
+        let base = self.motions.iter().find(|m| (m.0, m.1) == (sheet, body)).map(|m| (m.2, m.3));
+        let (Some((from, base)), Some(rates)) = (base, self.construction.spins[body.0]) else {
+            return;
+        };
+        let [omega, alpha] = rates.map(|rate| rate.map_or(Ball::default(), |rate| self.exact.exact_number(rate)));
+        let arm = Pair::between(self.pose.point(from), self.pose.point(point));
+        let turned = match sheet {
+            Sheet::Acceleration => arm.quarter_turn() * alpha - arm * (omega * omega),
+            _ => arm.quarter_turn() * omega,
+        };
+        let rotated = self.exact.exact_place(base) + turned;
+        if rotated.errors().norm() < self.exact.exact_place(place).errors().norm() {
+            self.exact.set_place(place, rotated);
+        }
     }
 
     /// Whether two plan points are so far apart that the image of their link can be drawn from them, in parts of the
@@ -96,13 +115,14 @@ impl Writer<'_> {
     }
 
     /// The image of a point on the line of two others, by division of the line of their images.
-    fn divided_image(&mut self, sheet: Sheet, point: PointId, name: &str, pair: [&Imaged; 2]) -> PlaceId {
+    fn divided_image(&mut self, sheet: Sheet, body: BodyId, point: PointId, name: &str, pair: [&Imaged; 2]) -> PlaceId {
         let [first, second] = pair;
         let points = [first.point, second.point, point];
         let between = [first.name.clone(), second.name.clone()];
         self.begin(sheet, Action::Divide { point: name.to_owned(), between, points });
         let like = points.map(|point| self.plot(point));
         let place = self.divide(sheet, [first.place, second.place], like);
+        self.narrow(sheet, body, point, place);
         self.show(sheet, name, place, PointRole::Image);
         place
     }
@@ -144,6 +164,7 @@ impl Writer<'_> {
             steps.truncate(steps.len() - 3);
             return None;
         };
+        self.narrow(sheet, body, point, place);
         self.show(sheet, name, place, PointRole::Image);
         Some(place)
     }
