@@ -9,7 +9,7 @@ use crate::geometry::{Ball, Pair, Vector, cross};
 use crate::mechanism::{BodyId, Mechanism, PointId};
 
 /// Least sine of the angle at a point between its arms to two others, for its image to be crossed by two rays.
-const LEAST_SINE: f64 = 0.1;
+const LEAST_SINE: f64 = 0.3;
 
 /// Least distance of two images from which a third is constructed, in parts of the plan's longest vector.
 const LEAST_BASE: f64 = 0.02;

@@ -2,8 +2,8 @@
 
 use crate::support::files;
 use kinegon::scene::{
-    Builder, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink, NotationName, Page, PageSize,
-    PanelName, PointMotion, Push, Scene, StyleName, TimeUnit, Turn, polar,
+    Builder, ConstructionShown, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink,
+    NotationName, Page, PageSize, PanelName, PointMotion, Push, Scene, StyleName, TimeUnit, Turn, polar,
 };
 
 /// The scene in a file of the repository.
@@ -125,6 +125,7 @@ fn the_papers_mechanism_with_labels_of_its_own() {
         .near("F", [338.0, 136.0])
         .figure(Figure {
             labels: labels.map(|(name, label)| (name.to_owned(), label.to_owned())).into(),
+            construction: ConstructionShown::Paper,
             ..Figure::default()
         });
     is_the_same(&builder, &file("examples/figure-2.json"));
@@ -151,7 +152,8 @@ fn the_papers_group_as_drawn_with_motions_by_size_and_angle() {
         .link("3", NewLink::points(["C", "D"]))
         .link("4", NewLink::points(["E", "D", "F"]))
         .link("5", NewLink::points(["G", "F"]))
-        .link("6", NewLink::points(["E"]));
+        .link("6", NewLink::points(["E"]))
+        .figure(Figure { construction: ConstructionShown::Paper, ..Figure::default() });
     is_the_same(&builder, &file("examples/figure-1.json"));
 }
 
@@ -218,7 +220,7 @@ fn every_other_key() {
             decimal: DecimalMark::Comma,
             worksheet: true,
             special_points: false,
-            construction: kinegon::scene::ConstructionShown::Hidden,
+            construction: ConstructionShown::Hidden,
             step: Some(7),
             ..Figure::default()
         })

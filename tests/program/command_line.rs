@@ -382,7 +382,7 @@ fn a_cylinder_and_its_rod_are_one_link() {
     let steps = output("steps");
     for line in [
         "Lay off the sliding velocity of 3/2 along its guide, from a to r_a3.",
-        "a r_a3 = 80.00000 mm/s (40.00 mm on paper), direction 68.46°",
+        "a r_a3 = 80.00000 mm/s (16.00 mm on paper), direction 68.46°",
         "v_C = v_A + v_r(3/2) + v_CA; direction 158.46°",
         "ω_3 L_CA = μ_v (r_a3 c)",
         "omega(4) = 0.1026143 rad/s",
