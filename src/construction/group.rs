@@ -376,6 +376,31 @@ impl Writer<'_> {
             let [from, holder] = [from, link].map(|body| mechanism.side(joint, body));
             self.anchors[holder.0].get_or_insert(Anchor { joint, from });
         }
+        while let Some((link, anchor)) = self.next_anchor(group) {
+            self.anchors[link.0] = Some(anchor);
+        }
+    }
+
+    /// A joint of the group from a body that is known or has an anchor to a link that no leg reaches, as in a group of
+    /// higher class. Pins go before sliders.
+    fn next_anchor(&self, group: &Group) -> Option<(BodyId, Anchor)> {
+        let mechanism = self.mechanism;
+        let is_anchored = |body: BodyId| {
+            let mut bodies = mechanism.compound(mechanism.root(body)).into_iter();
+            !group.bodies.contains(&body) || bodies.any(|other| self.anchors[other.0].is_some())
+        };
+        let mut joints = mechanism.joints_of(group);
+        joints.retain(|&joint| mechanism.joint(joint).holds_places());
+        joints.sort_by_key(|&joint| mechanism.joint(joint).pin.is_none());
+        joints.into_iter().find_map(|joint| {
+            let [a, b] = mechanism.joint(joint).bodies;
+            let (from, link) = match (is_anchored(a), is_anchored(b)) {
+                (true, false) => (a, b),
+                (false, true) => (b, a),
+                _ => return None,
+            };
+            Some((link, Anchor { joint, from }))
+        })
     }
 
     /// Adds the velocity plan's steps from the images of a group's outer joints to those of its inner ones.

@@ -6,7 +6,7 @@ use super::operation::{Along, LineId, Part, PlaceId, Sheet};
 use super::step::{Action, Added, Arrow, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, Vector, cross};
-use crate::mechanism::{BodyId, Mechanism, PointId};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId};
 
 /// Least sine of the angle at a point between its arms to two others, for its image to be crossed by two rays.
 const LEAST_SINE: f64 = 0.3;
@@ -177,6 +177,11 @@ impl Writer<'_> {
         if self.plan(sheet).points.contains_key(&name) {
             return;
         }
+        if body == GROUND {
+            let pole = self.motion(sheet, body, point);
+            self.show(sheet, &name, pole, PointRole::Pole);
+            return;
+        }
         if let Some(anchor) = self.anchors[body.0] {
             let at = mechanism.joint_point(anchor.joint);
             if at != point {
@@ -257,7 +262,8 @@ pub(super) struct LaidOff {
 /// The name of the end of a part of a relative motion that leads on, laid off from the plan point `from`.
 fn part_name(mechanism: &Mechanism, from: &str, of: &VectorOf) -> String {
     match of {
-        VectorOf::Relative { from, to, .. } => normal_name(from, to),
+        VectorOf::Relative { from, to, part: RelativePart::Normal, .. } => normal_name(from, to),
+        VectorOf::Relative { to, .. } => image_name(to),
         VectorOf::Driven(slide, Added::Coriolis) => coriolis_name(from, &mechanism.body(slide.to).name),
         VectorOf::Driven(slide, _) => slide_name(from, &mechanism.body(slide.to).name),
         VectorOf::Point(..) | VectorOf::Normal(..) | VectorOf::Sliding(..) => from.to_owned(),
@@ -267,6 +273,7 @@ fn part_name(mechanism: &Mechanism, from: &str, of: &VectorOf) -> String {
 fn part_role(of: &VectorOf) -> PointRole {
     match of {
         VectorOf::Relative { part: RelativePart::Normal, .. } => PointRole::Normal,
+        VectorOf::Relative { .. } => PointRole::Image,
         _ => PointRole::Slid,
     }
 }

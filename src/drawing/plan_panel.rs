@@ -6,11 +6,11 @@ use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::stages::PlanStages;
 use super::view::{Extent, View, on_sheet, towards};
-use crate::construction::{Action, ArrowKind, Plan, PlanKind, PointRole, Relation, Step, coincident_name, image_name};
+use crate::construction::{Action, ArrowKind, Plan, PlanKind, PointRole, Relation, coincident_name, image_name};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::quantity::Kind;
-use crate::scene::Figure;
+use crate::scene::{ConstructionShown, Figure};
 use kurbo::{Point, Vec2};
 
 /// Plan points closer than this on paper, in mm, share one label.
@@ -144,12 +144,15 @@ impl PlanOnPaper<'_> {
             PlanKind::Acceleration => Pen::Acceleration,
         };
         let pole = plan.kind.pole();
+        // In the source paper's plans no vector goes to a point that a relative motion leads to.
+        let is_paper = self.scheme.figure.construction == ConstructionShown::Paper;
         let from_pole = |name: &str| {
-            let special = plan.points.get(name).map(|p| p.role) == Some(PointRole::Special);
-            let made =
-                |step: &Step| matches!(step.action, Action::Ray(_) | Action::Divide { .. } | Action::Coincide { .. });
-            let steps = plan.steps.iter().filter(|step| made(step));
-            let is_whole = special || steps.map(|step| step.action.towards()).any(|end| end == Some(name));
+            let is_met = || plan.rays().any(|ray| ray.to == name);
+            let is_whole = match plan.points.get(name).map(|p| p.role) {
+                Some(PointRole::Special) => true,
+                Some(PointRole::Image) => !is_paper || is_met(),
+                _ => false,
+            };
             is_whole && !self.is_hidden(name)
         };
         for name in plan.points.keys().filter(|name| from_pole(name)) {
