@@ -210,8 +210,8 @@ impl Reader<'_> {
             let hint = own.or(near).unwrap_or_else(|| all.to_owned());
             CheckError::new(message, hint)
         };
-        let reversed = self.reversed(name);
-        let name = reversed.as_deref().unwrap_or(name);
+        let usual = self.usual(name);
+        let name = usual.as_deref().unwrap_or(name);
         let mut asked = Asked::new(name, &solution.mechanism).map_err(wrong)?;
         if asked.is_vector() {
             asked = Asked::new(&format!("{name}.size"), &solution.mechanism).map_err(wrong)?;
@@ -226,15 +226,23 @@ impl Reader<'_> {
         Ok((asked, expected, sheet, step))
     }
 
-    /// The steps' name of a segment or length whose ends are written in the other order; `None` for other names.
-    fn reversed(&self, name: &str) -> Option<String> {
+    /// The steps' name of a segment or length whose ends are written in the other order, or called as if every leg had
+    /// a normal part; `None` for other names.
+    fn usual(&self, name: &str) -> Option<String> {
         if self.order.contains_key(name) {
             return None;
         }
         let (head, rest) = name.split_once('(')?;
         let (from, to) = rest.strip_suffix(')')?.split_once(',')?;
-        let other = format!("{head}({to},{from})");
-        self.order.contains_key(&other).then_some(other)
+        let named = |point| match head {
+            "aplan" => self.key.solution.construction.plan_name(Sheet::Acceleration, point),
+            _ => point,
+        };
+        let (from, to) = (named(from), named(to));
+        [[from, to], [to, from]]
+            .map(|[a, b]| format!("{head}({a},{b})"))
+            .into_iter()
+            .find(|n| self.order.contains_key(n))
     }
 
     /// The number of the step after which a quantity that no step names can be read: that which makes the image of its

@@ -29,8 +29,9 @@ impl Reader<'_> {
                     format!("add \"{pole}\": [x, y]"),
                 ));
             };
+            let construction = &self.key.solution.construction;
             let named = |name: &str| {
-                if name == own_pole { pole.to_owned() } else { name.to_owned() }
+                if name == own_pole { pole.to_owned() } else { construction.plan_name(sheet, name).to_owned() }
             };
             let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
             for (a, b) in self.pairs(points.kind, &places) {

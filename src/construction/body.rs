@@ -229,7 +229,7 @@ impl Writer<'_> {
             place = match known {
                 Some(known) => known,
                 None => {
-                    let of = VectorOf::Driven(slide, added);
+                    let of = VectorOf::Passed(slide, added);
                     self.begin(sheet, Action::LayOff(Arrow { from, to: to.clone(), of }));
                     let place = self.lay_off_slide_part(sheet, place, &slide, added).unwrap_or(place);
                     self.show(sheet, &to, place, role);
@@ -242,7 +242,7 @@ impl Writer<'_> {
     }
 
     /// Lays off a slider's relative velocity or acceleration from `place`; returns its end.
-    fn lay_off_slide_part(
+    pub(super) fn lay_off_slide_part(
         &mut self,
         sheet: Sheet,
         place: PlaceId,
@@ -252,19 +252,21 @@ impl Writer<'_> {
         let guide = Along::line(self.guide(slide.slider));
         let along = if added == Added::Coriolis { guide.turned(1) } else { guide };
         let sum = self.slide_part_size(slide, added)?;
-        Some(self.lay_off_part(sheet, place, sum, along, VectorOf::Driven(*slide, added)))
+        Some(self.lay_off_part(sheet, place, sum, along, VectorOf::Passed(*slide, added)))
     }
 
     /// The signed size of a slider's relative velocity or acceleration: an empty sum for zero, `None` where a rate is
     /// unknown.
-    fn slide_part_size(&self, slide: &DrivenSlide, added: Added) -> Option<Vec<Product>> {
+    pub(super) fn slide_part_size(&self, slide: &DrivenSlide, added: Added) -> Option<Vec<Product>> {
         let [velocity, acceleration] = self.construction.slides[slide.slider.0]?;
         let sliding = |rate| Product::new(ProductKind::Sliding, slide.sign, &[rate]);
         let product = match added {
             Added::SlidingVelocity => velocity.map(sliding),
             Added::SlidingAcceleration => acceleration.map(sliding),
             Added::Coriolis => {
-                let [omega, _] = self.construction.spins[slide.to.0]?;
+                // Both bodies of a slider turn alike.
+                let spins = &self.construction.spins;
+                let [omega, _] = spins[slide.to.0].or(spins[slide.from.0])?;
                 let rates = omega.zip(velocity);
                 rates.map(|(omega, rate)| Product::new(ProductKind::Coriolis, 2.0 * slide.sign, &[omega, rate]))
             }

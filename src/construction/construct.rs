@@ -37,6 +37,9 @@ pub struct Construction {
     pub(super) counts: [usize; 3],
     /// Named points: joints and special points of the scheme, points of the plans.
     pub(super) places: IndexMap<(Sheet, String), PlaceId>,
+    /// By the usual name of a leg's normal part, as in `n_b3`: the plan points where the known parts of the leg's
+    /// acceleration begin and end.
+    pub(super) known_parts: IndexMap<String, [String; 2]>,
     /// By body: the numbers of ω and α; none for a given rate of zero.
     pub(crate) spins: Vec<Option<[Option<NumberId>; 2]>>,
     /// By slider: the numbers of velocity and acceleration along the guide; none for a given rate of zero.
@@ -99,6 +102,7 @@ impl Construction {
             numbers: Vec::new(),
             counts: [0; 3],
             places: IndexMap::new(),
+            known_parts: IndexMap::new(),
             spins: vec![None; mechanism.bodies.len()],
             slides: vec![None; mechanism.sliders.len()],
         }
@@ -140,6 +144,21 @@ impl Construction {
     #[must_use]
     pub fn counts(&self) -> [usize; 3] {
         self.counts
+    }
+
+    /// The plan points where the known parts of a leg's acceleration begin and end, by the usual name `n_b3` of that end:
+    /// equal where the leg has no known part.
+    #[must_use]
+    pub fn known_parts(&self, normal_name: &str) -> Option<&[String; 2]> {
+        self.known_parts.get(normal_name)
+    }
+
+    /// The name of a plan point that may be called as if every leg had a normal part: `n_b3` also is the end of a
+    /// Coriolis acceleration alone, or the start of a leg without a known part. Other names stay.
+    #[must_use]
+    pub fn plan_name<'a>(&'a self, sheet: Sheet, name: &'a str) -> &'a str {
+        let end = self.known_parts.get(name).filter(|_| sheet == Sheet::Acceleration);
+        end.map_or(name, |[_, end]| end)
     }
 
     /// A point of a sheet by its name, as in `S3` of the scheme or `n_b3` of the acceleration plan.

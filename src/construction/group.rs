@@ -327,13 +327,7 @@ impl Writer<'_> {
         let start = (self.start_name(base, start), self.motion(sheet, base, start));
         let mut from = self.driven_slides(sheet, start, &cut.slides, PointRole::Slid, None);
         if sheet == Sheet::Acceleration {
-            let [first, second] = point.special.normal_names(self.mechanism);
-            let normal = if side == 0 { first } else { second };
-            let of = VectorOf::Normal(point.id, side);
-            self.begin(sheet, Action::LayOff(Arrow { from: from.0, to: normal.clone(), of }));
-            let place = self.lay_off_normal_part(point, side, from.1)?;
-            self.show(sheet, &normal, place, PointRole::Normal);
-            from = (normal, place);
+            from = self.known_parts(point, side, from)?;
         }
         // The ray is drawn against the guide where there is one, else against the line through two joints.
         let relation = if cut.guide().is_some() { Relation::Parallel } else { Relation::Perpendicular };

@@ -240,7 +240,7 @@ impl Writer<'_> {
     }
 
     /// The name, with primes if another plan point has it.
-    fn free_name(&mut self, sheet: Sheet, mut name: String) -> String {
+    pub(super) fn free_name(&mut self, sheet: Sheet, mut name: String) -> String {
         while self.plan(sheet).points.contains_key(&name) {
             name = match name.contains('_') {
                 true => name.replacen('_', "'_", 1),
@@ -264,8 +264,8 @@ fn part_name(mechanism: &Mechanism, from: &str, of: &VectorOf) -> String {
     match of {
         VectorOf::Relative { from, to, part: RelativePart::Normal, .. } => normal_name(from, to),
         VectorOf::Relative { to, .. } => image_name(to),
-        VectorOf::Driven(slide, Added::Coriolis) => coriolis_name(from, &mechanism.body(slide.to).name),
-        VectorOf::Driven(slide, _) => slide_name(from, &mechanism.body(slide.to).name),
+        VectorOf::Passed(slide, Added::Coriolis) => coriolis_name(from, &mechanism.body(slide.to).name),
+        VectorOf::Passed(slide, _) => slide_name(from, &mechanism.body(slide.to).name),
         VectorOf::Point(..) | VectorOf::Normal(..) | VectorOf::Sliding(..) => from.to_owned(),
     }
 }

@@ -195,7 +195,8 @@ impl<'a> Teller<'a> {
     }
 
     /// Equation and caption of a vector that is laid off.
-    fn lay_off(&self, kind: PlanKind, Arrow { from, to, of }: &Arrow) -> (Formula, String) {
+    fn lay_off(&self, kind: PlanKind, arrow: &Arrow) -> (Formula, String) {
+        let Arrow { from, to, of } = arrow;
         match of {
             VectorOf::Point(body, point) => self.known_vector(*body, *point, kind),
             VectorOf::Normal(special, side) => self.normal_part(self.construction.special(*special), *side, from, to),
@@ -207,7 +208,7 @@ impl<'a> Teller<'a> {
                 let caption = language.lay_off_sliding_velocity(&name, &marked(under), &marked(at));
                 (format!("v_{}({name})", notation.relative).into(), caption)
             }
-            VectorOf::Driven(slide, added) => self.driven_part(slide, *added, [from, to]),
+            VectorOf::Passed(slide, added) => self.passed_part(slide, *added, arrow),
         }
     }
 
@@ -296,8 +297,8 @@ impl<'a> Teller<'a> {
         let cut = &special.cuts[side];
         let start = cut.start().map(|point| point_on(self.mechanism, cut.leg.base, point)).unwrap_or_default();
         match kind {
-            PlanKind::Velocity => self.relative_velocity(&cut.slides, &special.name, &start),
-            PlanKind::Acceleration => self.relative_acceleration(cut, &special.name, &start),
+            PlanKind::Velocity => self.leg_velocity(special, cut, &start),
+            PlanKind::Acceleration => self.relative_acceleration(special, cut, &start),
         }
     }
 
@@ -305,96 +306,129 @@ impl<'a> Teller<'a> {
     fn arm_equation(&self, kind: PlanKind, from: PointId, to: PointId) -> Formula {
         let [from, to] = [from, to].map(|point| self.mechanism.point_name(point));
         match kind {
-            PlanKind::Velocity => self.relative_velocity(&[], to, from),
+            PlanKind::Velocity => self.relative_velocity(to, from),
             PlanKind::Acceleration => Formula::default(),
         }
     }
 
-    /// The vector equation behind a velocity ray; driven sliders of the leg add their relative velocities.
-    fn relative_velocity(&self, slides: &[DrivenSlide], special: &str, start: &str) -> Formula {
+    /// The vector equation of the velocity of one point by that of another of the same link.
+    fn relative_velocity(&self, to: &str, from: &str) -> Formula {
         let mut formula = Formula::default();
-        formula.vector(format!("v{}", subscript(&[special])), Known::Nothing, None);
+        formula.vector(format!("v{}", subscript(&[to])), Known::Nothing, None);
         formula.sign(" = ");
-        formula.vector(format!("v{}", subscript(&[start])), Known::Entirely, None);
-        for slide in slides {
-            let name = self.mechanism.slider_name(slide.slider);
-            formula.sign(&format!(" {} ", plus_or_minus(slide)));
-            let sliding = Some(NamedPart::Sliding);
-            let added = format!("v_{}({name})", self.words.notation.relative);
-            formula.vector(added, Known::Entirely, sliding);
-        }
+        formula.vector(format!("v{}", subscript(&[from])), Known::Entirely, None);
         formula.sign(" + ");
-        let relative = format!("v{}", subscript(&[special, start]));
-        formula.vector(relative, Known::Direction, None);
+        formula.vector(format!("v{}", subscript(&[to, from])), Known::Direction, None);
         formula
     }
 
-    /// The vector equation behind an acceleration ray; driven sliders of the leg add their relative and Coriolis
-    /// accelerations.
-    fn relative_acceleration(&self, cut: &CutLine, special: &str, start: &str) -> Formula {
-        let has_normal = cut.terms.iter().any(|term| matches!(term, Term::Turn { .. }));
-        let has_coriolis = cut.terms.iter().any(|term| matches!(term, Term::Slide { .. }));
-        let notation = self.words.notation;
-        let mut formula = Formula::default();
-        formula.vector(format!("a{}", subscript(&[special])), Known::Nothing, None);
-        formula.sign(" = ");
-        formula.vector(format!("a{}", subscript(&[start])), Known::Entirely, None);
+    /// The vector equation behind a velocity ray: what driven sliders on the way add, then the velocity along the ray,
+    /// which is a sliding velocity where nothing else moves.
+    fn leg_velocity(&self, point: &Special, cut: &CutLine, start: &str) -> Formula {
+        let mut formula = self.relative_velocity(&point.name, start);
+        let along = formula.terms.split_off(formula.terms.len() - 2);
+        let r = self.words.notation.relative;
+        let sliding = |slide: &DrivenSlide| format!("v_{r}({})", self.mechanism.slider_name(slide.slider));
         for slide in &cut.slides {
-            let name = self.mechanism.slider_name(slide.slider);
-            for (letter, part) in [(notation.relative, NamedPart::Sliding), (notation.coriolis, NamedPart::Coriolis)] {
-                formula.sign(&format!(" {} ", plus_or_minus(slide)));
-                let added = format!("a_{letter}({name})");
-                formula.vector(added, Known::Entirely, Some(part));
-            }
+            formula.sign(&format!(" {} ", plus_or_minus(slide)));
+            formula.vector(sliding(slide), Known::Entirely, Some(NamedPart::Sliding));
         }
-        let points = subscript(&[special, start]);
-        let (known, direction) = (Known::Entirely, Known::Direction);
-        for (letter, known, part) in [
-            (notation.normal, known, NamedPart::Normal),
-            (notation.coriolis, known, NamedPart::Coriolis),
-            (notation.tangential, direction, NamedPart::Tangential),
-        ] {
-            let has = match part {
-                NamedPart::Normal => has_normal,
-                NamedPart::Coriolis => has_coriolis,
-                _ => true,
-            };
-            if !has {
-                continue;
+        let turns = cut.terms.iter().any(|term| self.turning(point, term).is_some());
+        match cut.slide(self.mechanism).filter(|_| !turns) {
+            Some(slide) => {
+                formula.sign(&format!(" {} ", plus_or_minus(&slide)));
+                formula.vector(sliding(&slide), Known::Direction, Some(NamedPart::Sliding));
             }
-            formula.sign(" + ");
-            formula.vector(format!("a^{letter}{points}"), known, Some(part));
+            None => formula.terms.extend(along),
         }
         formula
+    }
+
+    /// The vector equation behind an acceleration ray: what the sliders on the way add, normal and tangential part.
+    /// Parts that are zero in every position are left out.
+    fn relative_acceleration(&self, point: &Special, cut: &CutLine, start: &str) -> Formula {
+        let notation = self.words.notation;
+        let mut formula = Formula::default();
+        formula.vector(format!("a{}", subscript(&[&point.name])), Known::Nothing, None);
+        formula.sign(" = ");
+        formula.vector(format!("a{}", subscript(&[start])), Known::Entirely, None);
+        let slider = |slide: &DrivenSlide| self.mechanism.slider_name(slide.slider);
+        let mut add = |sign: char, markup: String, known: Known, part: NamedPart| {
+            formula.sign(&format!(" {sign} "));
+            formula.vector(markup, known, Some(part));
+        };
+        let (relative, coriolis) = (notation.relative, notation.coriolis);
+        for slide in &cut.slides {
+            add(plus_or_minus(slide), format!("a_{relative}({})", slider(slide)), Known::Entirely, NamedPart::Sliding);
+            if self.has_coriolis(slide) {
+                let added = format!("a_{coriolis}({})", slider(slide));
+                add(plus_or_minus(slide), added, Known::Entirely, NamedPart::Coriolis);
+            }
+        }
+        let passed = cut.slide(self.mechanism);
+        if let Some(slide) = passed.as_ref().filter(|slide| self.has_coriolis(slide)) {
+            let added = format!("a_{coriolis}({})", slider(slide));
+            add(plus_or_minus(slide), added, Known::Entirely, NamedPart::Coriolis);
+        }
+        let points = subscript(&[&point.name, start]);
+        let turning = || cut.terms.iter().filter_map(|term| self.turning(point, term));
+        if turning().any(|link| self.turns(link)) {
+            add('+', format!("a^{}{points}", notation.normal), Known::Entirely, NamedPart::Normal);
+        }
+        if turning().next().is_some() {
+            add('+', format!("a^{}{points}", notation.tangential), Known::Direction, NamedPart::Tangential);
+        }
+        if let Some(slide) = passed {
+            add(
+                plus_or_minus(&slide),
+                format!("a_{relative}({})", slider(&slide)),
+                Known::Direction,
+                NamedPart::Sliding,
+            );
+        }
+        formula
+    }
+
+    /// The link of a turning term, unless its arm has no length.
+    fn turning(&self, point: &Special, term: &Term) -> Option<BodyId> {
+        match *term {
+            Term::Turn { link, from, to } => {
+                (to.is_some() || self.arm(point, from, to) != Vector::zeros()).then_some(link)
+            }
+            Term::Slide { .. } => None,
+        }
+    }
+
+    /// Whether a link has an angular velocity other than a given one of zero.
+    fn turns(&self, link: BodyId) -> bool {
+        self.construction.spins[link.0].is_none_or(|[omega, _]| omega.is_some())
+    }
+
+    /// Whether a slider has a Coriolis acceleration: its guide turns, and something slides.
+    fn has_coriolis(&self, slide: &DrivenSlide) -> bool {
+        let slides = self.construction.slides[slide.slider.0];
+        self.turns(slide.from) && self.turns(slide.to) && slides.is_none_or(|[velocity, _]| velocity.is_some())
     }
 
     /// Equation and caption of a leg's normal part.
     fn normal_part(&self, point: &Special, side: usize, from: &str, to: &str) -> (Formula, String) {
         let (mechanism, words, s) = (self.mechanism, self.words, &point.name);
         let cut = &point.cuts[side];
-        let body = |b: BodyId| mechanism.body(b).name.as_str();
-        let (mut normals, mut coriolis) = (Vec::new(), None);
+        let mut normals = Vec::new();
         for term in &cut.terms {
-            match *term {
-                // A zero arm is left out of the equation.
-                Term::Turn { link, from, to } if self.arm(point, from, to) != Vector::zeros() || to.is_some() => {
-                    let to = to.map_or(s.as_str(), |to| mechanism.point_name(to));
-                    normals.push(format!("ω_{}^2 L{}", body(link), subscript(&[to, mechanism.point_name(from)])));
-                }
-                Term::Turn { .. } => {}
-                Term::Slide { slider, from } => {
-                    let (omega, name) = (body(from), mechanism.slider_name(slider));
-                    coriolis = Some(format!("2 ω_{omega} v_{}({name})", words.notation.relative));
-                }
+            if let Term::Turn { link, from, to } = *term
+                && self.turning(point, term).is_some_and(|link| self.turns(link))
+            {
+                let to = to.map_or(s.as_str(), |to| mechanism.point_name(to));
+                let arm = subscript(&[to, mechanism.point_name(from)]);
+                normals.push(format!("ω_{}^2 L{arm}", mechanism.body(link).name));
             }
         }
-        let sentence = match (normals.len(), coriolis.is_some()) {
-            (2, _) => Language::lay_off_normal_parts,
-            (1, true) => Language::lay_off_normal_and_coriolis,
-            (_, true) => Language::lay_off_coriolis_part,
-            (_, false) => Language::lay_off_normal_part,
-        };
         let language = words.language;
+        let sentence = match normals.len() {
+            2 => Language::lay_off_normal_parts,
+            _ => Language::lay_off_normal_part,
+        };
         let start = cut.start().map_or("", |start| mechanism.point_name(start));
         let mut formula = Formula::default();
         formula.vector(format!("a^{}{}", words.notation.normal, subscript(&[s, start])), Known::Entirely, None);
@@ -403,10 +437,6 @@ impl<'a> Teller<'a> {
             formula.words(between);
             formula.sign(&part);
             between = language.and();
-        }
-        if let Some(part) = coriolis {
-            formula.words(&format!("{between}{}", language.coriolis_word()));
-            formula.sign(&part);
         }
         let line = cut.name(words, mechanism, s);
         (formula, sentence(language, &line, &marked(from), &marked(to)))
@@ -463,30 +493,30 @@ impl<'a> Teller<'a> {
         format!("{left} = {}", measured(kind, from, &image_name(&point.name)))
     }
 
-    /// Equation and caption of a driven slider's relative velocity, relative acceleration or Coriolis acceleration.
-    fn driven_part(&self, slide: &DrivenSlide, added: Added, [from, to]: [&str; 2]) -> (Formula, String) {
+    /// Equation and caption of a slider's relative velocity, relative acceleration or Coriolis acceleration.
+    ///
+    /// A chain may pass the slider from the sliding link to the guide: then the vector is laid off backwards, so that
+    /// its head is where the chain has come from.
+    fn passed_part(&self, slide: &DrivenSlide, added: Added, arrow: &Arrow) -> (Formula, String) {
         let mechanism = self.mechanism;
         let name = mechanism.slider_name(slide.slider);
         let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
-        // The leg may pass the slider from the sliding link to the guide: then the sign is reversed.
-        let backwards = slide.sign < 0.0;
-        let minus = if backwards { "−" } else { "" };
         let (language, notation) = (self.words.language, self.words.notation);
         let (r, c) = (notation.relative, notation.coriolis);
         let equation = match added {
-            Added::SlidingVelocity => format!("{minus}v_{r}({name})"),
-            Added::SlidingAcceleration => format!("{minus}a_{r}({name})"),
-            Added::Coriolis => format!("{minus}a_{c}({name}) = {minus}2 ω_{on} v_{r}({name})"),
+            Added::SlidingVelocity => format!("v_{r}({name})"),
+            Added::SlidingAcceleration => format!("a_{r}({name})"),
+            Added::Coriolis => format!("a_{c}({name}) = 2 ω_{on} v_{r}({name})"),
         };
-        let sentence = match (added, backwards) {
-            (Added::SlidingVelocity, false) => Language::lay_off_sliding_velocity,
-            (Added::SlidingVelocity, true) => Language::lay_off_sliding_velocity_reversed,
-            (Added::SlidingAcceleration, false) => Language::lay_off_sliding_acceleration,
-            (Added::SlidingAcceleration, true) => Language::lay_off_sliding_acceleration_reversed,
-            (Added::Coriolis, false) => Language::lay_off_coriolis,
-            (Added::Coriolis, true) => Language::lay_off_coriolis_reversed,
+        let [from, to] = arrow.ends().map(marked);
+        let caption = match (added, arrow.is_backwards()) {
+            (Added::SlidingVelocity, false) => language.lay_off_sliding_velocity(&name, &from, &to),
+            (Added::SlidingVelocity, true) => language.lay_off_sliding_velocity_backwards(&name, &from, &to),
+            (Added::SlidingAcceleration, false) => language.lay_off_sliding_acceleration(&name, &from, &to),
+            (Added::SlidingAcceleration, true) => language.lay_off_sliding_acceleration_backwards(&name, &from, &to),
+            (Added::Coriolis, false) => language.lay_off_coriolis(&name, on, &from, &to),
+            (Added::Coriolis, true) => language.lay_off_coriolis_backwards(&name, on, &from, &to),
         };
-        let caption = sentence(language, &name, &marked(from), &marked(to));
         (equation.into(), caption)
     }
 }

@@ -226,12 +226,12 @@ pub struct LegEquation {
     pub segment: f64,
 }
 
-/// A vector of a plan, from one of its points to another.
+/// A vector that is laid off in a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrow {
-    /// From this plan point …
+    /// The plan point at which it is laid off …
     pub from: String,
-    /// … to this one.
+    /// … and the one that it makes. [`Arrow::ends`] says where its head is.
     pub to: String,
     /// Its meaning.
     pub of: VectorOf,
@@ -242,7 +242,7 @@ pub struct Arrow {
 pub enum VectorOf {
     /// The whole velocity or acceleration of a body's point.
     Point(BodyId, PointId),
-    /// The normal part of a leg, Coriolis acceleration included: special point and leg.
+    /// The normal part of a leg: special point and leg.
     Normal(SpecialId, usize),
     /// The velocity or acceleration of one point of a link relative to another, by their names, or a part of it.
     Relative {
@@ -258,8 +258,8 @@ pub enum VectorOf {
     /// The sliding velocity at a slider, from the coincident point of the guide's body, given by name, to the slider's
     /// point.
     Sliding(SliderId, String),
-    /// The relative motion of a driven slider.
-    Driven(DrivenSlide, Added),
+    /// A part of the relative motion at a slider that a chain of vectors passes, in either direction.
+    Passed(DrivenSlide, Added),
 }
 
 /// A part of the motion of one point of a link relative to another.
@@ -306,11 +306,28 @@ pub enum ArrowKind {
     Relative,
     /// A sliding velocity or acceleration.
     Sliding,
-    /// The Coriolis acceleration of a driven slider.
+    /// The Coriolis acceleration of a slider.
     Coriolis,
 }
 
 impl Arrow {
+    /// Whether the vector points from the new plan point back to the one that was there: a chain that passes a slider
+    /// from the sliding link to the guide subtracts its relative motion.
+    #[must_use]
+    pub fn is_backwards(&self) -> bool {
+        matches!(self.of, VectorOf::Passed(slide, _) if slide.sign < 0.0)
+    }
+
+    /// The plan points where the vector begins and where its head is. It has the direction of the quantity that it
+    /// shows, whichever end is laid off first.
+    #[must_use]
+    pub fn ends(&self) -> [&str; 2] {
+        match self.is_backwards() {
+            true => [&self.to, &self.from],
+            false => [&self.from, &self.to],
+        }
+    }
+
     /// The kind of the vector.
     #[must_use]
     pub fn kind(&self) -> ArrowKind {
@@ -318,8 +335,8 @@ impl Arrow {
             VectorOf::Point(..) => ArrowKind::Whole,
             VectorOf::Normal(..) | VectorOf::Relative { part: RelativePart::Normal, .. } => ArrowKind::Normal,
             VectorOf::Relative { .. } => ArrowKind::Relative,
-            VectorOf::Driven(_, Added::Coriolis) => ArrowKind::Coriolis,
-            VectorOf::Sliding(..) | VectorOf::Driven(..) => ArrowKind::Sliding,
+            VectorOf::Passed(_, Added::Coriolis) => ArrowKind::Coriolis,
+            VectorOf::Sliding(..) | VectorOf::Passed(..) => ArrowKind::Sliding,
         }
     }
 }

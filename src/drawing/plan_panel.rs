@@ -173,7 +173,8 @@ impl PlanOnPaper<'_> {
                 ArrowKind::Coriolis => Pen::Coriolis,
             };
             canvas.set_step(self.stages.vector(&laid.from, &laid.to));
-            let drawn = self.arrow(canvas, &laid.from, &laid.to, pen);
+            let [from, to] = laid.ends();
+            let drawn = self.arrow(canvas, from, to, pen);
             // The side of a link's image has the look of the image.
             if let (Some(mark), Pen::Image) = (drawn, pen) {
                 let has_both = |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));

@@ -138,7 +138,7 @@ impl Writer<'_> {
             _ => self.equation(&formula, plan, None, from),
         };
         let ends = match action {
-            Action::LayOff(arrow) => Some([arrow.from.as_str(), arrow.to.as_str()]),
+            Action::LayOff(arrow) => Some(arrow.ends()),
             Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
                 kind.map(|kind| [kind.pole(), point.as_str()])
             }

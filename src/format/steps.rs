@@ -212,10 +212,17 @@ impl StepList<'_> {
                 vec![format!("{equation} = {}{band}", self.measure(*value, None))]
             }
             Action::LayOff(arrow) => {
-                let Some(vector) = plan.and_then(|p| p.segment(&arrow.from, &arrow.to)) else {
+                let [from, to] = arrow.ends();
+                let Some(vector) = plan.and_then(|p| p.segment(from, to)) else {
                     return Vec::new();
                 };
-                let drawn = segment(&arrow.from, &arrow.to, self.vector(vector, kind));
+                let drawn = format!(
+                    "{} {} = {}{}",
+                    shown(from),
+                    shown(to),
+                    self.vector(vector, kind),
+                    self.segment_band(kind, &arrow.from, &arrow.to)
+                );
                 [equation].into_iter().filter(|equation| !equation.is_empty()).chain([drawn]).collect()
             }
             Action::Ray(ray) => {

@@ -85,10 +85,6 @@ sentences! {
     lay_off_normal_part(line, from, to);
     /// The normal parts of both links of a leg, laid off as one.
     lay_off_normal_parts(line, from, to);
-    /// The normal and the Coriolis part of a leg, laid off as one.
-    lay_off_normal_and_coriolis(line, from, to);
-    /// The Coriolis part of a leg without a normal part.
-    lay_off_coriolis_part(line, from, to);
     /// The equations that give the rates of a group.
     solve(unknowns);
     /// For a group without a construction by two rays.
@@ -101,18 +97,18 @@ sentences! {
     lay_off_relative_normal(point, from, arm);
     /// The tangential acceleration of one point of a link relative to another: the link, the point, the other, their line.
     lay_off_relative_tangential(link, point, from, arm);
-    /// The sliding velocity of a driven slider, between two points of the plan.
+    /// The sliding velocity of a slider, between two points of the plan.
     lay_off_sliding_velocity(slider, from, to);
-    /// The sliding velocity reversed, where the leg runs from the sliding link to the guide.
-    lay_off_sliding_velocity_reversed(slider, from, to);
-    /// The sliding acceleration of a driven slider, between two points of the plan.
+    /// The same backwards, with its head at a point that is there: the chain runs from the sliding link to the guide.
+    lay_off_sliding_velocity_backwards(slider, from, to);
+    /// The sliding acceleration of a slider, between two points of the plan.
     lay_off_sliding_acceleration(slider, from, to);
-    /// The sliding acceleration reversed, where the leg runs from the sliding link to the guide.
-    lay_off_sliding_acceleration_reversed(slider, from, to);
-    /// The Coriolis acceleration of a driven slider, between two points of the plan.
-    lay_off_coriolis(slider, from, to);
-    /// The Coriolis acceleration reversed, where the leg runs from the sliding link to the guide.
-    lay_off_coriolis_reversed(slider, from, to);
+    /// The same backwards.
+    lay_off_sliding_acceleration_backwards(slider, from, to);
+    /// The Coriolis acceleration of a slider, the link that carries its guide, two points of the plan.
+    lay_off_coriolis(slider, link, from, to);
+    /// The same backwards.
+    lay_off_coriolis_backwards(slider, link, from, to);
 
     // Words of equations.
     /// Behind a given vector.
@@ -121,8 +117,6 @@ sentences! {
     made_from;
     /// Before each further product.
     and;
-    /// Before a Coriolis product.
-    coriolis_word;
     /// Name of the normal part of an acceleration.
     normal;
     /// Name of the tangential part of an acceleration.

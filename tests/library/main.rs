@@ -9,6 +9,7 @@ mod architecture;
 mod bad_scenes;
 mod committed_files;
 mod complete_plans;
+mod coriolis;
 mod curves;
 mod cycle;
 mod drawing;

@@ -387,7 +387,7 @@ fn a_cylinder_and_its_rod_are_one_link() {
         "ω_3 L_CA = μ_v (r_a3 c)",
         "omega(4) = 0.1026143 rad/s",
         "a r_a3 = 30.00000 mm/s² (30.00 mm on paper), direction 68.46°",
-        "Lay off the Coriolis acceleration of 3/2, normal to its guide, from r_a3 to k_a3.",
+        "Lay off the Coriolis acceleration of 3/2, its sliding velocity turned by 90° in the sense of ω_2, from r_a3 to k_a3.",
         "r_a3 k_a3 = 15.58498 mm/s² (15.58 mm on paper), direction 158.46°",
         "k_a3 n_aC = 12.80874 mm/s² (12.81 mm on paper), direction -111.54°",
         "a_C = a_A + a_r(3/2) + a_c(3/2) + a^n_CA + a^t_CA; direction 158.46°",

@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
-use crate::construction::{NumberId, NumberKind, OperationKind, Product, ProductKind, image_name};
+use crate::construction::{NumberId, NumberKind, OperationKind, Plan, Product, ProductKind, image_name};
 
 pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
     let laid = site.operations().filter_map(|(index, operation)| {
@@ -16,7 +16,10 @@ pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
             return None;
         }
         let edit = Edit::Instead(OperationKind::LayOff { place, from, size, along: along.turned(2) });
-        Some(site.candidate(Mistake::ReversedVector, index, edit, &[start, end]))
+        let arrows = || site.key.solution.construction.plan_on(operation.sheet).into_iter().flat_map(Plan::arrows);
+        let laid = arrows().find(|arrow| (arrow.from.as_str(), arrow.to.as_str()) == (start, end));
+        let ends = laid.map_or([start, end], |arrow| arrow.ends());
+        Some(site.candidate(Mistake::ReversedVector, index, edit, &ends))
     });
     laid.collect()
 }
