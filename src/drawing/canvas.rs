@@ -1,4 +1,5 @@
 use super::clip::{clipped, clipped_segment, holds, is_within};
+use super::dims::Dims;
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
 use super::shape::{Shape, around};
@@ -20,6 +21,7 @@ pub(super) struct Canvas<'a> {
     /// The step of the construction with which new marks appear.
     step: u16,
     renamed: &'a IndexMap<String, String>,
+    dims: Dims,
     /// Enlarged details under an overlay: centre and radius of circles that only labels of points inside may enter.
     reserved_circles: Vec<(Point, f64)>,
     /// Whether a student's drawing is laid over the content: labels from outside then keep off enlarged details.
@@ -44,6 +46,7 @@ impl<'a> Canvas<'a> {
         prefix: &'static str,
         frame: Rect,
         renamed: &'a IndexMap<String, String>,
+        dims: Dims,
     ) -> Self {
         Self {
             content_start: drawing.marks.len(),
@@ -54,9 +57,20 @@ impl<'a> Canvas<'a> {
             frame,
             step: 0,
             renamed,
+            dims,
             reserved_circles: Vec::new(),
             is_overlaid: false,
         }
+    }
+
+    /// Sizes of letters and signs.
+    pub(super) fn dims(&self) -> Dims {
+        self.dims
+    }
+
+    /// A vector with a head of the sheet's size.
+    pub(super) fn arrow(&self, from: Point, to: Point) -> Shape {
+        Shape::Arrow { from, to, head: self.dims.head }
     }
 
     /// The panel with its border.

@@ -1,3 +1,4 @@
+use super::dims::Dims;
 use super::layout::{Item, Layout};
 use super::lines::{EDGE, PAD};
 use super::shape::{Shape, corners};
@@ -11,7 +12,7 @@ use kurbo::Point;
 
 /// Height of a row of scales, in mm.
 const ROW: f64 = 7.2;
-/// Length of the bar beside a scale, in mm.
+/// Length of the bar beside a scale, in mm of paper.
 const BAR: f64 = 10.0;
 /// Number style of scales.
 pub(super) const SCALE: NumberStyle = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
@@ -37,11 +38,13 @@ pub(super) struct Entry {
     symbol: RichText,
     value: RichText,
     bar: RichText,
+    /// Length of the bar, in units of the layout.
+    length: f64,
 }
 
 impl Entry {
     /// The scale of quantities of that kind: `mu` units a millimetre.
-    pub(super) fn new(kind: Kind, mu: f64, words: &Wording, units: Units) -> Self {
+    pub(super) fn new(kind: Kind, mu: f64, words: &Wording, units: Units, dims: &Dims) -> Self {
         let unit = kind.unit(units);
         let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
         let value = words.write(mu, SCALE);
@@ -50,6 +53,7 @@ impl Entry {
             symbol: RichText::math(symbol(kind)),
             value: RichText::plain(&format!("= {value} {per_mm}")),
             bar: RichText::plain(&format!("{bar} {unit}")),
+            length: BAR / dims.unit,
         }
     }
 
@@ -60,7 +64,7 @@ impl Entry {
     /// Distances from the entry's start, in mm: of its bar, of the bar's value, of its end.
     fn places(&self) -> [f64; 3] {
         let bar = self.symbol.width(CAPTION) + 1.2 + self.value.width(CAPTION) + 3.0;
-        let value = bar + BAR + 1.4;
+        let value = bar + self.length + 1.4;
         [bar, value, value + self.bar.width(CAPTION)]
     }
 
@@ -74,7 +78,7 @@ impl Entry {
         put(&self.value, self.symbol.width(CAPTION) + 1.2);
         put(&self.bar, value);
         let y = from.y - 1.3;
-        let ends = [bar, bar + BAR].map(|x| Point::new(from.x + x, y));
+        let ends = [bar, bar + self.length].map(|x| Point::new(from.x + x, y));
         drawing.draw(Pen::Ground, Shape::Line(ends[0], ends[1]));
         for end in ends {
             let tick = Shape::Line(Point::new(end.x, y - 0.9), Point::new(end.x, y + 0.9));
@@ -84,15 +88,16 @@ impl Entry {
 }
 
 /// Whether the scales fit into the layout's columns.
-pub(super) fn fits(layout: &Layout, words: &Wording, units: Units) -> bool {
+pub(super) fn fits(layout: &Layout, words: &Wording, units: Units, dims: &Dims) -> bool {
     let column = layout.legend.width() / layout.columns as f64;
-    layout.panels.iter().all(|placed| Entry::new(placed.kind, placed.mu, words, units).width() <= column - PAD)
+    layout.panels.iter().all(|placed| Entry::new(placed.kind, placed.mu, words, units, dims).width() <= column - PAD)
 }
 
 /// The box with the scales of the panels, and room for words below them.
 pub(super) struct Legend {
     pub words: Wording,
     pub units: Units,
+    pub dims: Dims,
 }
 
 impl Item for Legend {
@@ -104,7 +109,7 @@ impl Item for Legend {
             let (row, place) = (index / layout.columns, index % layout.columns);
             let x = area.x0 + PAD + column * place as f64;
             let y = area.y0 + 0.5 * EDGE + 5.0 + ROW * row as f64;
-            Entry::new(placed.kind, placed.mu, &self.words, self.units).draw(drawing, Point::new(x, y));
+            Entry::new(placed.kind, placed.mu, &self.words, self.units, &self.dims).draw(drawing, Point::new(x, y));
         }
     }
 }

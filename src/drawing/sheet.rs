@@ -203,8 +203,8 @@ mod tests {
         for wrong in [f64::NAN, f64::INFINITY, -3.0] {
             let (center, radius) = (Point::new(wrong, 1.0), wrong);
             drawing.draw(Pen::Joint, Shape::Circle { center, radius });
-            drawing.draw(Pen::Turning, Shape::ArcArrow { center, radius, start: wrong, sweep: wrong });
-            drawing.draw(Pen::Velocity, Shape::Arrow { from: center, to: Point::ORIGIN });
+            drawing.draw(Pen::Turning, Shape::ArcArrow { center, radius, start: wrong, sweep: wrong, head: 2.6 });
+            drawing.draw(Pen::Velocity, Shape::Arrow { from: center, to: Point::ORIGIN, head: wrong });
             drawing.draw(Pen::Link, Shape::Polygon(vec![]));
             let text = PlacedText::new(RichText::math("S_3"), wrong, center);
             drawing.draw(Pen::Label, Shape::Text(text));
