@@ -4,7 +4,7 @@ use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
 use super::shape::{Shape, around};
 use super::sheet::{Drawing, Mark, Pen};
-use super::text::{LABEL, RichText};
+use super::text::{LABEL, PlacedText, RichText};
 use indexmap::IndexMap;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
 
@@ -38,6 +38,8 @@ pub(super) struct Wanted {
     pub number: Option<usize>,
     /// Whether it is left out if no place is free.
     pub optional: bool,
+    /// What it says before: from which step, in rising order; the label itself follows on the last.
+    pub before: Vec<(u16, RichText)>,
 }
 
 impl<'a> Canvas<'a> {
@@ -219,6 +221,7 @@ impl<'a> Canvas<'a> {
             pen: Pen::Label,
             number: None,
             optional: false,
+            before: Vec::new(),
         })
     }
 
@@ -271,10 +274,18 @@ impl<'a> Canvas<'a> {
             if label.crowded && wanted.optional {
                 continue;
             }
-            self.step = since;
+            self.step = wanted.before.first().map_or(since, |(first, _)| *first);
             if let Some((a, b)) = label.leader {
                 self.add_mark(None, Pen::Leader, Shape::Line(a, b));
             }
+            for (index, (step, text)) in wanted.before.iter().enumerate() {
+                let next = wanted.before.get(index + 1).map_or(since, |(next, _)| *next);
+                let text = part_of(&label.text, text, wanted.request.anchor);
+                self.step = *step;
+                let mark = self.add_mark(None, wanted.pen, Shape::Text(text));
+                (mark.number, mark.until) = (wanted.number, Some(next));
+            }
+            self.step = since;
             let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
             let mark = self.add_mark(Some(id), wanted.pen, Shape::Text(label.text));
             mark.number = wanted.number;
@@ -295,6 +306,13 @@ impl<'a> Canvas<'a> {
             }
         }
     }
+}
+
+/// A shorter text within the box of a label, on its line, as near to the anchor as possible.
+fn part_of(whole: &PlacedText, part: &RichText, anchor: Point) -> PlacedText {
+    let (ink, own) = (whole.ink_box(), part.ink_box(whole.size));
+    let left = (anchor.x - 0.5 * own.width()).min(ink.x1 - own.width()).max(ink.x0);
+    PlacedText::new(part.clone(), whole.size, Point::new(left - own.x0, whole.origin.y)).anchored(whole.anchor)
 }
 
 /// Boxes that together cover a circle.

@@ -27,6 +27,8 @@ pub(super) struct Composition<'a> {
     pub description: String,
     /// Captions of the construction's steps.
     pub steps: Vec<String>,
+    /// Whether the sheet is shown step by step; else marks that later ones replace are left out.
+    pub is_stepwise: bool,
     pub panels: Vec<Panel<'a>>,
     /// Items beside and below the panels, in drawing order.
     pub items: Vec<Box<dyn Item + 'a>>,
@@ -62,6 +64,9 @@ impl Composition<'_> {
         }
         for item in &self.items {
             item.draw(&mut drawing, layout);
+        }
+        if !self.is_stepwise {
+            drawing.marks.retain(|mark| mark.until.is_none());
         }
         drawing.enlarged(self.dims.unit)
     }

@@ -135,7 +135,8 @@ fn stepwise<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], workshe
     let table = worksheet.then(|| Worksheet::new(scheme, &panels));
     let after = scheme.construction.numbered_steps().count() as u16 + 1;
     let agreement = Lines { step: Some(after), ..agreement(scheme) };
-    composition(scheme, panels, table, vec![Box::new(StepWords(scheme)), Box::new(agreement)])
+    let sheet = composition(scheme, panels, table, vec![Box::new(StepWords(scheme)), Box::new(agreement)]);
+    Composition { is_stepwise: true, ..sheet }
 }
 
 /// The sentence on how the construction agrees with the loop equations.
@@ -162,6 +163,7 @@ pub(super) fn composition<'a>(
         title: scene.title.as_deref().unwrap_or(words.language.title()).to_owned(),
         description: description(scheme, &panels),
         steps: steps.map(|step| shown_text(&teller.caption(&step), step.plan, &words)).collect(),
+        is_stepwise: false,
         panels,
         items: table.into_iter().chain([legend]).chain(below).collect(),
     }

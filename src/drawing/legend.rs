@@ -1,5 +1,5 @@
 use super::dims::Dims;
-use super::layout::{Item, Layout};
+use super::layout::{Item, Layout, Placed};
 use super::lines::{EDGE, PAD};
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Pen};
@@ -14,6 +14,8 @@ use kurbo::Point;
 const ROW: f64 = 7.2;
 /// Length of the bar beside a scale, in mm of paper.
 const BAR: f64 = 10.0;
+/// Least white between scales in one row, in mm.
+const LEAST_GAP: f64 = 6.0;
 /// Number style of scales.
 pub(super) const SCALE: NumberStyle = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
 /// Number style of the difference between construction and loop equations.
@@ -87,10 +89,22 @@ impl Entry {
     }
 }
 
-/// Whether the scales fit into the layout's columns.
+/// Whether the scales fit into the layout's columns, or all into one row.
 pub(super) fn fits(layout: &Layout, words: &Wording, units: Units, dims: &Dims) -> bool {
+    let widths = layout.panels.iter().map(|placed| Entry::new(placed.kind, placed.mu, words, units, dims).width());
+    let widths: Vec<f64> = widths.collect();
+    fit_columns(&widths, layout) || (layout.columns >= widths.len() && gap(&widths, layout) >= LEAST_GAP)
+}
+
+fn fit_columns(widths: &[f64], layout: &Layout) -> bool {
     let column = layout.legend.width() / layout.columns as f64;
-    layout.panels.iter().all(|placed| Entry::new(placed.kind, placed.mu, words, units, dims).width() <= column - PAD)
+    widths.iter().all(|width| *width <= column - PAD)
+}
+
+/// White between scales that share a row whatever their widths, in mm.
+fn gap(widths: &[f64], layout: &Layout) -> f64 {
+    let free = layout.legend.width() - 2.0 * PAD - widths.iter().sum::<f64>();
+    free / widths.len().saturating_sub(1).max(1) as f64
 }
 
 /// The box with the scales of the panels, and room for words below them.
@@ -105,11 +119,16 @@ impl Item for Legend {
         let area = layout.legend;
         drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
         let column = area.width() / layout.columns as f64;
-        for (index, placed) in layout.panels.iter().enumerate() {
+        let entry = |placed: &Placed| Entry::new(placed.kind, placed.mu, &self.words, self.units, &self.dims);
+        let entries: Vec<Entry> = layout.panels.iter().map(entry).collect();
+        let widths: Vec<f64> = entries.iter().map(Entry::width).collect();
+        let (in_columns, gap) = (fit_columns(&widths, layout), gap(&widths, layout));
+        for (index, entry) in entries.iter().enumerate() {
             let (row, place) = (index / layout.columns, index % layout.columns);
-            let x = area.x0 + PAD + column * place as f64;
+            let before: f64 = widths[..index].iter().map(|width| width + gap).sum();
+            let x = area.x0 + PAD + if in_columns || row > 0 { column * place as f64 } else { before };
             let y = area.y0 + 0.5 * EDGE + 5.0 + ROW * row as f64;
-            Entry::new(placed.kind, placed.mu, &self.words, self.units, &self.dims).draw(drawing, Point::new(x, y));
+            entry.draw(drawing, Point::new(x, y));
         }
     }
 }

@@ -5,6 +5,7 @@ use super::scheme::{Scheme, outline};
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::stages::PlanStages;
+use super::text::RichText;
 use super::view::{Extent, View, on_sheet, towards};
 use crate::construction::{
     Action, Arrow, ArrowKind, Plan, PlanKind, PointRole, Relation, Step, VectorOf, coincident_name, image_name,
@@ -247,10 +248,12 @@ impl PlanOnPaper<'_> {
                 None => (place, place - middle),
             };
             let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
-            canvas.set_step(since(&here));
+            let (last, before) = self.growth(&here);
+            canvas.set_step(last);
             // The text is joined from renamed names already; the trailing space keeps the id from being renamed again.
             let joined = format!("{} ", here[0]);
-            canvas.label(&joined, &self.shown(&here), anchor, self.dot(role).1 + 0.7, prefer, 2);
+            let label = canvas.label(&joined, &self.shown(&here), anchor, self.dot(role).1 + 0.7, prefer, 2);
+            label.before = before;
         }
     }
 
@@ -282,6 +285,20 @@ impl PlanOnPaper<'_> {
             PointRole::Special => (Pen::Special, (16.0 / 9.0) * dot),
             _ => (Pen::ImagePoint, dot),
         }
+    }
+
+    /// How the label of coincident points grows with the steps that make them: the step that adds the last name, and
+    /// what stands there from which step before.
+    fn growth(&self, names: &[&str]) -> (u16, Vec<(u16, RichText)>) {
+        let mut steps: Vec<u16> = names.iter().map(|name| self.stages.point(name)).collect();
+        steps.sort_unstable();
+        steps.dedup();
+        let text = |step: u16| {
+            let made: Vec<&str> = names.iter().copied().filter(|name| self.stages.point(name) <= step).collect();
+            (step, RichText::math(&self.shown(&made)))
+        };
+        let last = steps.pop().unwrap_or_default();
+        (last, steps.into_iter().map(text).collect())
     }
 
     /// The names of coincident points.
