@@ -32,6 +32,8 @@ impl CurvesCommand {
         let mut driven = self.range.driven_scene()?;
         self.words.put_into(&mut driven.scene.figure);
         self.paper.put_into(&mut driven.scene.figure);
+        let style = self.figures.style()?;
+        style.put_into(&mut driven.scene.figure);
         let (mut branch, mut range) = driven.follow(&self.range)?;
         // One full turn is shown from 0° to 360°, if no range is given.
         if !self.range.is_given() && branch.drive.is_angle() && branch.end(true).is_none() {
@@ -50,7 +52,8 @@ impl CurvesCommand {
             let sampled = Hodographs::new(&branch, range, &vectors).map_err(|error| driven.fail(error))?;
             ("hodograph", hodographs(&driven.scene, &sampled))
         };
-        let drawing = drawing.map_err(|error| driven.fail(error))?;
+        let mut drawing = drawing.map_err(|error| driven.fail(error))?;
+        style.put_on([&mut drawing]);
         let name = format!("{}-{kind}", stem(scene));
         let page = |_| {
             Err(Failure::Misuse(

@@ -1,4 +1,4 @@
-use super::figures::{Figures, stem};
+use super::figures::{Figures, GivenStyle, stem};
 use super::files::{self, Source};
 use super::message::{Failure, warn};
 use super::paper::{GivenScales, Paper};
@@ -67,28 +67,31 @@ impl Draw {
                 })
                 .to_vec(),
         };
+        let style = self.figures.style()?;
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
-            let solution = solve(&source, self.mode.number, |f| self.put_into(f), needed_order)?;
+            let solution = solve(&source, self.mode.number, |f| self.put_into(f, &style), needed_order)?;
             show_warnings(&solution);
             solution.overflow_warnings().iter().for_each(|text| warn(text));
             self.sheets(name, &solution, &mut drawings)?;
             solved.push((source, solution));
         }
+        style.put_on(drawings.iter_mut().map(|(_, drawing)| drawing));
         let inputs: Vec<(&str, &Path)> = self.scene.iter().map(|scene| ("scene", scene.as_path())).collect();
         if self.layered {
             return self.figures.write_layered(&inputs, drawings);
         }
         let are_finished = drawings.len() == solved.len();
         let page = |index: usize| match solved.get(index) {
-            Some((source, solution)) if are_finished => self.page(source, solution),
+            Some((source, solution)) if are_finished => self.page(source, solution, &style),
             _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
         self.figures.write(&inputs, drawings, page)
     }
 
     /// Overrides a scene's figure by the options that are given.
-    fn put_into(&self, figure: &mut Figure) {
+    fn put_into(&self, figure: &mut Figure, style: &GivenStyle) {
+        style.put_into(figure);
         self.words.put_into(figure);
         self.paper.put_into(figure);
         self.scales.put_into(figure);
@@ -97,7 +100,7 @@ impl Draw {
     }
 
     /// The web page of a scene: its figure with all steps, in all positions of the drive.
-    fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
+    fn page(&self, source: &Source, solution: &Solution, style: &GivenStyle) -> Result<String, Failure> {
         let words = solution.wording();
         let animation = Animation::new(solution, self.drive.as_deref(), self.positions.into())
             .map_err(|error| source.fail(error))?;
@@ -108,7 +111,7 @@ impl Draw {
         let values: Vec<String> = animation.values.iter().map(value).collect();
         let quantity = animation.drive.as_ref().map(Drive::quantity);
         let mut frames = frames(&animation.positions, animation.own);
-        self.figures.set_style(&mut frames)?;
+        style.put_on(&mut frames);
         Ok(html(&WebPage {
             frames: &frames,
             values: &values,

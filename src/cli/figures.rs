@@ -2,7 +2,7 @@ use super::files;
 use super::message::Failure;
 use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
-use crate::scene::StyleName;
+use crate::scene::{Figure, StyleName};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -37,6 +37,11 @@ impl FigureOptions {
     /// Whether `--style` is given.
     pub(super) fn has_style(&self) -> bool {
         self.style.is_some()
+    }
+
+    /// The style of `--style`.
+    pub(super) fn style(&self) -> Result<GivenStyle, Failure> {
+        GivenStyle::read(self.style.as_deref())
     }
 }
 
@@ -81,6 +86,11 @@ fn dots_per_inch(text: &str) -> Result<f64, String> {
 }
 
 impl Figures {
+    /// The style of `--style`.
+    pub(super) fn style(&self) -> Result<GivenStyle, Failure> {
+        self.options.style()
+    }
+
     /// Figures that are written to a folder or to a file.
     pub(super) fn at(output: &Path, options: &FigureOptions) -> Figures {
         Figures { output: output.to_owned(), options: options.clone() }
@@ -91,10 +101,9 @@ impl Figures {
     pub(super) fn write(
         &self,
         inputs: &[(&str, &Path)],
-        mut drawings: Vec<(String, Drawing)>,
+        drawings: Vec<(String, Drawing)>,
         page: impl Fn(usize) -> Result<String, Failure>,
     ) -> Result<(), Failure> {
-        self.set_style(drawings.iter_mut().map(|(_, drawing)| drawing))?;
         let text = self.text();
         let mut written = Vec::new();
         for (index, (name, drawing)) in drawings.iter().enumerate() {
@@ -120,9 +129,8 @@ impl Figures {
     pub(super) fn write_layered(
         &self,
         inputs: &[(&str, &Path)],
-        mut drawings: Vec<(String, Drawing)>,
+        drawings: Vec<(String, Drawing)>,
     ) -> Result<(), Failure> {
-        self.set_style(drawings.iter_mut().map(|(_, drawing)| drawing))?;
         let mut written = Vec::new();
         for (name, drawing) in &drawings {
             let targets = self.targets(name, drawings.len())?;
@@ -136,16 +144,6 @@ impl Figures {
             written.push((path, bytes));
         }
         self.finish(inputs, &written)
-    }
-
-    /// Gives drawings the style of `--style` in place of the scene's.
-    pub(super) fn set_style<'a>(&self, drawings: impl IntoIterator<Item = &'a mut Drawing>) -> Result<(), Failure> {
-        if let Some(style) = self.options.style.as_deref().map(style).transpose()? {
-            for drawing in drawings {
-                drawing.style = style.clone();
-            }
-        }
-        Ok(())
     }
 
     fn text(&self) -> Text {
@@ -203,11 +201,45 @@ impl Figures {
     }
 }
 
-/// A style by its name, or from a file.
-pub(super) fn style(asked: &str) -> Result<Style, Failure> {
-    if let Some(name) = StyleName::ALL.into_iter().find(|name| name.as_str() == asked) {
-        return Ok(Style::named(name));
+/// A drawing style in place of the scene's.
+pub(super) enum GivenStyle {
+    /// The scene's own.
+    Scene,
+    /// One that comes with the program.
+    Named(StyleName),
+    /// That of a file.
+    File(Style),
+}
+
+impl GivenStyle {
+    /// The style of `--style`, if that is given.
+    pub(super) fn read(asked: Option<&str>) -> Result<GivenStyle, Failure> {
+        let Some(asked) = asked else {
+            return Ok(GivenStyle::Scene);
+        };
+        let named = StyleName::ALL.into_iter().find(|name| name.as_str() == asked);
+        named.map_or_else(|| style_file(asked).map(GivenStyle::File), |name| Ok(GivenStyle::Named(name)))
     }
+
+    /// Asks a scene's figure for it. The looks of a file are put on the drawing, its sizes must be known before.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        match self {
+            GivenStyle::Scene => {}
+            GivenStyle::Named(name) => (figure.style, figure.sizes) = (*name, None),
+            GivenStyle::File(style) => figure.sizes = Some(style.sizes()),
+        }
+    }
+
+    /// Gives drawings the looks of a style file.
+    pub(super) fn put_on<'a>(&self, drawings: impl IntoIterator<Item = &'a mut Drawing>) {
+        if let GivenStyle::File(style) = self {
+            drawings.into_iter().for_each(|drawing| drawing.style = style.clone());
+        }
+    }
+}
+
+/// The style of a file.
+fn style_file(asked: &str) -> Result<Style, Failure> {
     if !asked.contains(['.', '/', '\\']) && asked != "-" && !Path::new(asked).exists() {
         let known = StyleName::ALL.map(StyleName::as_str).join(", ");
         return Err(Failure::Misuse(

@@ -1,13 +1,13 @@
 use super::wording::one_of;
-use crate::scene::{Figure, PageSize};
+use crate::scene::{Figure, Page};
 use clap::{Args, ValueEnum};
 
 /// The sheet of paper, in place of the one that the scene's figure asks for.
 #[derive(Debug, Default, Args)]
 pub(super) struct Paper {
-    /// Size of the sheet.
-    #[arg(long, value_name = "SIZE", value_parser = one_of(PageSize::ALL, PageSize::as_str))]
-    page: Option<PageSize>,
+    /// The sheet: 16x9 (320 mm × 180 mm) for the projector; `-portrait` or `-landscape` says which way it lies.
+    #[arg(long, value_name = "NAME", value_parser = one_of(Page::NAMES, |name| name))]
+    page: Option<&'static str>,
     /// Which way the sheet lies.
     #[arg(long, value_enum)]
     orientation: Option<Orientation>,
@@ -28,7 +28,10 @@ impl Paper {
     /// Overrides a scene's figure by the options that are given.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         let page = &mut figure.page;
-        page.size = self.page.unwrap_or(page.size);
+        if let Some((name, given)) = self.page.and_then(|name| Some((name, Page::from_name(name)?))) {
+            page.size = given.size;
+            page.landscape = if name.contains('-') { given.landscape } else { page.landscape };
+        }
         let landscape = self.orientation.map(|way| way == Orientation::Landscape);
         page.landscape = landscape.unwrap_or(page.landscape);
     }

@@ -17,7 +17,7 @@ impl Worksheet {
         let rows = asked.iter().zip(1..).map(|(asked, number)| blank_row(scheme, asked, number)).collect();
         let mut table = table(language.exercise_quantity(), language.value(), rows);
         [table.widths[1], table.widths[3]] = BOXES;
-        Self { table, lengths: Vec::new(), words: scheme.words }
+        Self { table, lengths: Vec::new(), words: scheme.words, dims: scheme.dims }
     }
 }
 

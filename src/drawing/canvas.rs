@@ -1,9 +1,10 @@
 use super::clip::{clipped, clipped_segment, holds, is_within};
+use super::dims::Dims;
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
 use super::shape::{Shape, around};
 use super::sheet::{Drawing, Mark, Pen};
-use super::text::{LABEL, RichText};
+use super::text::{LABEL, PlacedText, RichText};
 use indexmap::IndexMap;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
 
@@ -20,6 +21,7 @@ pub(super) struct Canvas<'a> {
     /// The step of the construction with which new marks appear.
     step: u16,
     renamed: &'a IndexMap<String, String>,
+    dims: Dims,
     /// Enlarged details under an overlay: centre and radius of circles that only labels of points inside may enter.
     reserved_circles: Vec<(Point, f64)>,
     /// Whether a student's drawing is laid over the content: labels from outside then keep off enlarged details.
@@ -36,6 +38,8 @@ pub(super) struct Wanted {
     pub number: Option<usize>,
     /// Whether it is left out if no place is free.
     pub optional: bool,
+    /// What it says before: from which step, in rising order; the label itself follows on the last.
+    pub before: Vec<(u16, RichText)>,
 }
 
 impl<'a> Canvas<'a> {
@@ -44,6 +48,7 @@ impl<'a> Canvas<'a> {
         prefix: &'static str,
         frame: Rect,
         renamed: &'a IndexMap<String, String>,
+        dims: Dims,
     ) -> Self {
         Self {
             content_start: drawing.marks.len(),
@@ -54,9 +59,20 @@ impl<'a> Canvas<'a> {
             frame,
             step: 0,
             renamed,
+            dims,
             reserved_circles: Vec::new(),
             is_overlaid: false,
         }
+    }
+
+    /// Sizes of letters and signs.
+    pub(super) fn dims(&self) -> Dims {
+        self.dims
+    }
+
+    /// A vector with a head of the sheet's size.
+    pub(super) fn arrow(&self, from: Point, to: Point) -> Shape {
+        Shape::Arrow { from, to, head: self.dims.head }
     }
 
     /// The panel with its border.
@@ -205,6 +221,7 @@ impl<'a> Canvas<'a> {
             pen: Pen::Label,
             number: None,
             optional: false,
+            before: Vec::new(),
         })
     }
 
@@ -257,10 +274,18 @@ impl<'a> Canvas<'a> {
             if label.crowded && wanted.optional {
                 continue;
             }
-            self.step = since;
+            self.step = wanted.before.first().map_or(since, |(first, _)| *first);
             if let Some((a, b)) = label.leader {
                 self.add_mark(None, Pen::Leader, Shape::Line(a, b));
             }
+            for (index, (step, text)) in wanted.before.iter().enumerate() {
+                let next = wanted.before.get(index + 1).map_or(since, |(next, _)| *next);
+                let text = part_of(&label.text, text, wanted.request.anchor);
+                self.step = *step;
+                let mark = self.add_mark(None, wanted.pen, Shape::Text(text));
+                (mark.number, mark.until) = (wanted.number, Some(next));
+            }
+            self.step = since;
             let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
             let mark = self.add_mark(Some(id), wanted.pen, Shape::Text(label.text));
             mark.number = wanted.number;
@@ -281,6 +306,13 @@ impl<'a> Canvas<'a> {
             }
         }
     }
+}
+
+/// A shorter text within the box of a label, on its line, as near to the anchor as possible.
+fn part_of(whole: &PlacedText, part: &RichText, anchor: Point) -> PlacedText {
+    let (ink, own) = (whole.ink_box(), part.ink_box(whole.size));
+    let left = (anchor.x - 0.5 * own.width()).min(ink.x1 - own.width()).max(ink.x0);
+    PlacedText::new(part.clone(), whole.size, Point::new(left - own.x0, whole.origin.y)).anchored(whole.anchor)
 }
 
 /// Boxes that together cover a circle.

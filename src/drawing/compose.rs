@@ -1,5 +1,6 @@
 //! Composition of a sheet: a title, panels in their places, items beside and below them.
 
+use super::dims::Dims;
 use super::layout::{Aside, Item, Layout, MARGIN, Needs, layout};
 use super::legend;
 use super::panel::Panel;
@@ -19,12 +20,15 @@ pub(super) const TITLE_LINE: f64 = MARGIN + 5.6;
 /// The contents of a sheet, before layout.
 pub(super) struct Composition<'a> {
     pub scene: &'a Scene,
+    pub dims: Dims,
     pub words: Wording,
     pub title: String,
     /// One sentence about the figure, for readers who cannot see it.
     pub description: String,
     /// Captions of the construction's steps.
     pub steps: Vec<String>,
+    /// Whether the sheet is shown step by step; else marks that later ones replace are left out.
+    pub is_stepwise: bool,
     pub panels: Vec<Panel<'a>>,
     /// Items beside and below the panels, in drawing order.
     pub items: Vec<Box<dyn Item + 'a>>,
@@ -43,32 +47,34 @@ impl Composition<'_> {
 
     /// The layout with `below` mm of height below the scales, which are in as few rows as possible.
     pub(super) fn layout_above(&self, below: f64) -> Layout {
-        let page = self.scene.figure.page.size_mm();
         let needs: Vec<Needs> = self.panels.iter().map(|panel| panel.needs).collect();
         let asides = |room: Rect| -> Vec<Aside> { self.items.iter().flat_map(|item| item.asides(room)).collect() };
         let in_columns =
-            |columns: usize| layout(page, &needs, [legend::height(needs.len(), columns), below], columns, asides);
-        let fits = |layout: &Layout| legend::fits(layout, &self.words, self.scene.units);
+            |columns: usize| layout(&self.dims, &needs, [legend::height(needs.len(), columns), below], columns, asides);
+        let fits = |layout: &Layout| legend::fits(layout, &self.words, self.scene.units, &self.dims);
         [3, 2].into_iter().map(in_columns).find(fits).unwrap_or_else(|| in_columns(1))
     }
 
     /// Draws the sheet as it is laid out.
     pub(super) fn draw(&self, layout: &Layout) -> Drawing {
-        let mut drawing = titled(self.scene, &self.words, self.title.clone());
+        let mut drawing = titled(self.scene, &self.dims, &self.words, self.title.clone());
         (drawing.description, drawing.steps) = (self.description.clone(), self.steps.clone());
         for (panel, placed) in self.panels.iter().zip(&layout.panels) {
-            panel.draw(&mut drawing, placed, &self.scene.figure.labels);
+            panel.draw(&mut drawing, placed, &self.scene.figure.labels, &self.dims);
         }
         for item in &self.items {
             item.draw(&mut drawing, layout);
         }
-        drawing
+        if !self.is_stepwise {
+            drawing.marks.retain(|mark| mark.until.is_none());
+        }
+        drawing.enlarged(self.dims.unit)
     }
 }
 
-/// An empty sheet of the scene's size and style, with its title.
-pub(super) fn titled(scene: &Scene, words: &Wording, title: String) -> Drawing {
-    let [width, height] = scene.figure.page.size_mm();
+/// An empty sheet of the scene's size and style, with its title, in units of the layout.
+pub(super) fn titled(scene: &Scene, dims: &Dims, words: &Wording, title: String) -> Drawing {
+    let [width, height] = dims.page;
     let mut drawing = Drawing::new(width, height);
     drawing.style = Style::named(scene.figure.style);
     drawing.language = words.language.code;

@@ -49,7 +49,7 @@ pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
     }
     let figure = sheet.draw(&layout);
     let unplaced = (place == WordsPlace::Apart).then_some(overlay);
-    let tables = tables(&figure, unplaced, table);
+    let tables = tables(&figure, scheme.dims.unit, unplaced, table);
     std::iter::once(figure).chain(tables).collect()
 }
 
@@ -74,7 +74,7 @@ fn sheet<'a>(
 /// The division with which most panels show their whole contents; of equals the one that shows more of the student's
 /// points, then the one with the sentences beside the figure, then the one with larger contents.
 fn best_division<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Division<'a> {
-    let page = scheme.figure.page.size_mm();
+    let page = scheme.dims.page;
     let notes = |place| Notes { overlay, words: scheme.words, page, place };
     let division = |extents: &[(PanelName, Extent)], place: WordsPlace| {
         let sheet = sheet(scheme, overlay, extents, notes(place));
@@ -115,11 +115,17 @@ fn best_division<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Division<'
 
 /// Sheets with the title, the sentences without room on the figure, and the table, as many as its rows need; portrait
 /// unless the rows are too wide.
-fn tables<const N: usize>(figure: &Drawing, unplaced: Option<&Overlay>, mut table: Table<N>) -> Vec<Drawing> {
-    let narrow = figure.width.min(figure.height);
+fn tables<const N: usize>(
+    figure: &Drawing,
+    unit: f64,
+    unplaced: Option<&Overlay>,
+    mut table: Table<N>,
+) -> Vec<Drawing> {
+    let [across, down] = [figure.width, figure.height].map(|side| side / unit);
+    let narrow = across.min(down);
     let [width, height] = match table.column() <= narrow - 2.0 * MARGIN {
-        true => [narrow, figure.width.max(figure.height)],
-        false => [figure.width, figure.height],
+        true => [narrow, across.max(down)],
+        false => [across, down],
     };
     let area = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN);
     let sentences = unplaced.map(|overlay| overlay.lines(lines::width([width, height]), false));
@@ -138,7 +144,7 @@ fn tables<const N: usize>(figure: &Drawing, unplaced: Option<&Overlay>, mut tabl
         let later = table.rows.split_off(table.capacity(left).clamp(1, table.rows.len()));
         table.draw_in(&mut drawing, table.needed(left));
         table.rows = later;
-        sheets.push(drawing);
+        sheets.push(drawing.enlarged(unit));
     }
     sheets
 }

@@ -20,7 +20,7 @@ pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]
     let sheet = student_sheet(&scheme, asked, sentences);
     let layout = sheet.layout();
     let placed = layout.panels.first()?;
-    let size = scheme.extent().size() / placed.mu;
+    let size = placed.shown(&scheme.extent());
     let fits = size.x <= placed.area.width() && size.y <= placed.area.height();
     fits.then(|| sheet.draw(&layout).after_step(0))
 }
@@ -39,7 +39,7 @@ pub fn key_sheet(solution: &Solution, sentences: &[String]) -> Drawing {
     let scheme = Scheme::new(solution);
     let panels = panels(&scheme, &extents(&scheme), |panel| vec![content(&scheme, panel)]);
     let table = Worksheet::new(&scheme, &panels);
-    let sentences = Lines::of(sentences, scheme.figure.page.size_mm());
+    let sentences = Lines::of(sentences, scheme.dims.page);
     let sheet = composition(&scheme, panels, Some(table), vec![Box::new(sentences)]);
     sheet.draw(&sheet.layout())
 }
@@ -49,7 +49,7 @@ fn student_sheet<'a>(scheme: &'a Scheme<'a>, asked: &[Asked], sentences: &[Strin
     let alone = [(PanelName::Scheme, scheme.extent())];
     let panels = panels(scheme, &alone, |panel| vec![content(scheme, panel)]);
     let table = Worksheet::blank(scheme, asked);
-    let sentences = Lines::of(sentences, scheme.figure.page.size_mm());
+    let sentences = Lines::of(sentences, scheme.dims.page);
     composition(scheme, panels, Some(table), vec![Box::new(sentences)])
 }
 

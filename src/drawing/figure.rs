@@ -2,7 +2,7 @@
 
 use super::canvas::Canvas;
 use super::compose::Composition;
-use super::layout::{Item, Needs, Placed};
+use super::layout::{Item, Needs, Placed, on_paper};
 use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;
@@ -75,7 +75,7 @@ impl Solution {
 /// The warning for a panel whose content is larger than its frame.
 fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Option<String> {
     // Content may reach into the white margin of the frame.
-    let (size, frame) = (extent.size() / placed.mu, placed.frame);
+    let (size, frame) = (placed.shown(extent), placed.frame);
     if size.x <= frame.width() && size.y <= frame.height() {
         return None;
     }
@@ -86,7 +86,8 @@ fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Optio
     };
     let words = Wording::default();
     let panel = name(words.language, panel).to_lowercase();
-    let [fitting, given] = [fitting_scale(extent, placed.area), placed.mu].map(|mu| words.write(mu, legend::SCALE));
+    let [fitting, given] =
+        [fitting_scale(extent, on_paper(placed.area, placed.unit)), placed.mu].map(|mu| words.write(mu, legend::SCALE));
     Some(format!(
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
     ))
@@ -134,13 +135,14 @@ fn stepwise<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], workshe
     let table = worksheet.then(|| Worksheet::new(scheme, &panels));
     let after = scheme.construction.numbered_steps().count() as u16 + 1;
     let agreement = Lines { step: Some(after), ..agreement(scheme) };
-    composition(scheme, panels, table, vec![Box::new(StepWords(scheme)), Box::new(agreement)])
+    let sheet = composition(scheme, panels, table, vec![Box::new(StepWords(scheme)), Box::new(agreement)]);
+    Composition { is_stepwise: true, ..sheet }
 }
 
 /// The sentence on how the construction agrees with the loop equations.
 fn agreement(scheme: &Scheme<'_>) -> Lines {
     let sentence = legend::agreement(&scheme.words, scheme.construction);
-    Lines::of([&sentence], scheme.figure.page.size_mm())
+    Lines::of([&sentence], scheme.dims.page)
 }
 
 /// A sheet with these panels, a table beside them, their scales, and items below.
@@ -152,14 +154,16 @@ pub(super) fn composition<'a>(
 ) -> Composition<'a> {
     let (scene, words) = (scheme.scene, scheme.words);
     let table = table.map(|table| Box::new(table) as Box<dyn Item>);
-    let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units });
+    let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units, dims: scheme.dims });
     let (teller, steps) = (scheme.teller(), scheme.construction.numbered_steps());
     Composition {
         scene,
+        dims: scheme.dims,
         words,
         title: scene.title.as_deref().unwrap_or(words.language.title()).to_owned(),
         description: description(scheme, &panels),
         steps: steps.map(|step| shown_text(&teller.caption(&step), step.plan, &words)).collect(),
+        is_stepwise: false,
         panels,
         items: table.into_iter().chain([legend]).chain(below).collect(),
     }

@@ -109,9 +109,9 @@ impl Inset {
             Shape::Line(a, b) => lines(&[*a, *b], false),
             Shape::Polyline(points) => lines(points, false),
             Shape::Polygon(corners) => lines(corners, true),
-            Shape::Arrow { from, to } => match line(*from, *to) {
+            Shape::Arrow { from, to, head } => match line(*from, *to) {
                 Some((from, end)) if (self.at(*to) - end).hypot() < 1e-9 => {
-                    vec![Shape::Arrow { from, to: end }]
+                    vec![Shape::Arrow { from, to: end, head: *head }]
                 }
                 Some((a, b)) => vec![Shape::Line(a, b)],
                 None => Vec::new(),

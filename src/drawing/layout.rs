@@ -1,7 +1,9 @@
+use super::dims::Dims;
 use super::sheet::Drawing;
 use super::view::{Extent, fitting_scale, next_scale};
+use crate::geometry;
 use crate::quantity::Kind;
-use kurbo::Rect;
+use kurbo::{Affine, Rect};
 
 /// White around the sheet's content, in mm.
 pub(super) const MARGIN: f64 = 8.0;
@@ -38,7 +40,17 @@ pub(super) struct Placed {
     pub frame: Rect,
     /// The area of its content.
     pub area: Rect,
+    /// Its scale, in units per mm of paper.
     pub mu: f64,
+    /// A unit of the layout, in mm of paper.
+    pub unit: f64,
+}
+
+impl Placed {
+    /// Width and height of something in the panel, in units of the layout.
+    pub(super) fn shown(&self, extent: &Extent) -> geometry::Vector {
+        extent.size() / (self.mu * self.unit)
+    }
 }
 
 /// An area of the sheet without panels, for a table.
@@ -106,13 +118,13 @@ type Division = (Option<Rect>, Vec<Placed>);
 /// best has most contents within their panels, then the largest product of the contents' sizes. The legend has a part
 /// for the scales and one `below` it.
 pub(super) fn layout(
-    page: [f64; 2],
+    dims: &Dims,
     needs: &[Needs],
     [scales, below]: [f64; 2],
     columns: usize,
     asides: impl Fn(Rect) -> Vec<Aside>,
 ) -> Layout {
-    let whole = room(page, scales + below);
+    let whole = room(dims.page, scales + below);
     let asides: Vec<Aside> = asides(whole);
     let rooms = match asides.is_empty() {
         true => vec![(whole, None)],
@@ -120,8 +132,9 @@ pub(super) fn layout(
     };
     let mut best: Option<([f64; 3], Division)> = None;
     for (room, aside) in rooms {
-        for frames in arrangements(room, needs) {
-            let placed: Vec<Placed> = needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame)).collect();
+        for frames in arrangements(room, needs, dims.unit) {
+            let placed: Vec<Placed> =
+                needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame, dims.unit)).collect();
             let worth = worth(needs, &placed);
             if best.as_ref().is_none_or(|(most, _)| worth > *most) {
                 best = Some((worth, (aside, placed)));
@@ -129,7 +142,7 @@ pub(super) fn layout(
         }
     }
     let (worth, (aside, panels)) = best.unwrap_or_default();
-    let [_, height] = page;
+    let [_, height] = dims.page;
     Layout {
         legend: Rect::new(whole.x0, whole.y1 + GAP, whole.x1, height - MARGIN),
         scales,
@@ -160,7 +173,7 @@ fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
 fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 3] {
     let all = || needs.iter().zip(placed);
     // Size of a content on paper.
-    let drawn = |(w, p): (&Needs, &Placed)| w.extent.size() / p.mu;
+    let drawn = |(w, p): (&Needs, &Placed)| p.shown(&w.extent);
     let roomy =
         |(w, p): (&Needs, &Placed)| p.area.width().min(p.area.height()) >= LEAST && p.frame.width() >= w.heading;
     let fits = |pair: (&Needs, &Placed)| {
@@ -176,20 +189,26 @@ fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 3] {
     ]
 }
 
-fn place(needs: &Needs, frame: Rect) -> Placed {
+/// An area of the layout, in mm of paper.
+pub(super) fn on_paper(area: Rect, unit: f64) -> Rect {
+    Affine::scale(unit).transform_rect_bbox(area)
+}
+
+fn place(needs: &Needs, frame: Rect, unit: f64) -> Placed {
     let mut area = frame.inset(-PADDING);
     area.y0 += HEADING - 2.0;
-    Placed { kind: needs.kind, frame, area, mu: needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, area)) }
+    let mu = needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, on_paper(area, unit)));
+    Placed { kind: needs.kind, frame, area, mu, unit }
 }
 
 /// Ways to divide `room` among one, two or three panels.
-fn arrangements(room: Rect, needs: &[Needs]) -> Vec<Vec<Rect>> {
+fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
     let mut ways = Vec::new();
     match needs {
         [] | [_] => ways.push(vec![room; needs.len()]),
         [a, b] => {
             for down in [false, true] {
-                for (a, b) in splits(room, down, &[*a], &[*b]) {
+                for (a, b) in splits(room, down, [&[*a], &[*b]], unit) {
                     ways.push(vec![a, b]);
                 }
             }
@@ -198,8 +217,8 @@ fn arrangements(room: Rect, needs: &[Needs]) -> Vec<Vec<Rect>> {
             for (down, then) in [(false, true), (false, false), (true, false)] {
                 // Two panels side by side share the width; one above the other both have all of it.
                 let second = if down == then { &others[..0] } else { others };
-                for (first, rest) in splits(room, down, &[*a], second) {
-                    for (b, c) in splits(rest, then, &others[..1], &others[1..]) {
+                for (first, rest) in splits(room, down, [&[*a], second], unit) {
+                    for (b, c) in splits(rest, then, [&others[..1], &others[1..]], unit) {
                         ways.push(vec![first, b, c]);
                     }
                 }
@@ -210,15 +229,15 @@ fn arrangements(room: Rect, needs: &[Needs]) -> Vec<Vec<Rect>> {
 }
 
 /// Divisions of `room` into two: at the middle, and where the content of either side just fits at a round scale.
-fn splits(room: Rect, down: bool, first: &[Needs], second: &[Needs]) -> Vec<(Rect, Rect)> {
+fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> Vec<(Rect, Rect)> {
     let whole = if down { room.height() } else { room.width() } - GAP;
     let widths = |w: &Needs| {
         let size = w.extent.size();
         let (size, extra) = if down { (size.y, HEADING - 2.0) } else { (size.x, 0.0) };
         let least = if down { 0.0 } else { w.heading };
-        let at = move |mu: f64| (size / mu + 2.0 * PADDING + extra).max(least) + ROUNDING;
+        let at = move |mu: f64| (size / (mu * unit) + 2.0 * PADDING + extra).max(least) + ROUNDING;
         // The scale that fits the whole room, and the next larger one.
-        let mut mu = w.mu.unwrap_or_else(|| place(w, room).mu);
+        let mut mu = w.mu.unwrap_or_else(|| place(w, room, unit).mu);
         std::array::from_fn::<f64, 2, _>(|_| {
             let need = at(mu);
             if w.mu.is_none() {

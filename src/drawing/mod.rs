@@ -13,6 +13,7 @@ mod clip;
 mod compose;
 mod correction;
 mod curves;
+mod dims;
 mod exercise;
 mod figure;
 mod fonts;

@@ -1,6 +1,7 @@
 //! Panels of a sheet, each with layers.
 
 use super::canvas::Canvas;
+use super::dims::Dims;
 use super::layout::{Needs, Placed};
 use super::line::Line;
 use super::shape::{Shape, corners};
@@ -50,11 +51,11 @@ impl<F: Fn(&mut Canvas<'_>, &View)> Layer for F {
 
 impl Panel<'_> {
     /// Draws the panel in its place; `renamed` replaces names of points and links.
-    pub(super) fn draw(&self, drawing: &mut Drawing, placed: &Placed, renamed: &IndexMap<String, String>) {
+    pub(super) fn draw(&self, drawing: &mut Drawing, placed: &Placed, renamed: &IndexMap<String, String>, dims: &Dims) {
         drawing.panels.push((self.name.clone(), placed.frame));
-        let view = View::new(placed.mu, &self.needs.extent, placed.area);
+        let view = View::new(placed.mu * dims.unit, &self.needs.extent, placed.area);
         let before = drawing.marks.len();
-        let mut canvas = Canvas::new(drawing, self.prefix, placed.frame, renamed);
+        let mut canvas = Canvas::new(drawing, self.prefix, placed.frame, renamed, *dims);
         for layer in &self.layers {
             layer.reserve(&mut canvas, &view);
         }

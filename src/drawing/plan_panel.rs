@@ -5,8 +5,11 @@ use super::scheme::{Scheme, outline};
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::stages::PlanStages;
+use super::text::RichText;
 use super::view::{Extent, View, on_sheet, towards};
-use crate::construction::{Action, ArrowKind, Plan, PlanKind, PointRole, Relation, coincident_name, image_name};
+use crate::construction::{
+    Action, Arrow, ArrowKind, Plan, PlanKind, PointRole, Relation, VectorOf, coincident_name, image_name,
+};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::quantity::Kind;
@@ -157,7 +160,10 @@ impl PlanOnPaper<'_> {
         };
         for name in plan.points.keys().filter(|name| from_pole(name)) {
             canvas.set_step(self.stages.point(name));
-            self.arrow(canvas, pole, name, whole);
+            let number = self.link_of(name);
+            if let Some(mark) = self.arrow(canvas, pole, name, whole) {
+                mark.number = number;
+            }
         }
         for laid in plan.arrows() {
             // For a slider on the ground this vector has been drawn from the pole.
@@ -173,13 +179,46 @@ impl PlanOnPaper<'_> {
                 ArrowKind::Coriolis => Pen::Coriolis,
             };
             canvas.set_step(self.stages.vector(&laid.from, &laid.to));
+            let number = match pen {
+                // The side of a link's image has the look of the image.
+                Pen::Image => {
+                    let has_both = |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));
+                    self.images.iter().position(has_both)
+                }
+                _ => self.link_of_vector(laid),
+            };
             let [from, to] = laid.ends();
-            let drawn = self.arrow(canvas, from, to, pen);
-            // The side of a link's image has the look of the image.
-            if let (Some(mark), Pen::Image) = (drawn, pen) {
-                let has_both = |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));
-                mark.number = self.images.iter().position(has_both);
+            if let Some(mark) = self.arrow(canvas, from, to, pen) {
+                mark.number = number;
             }
+        }
+    }
+
+    /// Number of the link to which the vector from the pole to a point belongs: of those with an image there, one with
+    /// a point at rest if there is one, as this vector is the image of its arm; else the first.
+    fn link_of(&self, name: &str) -> Option<usize> {
+        let at_rest = |image: &&Vec<String>| image.iter().any(|name| self.plan.points[name].role == PointRole::Pole);
+        let with = || self.images.iter().enumerate().filter(|(_, image)| image.iter().any(|own| own == name));
+        let arm = with().find(|(_, image)| at_rest(image));
+        if let Some((number, _)) = arm.or_else(|| with().next()) {
+            return Some(number);
+        }
+        let mut all = self.scheme.construction.special.iter().flatten();
+        let special = all.find(|special| image_name(&special.name) == name)?;
+        self.scheme.number(special.link)
+    }
+
+    /// Number of the link to which a vector that is laid off belongs.
+    fn link_of_vector(&self, laid: &Arrow) -> Option<usize> {
+        let mechanism = self.scheme.mechanism;
+        match &laid.of {
+            VectorOf::Point(body, _) => self.scheme.number(*body),
+            VectorOf::Normal(special, side) => {
+                self.scheme.number(self.scheme.construction.special(*special).cuts[*side].carrier)
+            }
+            VectorOf::Relative { link, .. } => self.scheme.number(*link),
+            VectorOf::Sliding(slider, _) => self.scheme.number(mechanism.slider(*slider).link),
+            VectorOf::Passed(slide, _) => self.scheme.number(mechanism.slider(slide.slider).link),
         }
     }
 
@@ -187,7 +226,7 @@ impl PlanOnPaper<'_> {
     fn arrow<'c>(&self, canvas: &'c mut Canvas<'_>, from: &str, to: &str, pen: Pen) -> Option<&'c mut Mark> {
         let name = format!("vector-{from}-{to}");
         let (from, to) = self.at(from).zip(self.at(to))?;
-        ((to - from).hypot() > 1e-3).then(|| canvas.draw_named(&name, pen, Shape::Arrow { from, to }))
+        ((to - from).hypot() > 1e-3).then(|| canvas.draw_named(&name, pen, canvas.arrow(from, to)))
     }
 
     /// Draws dots and labels of the points; coincident points share a label.
@@ -195,7 +234,7 @@ impl PlanOnPaper<'_> {
         let places = self.places();
         let since = |here: &[&str]| here.iter().map(|name| self.stages.point(name)).min().unwrap_or_default();
         for (center, here, role) in &places {
-            let (center, (pen, radius)) = (*center, dot(*role));
+            let (center, (pen, radius)) = (*center, self.dot(*role));
             canvas.set_step(since(here));
             canvas.draw_named(&format!("point-{}", here[0]), pen, Shape::Circle { center, radius });
         }
@@ -213,10 +252,12 @@ impl PlanOnPaper<'_> {
                 None => (place, place - middle),
             };
             let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
-            canvas.set_step(since(&here));
+            let (last, before) = self.growth(&here);
+            canvas.set_step(last);
             // The text is joined from renamed names already; the trailing space keeps the id from being renamed again.
             let joined = format!("{} ", here[0]);
-            canvas.label(&joined, &self.shown(&here), anchor, dot(role).1 + 0.7, prefer, 2);
+            let label = canvas.label(&joined, &self.shown(&here), anchor, self.dot(role).1 + 0.7, prefer, 2);
+            label.before = before;
         }
     }
 
@@ -240,21 +281,36 @@ impl PlanOnPaper<'_> {
         places
     }
 
+    /// Pen and radius of a point's dot.
+    fn dot(&self, role: PointRole) -> (Pen, f64) {
+        let dot = self.scheme.dims.dot;
+        match role {
+            PointRole::Pole => (Pen::Pole, 2.0 * dot),
+            PointRole::Special => (Pen::Special, (16.0 / 9.0) * dot),
+            _ => (Pen::ImagePoint, dot),
+        }
+    }
+
+    /// How the label of coincident points grows with the steps that make them: the step that adds the last name, and
+    /// what stands there from which step before.
+    fn growth(&self, names: &[&str]) -> (u16, Vec<(u16, RichText)>) {
+        let mut steps: Vec<u16> = names.iter().map(|name| self.stages.point(name)).collect();
+        steps.sort_unstable();
+        steps.dedup();
+        let text = |step: u16| {
+            let made: Vec<&str> = names.iter().copied().filter(|name| self.stages.point(name) <= step).collect();
+            (step, RichText::math(&self.shown(&made)))
+        };
+        let last = steps.pop().unwrap_or_default();
+        (last, steps.into_iter().map(text).collect())
+    }
+
     /// The names of coincident points.
     fn shown(&self, names: &[&str]) -> String {
         let mut shown: Vec<String> = names.iter().map(|name| self.scheme.shown(name, Some(self.plan))).collect();
         // A fixed point O and the pole o have the same symbol.
         shown.dedup();
         shown.join(", ")
-    }
-}
-
-/// Pen and radius of a point's dot.
-fn dot(role: PointRole) -> (Pen, f64) {
-    match role {
-        PointRole::Pole => (Pen::Pole, 0.9),
-        PointRole::Special => (Pen::Special, 0.8),
-        _ => (Pen::ImagePoint, 0.45),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Additions of a work sheet to the panels: a table of the lengths that are measured, in the order of the construction,
 //! and a ruler by which the size of a print is checked.
 
+use super::dims::Dims;
 use super::layout::{Aside, Item, Layout};
 use super::legend::symbol;
 use super::panel::Panel;
@@ -16,7 +17,7 @@ use crate::quantity::Kind;
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 
-/// Length of the ruler, in mm.
+/// Length of the ruler, in mm of paper.
 const RULER: f64 = 50.0;
 /// Width and height of the ruler with its numbers and words, in mm.
 const RULER_ROOM: [f64; 2] = [64.0, 18.6];
@@ -29,6 +30,7 @@ pub(super) struct Worksheet {
     /// By row: the measured length, in units of its kind; empty on a sheet to be filled in.
     pub lengths: Vec<(f64, Kind)>,
     pub words: Wording,
+    pub dims: Dims,
 }
 
 /// Number of cells: name, millimetres, scale, value, unit.
@@ -66,7 +68,7 @@ impl Worksheet {
                 boxes: [false; CELLS],
             });
         }
-        Self { table: table(words.language.segment(), words.language.value(), rows), lengths, words }
+        Self { table: table(words.language.segment(), words.language.value(), rows), lengths, words, dims: scheme.dims }
     }
 }
 
@@ -84,7 +86,7 @@ impl Item for Worksheet {
             }
         }
         let foot = table.draw_in(drawing, area);
-        ruler(drawing, foot + Vec2::new(2.0, -RULER_ROOM[1]), self.words.language.ruler());
+        ruler(drawing, foot + Vec2::new(2.0, -RULER_ROOM[1]), self.words.language.ruler(), self.dims.unit);
     }
 }
 
@@ -117,9 +119,9 @@ fn measured<'a>(scheme: &'a Scheme<'_>) -> impl Iterator<Item = (u16, Option<&'a
 }
 
 /// Draws a ruler with a line for each millimetre, below the words.
-fn ruler(drawing: &mut Drawing, from: Point, words: &str) {
+fn ruler(drawing: &mut Drawing, from: Point, words: &str, unit: f64) {
     drawing.caption(RichText::plain(words), from + Vec2::new(0.0, 4.2));
-    let at = |mm: f64| Point::new(from.x + mm, from.y + 7.4);
+    let at = |mm: f64| Point::new(from.x + mm / unit, from.y + 7.4);
     let line = Shape::Line(at(0.0), at(RULER));
     drawing.draw_named("ruler", Pen::Ground, line);
     for mm in 0..=RULER as u32 {

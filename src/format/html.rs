@@ -5,8 +5,9 @@ use crate::words::Language;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use flate2::{Compression, GzBuilder};
-use indexmap::{IndexMap, IndexSet};
+use indexmap::IndexSet;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::io::Write;
 
 /// The template of the page, with `{{name}}` for its contents.
@@ -91,31 +92,21 @@ pub fn html(page: &WebPage<'_>) -> String {
 
 /// The data for the page's script.
 fn script_data(page: &WebPage<'_>, first: &Drawing) -> Value {
-    let last = first.steps.len() as u16 + 1;
     let said = page.language;
     let mut lines: IndexSet<String> = IndexSet::new();
-    // The layers of all frames, from the lowest to the highest: whether above, step, whether passing.
-    let mut pile: IndexMap<(bool, u16, bool), Vec<Vec<usize>>> = IndexMap::new();
-    for below in [true, false] {
-        for step in 0..=last {
-            for passing in [false, true] {
-                let nothing = vec![Vec::new(); page.frames.len()];
-                pile.insert((!below, step, passing), nothing);
-            }
-        }
-    }
+    // The layers of all frames, from the lowest to the highest: whether above, step, whether passing, until when.
+    let mut pile: BTreeMap<(bool, u16, bool, Option<u16>), Vec<Vec<usize>>> = BTreeMap::new();
     for (frame, drawing) in page.frames.iter().enumerate() {
         for layer in layers(drawing, Text::Letters) {
-            let here = (!layer.below, layer.step, layer.passing);
-            let Some(layers) = pile.get_mut(&here) else {
-                continue;
-            };
+            let here = (!layer.below, layer.step, layer.passing, layer.until);
+            let layers = pile.entry(here).or_insert_with(|| vec![Vec::new(); page.frames.len()]);
             let written = layer.svg.lines().filter(|line| !line.is_empty());
             layers[frame] = written.map(|line| lines.insert_full(line.to_owned()).0).collect();
         }
     }
     pile.retain(|_, layers| layers.iter().any(|lines| !lines.is_empty()));
-    let layers = pile.keys().map(|(_, step, passing)| json!({ "step": step, "passing": passing }));
+    let layers =
+        pile.keys().map(|(_, step, passing, until)| json!({ "step": step, "passing": passing, "until": until }));
     let frames =
         (0..page.frames.len()).map(|frame| pile.values().map(|frames| frames[frame].clone()).collect::<Vec<_>>());
     let boxed = |r: Rect| [r.x0, r.y0, r.width(), r.height()];

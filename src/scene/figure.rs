@@ -8,6 +8,7 @@ use std::fmt;
 
 use super::choice::choice;
 use super::schema::without_defaults;
+use super::sizes::Sizes;
 use super::text::LARGEST;
 use super::typed::HINT;
 use super::value::several_forms;
@@ -33,7 +34,12 @@ pub struct Figure {
     /// Scale of the acceleration plan: units of acceleration per millimetre of paper.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub mu_a: Option<f64>,
-    /// The sheet: "a4", "a3" or "letter", with "-portrait" where it does not lie; left out: "a4".
+    /// For which plans scales are chosen that are not given; left out: "position".
+    #[schemars(with = "Option<ScalesFor>")]
+    pub scales: ScalesFor,
+    /// The panel that takes most of the sheet; a plan has the scheme as a small companion. Left out: the panels share the sheet.
+    pub focus: Option<PanelName>,
+    /// The sheet: "a4", "a3", "letter" or, for the projector, "16x9", with "-portrait" where it does not lie; left out: "a4".
     #[schemars(with = "Option<String>", extend("enum" = Page::NAMES))]
     pub page: Page,
     /// Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false.
@@ -61,10 +67,14 @@ pub struct Figure {
     #[serde(deserialize_with = "step")]
     #[schemars(with = "Option<u16>", range(min = 1))]
     pub step: Option<usize>,
+    /// Sizes of letters and signs in place of those of `style`: of a style file, which is no part of the scene.
+    #[serde(skip)]
+    pub sizes: Option<Sizes>,
 }
 
 write_keys!(Figure {
-    panels, mu_l, mu_v, mu_a, page, worksheet, style, notation, language, decimal, labels, special_points, construction, step
+    panels, mu_l, mu_v, mu_a, scales, focus, page, worksheet, style, notation, language, decimal, labels, special_points,
+    construction, step; sizes
 } unless Figure::default());
 
 /// Steps are read as `u16`: no construction has more, and messages can name the range.
@@ -80,6 +90,8 @@ impl Default for Figure {
             mu_l: None,
             mu_v: None,
             mu_a: None,
+            scales: ScalesFor::default(),
+            focus: None,
             page: Page::default(),
             worksheet: false,
             style: StyleName::default(),
@@ -90,6 +102,7 @@ impl Default for Figure {
             special_points: true,
             construction: ConstructionShown::default(),
             step: None,
+            sizes: None,
         }
     }
 }
@@ -161,6 +174,19 @@ choice! {
         Velocity = "velocity",
         /// The acceleration plan.
         Acceleration = "acceleration",
+    }
+}
+
+choice! {
+    /// The plans for which scales are chosen that the scene does not give.
+    #[derive(Default)]
+    #[schemars(rename = "scalesFor")]
+    ScalesFor {
+        /// The plans in the scene's own position.
+        #[default]
+        Position = "position",
+        /// The largest plans over the range of the first drive: all sheets of the cycle then have one set of scales.
+        Cycle = "cycle",
     }
 }
 
@@ -294,6 +320,8 @@ choice! {
         A3 = "a3",
         /// 8.5 in × 11 in
         Letter = "letter",
+        /// 180 mm × 320 mm, in the proportions of a projector
+        Wide = "16x9",
     }
 }
 
@@ -306,7 +334,7 @@ impl Default for Page {
 
 impl Page {
     /// All names of pages in a scene file.
-    pub(super) const NAMES: [&str; 9] = [
+    pub const NAMES: [&str; 12] = [
         "a4",
         "a4-landscape",
         "a4-portrait",
@@ -316,10 +344,14 @@ impl Page {
         "letter",
         "letter-landscape",
         "letter-portrait",
+        "16x9",
+        "16x9-landscape",
+        "16x9-portrait",
     ];
 
     /// The page of this name; `None` if there is none. Without a suffix it is landscape.
-    pub(super) fn from_name(name: &str) -> Option<Page> {
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Page> {
         let (size, landscape) = match name.split_once('-') {
             None => (name, true),
             Some((size, "landscape")) => (size, true),
@@ -343,6 +375,7 @@ impl Page {
             PageSize::A4 => [210.0, 297.0],
             PageSize::A3 => [297.0, 420.0],
             PageSize::Letter => [215.9, 279.4],
+            PageSize::Wide => [180.0, 320.0],
         };
         if self.landscape { [long, short] } else { [short, long] }
     }

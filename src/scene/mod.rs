@@ -24,6 +24,7 @@ mod write;
 mod choice;
 mod figure;
 mod given_by;
+mod sizes;
 mod units;
 mod value;
 
@@ -51,7 +52,7 @@ pub use build_parts::{Guide, NewLink, Push, Turn};
 pub use drive::{Drive, SliderDrive};
 pub use error::{Place, SceneError};
 pub use figure::{
-    ConstructionShown, DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, StyleName,
+    ConstructionShown, DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, ScalesFor, StyleName,
 };
 pub use given_by::GivenBy;
 pub use link::Link;
@@ -59,6 +60,7 @@ pub use motion::{LinkMotion, PointMotion};
 pub use points::Near;
 pub use read::Scene;
 pub use shape::{Length, Shape};
+pub use sizes::{Measure, Sizes};
 pub use slider::{Along, On, Slider};
 pub use text::MAX_BYTES;
 pub use units::{LengthUnit, TimeUnit, Units};

@@ -155,7 +155,7 @@ fn a_turned_ray_ends_where_geometry_says() {
     // The line from b to it is drawn to scale, as far as the panel reaches.
     let marks = &sheets[0].marks;
     let own_lines = marks.iter().filter_map(|mark| match mark.shape {
-        Shape::Line(p, q) | Shape::Arrow { from: p, to: q } if mark.pen == Pen::Student => {
+        Shape::Line(p, q) | Shape::Arrow { from: p, to: q, .. } if mark.pen == Pen::Student => {
             id(mark).starts_with("velocity-").then_some((p, q))
         }
         _ => None,

@@ -54,7 +54,7 @@ pub fn faults(drawing: &Drawing) -> Vec<String> {
                 faults.push(format!("small letters of {} are {height} mm high", text.text.content()));
             }
         }
-        if let (Shape::Arrow { from, to }, Some(head)) = (&mark.shape, mark.shape.head()) {
+        if let (Shape::Arrow { from, to, .. }, Some(head)) = (&mark.shape, mark.shape.head()) {
             let along = (*to - *from).normalize();
             let longest = head.iter().map(|&corner| (*to - corner).dot(along));
             let longest = longest.fold(0.0, f64::max);

@@ -200,7 +200,14 @@ impl<'a> Graph<'a> {
             taken.push(Rect::from_center_size(request.anchor + middle, size));
             let word = if greatest { "greatest" } else { "least" };
             let name = format!("{word}-{}", curve.asked[0].name());
-            canvas.request_label(Wanted { request, name, pen: Pen::Curve, number: Some(*look), optional: true });
+            canvas.request_label(Wanted {
+                request,
+                name,
+                pen: Pen::Curve,
+                number: Some(*look),
+                optional: true,
+                before: Vec::new(),
+            });
         }
     }
 

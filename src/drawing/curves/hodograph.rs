@@ -8,8 +8,9 @@ use super::lines::{clipped_chain, simplified};
 use crate::cycle::{Event, Happening, Hodograph, Hodographs};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::holds;
+use crate::drawing::dims::Dims;
 use crate::drawing::labels::LabelRequest;
-use crate::drawing::layout::{HEADING, MARGIN, Needs, Placed, TITLE};
+use crate::drawing::layout::{HEADING, MARGIN, Needs, Placed, TITLE, on_paper};
 use crate::drawing::legend::Entry;
 use crate::drawing::line::Line;
 use crate::drawing::panel::{Frame, Layer, Panel, numbered};
@@ -52,10 +53,11 @@ pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesErro
         return Err(CurvesError::Panels { wanted, room });
     }
     let words = Wording::of(&scene.figure);
-    let course = Course { scene, words, path: all.path, range: all.range, events: &all.events };
+    let course =
+        Course { scene, dims: Dims::of(&scene.figure), words, path: all.path, range: all.range, events: &all.events };
     let panels: Vec<Panel<'_>> =
         all.hodographs.iter().enumerate().map(|(index, one)| panel(&course, index, one)).collect();
-    let [width, height] = scene.figure.page.size_mm();
+    let [width, height] = course.dims.page;
     let mut drawing = course.titled(width - MARGIN);
     let line = course.drive();
     let middle = Point::new(0.5 * width, height - MARGIN - 1.8);
@@ -64,11 +66,11 @@ pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesErro
     line.centred(&mut drawing, middle);
     let whole = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN - FOOT);
     for (panel, placed) in panels.iter().zip(places(&course, whole, &panels)) {
-        panel.draw(&mut drawing, &placed, &scene.figure.labels);
+        panel.draw(&mut drawing, &placed, &scene.figure.labels, &course.dims);
     }
     let sentences: Vec<String> = all.hodographs.iter().map(|one| words.language.hodograph(one.asked.name())).collect();
     drawing.description = format!("{}.", sentences.join("; "));
-    Ok(drawing)
+    Ok(drawing.enlarged(course.dims.unit))
 }
 
 /// The panels' places, in the number of columns that makes the paths largest.
@@ -85,7 +87,8 @@ fn places(course: &Course<'_>, whole: Rect, panels: &[Panel<'_>]) -> Vec<Placed>
             area.y0 += HEADING - 4.0;
             area.y1 -= SCALE - 4.0;
             let Needs { kind, extent, .. } = panel.needs;
-            Placed { kind, frame, area, mu: fitting_scale(&extent, area) }
+            let unit = course.dims.unit;
+            Placed { kind, frame, area, mu: fitting_scale(&extent, on_paper(area, unit)), unit }
         };
         panels.iter().enumerate().map(place).collect()
     };
@@ -94,7 +97,7 @@ fn places(course: &Course<'_>, whole: Rect, panels: &[Panel<'_>]) -> Vec<Placed>
     let worth = |places: &Vec<Placed>| {
         let width = |placed: &Placed| scale(course, placed.kind, placed.mu).width() + 2.0 * BESIDE_SCALE;
         let fits = places.iter().all(|placed| width(placed) <= placed.frame.width());
-        let sizes = places.iter().zip(panels).map(|(placed, panel)| panel.needs.extent.size().norm() / placed.mu);
+        let sizes = places.iter().zip(panels).map(|(placed, panel)| placed.shown(&panel.needs.extent).norm());
         (fits, sizes.product::<f64>())
     };
     let ways = (1..=panels.len().max(1)).map(in_columns);
@@ -107,7 +110,7 @@ fn places(course: &Course<'_>, whole: Rect, panels: &[Panel<'_>]) -> Vec<Placed>
 
 /// The scale of a panel, with its bar.
 fn scale(course: &Course<'_>, kind: Kind, mu: f64) -> Entry {
-    Entry::new(kind, mu, &course.words, course.scene.units)
+    Entry::new(kind, mu, &course.words, course.scene.units, &course.dims)
 }
 
 /// The panel of a vector with the layers frame, scale and path of its tip.
@@ -117,7 +120,7 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a Hodograph) -> Panel<
     let frame = Frame::new(Line::around(sentence, RichText::math(&symbol)), Pen::Caption);
     let kind = one.asked.kind();
     let scale = move |canvas: &mut Canvas<'_>, view: &View| {
-        let entry = scale(course, kind, view.mu());
+        let entry = scale(course, kind, view.mu() / course.dims.unit);
         let frame = canvas.frame();
         let foot = Point::new(frame.x0 + BESIDE_SCALE, frame.y1 - 2.8);
         entry.draw(canvas.drawing, foot);
@@ -177,7 +180,8 @@ impl Layer for TipPath<'_> {
         if let Some(tip) = one.own.map(at)
             && (tip - pole).hypot() > 1e-3
         {
-            canvas.draw_named("own", own_pen, Shape::Arrow { from: pole, to: tip });
+            let vector = canvas.arrow(pole, tip);
+            canvas.draw_named("own", own_pen, vector);
             let along = (tip - pole).normalize();
             let prefer = Vec2::new(along.y, -along.x);
             canvas.ask("own", label(RichText::math(&self.symbol), pole.lerp(tip, 0.6), 0.9, Some(prefer), 2));

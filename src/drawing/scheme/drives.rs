@@ -47,6 +47,7 @@ impl Scheme<'_> {
                 radius: RADIUS,
                 start: -0.5 * PI - 0.5 * sense * SWEEP,
                 sweep: sense * SWEEP,
+                head: canvas.dims().head,
             };
             canvas.draw_in_step(step, Pen::Turning, shape).number = self.number(link);
         }
@@ -68,11 +69,13 @@ impl Scheme<'_> {
         }
         // Counter-clockwise is negative in the angles of the sheet.
         let sense = -omega.signum();
+        let head = canvas.dims().head;
         let arc = |radius: f64, lead: f64| Shape::ArcArrow {
             center,
             radius,
             start: libm::atan2(arm.y, arm.x) + sense * lead,
             sweep: sense * SWEEP,
+            head,
         };
         // Within the panel and, if possible, off the pivot's hatching: ahead of the link, behind it, or smaller.
         let (bounds, foot) = (canvas.bounds(), self.pivot_box(view, pivot));
@@ -128,13 +131,13 @@ impl Scheme<'_> {
             (side, middle - arm, middle + arm)
         });
         let cost = |&(_, from, to): &(Vec2, Point, Point)| {
-            let drawn = Shape::Arrow { from, to }.drawn_box();
+            let drawn = canvas.arrow(from, to).drawn_box();
             (drawn.union(bounds) != bounds, canvas.crossings_with(from, to))
         };
         let best = arrows.min_by_key(cost);
         let (side, from, to) = best.expect("there are six places to choose from");
         let name = self.mechanism.push_name(id);
-        let shape = Shape::Arrow { from, to };
+        let shape = canvas.arrow(from, to);
         let arrow = canvas.draw_named(&format!("speed-{name}"), Pen::Turning, shape);
         arrow.number = self.number(slider.link);
         let label = format!("v_{{{}}}", canvas.shown(&name, &name));

@@ -11,6 +11,7 @@ mod special;
 pub(super) use links::outline;
 
 use super::canvas::Canvas;
+use super::dims::Dims;
 use super::names::Names;
 use super::shape::Shape;
 use super::sheet::Pen;
@@ -24,9 +25,6 @@ use crate::scene::{Figure, PanelName, Scene};
 use crate::words::Wording;
 use kurbo::Point;
 use std::f64::consts::PI;
-
-/// Radius of a joint's circle in mm.
-const JOINT: f64 = 1.15;
 
 /// The solved scene for the scheme, with names and steps.
 pub(super) struct Scheme<'a> {
@@ -42,6 +40,7 @@ pub(super) struct Scheme<'a> {
     /// vanish.
     pub insets: bool,
     pub words: Wording,
+    pub dims: Dims,
 }
 
 impl<'a> Scheme<'a> {
@@ -59,6 +58,7 @@ impl<'a> Scheme<'a> {
             stages: Stages::new(construction),
             insets: true,
             words: solution.wording(),
+            dims: Dims::of(&scene.figure),
         }
     }
 
@@ -106,7 +106,7 @@ impl<'a> Scheme<'a> {
             let (center, rim) = (self.pose.point(center), geometry::Vector::new(radius, 0.0));
             let (center, rim) = (view.at(center), view.at(center + rim));
             let radius = (rim - center).hypot();
-            if radius <= JOINT {
+            if radius <= self.dims.joint {
                 continue;
             }
             // Two half circles: unlike a full circle they leave the inside free for a label.

@@ -5,9 +5,9 @@ use super::super::clip::clipped_segment;
 use super::super::shape::{Shape, corners};
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
+use super::Scheme;
 use super::ground::{HATCH, hatch, strokes};
 use super::links::{ON_LINE, is_on};
-use super::{JOINT, Scheme};
 use crate::geometry::{self, span};
 use crate::mechanism::{GROUND, Mark, SliderId};
 use kurbo::{Point, Rect, Vec2};
@@ -44,7 +44,7 @@ impl Scheme<'_> {
     pub(super) fn half(&self, id: SliderId) -> Vec2 {
         const BEHIND: f64 = 1.5;
         if self.mechanism.body(self.mechanism.slider(id).link).block {
-            return Vec2::new(2.2 * BLOCK.x, JOINT + 0.2);
+            return Vec2::new(2.2 * BLOCK.x, self.dims.joint + 0.2);
         }
         let at = |id: SliderId| self.mechanism.slider(id).at;
         let later = self.sliders().into_iter().skip_while(|other| *other != id);

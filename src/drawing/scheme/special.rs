@@ -5,7 +5,7 @@ use super::super::clip::clipped_segment;
 use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet, towards};
-use super::{JOINT, Scheme};
+use super::Scheme;
 use crate::construction::Special;
 use crate::geometry::{Place, span};
 use crate::words::{Medium, NumberStyle};
@@ -79,9 +79,9 @@ impl Scheme<'_> {
             };
             let center = view.at(place);
             let name = format!("point-{}", special.name);
-            let shape = Shape::Circle { center, radius: JOINT };
+            let shape = Shape::Circle { center, radius: self.dims.joint };
             canvas.draw_named(&name, Pen::Special, shape);
-            canvas.label(&special.name, &label, center, JOINT + 0.7, None, 3);
+            canvas.label(&special.name, &label, center, self.dims.joint + 0.7, None, 3);
             return;
         }
         // The arrow is on the first cut line with a direction.
@@ -110,7 +110,7 @@ impl Scheme<'_> {
             Place::AtInfinity(_) => self.words.language.at_infinity(&label),
         };
         let name = format!("point-{}", special.name);
-        canvas.draw_named(&name, Pen::Special, Shape::Arrow { from: tail, to: edge });
+        canvas.draw_named(&name, Pen::Special, canvas.arrow(tail, edge));
         canvas.words(&special.name, &distance, tail);
     }
 }

@@ -7,7 +7,7 @@ mod paint;
 
 use super::look::{Colour, Dash, Look};
 use super::pen::Pen;
-use crate::scene::{FileKind, SceneError, StyleName, read_as, schema_of};
+use crate::scene::{FileKind, SceneError, Sizes, StyleName, read_as, schema_of};
 use file::{StyleFile, Table};
 use paint::{Dashes, Paint};
 use std::sync::{Arc, LazyLock};
@@ -81,6 +81,13 @@ impl Style {
             ink,
             halo: pen.halo.map_or(0.0, f64::from),
         }
+    }
+
+    /// Sizes of letters and signs, for [`Figure::sizes`](crate::scene::Figure::sizes): they must be known before a sheet
+    /// is laid out.
+    #[must_use]
+    pub fn sizes(&self) -> Sizes {
+        self.0.sizes
     }
 
     /// Colour of the paper, and of the halos of letters.
