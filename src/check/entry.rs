@@ -1,6 +1,7 @@
 use super::answer_key::AnswerKey;
 use super::precision::Precision;
 use super::sheet::{CheckError, Given, Measured, Positive};
+use super::template::form_name;
 use super::unit;
 use crate::construction::{Sheet, image_name};
 use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
@@ -11,6 +12,8 @@ use indexmap::IndexMap;
 pub struct Entry {
     /// The quantity, by the name that steps and results give it.
     pub asked: Asked,
+    /// The name by which the form asks for it.
+    pub row: String,
     /// Its digits as they were written; empty for a distance computed from places on paper.
     pub text: String,
     /// Its value in the scene's units and sign conventions.
@@ -153,6 +156,7 @@ impl Reader<'_> {
             sheet,
             step,
             expected,
+            row: form_name(&self.key.solution.construction, asked.name()),
             asked,
         })
     }

@@ -3,6 +3,7 @@
 use super::entry::{Entry, Reader};
 use super::precision::Precision;
 use super::sheet::{CheckError, PointsOf};
+use super::template::form_name;
 use crate::construction::{Plan, PlanKind};
 use crate::geometry::Vector;
 use indexmap::IndexMap;
@@ -47,6 +48,7 @@ impl Reader<'_> {
                 let [p, q] = [a, b].map(|n| places[n]);
                 let mm = libm::hypot(q[0] - p[0], q[1] - p[1]);
                 entries.push(Entry {
+                    row: form_name(&self.key.solution.construction, asked.name()),
                     asked,
                     text: String::new(),
                     value: mm * mu,

@@ -9,7 +9,7 @@ use super::name::{coincident_name, image_name, point_on};
 use super::operation::{LineId, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, Rate, Sheet};
 use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
-use crate::geometry::{Vector, quarter_turn, span};
+use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId, Spin};
 
 /// The ray of a leg.
@@ -53,9 +53,7 @@ impl Writer<'_> {
         if constructed.is_none() {
             self.without_construction(group, &equations, &special);
         }
-        let points = group.bodies.iter().flat_map(|&link| &self.mechanism.body(link).points);
-        let size = span(points.map(|&p| self.pose.point(p)));
-        let agreement = constructed.map(|()| self.agreement(group, &equations, size));
+        let agreement = constructed.map(|()| self.agreement(group, &equations));
         self.construction.agreement.push(agreement);
         self.construction.special.push(special);
         self.step = None;

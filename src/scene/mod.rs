@@ -11,6 +11,7 @@
 //! whole list.
 
 mod error;
+mod hint;
 mod kind;
 mod words;
 mod wrong;

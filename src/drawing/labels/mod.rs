@@ -30,6 +30,7 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
     search.choose_first(requests);
     search.make_room();
     search.improve();
+    search.free_struck();
     search.search_panel();
     let found: Vec<Option<Place>> =
         search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen])).collect();

@@ -16,6 +16,8 @@ const ROUNDS: usize = 8;
 const PUSHES: usize = 3;
 /// Most tries of one label, which bounds the time for overfull panels.
 const TRIES: usize = 1_000;
+/// Cost of a place, as where a line strikes through the label, above which one with a leader may be better.
+const STRUCK: f64 = 8.0;
 /// Cost of a leader that crosses another label or its leader, in mm of distance.
 const CROSSED: f64 = 30.0;
 /// Grid of the last search over the whole panel, in mm.
@@ -46,6 +48,20 @@ impl Search<'_> {
             if self.labels[index].chosen.is_none() {
                 let mut tries = TRIES;
                 self.push(index, PUSHES, &mut Vec::new(), &mut tries);
+            }
+        }
+    }
+
+    /// Gives labels that lines strike through a place with a leader, where that is better.
+    pub(super) fn free_struck(&mut self) {
+        for index in 0..self.labels.len() {
+            let Some(chosen) = self.labels[index].chosen else { continue };
+            let cost = self.cost(index, chosen);
+            if cost > STRUCK {
+                self.add_far_places(index);
+                if let Some((place, _)) = self.cheapest(index, cost) {
+                    self.labels[index].chosen = Some(place);
+                }
             }
         }
     }

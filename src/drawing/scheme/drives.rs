@@ -53,18 +53,27 @@ impl Scheme<'_> {
         }
     }
 
+    /// The arm of a driven link from its pivot: to another point, else to a block on it, else along its axis.
+    fn arm_of(&self, view: &View, link: BodyId, pivot: PointId) -> Vec2 {
+        const LONG: f64 = 10.0;
+        let center = self.at(view, pivot);
+        let points = self.mechanism.body(link).points.iter().copied();
+        let blocks = self.mechanism.sliders.iter().filter(|slider| slider.on == link).map(|slider| slider.at);
+        let mut arms = points.chain(blocks).map(|point| self.at(view, point) - center);
+        let far = arms.find(|arm| arm.hypot() >= 1.0);
+        let axis = || self.pose.axes[link.0].map_or(Vec2::new(1.0, 0.0), on_sheet).normalize() * LONG;
+        far.unwrap_or_else(axis)
+    }
+
     /// Draws the sense of rotation of a driven link.
     fn rotation_arrow(&self, canvas: &mut Canvas<'_>, view: &View, link: BodyId, pivot: PointId, omega: f64) {
         const RADIUS: f64 = 7.5;
         const SWEEP: f64 = 1.5;
         let body = self.mechanism.body(link);
         let name = body.name.as_str();
-        let Some(&tip) = body.points.iter().find(|&&p| p != pivot) else {
-            return;
-        };
         let center = self.at(view, pivot);
-        let arm = self.at(view, tip) - center;
-        if omega == 0.0 || arm.hypot() < 1.0 {
+        let arm = self.arm_of(view, link, pivot);
+        if omega == 0.0 {
             return;
         }
         // Counter-clockwise is negative in the angles of the sheet.

@@ -19,6 +19,10 @@ impl Scheme<'_> {
     pub(super) fn pivot(&self, canvas: &mut Canvas<'_>, view: &View, point: PointId) {
         const HALF: f64 = 2.3;
         let apex = self.at(view, point);
+        if !self.is_pin(point) {
+            self.fixed_point(canvas, apex);
+            return;
+        }
         let down = self.down(view, point);
         let base = apex + down * PIVOT;
         let across = Vec2::new(1.0, 0.0);
@@ -28,6 +32,14 @@ impl Scheme<'_> {
         canvas.draw(Pen::Ground, Shape::Line(a, b));
         hatch(canvas, a, b, down);
         canvas.keep_off(self.pivot_box(view, point));
+    }
+
+    /// Draws a fixed point without a link: a piece of the ground with the point on it.
+    fn fixed_point(&self, canvas: &mut Canvas<'_>, at: Point) {
+        let across = Vec2::new(PIVOT_HALF, 0.0);
+        canvas.draw(Pen::Ground, Shape::Line(at - across, at + across));
+        hatch(canvas, at - across, at + across, Vec2::new(0.0, 1.0));
+        canvas.keep_off(Rect::from_points(at - across, at + across + Vec2::new(0.0, HATCH)));
     }
 
     /// The box around the ground line under a pivot and its hatching.
