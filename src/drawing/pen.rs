@@ -24,6 +24,8 @@ pub enum Pen {
     Joint,
     /// The path of a point over a cycle.
     Trace,
+    /// A link in another position of the cycle.
+    Ghost,
     /// A helping line of the scheme.
     Construction,
     /// A line of known direction in a plan.

@@ -40,6 +40,8 @@ mod slider;
 
 mod known;
 
+mod traced;
+
 mod read;
 
 mod build_parts;

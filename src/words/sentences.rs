@@ -145,6 +145,10 @@ sentences! {
     far_away(point, distance, from);
     /// Of a special point at infinity.
     at_infinity(point);
+    /// The paths of these points, and the step of the drive between their ticks.
+    paths(points, step, drive);
+    /// The same, with the time that the step takes.
+    paths_in_time(points, step, drive, time);
     /// Relative difference of the rates from construction and loop equations, and the one that crossings allow.
     agreement(difference, allowed);
     /// Why rates come from the loop equations alone: a special point at infinity.

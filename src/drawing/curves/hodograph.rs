@@ -4,9 +4,9 @@
 use super::axis::significant;
 use super::course::Course;
 use super::error::CurvesError;
-use super::lines::{clipped_chain, simplified};
 use crate::cycle::{Event, Happening, Hodograph, Hodographs};
 use crate::drawing::canvas::Canvas;
+use crate::drawing::chain::{clipped_chain, simplified};
 use crate::drawing::clip::holds;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::layout::{HEADING, MARGIN, Needs, Placed, TITLE};

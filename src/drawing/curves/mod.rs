@@ -9,7 +9,6 @@ mod course;
 mod error;
 mod graph;
 mod hodograph;
-mod lines;
 mod looks;
 mod names;
 
