@@ -5,6 +5,7 @@
 //! Limit positions, where two branches meet and the drive can go no further, are located and end the path.
 
 mod animation;
+mod circuit;
 mod columns;
 mod curve;
 mod drive;

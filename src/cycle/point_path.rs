@@ -1,3 +1,4 @@
+use super::circuit::other_branches;
 use super::curve::{Shown, grid};
 use super::tip::{MARKS, Tip};
 use super::{CycleError, Event, Happening, Path};
@@ -30,6 +31,10 @@ pub struct PointPath {
     /// Values of the drive and places, in pieces without a gap, so dense that straight lines between them look like the
     /// path. They run evenly in the drive's value, so that a cusp is sharp and a double point is met twice.
     pub pieces: Vec<Vec<(f64, Point)>>,
+    /// The rest of the curve, which the drive cannot reach on the branch of the scene's own position: the mechanism,
+    /// moved by another link, goes through limit positions over to the branches that end there too. In such pieces;
+    /// none where a part of the range alone was asked for.
+    pub beyond: Vec<Vec<(f64, Point)>>,
     /// Places at equal steps of the drive.
     pub ticks: Vec<Tick>,
     /// The place in the scene's own position, if that is in the range.
@@ -76,6 +81,14 @@ impl<'a> PointPaths<'a> {
                 paths.push(PointPath::new(path, &shown, name, &values)?);
             }
         }
+        // The rest of the curve belongs to the whole motion.
+        let whole = |above: bool| path.limit(above).is_some_and(|at| at == shown.range[usize::from(above)]);
+        if whole(false) && whole(true) {
+            let others = other_branches(path);
+            for one in &mut paths {
+                one.go_beyond(&others)?;
+            }
+        }
         Ok(PointPaths { path, range: shown.range, paths, events: shown.events })
     }
 }
@@ -94,9 +107,22 @@ impl PointPath {
             name: name.to_owned(),
             link,
             pieces: place.pieces(&grid(path, shown.range)),
+            beyond: Vec::new(),
             ticks: ticks.iter().filter_map(|at| tick(&mut place, at)).collect(),
             own: shown.own(path).and_then(|at| place.at(at)),
         })
+    }
+}
+
+impl PointPath {
+    /// Adds the parts of the curve on other branches.
+    pub(super) fn go_beyond(&mut self, others: &[Path]) -> Result<(), CycleError> {
+        for path in others {
+            let shown = Shown::new(path, [path.low(), path.high()])?;
+            let mut place = Place::new(path, &self.name, self.point)?;
+            self.beyond.append(&mut place.pieces(&grid(path, shown.range)));
+        }
+        Ok(())
     }
 }
 

@@ -1,18 +1,15 @@
 use super::animation::whole_range;
+use super::circuit::{is_same, other_branches};
 use super::curve::Shown;
 use super::point_path::{PointPath, REACH};
 use super::tip::{MARKS, SAME};
-use super::{CycleError, Drive, Happening, Path, Position};
+use super::{CycleError, Drive, Happening, Path};
 use crate::construction::Solution;
 use crate::kernel::InputKind;
-use crate::mechanism::PointId;
 use crate::position::Pose;
-use crate::quantity::State;
 
 /// Most turns of a drive that are followed until the mechanism is where it began.
 const MOST_TURNS: usize = 12;
-/// Distance of points that counts as none, in sizes of the mechanism.
-const CLOSED: f64 = 1e-7;
 
 /// What the scheme of a figure shows of the whole cycle of a drive: the paths of points, and positions between.
 ///
@@ -69,7 +66,11 @@ impl Traces {
         let step = cycle.step(&path);
         let values = cycle.ticks(path.start(), step);
         let paths = figure.trace.iter().map(|name| PointPath::new(&path, &cycle.shown, name, &values));
-        let paths = paths.collect::<Result<Vec<_>, _>>()?;
+        let mut paths = paths.collect::<Result<Vec<_>, _>>()?;
+        let others = if paths.is_empty() { Vec::new() } else { other_branches(&path) };
+        for one in &mut paths {
+            one.go_beyond(&others)?;
+        }
         let times = (!paths.is_empty()).then(|| Times { step, time: time(&path, step), drive: path.drive.clone() });
         let ghosts = figure.ghosts.map_or_else(Vec::new, |count| cycle.ghosts(&path, &solution.pose, count));
         Ok(Self { paths, ghosts, times })
@@ -88,31 +89,20 @@ fn time(path: &Path, step: f64) -> Option<f64> {
 
 /// The cycle of the path's drive, which is followed all along it.
 fn cycle(path: &mut Path) -> Result<Cycle, CycleError> {
-    let mut range = whole_range(path)?;
+    let range = whole_range(path)?;
     let is_round = path.drive.is_angle() && path.end(true).is_none();
     if is_round {
         let start = path.start();
         let closes = |turns: &usize| {
             let end = start + 360.0 * *turns as f64;
             path.follow_to(end);
-            is_same(path, start, end)
+            is_same(path, path, [start, end])
         };
         let turns = (1..=MOST_TURNS).find(closes);
-        range = [start, start + 360.0 * turns.unwrap_or(1) as f64];
+        let range = [start, start + 360.0 * turns.unwrap_or(1) as f64];
         return Ok(Cycle { shown: Shown::new(path, range)?, is_closed: turns.is_some() });
     }
     Ok(Cycle { shown: Shown::new(path, range)?, is_closed: false })
-}
-
-/// Whether all points are in the same places at two values of the drive.
-fn is_same(path: &Path, a: f64, b: f64) -> bool {
-    let places = |position: Position<'_>| -> Vec<_> {
-        (0..path.mechanism.points.len()).map(|point| position.place(PointId(point))).collect()
-    };
-    let mut walker = path.walker();
-    let mut at = |value: f64| walker.position(value).map(places);
-    let pairs = at(a).zip(at(b)).map(|(a, b)| a.into_iter().zip(b));
-    pairs.is_some_and(|mut pairs| pairs.all(|(a, b)| (a - b).norm() <= CLOSED * path.size()))
 }
 
 impl Cycle {

@@ -43,7 +43,7 @@ mod worksheet;
 
 pub use arrow::arrow_head;
 pub use correction::overlay;
-pub use curves::{CurvesError, curves, hodographs};
+pub use curves::{CurvesError, curves, hodographs, paths};
 pub use exercise::{exercise_scale, exercise_sheet, key_sheet, shows_special_points};
 pub use figure::{frames, frames_with};
 pub use fonts::{ITALIC, REGULAR};

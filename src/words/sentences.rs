@@ -149,6 +149,10 @@ sentences! {
     paths(points, step, drive);
     /// The same, with the time that the step takes.
     paths_in_time(points, step, drive, time);
+    /// The path of a point as a chart.
+    path_of(point, unit);
+    /// What is drawn of a path on other branches of the motion.
+    paths_beyond;
     /// Relative difference of the rates from construction and loop equations, and the one that crossings allow.
     agreement(difference, allowed);
     /// Why rates come from the loop equations alone: a special point at infinity.

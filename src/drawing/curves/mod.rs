@@ -11,7 +11,10 @@ mod graph;
 mod hodograph;
 mod looks;
 mod names;
+mod path;
+mod way;
 
 pub use chart::curves;
 pub use error::CurvesError;
 pub use hodograph::hodographs;
+pub use path::paths;

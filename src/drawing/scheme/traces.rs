@@ -7,7 +7,7 @@ use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
 use super::Scheme;
 use super::links::LinkShape;
-use crate::cycle::{PointPath, Times};
+use crate::cycle::Times;
 use crate::geometry;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
@@ -22,7 +22,7 @@ const STEP: NumberStyle = NumberStyle::significant(3).trimmed().in_full(-3, 6).o
 impl Scheme<'_> {
     /// The places of all paths and ghosts.
     pub(super) fn places_of_traces(&self) -> impl Iterator<Item = geometry::Point> {
-        let pieces = self.traces.paths.iter().flat_map(|path| path.pieces.iter().flatten());
+        let pieces = self.traces.paths.iter().flat_map(|path| path.pieces.iter().chain(&path.beyond).flatten());
         let ghosts = self.traces.ghosts.iter().flat_map(|ghost| ghost.points.iter().copied());
         pieces.map(|(_, place)| *place).chain(ghosts)
     }
@@ -50,11 +50,14 @@ impl Scheme<'_> {
     pub(super) fn paths(&self, canvas: &mut Canvas<'_>, view: &View) {
         for path in &self.traces.paths {
             let number = self.number(path.link);
-            for (index, chain) in chains(view, path).enumerate() {
-                let part = if index > 0 { format!("-{}", index + 1) } else { String::new() };
-                canvas.reserve(&Shape::Polyline(simplified_to(ROUGH, &chain)));
-                let line = Shape::Polyline(simplified(&chain));
-                canvas.draw_below(&format!("path-{}{part}", path.name), Pen::Trace, line).number = number;
+            for (what, pen, pieces) in [("beyond", Pen::Beyond, &path.beyond), ("path", Pen::Trace, &path.pieces)] {
+                for (index, piece) in pieces.iter().enumerate() {
+                    let chain: Vec<Point> = piece.iter().map(|(_, place)| view.at(*place)).collect();
+                    let part = if index > 0 { format!("-{}", index + 1) } else { String::new() };
+                    canvas.reserve(&Shape::Polyline(simplified_to(ROUGH, &chain)));
+                    let line = Shape::Polyline(simplified(&chain));
+                    canvas.draw_below(&format!("{what}-{}{part}", path.name), pen, line).number = number;
+                }
             }
             for (index, tick) in path.ticks.iter().enumerate() {
                 let Some(along) = tick.along.map(on_sheet) else {
@@ -80,18 +83,16 @@ impl Scheme<'_> {
             false => format!("{} {}", number(*step), units.length.as_str()),
         };
         let (points, drive) = (points.join(", "), shown(&drive.name));
-        Some(match time {
+        let mut sentence = match time {
             Some(time) => {
                 let time = format!("{} {}", number(*time), units.time.as_str());
                 language.paths_in_time(&points, &step, &drive, &time)
             }
             None => language.paths(&points, &step, &drive),
-        })
+        };
+        if self.traces.paths.iter().any(|path| !path.beyond.is_empty()) {
+            sentence = format!("{sentence} {}", language.paths_beyond());
+        }
+        Some(sentence)
     }
-}
-
-/// The pieces of a path on the sheet.
-fn chains(view: &View, path: &PointPath) -> impl Iterator<Item = Vec<Point>> {
-    let view = *view;
-    path.pieces.iter().map(move |piece| piece.iter().map(|(_, place)| view.at(*place)).collect())
 }
