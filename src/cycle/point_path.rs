@@ -59,7 +59,7 @@ pub struct PointPaths<'a> {
     pub path: &'a Path<'a>,
     /// Lowest and highest value of the drive that are shown: the part of the range that the motion has reached.
     pub range: [f64; 2],
-    /// The paths, in the order in which they were asked for, with ticks at round values of the drive: for an angle
+    /// The paths, in the order in which they were asked for, with ticks at round values of the drive: in a whole turn
     /// every 30°.
     pub paths: Vec<PointPath>,
     /// The events in the range, in the order of the drive's value.
@@ -73,7 +73,7 @@ impl<'a> PointPaths<'a> {
     /// A name is no point of a moving link, or nothing of the range has been reached.
     pub fn new(path: &'a Path<'a>, range: [f64; 2], points: &[String]) -> Result<Self, CycleError> {
         let shown = Shown::new(path, range)?;
-        let step = if path.drive.is_angle() { MARKS } else { shown.round_step() };
+        let step = if shown.is_turn(path) { MARKS } else { shown.round_step() };
         let values = shown.round_values(path, step);
         let mut paths: Vec<PointPath> = Vec::new();
         for name in points {

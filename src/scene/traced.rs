@@ -46,8 +46,8 @@ pub(super) fn check_traced(
         }
     }
     if let Some(count) = figure.ghosts.filter(|count| !GHOSTS.contains(count)) {
-        let message =
-            format!("{count} ghosts cannot be drawn; their number is from {} to {}", GHOSTS.start(), GHOSTS.end());
+        let (least, most) = (GHOSTS.start(), GHOSTS.end());
+        let message = format!("the number of ghosts is from {least} to {most}, not {count}");
         return Err(Wrong::value(&["ghosts"], message));
     }
     let (key, what) = match (figure.trace.first(), figure.ghosts) {
