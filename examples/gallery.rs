@@ -4,8 +4,8 @@
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, Measured, check, redrawn};
 use kinegon::construction::Tolerance;
-use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch};
-use kinegon::drawing::{Drawing, curves, hodographs, overlay};
+use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch, PointPaths};
+use kinegon::drawing::{Drawing, curves, hodographs, overlay, paths};
 use kinegon::exercise::Exercises;
 use kinegon::format::{Text, structure, svg_with};
 use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Scene, StyleName};
@@ -95,6 +95,8 @@ enum Kind {
     Curves(&'static [&'static str]),
     /// Ways of vectors' tips.
     Hodographs(&'static [&'static str]),
+    /// Paths of points, as charts.
+    Paths(&'static [&'static str]),
     /// The values of that form over the right figure.
     Check(&'static str),
     /// The sheet of the first exercise with that seed.
@@ -102,7 +104,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 11] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 13] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -171,6 +173,24 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 11] = [
         Kind::Hodographs(&["v(C)", "a(C)"]),
     ),
     (
+        "paths",
+        "tests/lecture/jansen.json",
+        "draw scene.json --trace F --ghosts 12 --style lecture",
+        "The path of a point over the cycle, with strokes at equal times, and the links pale in other positions.",
+        Kind::Figure(|figure| {
+            figure.trace = owned(&["F"]);
+            figure.ghosts = Some(12);
+            figure.style = StyleName::Lecture;
+        }),
+    ),
+    (
+        "path",
+        "tests/lecture/jansen.json",
+        "curves scene.json --path \"F, E\"",
+        "Paths as charts, y over x at one scale, marked every 30° of the crank.",
+        Kind::Paths(&["F", "E"]),
+    ),
+    (
         "exercise",
         "templates/four-bar.json",
         "exercise four-bar --seed 11 -o class/",
@@ -212,6 +232,12 @@ fn hodographs_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn
     let branch = turned(solution)?;
     let sampled = Hodographs::new(&branch, [0.0, 360.0], &owned(names))?;
     Ok(hodographs(&solution.scene, &sampled)?)
+}
+
+fn paths_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
+    let branch = turned(solution)?;
+    let sampled = PointPaths::new(&branch, [0.0, 360.0], &owned(names))?;
+    Ok(paths(&solution.scene, &sampled)?)
 }
 
 /// What is probably elsewhere in the drawing from which the values of a form were read, over the right figure; scales as in the command.
@@ -275,6 +301,7 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
             Kind::Step(number) => solution(path, |_| ())?.stepwise_figure().after_step(number),
             Kind::Curves(names) => curves_of(&solution(path, |_| ())?, names)?,
             Kind::Hodographs(names) => hodographs_of(&solution(path, |_| ())?, names)?,
+            Kind::Paths(names) => paths_of(&solution(path, |_| ())?, names)?,
             Kind::Check(form) => checked(path, form)?,
             Kind::Exercise(seed) => exercise(path, seed)?,
         };

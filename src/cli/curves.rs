@@ -3,8 +3,8 @@ use super::message::Failure;
 use super::paper::Paper;
 use super::sweep::{Range, split_names};
 use super::wording::Words;
-use crate::cycle::{Curves, Hodographs};
-use crate::drawing::{curves, hodographs};
+use crate::cycle::{Curves, Hodographs, PointPaths};
+use crate::drawing::{curves, hodographs, paths};
 use clap::Args;
 
 /// Draw quantities over the motion while a drive moves, along the branch of the scene's own position.
@@ -19,6 +19,9 @@ pub(super) struct CurvesCommand {
     /// Draw the way of vectors' tips from a pole in place of curves: as "v(D), a(D)".
     #[arg(long, value_name = "VECTORS", conflicts_with = "want")]
     hodograph: Vec<String>,
+    /// Draw the paths of points in place of curves, y over x to one scale: as "F, M".
+    #[arg(long, value_name = "POINTS", conflicts_with_all = ["want", "hodograph"])]
+    path: Vec<String>,
     #[command(flatten)]
     figures: Figures,
     #[command(flatten)]
@@ -45,7 +48,13 @@ impl CurvesCommand {
         }
         let scene = &self.range.scene;
         let vectors: Vec<String> = self.hodograph.iter().flat_map(|text| split_names(text)).collect();
-        let (kind, drawing) = if self.hodograph.is_empty() {
+        let points: Vec<String> = self.path.iter().flat_map(|text| split_names(text)).collect();
+        let (kind, drawing) = if !points.is_empty() {
+            let traced = driven.scene.check_traced(&points, None);
+            traced.map_err(|error| Failure::Misuse(format!("--path: {}", error.message), error.hint))?;
+            let sampled = PointPaths::new(&branch, range, &points).map_err(|error| driven.fail(error))?;
+            ("path", paths(&driven.scene, &sampled))
+        } else if self.hodograph.is_empty() {
             let sampled = Curves::new(&branch, range, driven.names.as_deref()).map_err(|error| driven.fail(error))?;
             ("curves", curves(&driven.scene, &sampled))
         } else {

@@ -2,11 +2,12 @@ use super::figures::{Figures, GivenStyle, stem};
 use super::files::{self, Source};
 use super::message::{Failure, warn};
 use super::paper::{GivenScales, Paper};
+use super::sweep::split_names;
 use super::wording::Words;
 use super::work::{Mode, show_warnings, solve};
 use crate::construction::Solution;
-use crate::cycle::{Animation, Drive};
-use crate::drawing::{Drawing, frames};
+use crate::cycle::{Animation, Drive, Traces};
+use crate::drawing::{Drawing, frames_with};
 use crate::format::{WebPage, html};
 use crate::motion::Order;
 use crate::scene::{Figure, PanelName, Scene};
@@ -38,10 +39,17 @@ pub(super) struct Draw {
     /// at 100 %.
     #[arg(long)]
     worksheet: bool,
+    /// Draw the paths of these points over the whole cycle of the drive, as "F, M", in place of those that the scene's
+    /// figure names.
+    #[arg(long, value_name = "POINTS")]
+    trace: Vec<String>,
+    /// Draw the links pale in N equally spaced positions over that cycle.
+    #[arg(long, value_name = "N")]
+    ghosts: Option<u16>,
     /// Positions over the whole range of the drive that a page (`--format html`) can show.
     #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u16).range(1..=1440))]
     positions: u16,
-    /// The drive that a page moves; without it the first.
+    /// The drive that a page moves, and that its paths follow; without it the first.
     #[arg(long, value_name = "NAME")]
     drive: Option<String>,
     #[command(flatten)]
@@ -71,6 +79,8 @@ impl Draw {
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
             let solution = solve(&source, self.mode.number, |f| self.put_into(f, &style), needed_order)?;
+            self.check_traced(&solution.scene)?;
+            Traces::new(&solution, None).map_err(|error| source.fail(error))?;
             show_warnings(&solution);
             solution.overflow_warnings().iter().for_each(|text| warn(text));
             self.sheets(name, &solution, &mut drawings)?;
@@ -96,7 +106,20 @@ impl Draw {
         self.paper.put_into(figure);
         self.scales.put_into(figure);
         figure.worksheet |= self.worksheet;
+        if !self.trace.is_empty() {
+            figure.trace = self.trace.iter().flat_map(|text| split_names(text)).collect();
+        }
+        figure.ghosts = self.ghosts.map(usize::from).or(figure.ghosts);
         figure.step = self.upto.or(figure.step).filter(|_| !self.steps && !self.layered);
+    }
+
+    /// Refuses options `--trace` and `--ghosts` that the scene cannot follow.
+    fn check_traced(&self, scene: &Scene) -> Result<(), Failure> {
+        let figure = &scene.figure;
+        scene.check_traced(&figure.trace, figure.ghosts).map_err(|error| {
+            let option = if error.path.starts_with("trace") { "--trace" } else { "--ghosts" };
+            Failure::Misuse(format!("{option}: {}", error.message), error.hint)
+        })
     }
 
     /// The web page of a scene: its figure with all steps, in all positions of the drive.
@@ -110,7 +133,8 @@ impl Draw {
         };
         let values: Vec<String> = animation.values.iter().map(value).collect();
         let quantity = animation.drive.as_ref().map(Drive::quantity);
-        let mut frames = frames(&animation.positions, animation.own);
+        let traces = Traces::new(solution, self.drive.as_deref()).map_err(|error| source.fail(error))?;
+        let mut frames = frames_with(&animation.positions, animation.own, traces);
         style.put_on(&mut frames);
         Ok(html(&WebPage {
             frames: &frames,

@@ -103,6 +103,12 @@ impl<'a> Canvas<'a> {
         self.add_mark(None, pen, shape)
     }
 
+    /// Draws a mark with an id that nothing keeps off.
+    pub(super) fn draw_below(&mut self, name: &str, pen: Pen, shape: Shape) -> &mut Mark {
+        let id = format!("{}-{}", self.prefix, ascii(name));
+        self.add_mark(Some(id), pen, shape)
+    }
+
     /// Sets the step with which further marks and labels appear.
     pub(super) fn set_step(&mut self, step: u16) {
         self.step = step;

@@ -15,10 +15,12 @@ use super::view::{Extent, View, fitting_scale};
 use super::words::StepWords;
 use super::worksheet::Worksheet;
 use crate::construction::{Solution, shown_text};
+use crate::cycle::Traces;
 use crate::mechanism::Class;
 use crate::quantity::{Kind, Scales};
 use crate::scene::PanelName;
 use crate::words::{Language, Wording};
+use std::sync::Arc;
 
 impl Solution {
     /// The figure that the scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
@@ -101,8 +103,16 @@ fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Optio
 /// infinity. Content that does not fit is cut off at the panel's edge. There is no work sheet.
 #[must_use]
 pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
-    let schemes: Vec<Scheme<'_>> =
-        positions.iter().map(|solution| Scheme { insets: false, ..Scheme::new(solution) }).collect();
+    let traces = positions.get(own).map(Traces::of);
+    frames_with(positions, own, traces.unwrap_or_default())
+}
+
+/// As [`frames`], with these paths and ghosts, the same in all of them.
+#[must_use]
+pub fn frames_with(positions: &[Solution], own: usize, traces: Traces) -> Vec<Drawing> {
+    let traces = Arc::new(traces);
+    let scheme = |solution| Scheme { insets: false, ..Scheme::with(solution, Arc::clone(&traces)) };
+    let schemes: Vec<Scheme<'_>> = positions.iter().map(scheme).collect();
     let Some(first) = schemes.get(own) else {
         return Vec::new();
     };
@@ -139,10 +149,11 @@ fn stepwise<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], workshe
     Composition { is_stepwise: true, ..sheet }
 }
 
-/// The sentence on how the construction agrees with the loop equations.
+/// The sentences on paths, if there are any, and on how the construction agrees with the loop equations.
 fn agreement(scheme: &Scheme<'_>) -> Lines {
     let sentence = legend::agreement(&scheme.words, scheme.construction);
-    Lines::of([&sentence], scheme.dims.page)
+    let paths = scheme.sentence_on_paths();
+    Lines::of(paths.iter().chain([&sentence]), scheme.dims.page)
 }
 
 /// A sheet with these panels, a table beside them, their scales, and items below.

@@ -9,6 +9,7 @@
 mod arrow;
 mod blank;
 mod canvas;
+mod chain;
 mod clip;
 mod compose;
 mod correction;
@@ -43,9 +44,9 @@ mod worksheet;
 
 pub use arrow::arrow_head;
 pub use correction::overlay;
-pub use curves::{CurvesError, curves, hodographs};
+pub use curves::{CurvesError, curves, hodographs, paths};
 pub use exercise::{exercise_scale, exercise_sheet, key_sheet, shows_special_points};
-pub use figure::frames;
+pub use figure::{frames, frames_with};
 pub use fonts::{ITALIC, REGULAR};
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look};

@@ -64,9 +64,16 @@ pub struct Figure {
     #[schemars(with = "Option<ConstructionShown>")]
     pub construction: ConstructionShown,
     /// The step of the construction up to which the figure is drawn, from 1; left out: finished.
-    #[serde(deserialize_with = "step")]
+    #[serde(deserialize_with = "count")]
     #[schemars(with = "Option<u16>", range(min = 1))]
     pub step: Option<usize>,
+    /// Points of links whose paths over the whole cycle of the drive are drawn in the scheme.
+    #[schemars(extend("uniqueItems" = true))]
+    pub trace: Vec<String>,
+    /// Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none.
+    #[serde(deserialize_with = "count")]
+    #[schemars(with = "Option<u16>", range(min = 2, max = 72))]
+    pub ghosts: Option<usize>,
     /// Sizes of letters and signs in place of those of `style`: of a style file, which is no part of the scene.
     #[serde(skip)]
     pub sizes: Option<Sizes>,
@@ -74,12 +81,12 @@ pub struct Figure {
 
 write_keys!(Figure {
     panels, mu_l, mu_v, mu_a, scales, focus, page, worksheet, style, notation, language, decimal, labels, special_points,
-    construction, step; sizes
+    construction, step, trace, ghosts; sizes
 } unless Figure::default());
 
-/// Steps are read as `u16`: no construction has more, and messages can name the range.
-fn step<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<usize>, D::Error> {
-    Option::<u16>::deserialize(deserializer).map(|step| step.map(usize::from))
+/// Steps and positions are read as `u16`: there are never more, and messages can name the range.
+fn count<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<usize>, D::Error> {
+    Option::<u16>::deserialize(deserializer).map(|count| count.map(usize::from))
 }
 
 impl Default for Figure {
@@ -102,6 +109,8 @@ impl Default for Figure {
             special_points: true,
             construction: ConstructionShown::default(),
             step: None,
+            trace: Vec::new(),
+            ghosts: None,
             sizes: None,
         }
     }

@@ -42,6 +42,8 @@ mod slider;
 
 mod known;
 
+mod traced;
+
 mod read;
 
 mod build_parts;

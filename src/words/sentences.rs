@@ -139,6 +139,14 @@ sentences! {
     far_away(point, distance, from);
     /// Of a special point at infinity.
     at_infinity(point);
+    /// The paths of these points, and the step of the drive between their ticks.
+    paths(points, step, drive);
+    /// The same, with the time that the step takes.
+    paths_in_time(points, step, drive, time);
+    /// The path of a point as a chart.
+    path_of(point, unit);
+    /// What is drawn of a path on other branches of the motion.
+    paths_beyond;
     /// Relative difference of the rates from construction and loop equations, and the one that crossings allow.
     agreement(difference, allowed);
     /// Why rates come from the loop equations alone: a special point at infinity.

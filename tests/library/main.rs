@@ -27,6 +27,7 @@ mod paper_facts;
 mod pencil;
 mod planted_mistakes;
 mod planted_modes;
+mod point_paths;
 mod properties;
 mod published_numbers;
 mod reference;

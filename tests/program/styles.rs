@@ -30,9 +30,10 @@ fn looks(name: StyleName) -> Vec<(Pen, Look)> {
     let drawn = [1, 2].into_iter().flat_map(|number| example(number).marks);
     let marks = drawn.map(|mark| (mark.pen, mark.number));
     let curves = (0..12).flat_map(|i| [Pen::Curve, Pen::Dead].map(|pen| (pen, Some(i))));
+    let traces = (0..6).flat_map(|i| [Pen::Trace, Pen::Beyond, Pen::Ghost].map(|pen| (pen, Some(i))));
     let others = [Pen::Grid, Pen::Zero, Pen::Limit, Pen::Change, Pen::Stand].map(|pen| (pen, None));
     let student = [Pen::Student, Pen::StudentPoint].map(|pen| (pen, None));
-    let all = marks.chain(curves).chain(others).chain(student);
+    let all = marks.chain(curves).chain(traces).chain(others).chain(student);
     all.map(|(pen, number)| (pen, style.look(pen, number))).collect()
 }
 
@@ -84,7 +85,7 @@ fn print_is_black_and_grey() {
             assert!(red == green && green == blue, "{pen:?}: {colour}");
         }
         // A photocopier loses thin grey lines; grid and frame carry no meaning.
-        let helper = matches!(pen, Pen::Frame | Pen::Leader | Pen::Grid | Pen::Stand);
+        let helper = matches!(pen, Pen::Frame | Pen::Leader | Pen::Grid | Pen::Stand | Pen::Ghost);
         assert!(helper || look.stroke.is_none_or(|c| c.red == 0), "{pen:?}");
         assert!(look.stroke.is_none() || look.width >= 0.18, "{pen:?}");
     }
@@ -157,7 +158,7 @@ fn letters_stand_out_from_what_they_stand_on() {
             let least = match pen {
                 Pen::Curve | Pen::Dead | Pen::StudentPoint => 4.5,
                 // The eye need not find them.
-                Pen::Leader | Pen::Grid => 1.0,
+                Pen::Leader | Pen::Grid | Pen::Ghost => 1.0,
                 _ => 3.0,
             };
             let stroke = look.stroke.unwrap_or(look.ink);

@@ -1,9 +1,9 @@
 use super::axis::Axis;
 use super::course::Course;
-use super::lines::{clipped_chain, simplified};
 use super::names::{CLEARANCE, Surroundings, name_place};
 use crate::cycle::Curve;
 use crate::drawing::canvas::{Canvas, Wanted};
+use crate::drawing::chain::{clipped_chain, simplified};
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::layout::Needs;
 use crate::drawing::line::Line;

@@ -6,11 +6,18 @@ use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
 use super::Scheme;
 use crate::geometry::{self, cross, span};
-use crate::mechanism::{BodyId, PointId, SliderId};
+use crate::mechanism::{BodyId, Mark, Mechanism, PointId, SliderId};
+use crate::position::Pose;
 use kurbo::{Line, ParamCurveNearest, Point, Vec2};
 
 /// A point closer than this to a line, in mm, counts as on the line.
 pub(super) const ON_LINE: f64 = 0.3;
+
+/// A mechanism in one position.
+pub(super) struct Posed<'a> {
+    pub mechanism: &'a Mechanism,
+    pub pose: &'a Pose,
+}
 
 /// Shape of a link.
 pub(super) enum LinkShape {
@@ -36,7 +43,7 @@ impl LinkShape {
     }
 }
 
-impl Scheme<'_> {
+impl Posed<'_> {
     /// The shape of a link.
     pub(super) fn shape(&self, view: &View, link: BodyId) -> LinkShape {
         let points = &self.mechanism.body(link).points;
@@ -84,6 +91,23 @@ impl Scheme<'_> {
             bars.push([from, a.lerp(b, share.clamp(0.0, 1.0))]);
         }
         Some(bars)
+    }
+
+    /// Whether a point is a pin.
+    pub(super) fn is_pin(&self, point: PointId) -> bool {
+        let marks = self.mechanism.joints.iter().flat_map(|joint| &joint.marks);
+        marks.into_iter().any(|mark| matches!(mark, Mark::Circle { center, .. } if *center == point))
+    }
+
+    fn at(&self, view: &View, point: PointId) -> Point {
+        view.at(self.pose.point(point))
+    }
+}
+
+impl Scheme<'_> {
+    /// The shape of a link.
+    pub(super) fn shape(&self, view: &View, link: BodyId) -> LinkShape {
+        self.posed(self.pose).shape(view, link)
     }
 
     pub(super) fn link_areas(&self, canvas: &mut Canvas<'_>, view: &View) {

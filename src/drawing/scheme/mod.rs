@@ -1,4 +1,4 @@
-//! The scheme of the mechanism. From back to front: areas, cut lines, guides, the ground, links, blocks with the links
+//! The scheme of the mechanism. From back to front: ghosts, areas, paths of points, cut lines, guides, the ground, links, blocks with the links
 //! on their pins, joints, special points, labels.
 
 mod drives;
@@ -7,9 +7,11 @@ mod links;
 mod names;
 mod sliders;
 mod special;
+mod traces;
 
 pub(super) use links::outline;
 
+use self::links::Posed;
 use super::canvas::Canvas;
 use super::dims::Dims;
 use super::names::Names;
@@ -18,6 +20,7 @@ use super::sheet::Pen;
 use super::stages::Stages;
 use super::view::{Extent, View};
 use crate::construction::{Action, Construction, NumberedStep, Plan, Ray, RayOf, Solution, Teller};
+use crate::cycle::Traces;
 use crate::geometry;
 use crate::mechanism::{BodyId, GROUND, Mark, Mechanism, PointId, Role};
 use crate::position::Pose;
@@ -25,6 +28,7 @@ use crate::scene::{Figure, PanelName, Scene};
 use crate::words::Wording;
 use kurbo::Point;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// The solved scene for the scheme, with names and steps.
 pub(super) struct Scheme<'a> {
@@ -36,6 +40,8 @@ pub(super) struct Scheme<'a> {
     pub construction: &'a Construction,
     pub names: Names,
     pub stages: Stages,
+    /// The paths and ghosts that the figure asks for.
+    pub traces: Arc<Traces>,
     /// Whether crowded points of plans have an enlarged detail: not in an animation, where details would appear and
     /// vanish.
     pub insets: bool,
@@ -46,6 +52,11 @@ pub(super) struct Scheme<'a> {
 impl<'a> Scheme<'a> {
     /// The scheme of a solved scene.
     pub(super) fn new(solution: &'a Solution) -> Self {
+        Self::with(solution, Arc::new(Traces::of(solution)))
+    }
+
+    /// The scheme of a solved scene, with these paths and ghosts.
+    pub(super) fn with(solution: &'a Solution, traces: Arc<Traces>) -> Self {
         let Solution { scene, mechanism, pose, construction, .. } = solution;
         Self {
             solution,
@@ -56,6 +67,7 @@ impl<'a> Scheme<'a> {
             construction,
             names: Names::new(mechanism, construction),
             stages: Stages::new(construction),
+            traces,
             insets: true,
             words: solution.wording(),
             dims: Dims::of(&scene.figure),
@@ -67,11 +79,11 @@ impl<'a> Scheme<'a> {
         Teller::new(self.solution, &self.words)
     }
 
-    /// The extent of all points and of the special points that are not too far away.
+    /// The extent of all points, of paths and ghosts, and of the special points that are not too far away.
     pub(super) fn extent(&self) -> Extent {
         let near = self.special().filter(|s| self.is_near(s));
         let special = near.filter_map(|s| s.place.finite());
-        Extent::of(self.places().chain(special))
+        Extent::of(self.places().chain(special).chain(self.places_of_traces()))
     }
 
     /// The extent without special points.
@@ -118,7 +130,9 @@ impl<'a> Scheme<'a> {
 
     /// Draws the mechanism.
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
+        self.ghosts(canvas, view);
         self.link_areas(canvas, view);
+        self.paths(canvas, view);
         for special in self.special() {
             canvas.set_step(self.stages.special(&special.name));
             self.cuts(canvas, view, special);
@@ -210,6 +224,11 @@ impl<'a> Scheme<'a> {
     /// Number of a link, by which a style picks its colour; none for the ground and for blocks without name.
     pub(super) fn number(&self, link: BodyId) -> Option<usize> {
         self.mechanism.links().position(|(id, _)| id == link)
+    }
+
+    /// The mechanism in a position.
+    fn posed<'p>(&'p self, pose: &'p Pose) -> Posed<'p> {
+        Posed { mechanism: self.mechanism, pose }
     }
 
     fn at(&self, view: &View, point: PointId) -> Point {

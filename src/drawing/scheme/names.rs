@@ -39,7 +39,7 @@ impl Scheme<'_> {
 
     /// Whether a point is a pin.
     pub(super) fn is_pin(&self, point: PointId) -> bool {
-        self.circles().any(|(center, _)| center == point)
+        self.posed(self.pose).is_pin(point)
     }
 
     /// Unit vector from the centre of the mechanism; none within 5 mm of it.

@@ -12,6 +12,9 @@ use file::{StyleFile, Table};
 use paint::{Dashes, Paint};
 use std::sync::{Arc, LazyLock};
 
+/// Share of the background's colour in pale shades of links.
+const PALE: f64 = 0.6;
+
 const STYLE: FileKind = FileKind { what: "style", key: "kinegon_style", version: 1 };
 
 /// The looks of a drawing's marks. Copies share one table.
@@ -128,6 +131,7 @@ impl Style {
             Paint::Background => Some(table.background),
             Paint::Link => of(&table.links).or(Some(table.ink)),
             Paint::Tint => of(&table.tints),
+            Paint::Pale => Some(of(&table.links).unwrap_or(table.ink).towards(table.background, PALE)),
             Paint::Curve => of(&table.curves).or(Some(table.ink)),
         }
     }

@@ -23,6 +23,8 @@ pub(super) enum Paint {
     Link,
     /// The tint of its link.
     Tint,
+    /// A pale shade of the colour of its link.
+    Pale,
     /// The colour of its curve.
     Curve,
 }
@@ -97,11 +99,11 @@ impl<'de> Deserialize<'de> for Paint {
             "background" => Some(Paint::Background),
             "link" => Some(Paint::Link),
             "tint" => Some(Paint::Tint),
+            "pale" => Some(Paint::Pale),
             "curve" => Some(Paint::Curve),
             _ => colour(text).map(Paint::Of),
         };
-        let expecting =
-            "a colour as \"#b5361c\", or one of \"none\", \"ink\", \"background\", \"link\", \"tint\", \"curve\"";
+        let expecting = "a colour as \"#b5361c\", or one of \"none\", \"ink\", \"background\", \"link\", \"tint\", \"pale\", \"curve\"";
         deserializer.deserialize_str(Word { value, expecting })
     }
 }
@@ -260,10 +262,10 @@ schema_of!(Colour, "colour", _generator => json_schema!({
 }));
 
 schema_of!(Paint, "paint", generator => json_schema!({
-    "description": "A colour; or the style's ink, the background, the colour or the tint of the mark's link, the colour of its curve",
+    "description": "A colour; or the style's ink, the background, the colour, the tint or a pale shade of the mark's link, the colour of its curve",
     "anyOf": [
         generator.subschema_for::<Colour>(),
-        { "enum": ["none", "ink", "background", "link", "tint", "curve"] },
+        { "enum": ["none", "ink", "background", "link", "tint", "pale", "curve"] },
     ]
 }));
 
