@@ -10,9 +10,10 @@ use crate::cycle::{Animation, Drive, Traces};
 use crate::drawing::{Drawing, frames_with};
 use crate::format::{WebPage, html};
 use crate::motion::Order;
-use crate::scene::{Figure, PanelName, Scene};
+use crate::scene::{Figure, LengthUnit, PanelName, Scene, ValuesShown};
 use crate::words::{Medium, NumberStyle, Wording};
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 
 /// The scenes of figures 1 and 2 of Quintero et al. (2011), drawn if no scene is named.
@@ -46,6 +47,9 @@ pub(super) struct Draw {
     /// Draw the links pale in N equally spaced positions over that cycle.
     #[arg(long, value_name = "N")]
     ghosts: Option<u16>,
+    /// Show values at vectors, links and lengths; velocities and accelerations with this unit of length, as `m` for m/s.
+    #[arg(long, value_name = "UNIT", num_args = 0..=1, require_equals = true, default_missing_value = "own", value_parser = values())]
+    values: Option<ValuesShown>,
     /// Positions over the whole range of the drive that a page (`--format html`) can show.
     #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u16).range(1..=1440))]
     positions: u16,
@@ -106,6 +110,7 @@ impl Draw {
         self.paper.put_into(figure);
         self.scales.put_into(figure);
         figure.worksheet |= self.worksheet;
+        figure.values = self.values.or(figure.values);
         if !self.trace.is_empty() {
             figure.trace = self.trace.iter().flat_map(|text| split_names(text)).collect();
         }
@@ -173,6 +178,15 @@ impl Draw {
         drawings.extend(sheets);
         Ok(())
     }
+}
+
+/// Reads the unit of length of values: `own` is the scene's, `none` shows no values.
+fn values() -> impl TypedValueParser<Value = ValuesShown> {
+    let names = LengthUnit::ALL.map(LengthUnit::as_str);
+    PossibleValuesParser::new(names.into_iter().chain(["own", "none"])).map(|given| match given.as_str() {
+        "none" => ValuesShown::Hidden,
+        unit => ValuesShown::Shown(LengthUnit::ALL.into_iter().find(|known| known.as_str() == unit)),
+    })
 }
 
 /// A drive's value on a page: an angle with one decimal of a degree, a length with four significant digits.

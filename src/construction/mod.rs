@@ -22,6 +22,7 @@ mod run;
 mod sentence;
 mod solution;
 mod step;
+mod vectors;
 mod writer;
 
 pub use agreement::Agreement;
@@ -41,4 +42,5 @@ pub use step::{
     Action, Added, Arrow, ArrowKind, LegEquation, Plan, PlanKind, PlanPoint, PointRole, Ray, RayOf, Relation,
     RelativePart, Step, VectorOf,
 };
+pub use vectors::PlanVector;
 pub(crate) use writer::Writer;

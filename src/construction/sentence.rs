@@ -82,9 +82,9 @@ pub fn no_construction(words: &Wording, far: &[String]) -> String {
 /// Writes steps in a language and a notation.
 #[derive(Clone, Copy, Debug)]
 pub struct Teller<'a> {
-    mechanism: &'a Mechanism,
+    pub(super) mechanism: &'a Mechanism,
     pose: &'a Pose,
-    construction: &'a Construction,
+    pub(super) construction: &'a Construction,
     words: &'a Wording,
 }
 
@@ -195,7 +195,7 @@ impl<'a> Teller<'a> {
     }
 
     /// Equation and caption of a vector that is laid off.
-    fn lay_off(&self, kind: PlanKind, arrow: &Arrow) -> (Formula, String) {
+    pub(super) fn lay_off(&self, kind: PlanKind, arrow: &Arrow) -> (Formula, String) {
         let Arrow { from, to, of } = arrow;
         match of {
             VectorOf::Point(body, point) => self.known_vector(*body, *point, kind),
@@ -289,7 +289,7 @@ impl<'a> Teller<'a> {
     }
 
     /// The vector equation behind a ray: motion of the sought point relative to the leg's start.
-    fn ray_equation(&self, kind: PlanKind, ray: &Ray) -> Formula {
+    pub(super) fn ray_equation(&self, kind: PlanKind, ray: &Ray) -> Formula {
         let (special, side) = match ray.of {
             RayOf::Leg(special, side) => (self.construction.special(special), side),
             RayOf::Arm { from, to, .. } => return self.arm_equation(kind, from, to),

@@ -28,6 +28,9 @@ pub(super) struct Canvas<'a> {
     is_overlaid: bool,
 }
 
+/// Length of lines through a label that has to be legible, in mm.
+const STRUCK: f64 = 1.0;
+
 /// A label without a place yet.
 pub(super) struct Wanted {
     pub request: LabelRequest,
@@ -38,6 +41,8 @@ pub(super) struct Wanted {
     pub number: Option<usize>,
     /// Whether it is left out if no place is free.
     pub optional: bool,
+    /// Whether it is left out, too, if lines strike it through.
+    pub legible: bool,
     /// What it says before: from which step, in rising order; the label itself follows on the last.
     pub before: Vec<(u16, RichText)>,
 }
@@ -105,7 +110,7 @@ impl<'a> Canvas<'a> {
 
     /// Draws a mark with an id that nothing keeps off.
     pub(super) fn draw_below(&mut self, name: &str, pen: Pen, shape: Shape) -> &mut Mark {
-        let id = format!("{}-{}", self.prefix, ascii(name));
+        let id = mark_id(self.prefix, name);
         self.add_mark(Some(id), pen, shape)
     }
 
@@ -133,7 +138,7 @@ impl<'a> Canvas<'a> {
     /// Draws a mark with an id, such as `velocity-ray-b-s3`, that labels keep off.
     pub(super) fn draw_named(&mut self, name: &str, pen: Pen, shape: Shape) -> &mut Mark {
         self.add_obstacle(pen, &shape);
-        let id = format!("{}-{}", self.prefix, ascii(name));
+        let id = mark_id(self.prefix, name);
         self.add_mark(Some(id), pen, shape)
     }
 
@@ -199,6 +204,20 @@ impl<'a> Canvas<'a> {
             && self.reserved_circles.iter().all(|(other, own)| (*other - centre).hypot() > own + radius)
     }
 
+    /// A point of a line, near its middle, and the side of it where a label has room: `side` rather than the opposite
+    /// one. The middle without room.
+    pub(super) fn free_side(&self, [from, to]: [Point; 2], side: Vec2) -> (Point, Vec2) {
+        const SHARES: [f64; 7] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74];
+        // A circle of the height of a label, at its near end.
+        const RADIUS: f64 = 2.2;
+        let places = SHARES.into_iter().flat_map(|share| [side, -side].map(|side| (from.lerp(to, share), side)));
+        let has_room = |(point, side): &(Point, Vec2)| {
+            let sideways = Vec2::new(side.x.signum() * 2.0, 0.0);
+            [0.0, 1.0, 2.0, 3.0].iter().all(|k| self.is_free(*point + *side * (RADIUS + 0.6) + sideways * *k, RADIUS))
+        };
+        places.into_iter().find(has_room).unwrap_or((from.midpoint(to), side))
+    }
+
     /// Keeps labels off a box.
     pub(super) fn keep_off(&mut self, area: Rect) {
         self.obstacles.boxes.push(area);
@@ -227,6 +246,7 @@ impl<'a> Canvas<'a> {
             pen: Pen::Label,
             number: None,
             optional: false,
+            legible: false,
             before: Vec::new(),
         })
     }
@@ -277,7 +297,8 @@ impl<'a> Canvas<'a> {
     fn place(&mut self, requests: Vec<(Wanted, u16)>) {
         let asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
         for (label, (wanted, since)) in place(&asked, &self.obstacles).into_iter().zip(requests) {
-            if label.crowded && wanted.optional {
+            let is_struck = wanted.legible && label.struck > STRUCK;
+            if wanted.optional && (label.crowded || is_struck) {
                 continue;
             }
             self.step = wanted.before.first().map_or(since, |(first, _)| *first);
@@ -292,7 +313,7 @@ impl<'a> Canvas<'a> {
                 (mark.number, mark.until) = (wanted.number, Some(next));
             }
             self.step = since;
-            let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
+            let id = mark_id(self.prefix, &wanted.name);
             let mark = self.add_mark(Some(id), wanted.pen, Shape::Text(label.text));
             mark.number = wanted.number;
         }
@@ -319,6 +340,11 @@ fn part_of(whole: &PlacedText, part: &RichText, anchor: Point) -> PlacedText {
     let (ink, own) = (whole.ink_box(), part.ink_box(whole.size));
     let left = (anchor.x - 0.5 * own.width()).min(ink.x1 - own.width()).max(ink.x0);
     PlacedText::new(part.clone(), whole.size, Point::new(left - own.x0, whole.origin.y)).anchored(whole.anchor)
+}
+
+/// The id of a mark by its panel's prefix and its name.
+pub(super) fn mark_id(prefix: &str, name: &str) -> String {
+    format!("{prefix}-{}", ascii(name))
 }
 
 /// Boxes that together cover a circle.

@@ -9,14 +9,14 @@ use super::sheet::Drawing;
 use super::worksheet::Worksheet;
 use crate::construction::Solution;
 use crate::quantity::Asked;
-use crate::scene::PanelName;
+use crate::scene::{PanelName, ValuesShown};
 
 /// The sheet of an exercise: the scheme without special points, but with room for them; below it `sentences`, in
 /// markup; beside it a ruler and a table with a row for each of `asked`, with boxes for its millimetres and its value.
 /// `None` where the scheme does not fit at the scale that the scene gives.
 #[must_use]
 pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<Drawing> {
-    let scheme = Scheme::new(solution);
+    let scheme = Scheme::new(solution).without_values();
     let sheet = student_sheet(&scheme, asked, sentences);
     let layout = sheet.layout();
     let placed = layout.panels.first()?;
@@ -29,14 +29,16 @@ pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]
 /// without one, the smallest that fits.
 #[must_use]
 pub fn exercise_scale(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<f64> {
-    let layout = student_sheet(&Scheme::new(solution), asked, sentences).layout();
+    let layout = student_sheet(&Scheme::new(solution).without_values(), asked, sentences).layout();
     layout.panels.first().map(|placed| placed.mu)
 }
 
 /// The scene's figure with other `sentences` below its scales, in markup, and with the table of a work sheet.
 #[must_use]
 pub fn key_sheet(solution: &Solution, sentences: &[String]) -> Drawing {
-    let scheme = Scheme::new(solution);
+    let mut solution = solution.clone();
+    solution.scene.figure.values.get_or_insert(ValuesShown::Shown(None));
+    let scheme = Scheme::new(&solution);
     let panels = panels(&scheme, &extents(&scheme), |panel| vec![content(&scheme, panel)]);
     let table = Worksheet::new(&scheme, &panels);
     let sentences = Lines::of(sentences, scheme.dims.page);
@@ -56,6 +58,6 @@ fn student_sheet<'a>(scheme: &'a Scheme<'a>, asked: &[Asked], sentences: &[Strin
 /// Whether the scheme shows all its special points at their places, none by an arrow.
 #[must_use]
 pub fn shows_special_points(solution: &Solution) -> bool {
-    let scheme = Scheme::new(solution);
+    let scheme = Scheme::new(solution).without_values();
     scheme.special().all(|special| scheme.is_near(special))
 }

@@ -22,13 +22,17 @@ use crate::scene::PanelName;
 use crate::words::{Language, Wording};
 use std::sync::Arc;
 
+/// Drawings of a sheet with values before all values go to the table.
+const ROUNDS: usize = 3;
+
 impl Solution {
     /// The figure that the scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
     #[must_use]
     pub fn figure(&self) -> Drawing {
-        let scheme = Scheme::new(self);
-        let sheet = finished(&scheme, &extents(&scheme));
-        sheet.draw(&sheet.layout())
+        with_values(Scheme::new(self), |scheme| {
+            let sheet = finished(scheme, &extents(scheme));
+            sheet.draw(&sheet.layout())
+        })
     }
 
     /// The same figure with every step of the construction: [`Drawing::after_step`] gives the sheet after one of them,
@@ -37,9 +41,10 @@ impl Solution {
     /// Steps of plans without a panel have captions, too.
     #[must_use]
     pub fn stepwise_figure(&self) -> Drawing {
-        let scheme = Scheme::new(self);
-        let sheet = stepwise(&scheme, &extents(&scheme), self.scene.figure.worksheet);
-        sheet.draw(&sheet.layout())
+        with_values(Scheme::new(self), |scheme| {
+            let sheet = stepwise(scheme, &extents(scheme), self.scene.figure.worksheet);
+            sheet.draw(&sheet.layout())
+        })
     }
 
     /// The scales of the figure; for a plan without a panel the scene's scale, if there is one.
@@ -132,6 +137,25 @@ pub fn frames_with(positions: &[Solution], own: usize, traces: Traces) -> Vec<Dr
     sheets.iter().map(|sheet| sheet.draw(&layout)).collect()
 }
 
+/// Draws a sheet. Values whose labels find no place are listed in a table beside the panels; as it takes room, the sheet
+/// is then drawn again.
+fn with_values(mut scheme: Scheme<'_>, draw: impl Fn(&Scheme<'_>) -> Drawing) -> Drawing {
+    // A work sheet lists all values.
+    let rounds = if scheme.figure.worksheet { 0 } else { ROUNDS };
+    for _ in 0..rounds {
+        let drawing = draw(&scheme);
+        let left_out = scheme.left_out(&drawing);
+        if left_out.is_empty() {
+            return drawing;
+        }
+        scheme.listed.extend(left_out);
+    }
+    if !scheme.figure.worksheet {
+        scheme.list_all();
+    }
+    draw(&scheme)
+}
+
 /// The finished figure.
 fn finished<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)]) -> Composition<'a> {
     let panels = panels(scheme, extents, |panel| vec![content(scheme, panel)]);
@@ -151,9 +175,10 @@ fn stepwise<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], workshe
 
 /// The sentences on paths, if there are any, and on how the construction agrees with the loop equations.
 fn agreement(scheme: &Scheme<'_>) -> Lines {
-    let sentence = legend::agreement(&scheme.words, scheme.construction);
-    let paths = scheme.sentence_on_paths();
-    Lines::of(paths.iter().chain([&sentence]), scheme.dims.page)
+    // Beside values, only what is not as it should be is said.
+    let is_said = scheme.values.is_empty() || !legend::agrees(scheme.construction);
+    let sentence = is_said.then(|| legend::agreement(&scheme.words, scheme.construction));
+    Lines::of(scheme.sentence_on_paths().iter().chain(&sentence), scheme.dims.page)
 }
 
 /// A sheet with these panels, a table beside them, their scales, and items below.
@@ -164,7 +189,8 @@ pub(super) fn composition<'a>(
     below: Vec<Box<dyn Item + 'a>>,
 ) -> Composition<'a> {
     let (scene, words) = (scheme.scene, scheme.words);
-    let table = table.map(|table| Box::new(table) as Box<dyn Item>);
+    let values = || Some(Box::new(scheme.value_list()?) as Box<dyn Item>);
+    let table = table.map(|table| Box::new(table) as Box<dyn Item>).or_else(values);
     let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units, dims: scheme.dims });
     let (teller, steps) = (scheme.teller(), scheme.construction.numbered_steps());
     Composition {

@@ -133,6 +133,11 @@ impl Item for Legend {
     }
 }
 
+/// Whether all groups have a construction that agrees with the loop equations.
+pub(super) fn agrees(construction: &Construction) -> bool {
+    construction.agreement.iter().all(|known| known.as_ref().is_some_and(|known| known.difference <= known.allowed))
+}
+
 /// The sentence on the agreement of the construction with the loop equations.
 pub(super) fn agreement(words: &Wording, construction: &Construction) -> String {
     let language = words.language;

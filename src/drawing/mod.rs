@@ -38,6 +38,7 @@ mod stages;
 mod style;
 mod table;
 mod text;
+mod values;
 mod view;
 mod words;
 mod worksheet;

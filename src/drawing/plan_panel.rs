@@ -6,18 +6,21 @@ use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::stages::PlanStages;
 use super::text::RichText;
+use super::values::ValueOf;
 use super::view::{Extent, View, on_sheet, towards};
 use crate::construction::{
-    Action, Arrow, ArrowKind, Plan, PlanKind, PointRole, Relation, VectorOf, coincident_name, image_name,
+    Action, Arrow, ArrowKind, Plan, PlanKind, PlanVector, PointRole, Relation, VectorOf, coincident_name, image_name,
 };
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::quantity::Kind;
-use crate::scene::{ConstructionShown, Figure};
+use crate::scene::{ConstructionShown, Figure, PanelName};
 use kurbo::{Point, Vec2};
 
 /// Plan points closer than this on paper, in mm, share one label.
 const SHARED: f64 = 0.35;
+/// Length of the shortest vector with a value beside it, in mm.
+const SHORT: f64 = 4.0;
 /// Length of a ray beyond the crossing, in mm.
 const BEYOND: f64 = 5.0;
 
@@ -27,6 +30,14 @@ pub(super) fn kind(plan: Option<PlanKind>) -> Kind {
         None => Kind::Length,
         Some(PlanKind::Velocity) => Kind::Velocity,
         Some(PlanKind::Acceleration) => Kind::Acceleration,
+    }
+}
+
+/// The panel of a plan.
+fn panel(plan: PlanKind) -> PanelName {
+    match plan {
+        PlanKind::Velocity => PanelName::Velocity,
+        PlanKind::Acceleration => PanelName::Acceleration,
     }
 }
 
@@ -60,7 +71,9 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
     // Outlines are over all areas and rays: a line on a ray must be visible.
     plan.outlines(canvas);
     plan.vectors(canvas);
+    plan.vectors_on_rays(canvas);
     plan.points(canvas);
+    plan.values(canvas);
     canvas.set_step(0);
 }
 
@@ -206,6 +219,41 @@ impl PlanOnPaper<'_> {
         let mut all = self.scheme.construction.special.iter().flatten();
         let special = all.find(|special| image_name(&special.name) == name)?;
         self.scheme.number(special.link)
+    }
+
+    /// Draws the heads of relative vectors that rays carry, in a figure with values.
+    fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
+        let panel = panel(self.plan.kind);
+        for value in self.scheme.values.iter().filter(|value| value.panel == panel) {
+            let ValueOf::Vector(PlanVector { ends: [from, to], on_ray: true, link, .. }) = &value.of else { continue };
+            canvas.set_step(value.since);
+            let pen = match self.plan.kind {
+                PlanKind::Velocity => Pen::Image,
+                PlanKind::Acceleration => Pen::Tangential,
+            };
+            let number = link.and_then(|link| self.scheme.number(link));
+            if let Some(mark) = self.arrow(canvas, from, to, pen) {
+                mark.number = number;
+            }
+        }
+    }
+
+    /// Requests the labels of values, each beside the middle of its vector, away from the middle of the plan.
+    fn values(&self, canvas: &mut Canvas<'_>) {
+        let extent = extent(self.plan);
+        let middle = self.view.at(nalgebra::center(&extent.low, &extent.high));
+        for value in self.scheme.labelled(panel(self.plan.kind)) {
+            let ValueOf::Vector(PlanVector { ends: [from, to], .. }) = &value.of else { continue };
+            let (Some(from), Some(to)) = (self.at(from), self.at(to)) else { continue };
+            let along = to - from;
+            if along.hypot() < SHORT {
+                continue;
+            }
+            let side = Vec2::new(-along.y, along.x) / along.hypot();
+            let outward = if side.dot(from.midpoint(to) - middle) < 0.0 { -side } else { side };
+            let (anchor, prefer) = canvas.free_side([from, to], outward);
+            self.scheme.label_value(canvas, value, anchor, Some(prefer));
+        }
     }
 
     /// Number of the link to which a vector that is laid off belongs.

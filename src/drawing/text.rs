@@ -11,6 +11,9 @@ pub(super) const LABEL: f64 = 4.7;
 /// Size of captions, in mm of one em; no words of a figure are smaller.
 pub(super) const CAPTION: f64 = 4.7;
 
+/// White between two texts, in em: a space of the bundled font.
+const SPACE: f64 = 0.25;
+
 /// A line of text with subscripts and superscripts, measured.
 ///
 /// Markup: `_x` or `_{...}` sets a subscript, `^x` or `^{...}` a superscript; one after the other
@@ -65,6 +68,18 @@ impl RichText {
             }
         }
         lines.iter().map(|line| Self::plain(line)).collect()
+    }
+
+    /// This text, a space, and another text.
+    #[must_use]
+    pub fn followed_by(mut self, other: &Self) -> Self {
+        let shift = self.advance + SPACE;
+        let moved =
+            |(index, run): (usize, &Run)| Run { x: run.x + shift, spaced: index == 0 || run.spaced, ..run.clone() };
+        self.runs.extend(other.runs.iter().enumerate().map(moved));
+        self.ink = self.ink.union(other.ink + Vec2::new(shift, 0.0));
+        self.advance = shift + other.advance;
+        self
     }
 
     fn set(source: &str, style: Style, markup: bool) -> Self {

@@ -28,7 +28,7 @@ const RULER_ROWS: usize = 3;
 pub(super) struct Worksheet {
     pub table: Table<CELLS>,
     /// By row: the measured length, in units of its kind; empty on a sheet to be filled in.
-    pub lengths: Vec<(f64, Kind)>,
+    pub lengths: Vec<Option<(f64, Kind)>>,
     pub words: Wording,
     pub dims: Dims,
 }
@@ -49,11 +49,9 @@ impl Worksheet {
             let Some(panel) = panels.iter().find(|panel| panel.needs.kind == kind) else {
                 continue;
             };
-            // A panel is no larger than the page: the scale is at least this one, and the millimetres are no wider.
-            let size = panel.needs.extent.size();
-            let least = panel.needs.mu.unwrap_or((size.x / page[0]).max(size.y / page[1]));
+            let least = least(panel, page);
             let name = format!("{} {}", scheme.shown(from, plan), scheme.shown(to, plan));
-            lengths.push((value, kind));
+            lengths.push(Some((value, kind)));
             rows.push(Cells {
                 texts: [
                     RichText::math(&name),
@@ -64,6 +62,22 @@ impl Worksheet {
                 ],
                 id: Some(format!("measured-{}", lengths.len())),
                 since: step,
+                stands_out: false,
+                boxes: [false; CELLS],
+            });
+        }
+        for value in &scheme.values {
+            let is_drawn = matches!(value.kind, Kind::Length | Kind::Velocity | Kind::Acceleration);
+            let panel = panels.iter().find(|panel| panel.needs.kind == value.kind).filter(|_| is_drawn);
+            let least = panel.map(|panel| least(panel, page));
+            lengths.push(least.map(|_| (value.number, value.kind)));
+            let [number, unit] = value.written().map(RichText::plain);
+            let scale = least.map_or("", |_| symbol(value.kind));
+            let mm = least.map_or_else(|| RichText::plain(""), |least| millimetres(&words, value.number, least));
+            rows.push(Cells {
+                texts: [RichText::math(&value.symbol), mm, RichText::math(scale), number, unit],
+                id: Some(value.name.clone()),
+                since: value.since,
                 stands_out: false,
                 boxes: [false; CELLS],
             });
@@ -80,14 +94,20 @@ impl Item for Worksheet {
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         let Some(area) = layout.aside else { return };
         let mut table = self.table.clone();
-        for (row, (value, kind)) in table.rows.iter_mut().zip(&self.lengths) {
-            if let Some(mu) = layout.mu(*kind) {
-                row.texts[MILLIMETRES] = millimetres(&self.words, *value, mu);
+        for (row, length) in table.rows.iter_mut().zip(&self.lengths) {
+            if let Some((value, mu)) = length.and_then(|(value, kind)| Some((value, layout.mu(kind)?))) {
+                row.texts[MILLIMETRES] = millimetres(&self.words, value, mu);
             }
         }
         let foot = table.draw_in(drawing, area);
         ruler(drawing, foot + Vec2::new(2.0, -RULER_ROOM[1]), self.words.language.ruler(), self.dims.unit);
     }
+}
+
+/// The least scale of a panel: it is no larger than the page, so millimetres at this scale are the widest.
+fn least(panel: &Panel<'_>, page: [f64; 2]) -> f64 {
+    let size = panel.needs.extent.size();
+    panel.needs.mu.unwrap_or((size.x / page[0]).max(size.y / page[1]))
 }
 
 /// A table with these headings over names and values, and room for the ruler.

@@ -12,6 +12,7 @@ use super::sizes::Sizes;
 use super::text::LARGEST;
 use super::typed::HINT;
 use super::value::several_forms;
+use super::values::ValuesShown;
 use super::words::{number, shortened, suggestion};
 use super::write::{write_forms, write_keys};
 use super::wrong::Wrong;
@@ -63,6 +64,8 @@ pub struct Figure {
     /// Whether construction lines are shown; "paper": shown, and the plans end where the source paper's end; left out: true.
     #[schemars(with = "Option<ConstructionShown>")]
     pub construction: ConstructionShown,
+    /// Whether values stand at vectors and links, in which unit of length; left out: only with style "lecture".
+    pub values: Option<ValuesShown>,
     /// The step of the construction up to which the figure is drawn, from 1; left out: finished.
     #[serde(deserialize_with = "count")]
     #[schemars(with = "Option<u16>", range(min = 1))]
@@ -81,7 +84,7 @@ pub struct Figure {
 
 write_keys!(Figure {
     panels, mu_l, mu_v, mu_a, scales, focus, page, worksheet, style, notation, language, decimal, labels, special_points,
-    construction, step, trace, ghosts; sizes
+    construction, values, step, trace, ghosts; sizes
 } unless Figure::default());
 
 /// Steps and positions are read as `u16`: there are never more, and messages can name the range.
@@ -108,6 +111,7 @@ impl Default for Figure {
             labels: IndexMap::new(),
             special_points: true,
             construction: ConstructionShown::default(),
+            values: None,
             step: None,
             trace: Vec::new(),
             ghosts: None,
@@ -117,6 +121,16 @@ impl Default for Figure {
 }
 
 impl Figure {
+    /// Whether values are shown, and with which unit of length in place of the scene's.
+    #[must_use]
+    pub fn shows_values(&self) -> ValuesShown {
+        let usual = match self.style {
+            StyleName::Lecture => ValuesShown::Shown(None),
+            StyleName::Paper | StyleName::Print | StyleName::Board => ValuesShown::Hidden,
+        };
+        self.values.unwrap_or(usual)
+    }
+
     /// The given scale of a panel, in units per millimetre of paper; `None` if the panel is to fit.
     #[must_use]
     pub fn mu(&self, panel: PanelName) -> Option<f64> {

@@ -28,6 +28,7 @@ mod given_by;
 mod sizes;
 mod units;
 mod value;
+mod values;
 
 mod drive;
 mod motion;
@@ -68,6 +69,7 @@ pub use slider::{Along, On, Slider};
 pub use text::MAX_BYTES;
 pub use units::{LengthUnit, TimeUnit, Units};
 pub use value::{At, Direction, polar};
+pub use values::ValuesShown;
 
 pub(crate) use kind::FileKind;
 pub(crate) use schema::schema_of;

@@ -159,6 +159,8 @@ sentences! {
     segment;
     /// Heading of their values.
     value;
+    /// Heading of the table of values that have no place in the panels.
+    values;
     /// Caption of the ruler of 50 mm, which shows whether a sheet was printed at 100 %.
     ruler;
     /// Alternative text of the figure.

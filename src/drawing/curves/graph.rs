@@ -206,6 +206,7 @@ impl<'a> Graph<'a> {
                 pen: Pen::Curve,
                 number: Some(*look),
                 optional: true,
+                legible: false,
                 before: Vec::new(),
             });
         }

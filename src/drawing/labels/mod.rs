@@ -40,7 +40,8 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
         let ink = request.text.ink_box(request.size);
         let origin = Point::ORIGIN + (place.ink.origin() - ink.origin());
         let text = PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle);
-        PlacedLabel { text, leader: place.leader, crowded: crowded && !request.text.is_empty() }
+        let struck = search.struck(place.ink);
+        PlacedLabel { text, leader: place.leader, struck, crowded: crowded && !request.text.is_empty() }
     });
     placed.collect()
 }

@@ -9,6 +9,9 @@ use crate::mechanism::{BodyId, GROUND, PointId, Role, SliderId};
 use kurbo::{Point, Vec2};
 use std::f64::consts::PI;
 
+/// Radius of the arrow of a solved rate, in mm.
+pub(super) const RATE_RADIUS: f64 = 5.0;
+
 impl Scheme<'_> {
     pub(super) fn rotation_arrows(&self, canvas: &mut Canvas<'_>, view: &View) {
         for (link, body) in self.mechanism.links() {
@@ -26,31 +29,39 @@ impl Scheme<'_> {
         }
     }
 
-    /// Draws the senses of the angular rates that a step yields: a curved arrow around the centre of each link.
+    /// Draws the senses of the angular rates that a step yields, unless they are there with their values: a curved arrow
+    /// around the centre of each link.
     pub(super) fn rate_arrows(&self, canvas: &mut Canvas<'_>, view: &View, step: u16, unknowns: &[(String, f64)]) {
-        const RADIUS: f64 = 5.0;
-        const SWEEP: f64 = 4.2;
-        for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0) {
+        for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0 && self.values.is_empty()) {
             let link = name.split_once('(').map(|(_, link)| link.trim_end_matches(')'));
             let link = link.and_then(|link| self.mechanism.link(link));
             let Some(link) = link.filter(|_| !name.contains("_r(")) else {
                 continue;
             };
-            let places = &self.mechanism.body(link).points;
-            let sum = places.iter().fold(Vec2::ZERO, |sum, &point| sum + self.at(view, point).to_vec2());
-            if places.is_empty() {
-                continue;
+            if let Some(shape) = self.rate_arrow(view, link, RATE_RADIUS, *value) {
+                canvas.draw_in_step(step, Pen::Turning, shape).number = self.number(link);
             }
-            let sense = -value.signum();
-            let shape = Shape::ArcArrow {
-                center: (sum / places.len() as f64).to_point(),
-                radius: RADIUS,
-                start: -0.5 * PI - 0.5 * sense * SWEEP,
-                sweep: sense * SWEEP,
-                head: canvas.dims().head,
-            };
-            canvas.draw_in_step(step, Pen::Turning, shape).number = self.number(link);
         }
+    }
+
+    /// A curved arrow in the sense of a rate around the centre of a link; none for a link without points.
+    pub(super) fn rate_arrow(&self, view: &View, link: BodyId, radius: f64, rate: f64) -> Option<Shape> {
+        const SWEEP: f64 = 4.2;
+        let places: Vec<Point> = self.mechanism.body(link).points.iter().map(|&point| self.at(view, point)).collect();
+        let center = match places.as_slice() {
+            [] => return None,
+            // Off the link's name.
+            [a, b] if (*b - *a).hypot() > 8.0 * radius => a.lerp(*b, 0.35),
+            _ => (places.iter().fold(Vec2::ZERO, |sum, place| sum + place.to_vec2()) / places.len() as f64).to_point(),
+        };
+        let sense = -rate.signum();
+        Some(Shape::ArcArrow {
+            center,
+            radius,
+            start: -0.5 * PI - 0.5 * sense * SWEEP,
+            sweep: sense * SWEEP,
+            head: self.dims.head,
+        })
     }
 
     /// The arm of a driven link from its pivot: to another point, else to a block on it, else along its axis.
@@ -109,6 +120,9 @@ impl Scheme<'_> {
         let name = format!("omega({name})");
         let label = canvas.label(&name, &label, anchor, 0.8, Some(direction), 2);
         label.number = self.number(link);
+        if let Some(value) = self.drive_value(link) {
+            label.request.text = value.text();
+        }
     }
 
     /// Draws the sense in which a driven slider moves along its guide, relative to the guide's body.

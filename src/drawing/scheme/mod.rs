@@ -8,6 +8,7 @@ mod names;
 mod sliders;
 mod special;
 mod traces;
+mod values;
 
 pub(super) use links::outline;
 
@@ -18,6 +19,7 @@ use super::names::Names;
 use super::shape::Shape;
 use super::sheet::Pen;
 use super::stages::Stages;
+use super::values::{Value, values};
 use super::view::{Extent, View};
 use crate::construction::{Action, Construction, NumberedStep, Plan, Ray, RayOf, Solution, Teller};
 use crate::cycle::Traces;
@@ -27,6 +29,7 @@ use crate::position::Pose;
 use crate::scene::{Figure, PanelName, Scene};
 use crate::words::Wording;
 use kurbo::Point;
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -47,6 +50,10 @@ pub(super) struct Scheme<'a> {
     pub insets: bool,
     pub words: Wording,
     pub dims: Dims,
+    /// The layer of values; empty in a figure without it.
+    pub values: Vec<Value>,
+    /// The ids of the values that are listed in a table.
+    pub listed: BTreeSet<String>,
 }
 
 impl<'a> Scheme<'a> {
@@ -58,7 +65,7 @@ impl<'a> Scheme<'a> {
     /// The scheme of a solved scene, with these paths and ghosts.
     pub(super) fn with(solution: &'a Solution, traces: Arc<Traces>) -> Self {
         let Solution { scene, mechanism, pose, construction, .. } = solution;
-        Self {
+        let scheme = Self {
             solution,
             scene,
             figure: &scene.figure,
@@ -71,7 +78,15 @@ impl<'a> Scheme<'a> {
             insets: true,
             words: solution.wording(),
             dims: Dims::of(&scene.figure),
-        }
+            values: Vec::new(),
+            listed: BTreeSet::new(),
+        };
+        Self { values: values(&scheme), ..scheme }
+    }
+
+    /// The same without the layer of values: on a student's sheet it would tell the results.
+    pub(super) fn without_values(self) -> Self {
+        Self { values: Vec::new(), ..self }
     }
 
     /// The writer of captions in the figure's language.
@@ -156,6 +171,7 @@ impl<'a> Scheme<'a> {
             }
         }
         self.rotation_arrows(canvas, view);
+        self.values(canvas, view);
         self.joints(canvas, view);
         for special in self.special() {
             canvas.set_step(self.stages.special(&special.name));
