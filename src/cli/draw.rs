@@ -148,6 +148,7 @@ impl Draw {
             is_round: animation.is_round,
             quantity: &quantity.unwrap_or_default(),
             language: words.language,
+            text: self.figures.text(),
         }))
     }
 

@@ -5,7 +5,7 @@ use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::scene::Near;
 
 /// Distance of a point from its rough place, in parts of the mechanism's size, above which a person means another place.
-const FAR: f64 = 0.2;
+const FAR: f64 = 0.22;
 
 /// Rough places of points and angles of links, from the scene's `near`: the nearest assembly is chosen.
 pub(super) struct Rough {

@@ -22,6 +22,7 @@ mod given_angle;
 mod higher_class;
 mod hodographs;
 mod invariants;
+mod lectured;
 mod levers;
 mod paper_facts;
 mod pencil;

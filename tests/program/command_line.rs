@@ -1,5 +1,6 @@
 //! The program from outside: results on stdout, one clear message on stderr, the right exit code, nothing half-written.
 
+use crate::support::files;
 use crate::support::program::{kinegon, scratch, stderr, with_scene};
 use std::path::Path;
 
@@ -211,6 +212,44 @@ fn near_far_from_every_mode_gives_a_warning() {
     assert!(message.contains("away"), "{message}");
     let calm = with_scene(&["solve", "-"], FIGURE_2.as_bytes());
     assert!(calm.stderr.is_empty(), "{}", stderr(&calm));
+}
+
+/// The mean over all places hides one that is far off.
+#[test]
+fn one_point_far_from_its_rough_place_gives_a_warning() {
+    let moved = FIGURE_2.replace("\"E\": [406, 428]", "\"E\": [406, 228]");
+    assert_ne!(moved, FIGURE_2);
+    let message = stderr(&with_scene(&["solve", "-"], moved.as_bytes()));
+    assert!(message.contains("point E is at") && message.contains("away from its place in `near`"), "{message}");
+}
+
+#[test]
+fn angles_that_look_like_radians_give_a_warning() {
+    let shaper = files::read("tests/lecture/shaper.json");
+    for (angle, degrees) in [("1.0472", Some("60")), ("0.5236", Some("30")), ("1.5", None), ("60", None)] {
+        let scene = shaper.replace("\"angle\": 30", &format!("\"angle\": {angle}"));
+        let message = stderr(&with_scene(&["solve", "-"], scene.as_bytes()));
+        let warned = degrees.map(|degrees| format!("looks like radians: angles are in degrees, so {degrees} if"));
+        match warned {
+            Some(warned) => assert!(message.contains(&warned), "{angle}: {message}"),
+            None => assert!(!message.contains("radians"), "{angle}: {message}"),
+        }
+    }
+}
+
+/// A four-bar with a second coupler: Grübler counts 3·4 − 2·6 = 0.
+#[test]
+fn too_many_constraints_are_told_with_the_count_of_freedoms() {
+    let scene = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [160, 0] },
+        "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": 60, "omega": 10 } },
+                   "2": { "points": ["B", "C"], "lengths": { "BC": 140 } },
+                   "3": { "points": ["D", "C"], "lengths": { "CD": 110 } },
+                   "4": { "points": ["B", "D"], "lengths": { "BD": 150 } } } }"#;
+    let message = stderr(&with_scene(&["solve", "-"], scene.as_bytes()));
+    assert!(
+        message.contains("1 constraint too many") && message.contains("mobility 3·4 − 12 = 0 with 1 drive"),
+        "{message}"
+    );
 }
 
 #[test]

@@ -253,7 +253,7 @@ fn a_measured_component_is_drawn_and_slips_of_writing_are_not() {
         panic!("a line");
     };
     assert!(((q - p).hypot() - (s3.x - b.x).abs() / 5.0).abs() < 1e-9);
-    for (panel, step) in [("scheme", 2), ("velocity", 8), ("acceleration", 40)] {
+    for (panel, step) in [("scheme", 2), ("velocity", 8), ("acceleration", 41)] {
         let name = format!("{panel}-label-step-{step}");
         assert_eq!(text(&sheets[0], &name), format!("Step {step}"));
     }

@@ -187,12 +187,12 @@ fn the_program_writes_them() {
     assert!(run(&["--steps", "--format", "svg"]).status.success());
     let (_, all) = drawn(&read("examples/figure-2.json"));
     assert_eq!(list().len(), all.steps.len());
-    assert!(list().contains(&"figure-2-41.svg".to_owned()));
+    assert!(list().contains(&"figure-2-42.svg".to_owned()));
     assert!(run(&["--layered"]).status.success());
     assert!(list().contains(&"figure-2-layered.svg".to_owned()));
     for (arguments, words) in [
         (&["--upto", "0"] as &[&str], "there is no step 0"),
-        (&["--upto", "42"], "steps 1 to 41"),
+        (&["--upto", "43"], "steps 1 to 42"),
         (&["--layered", "--format", "png"], "only SVG has layers"),
         (&["--steps", "--upto", "3"], "cannot be used with"),
     ] {
@@ -220,8 +220,8 @@ fn crowded_places_are_shown_larger_beside_the_plan() {
     });
     let factor: f64 = factor.expect("an inset").trim().parse().expect("a number");
     assert!(factor >= 2.0);
-    // b and the ends of its normal parts, in the plan and in the circle.
-    let names = ["b", "n_b3", "n_b5"].map(|name| place(&format!("acceleration-point-{name}")));
+    // b, the end of the Coriolis acceleration, at which a tiny normal part ends too, and that of a normal part, in the plan and in the circle.
+    let names = ["b", "k_b3", "n_b5"].map(|name| place(&format!("acceleration-point-{name}")));
     let dots = drawing.marks.iter().filter(|m| m.pen == Pen::ImagePoint && m.id.is_none());
     let dots: Vec<_> = dots.map(|mark| mark.shape.bounds().center()).collect();
     assert_eq!(dots.len(), 3, "{dots:?}");

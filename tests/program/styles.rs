@@ -196,6 +196,22 @@ fn difference(a: Colour, b: Colour, seen: [[f64; 3]; 3]) -> f64 {
     squares.sum::<f64>().sqrt()
 }
 
+/// What is new in a step is not taken for a ray, nor a Coriolis acceleration for another vector.
+#[test]
+fn accent_and_coriolis_have_hues_of_their_own() {
+    for name in [StyleName::Paper, StyleName::Lecture, StyleName::Board] {
+        let style = Style::named(name);
+        let stroke = |pen| style.look(pen, None).stroke.expect("a line");
+        let accent = style.accent();
+        let apart = difference(accent, stroke(Pen::Ray), SAME);
+        assert!(apart > 40.0, "{}: accent and rays: {apart}", name.as_str());
+        for pen in [Pen::Velocity, Pen::Acceleration, Pen::Normal, Pen::Vector, Pen::Ray] {
+            let apart = difference(stroke(Pen::Coriolis), stroke(pen), SAME);
+            assert!(apart > 20.0, "{}: Coriolis and {pen:?}: {apart}", name.as_str());
+        }
+    }
+}
+
 #[test]
 fn links_of_lecture_are_told_apart_with_any_colour_vision() {
     // Green and red of one lightness, which deuteranopes confuse, show that the measure sees it.

@@ -252,15 +252,15 @@ fn notations_write_what_their_schools_write() {
     for (notation, has, has_not) in [
         (
             "paper",
-            &["the pole p and", "the pole π and", "π b = ", "b n_b3 = ", "a^t_S3G", "a^c_S3B"][..],
+            &["the pole p and", "the pole π and", "π b = ", "b k_b3 = ", "a^t_S3G", "a_c(3/2)"][..],
             &["′", "P_v", "τ"][..],
         ),
         (
             "english",
-            &["the pole o and", "the pole o′ and", "o b = ", "o′ b′ = ", "b′ n_b3 = ", "o′ s′3 = ", "a^t_S3G"][..],
+            &["the pole o and", "the pole o′ and", "o b = ", "o′ b′ = ", "b′ k_b3 = ", "o′ s′3 = ", "a^t_S3G"][..],
             &["π", "P_v"][..],
         ),
-        ("russian", &["the pole p and", "the pole π and", "a^τ_S3G", "a^k_S3B", "a^n_S3G"][..], &["a^t", "a^c"][..]),
+        ("russian", &["the pole p and", "the pole π and", "a^τ_S3G", "a_k(3/2)", "a^n_S3G"][..], &["a^t", "a_c"][..]),
         ("german", &["the pole P_v and", "the pole P_a and", "P_v b = ", "P_a s3 = ", "a^t_S3G"][..], &["π", "′"][..]),
     ] {
         let text = figure_2_in(notation);
