@@ -22,6 +22,9 @@ pub(super) struct CurvesCommand {
     /// Draw the paths of points in place of curves, y over x to one scale: as "F, M".
     #[arg(long, value_name = "POINTS", conflicts_with_all = ["want", "hodograph"])]
     path: Vec<String>,
+    /// Let the paths go on beyond limits of the drive, dashed, in other assembly modes.
+    #[arg(long, requires = "path", conflicts_with_all = ["from", "to"])]
+    beyond_limits: bool,
     #[command(flatten)]
     figures: Figures,
     #[command(flatten)]
@@ -52,7 +55,9 @@ impl CurvesCommand {
         let (kind, drawing) = if !points.is_empty() {
             let traced = driven.scene.check_traced(&points, None);
             traced.map_err(|error| Failure::Misuse(format!("--path: {}", error.message), error.hint))?;
-            let sampled = PointPaths::new(&branch, range, &points).map_err(|error| driven.fail(error))?;
+            let sampled = PointPaths::new(&branch, range, &points);
+            let sampled = if self.beyond_limits { sampled.and_then(PointPaths::beyond_limits) } else { sampled };
+            let sampled = sampled.map_err(|error| driven.fail(error))?;
             ("path", paths(&driven.scene, &sampled))
         } else if self.hodograph.is_empty() {
             let sampled = Curves::new(&branch, range, driven.names.as_deref()).map_err(|error| driven.fail(error))?;

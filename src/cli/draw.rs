@@ -1,6 +1,6 @@
 use super::figures::{Figures, GivenStyle, stem};
 use super::files::{self, Source};
-use super::message::{Failure, warn};
+use super::message::{Failure, note, warn};
 use super::paper::{GivenScales, Paper};
 use super::sweep::split_names;
 use super::wording::Words;
@@ -44,6 +44,9 @@ pub(super) struct Draw {
     /// figure names.
     #[arg(long, value_name = "POINTS")]
     trace: Vec<String>,
+    /// Let the paths go on beyond limits of the drive, dashed, in other assembly modes.
+    #[arg(long)]
+    beyond_limits: bool,
     /// Draw the links pale in N equally spaced positions over that cycle.
     #[arg(long, value_name = "N")]
     ghosts: Option<u16>,
@@ -84,7 +87,8 @@ impl Draw {
         for (name, source) in scenes {
             let solution = solve(&source, self.mode.number, |f| self.put_into(f, &style), needed_order)?;
             self.check_traced(&solution.scene)?;
-            Traces::new(&solution, None).map_err(|error| source.fail(error))?;
+            let traces = Traces::new(&solution, None).map_err(|error| source.fail(error))?;
+            note_limits(&traces, &solution.scene.figure);
             show_warnings(&solution);
             solution.overflow_warnings().iter().for_each(|text| warn(text));
             self.sheets(name, &solution, &mut drawings)?;
@@ -114,6 +118,7 @@ impl Draw {
         if !self.trace.is_empty() {
             figure.trace = self.trace.iter().flat_map(|text| split_names(text)).collect();
         }
+        figure.beyond_limits |= self.beyond_limits;
         figure.ghosts = self.ghosts.map(usize::from).or(figure.ghosts);
         figure.step = self.upto.or(figure.step).filter(|_| !self.steps && !self.layered);
     }
@@ -188,6 +193,13 @@ fn values() -> impl TypedValueParser<Value = ValuesShown> {
         "none" => ValuesShown::Hidden,
         unit => ValuesShown::Shown(LengthUnit::ALL.into_iter().find(|known| known.as_str() == unit)),
     })
+}
+
+/// Says where paths end, unless they go on.
+fn note_limits(traces: &Traces, figure: &Figure) {
+    if !figure.beyond_limits && traces.times.as_ref().is_some_and(|times| times.is_stopped) {
+        note("the paths end where limits stop the drive; --beyond-limits draws the rest of the curves, dashed");
+    }
 }
 
 /// A drive's value on a page: an angle with one decimal of a degree, a length with four significant digits.

@@ -33,7 +33,7 @@ pub struct PointPath {
     pub pieces: Vec<Vec<(f64, Point)>>,
     /// The rest of the curve, which the drive cannot reach on the branch of the scene's own position: the mechanism,
     /// moved by another link, goes through limit positions over to the branches that end there too. In such pieces;
-    /// none where a part of the range alone was asked for.
+    /// none unless it was asked for.
     pub beyond: Vec<Vec<(f64, Point)>>,
     /// Places at equal steps of the drive.
     pub ticks: Vec<Tick>,
@@ -81,15 +81,19 @@ impl<'a> PointPaths<'a> {
                 paths.push(PointPath::new(path, &shown, name, &values)?);
             }
         }
-        // The rest of the curve belongs to the whole motion.
-        let whole = |above: bool| path.limit(above).is_some_and(|at| at == shown.range[usize::from(above)]);
-        if whole(false) && whole(true) {
-            let others = other_branches(path);
-            for one in &mut paths {
-                one.go_beyond(&others)?;
-            }
-        }
         Ok(PointPaths { path, range: shown.range, paths, events: shown.events })
+    }
+
+    /// Adds the rest of the curves beyond limits of the drive; only the whole range of a branch goes on there.
+    ///
+    /// # Errors
+    /// A branch on the other side of a limit cannot be followed.
+    pub fn beyond_limits(mut self) -> Result<Self, CycleError> {
+        let others = other_branches(self.path);
+        for one in &mut self.paths {
+            one.go_beyond(&others)?;
+        }
+        Ok(self)
     }
 }
 

@@ -30,6 +30,8 @@ pub struct Traces {
 pub struct Times {
     /// The drive.
     pub drive: Drive,
+    /// Whether limits stop the drive, so that the paths end there.
+    pub is_stopped: bool,
     /// Distance of two ticks, in degrees or in the scene's unit of length.
     pub step: f64,
     /// The time for it, in the scene's unit; none for a drive at rest.
@@ -67,11 +69,18 @@ impl Traces {
         let values = cycle.ticks(path.start(), step);
         let paths = figure.trace.iter().map(|name| PointPath::new(&path, &cycle.shown, name, &values));
         let mut paths = paths.collect::<Result<Vec<_>, _>>()?;
-        let others = if paths.is_empty() { Vec::new() } else { other_branches(&path) };
-        for one in &mut paths {
-            one.go_beyond(&others)?;
+        if figure.beyond_limits && !paths.is_empty() {
+            let others = other_branches(&path);
+            for one in &mut paths {
+                one.go_beyond(&others)?;
+            }
         }
-        let times = (!paths.is_empty()).then(|| Times { step, time: time(&path, step), drive: path.drive.clone() });
+        let times = (!paths.is_empty()).then(|| Times {
+            is_stopped: [false, true].into_iter().any(|above| path.end(above).is_some()),
+            step,
+            time: time(&path, step),
+            drive: path.drive.clone(),
+        });
         let ghosts = figure.ghosts.map_or_else(Vec::new, |count| cycle.ghosts(&path, &solution.pose, count));
         Ok(Self { paths, ghosts, times })
     }

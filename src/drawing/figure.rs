@@ -287,5 +287,6 @@ fn description(scheme: &Scheme<'_>, panels: &[Panel<'_>]) -> String {
         };
         language.described_group(class, &group.link_names(scheme.mechanism))
     });
-    language.description(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "))
+    let description = language.description(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "));
+    scheme.sentence_on_paths().into_iter().fold(description, |text, paths| format!("{text} {paths}"))
 }

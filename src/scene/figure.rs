@@ -73,6 +73,9 @@ pub struct Figure {
     /// Points of links whose paths over the whole cycle of the drive are drawn in the scheme.
     #[schemars(extend("uniqueItems" = true))]
     pub trace: Vec<String>,
+    /// Whether these paths go on, dashed, beyond limits of the drive, in the other assembly modes that the mechanism
+    /// reaches there if another link moves it; left out: false.
+    pub beyond_limits: bool,
     /// Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none.
     #[serde(deserialize_with = "count")]
     #[schemars(with = "Option<u16>", range(min = 2, max = 72))]
@@ -84,7 +87,7 @@ pub struct Figure {
 
 write_keys!(Figure {
     panels, mu_l, mu_v, mu_a, scales, focus, page, worksheet, style, notation, language, decimal, labels, special_points,
-    construction, values, step, trace, ghosts; sizes
+    construction, values, step, trace, beyond_limits, ghosts; sizes
 } unless Figure::default());
 
 /// Steps and positions are read as `u16`: there are never more, and messages can name the range.
@@ -114,6 +117,7 @@ impl Default for Figure {
             values: None,
             step: None,
             trace: Vec::new(),
+            beyond_limits: false,
             ghosts: None,
             sizes: None,
         }

@@ -5,7 +5,7 @@ use crate::support::files;
 use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::cycle::{Animation, Drive, Path, PointPath, PointPaths, Traces};
-use kinegon::drawing::{Drawing, Pen, Point, Shape, frames, paths};
+use kinegon::drawing::{Drawing, Mark, Pen, Point, Shape, frames, paths};
 use kinegon::geometry;
 use kinegon::scene::Scene;
 use std::f64::consts::PI;
@@ -94,7 +94,7 @@ fn lecture(name: &str, more: &str) -> String {
 
 /// The lines of a path on the sheet, and how a place of the scheme comes there: from the places of two points.
 fn drawn_path(drawing: &Drawing, name: &str) -> Vec<Vec<Point>> {
-    let of = |mark: &&kinegon::drawing::Mark| id(mark).starts_with(&format!("scheme-{name}"));
+    let of = |mark: &&Mark| id(mark).starts_with(&format!("scheme-{name}"));
     let lines = drawing.marks.iter().filter(of).map(|mark| match &mark.shape {
         Shape::Polyline(points) => points.clone(),
         other => panic!("{} is no line: {other:?}", id(mark)),
@@ -104,7 +104,7 @@ fn drawn_path(drawing: &Drawing, name: &str) -> Vec<Vec<Point>> {
 
 fn on_sheet(drawing: &Drawing, [a, b]: [(&str, Place); 2]) -> impl Fn(Place) -> Point {
     let find = |name: &str| match drawing.marks.iter().find(|mark| id(mark) == format!("scheme-point-{name}")) {
-        Some(kinegon::drawing::Mark { shape: Shape::Circle { center, .. }, .. }) => *center,
+        Some(Mark { shape: Shape::Circle { center, .. }, .. }) => *center,
         other => panic!("no point {name}: {other:?}"),
     };
     let (from, to) = (find(a.0), find(b.0));
@@ -213,7 +213,7 @@ fn points_of_a_trammel_draw_ellipses_and_lines() {
         let text = files::read("tests/lecture/trammel.json");
         let text = text.replace(r#""BP": 150, "AP": 150"#, &format!(r#""BP": {b}, "AP": {a}"#));
         let text = text.replace("[100, 110]", &format!("{near:?}"));
-        with_figure(&text, r#"{ "trace": ["P"] }"#)
+        with_figure(&text, r#"{ "trace": ["P"], "beyond_limits": true }"#)
     };
     // On the rod at 100 from A and 200 from B: half axes 200 and 100.
     let path = path_of(&scene(100.0, 200.0, [133.0, 74.0]));
@@ -247,7 +247,7 @@ fn points_of_a_trammel_draw_ellipses_and_lines() {
 /// levers b, half the coupler c.
 #[test]
 fn watt_s_figure_of_eight_crosses_itself() {
-    let text = lecture("watt", r#"{ "trace": ["M"] }"#);
+    let text = lecture("watt", r#"{ "trace": ["M"], "beyond_limits": true }"#);
     let path = path_of(&text);
     let (middle, [ux, uy]) = ([100.0, 40.0], [200.0, 80.0].map(|x| x / libm::hypot(200.0, 80.0)));
     let (a, b, c) = (0.5 * libm::hypot(200.0, 80.0), 100.0, 40.0);
@@ -381,7 +381,7 @@ fn a_path_belongs_to_all_steps_and_to_all_frames() {
     let animation = Animation::new(&own, None, 8).expect("it moves");
     let drawings = frames(&animation.positions, animation.own);
     assert!(drawings.len() >= 8);
-    let traced = |drawing: &Drawing| -> Vec<kinegon::drawing::Mark> {
+    let traced = |drawing: &Drawing| -> Vec<Mark> {
         let of = |pen| matches!(pen, Pen::Trace | Pen::Ghost);
         drawing.marks.iter().filter(|mark| of(mark.pen)).cloned().collect()
     };
@@ -414,7 +414,7 @@ fn nothing_is_cut_and_nothing_covers_a_name() {
         points.dedup();
         points.retain(|point| !read.ground.contains(point));
         let style = ["paper", "lecture", "board", "print"][index % 4];
-        let figure = serde_json::json!({ "trace": points, "style": style, "ghosts": 2 + index % 9 });
+        let figure = serde_json::json!({ "trace": points, "style": style, "ghosts": 2 + index % 9, "beyond_limits": index % 2 == 0 });
         let Ok(solution) = solved(&with_figure(&text, &figure.to_string())) else { continue };
         let all = Traces::new(&solution, None).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(all.paths.len(), points.len());
@@ -423,6 +423,18 @@ fn nothing_is_cut_and_nothing_covers_a_name() {
         let drawing = solution.figure();
         let found = faults(&drawing).into_iter().filter(|fault| !known.contains(fault));
         wrong.extend(found.map(|fault| format!("{name}: {fault}")));
+        // Clipped lines would be in pieces that end on the border.
+        let [(_, frame), ..] = drawing.panels.as_slice() else { panic!("{name}: no panel") };
+        let inside = frame.inflate(-3.0, -3.0);
+        let is_traced = |mark: &&Mark| matches!(mark.pen, Pen::Trace | Pen::Beyond | Pen::Ghost);
+        for mark in drawing.marks.iter().filter(is_traced) {
+            if inside.union(mark.shape.bounds()) != inside {
+                wrong.push(format!("{name}: {} is at the border", id(mark)));
+            }
+        }
+        let lines = drawing.marks.iter().filter(|mark| matches!(mark.shape, Shape::Polyline(_)) && is_traced(mark));
+        let pieces = all.paths.iter().map(|path| path.pieces.len() + path.beyond.len());
+        assert_eq!(lines.count(), pieces.sum::<usize>(), "{name}");
         assert!(drawing.svg().len() < 4 * MOST_BYTES, "{name}: {}", drawing.svg().len());
         count += 1;
     }

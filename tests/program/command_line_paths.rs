@@ -66,8 +66,22 @@ fn every_format_has_the_path() {
 fn a_chart_of_paths_says_what_it_shows() {
     let chart = svg(&["curves", LEG, "--path", "F, E"]);
     assert!(chart.contains("Path of F in mm; Path of E in mm."));
-    let chart = svg(&["curves", "tests/lecture/watt.json", "--path", "M", "--language", "es"]);
+    let watt = "tests/lecture/watt.json";
+    let chart = svg(&["curves", watt, "--path", "M", "--language", "es"]);
     assert!(chart.contains("Trayectoria de M en mm."));
+    let whole = svg(&["curves", watt, "--path", "M", "--language", "es", "--beyond-limits"]);
+    assert!(whole.contains("path-a-beyond-0") && !chart.contains("path-a-beyond"));
+}
+
+#[test]
+fn paths_end_at_limits_unless_they_are_to_go_on() {
+    let watt = ["draw", "tests/lecture/watt.json", "--trace", "M", "-o", "-"];
+    let output = run(&watt);
+    assert!(output.status.success() && stderr(&output).contains("--beyond-limits"), "{}", stderr(&output));
+    assert!(!String::from_utf8_lossy(&output.stdout).contains("scheme-beyond-M"));
+    let output = run(&[&watt[..], &["--beyond-limits"]].concat());
+    assert!(stderr(&output).is_empty(), "{}", stderr(&output));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("scheme-beyond-M"));
 }
 
 #[test]

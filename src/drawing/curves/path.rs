@@ -123,8 +123,9 @@ impl Layer for Walk<'_> {
         let (one, room) = (self.one, room(canvas));
         let way = Way { course: self.course, index: self.index };
         let on_sheet = |piece: &Vec<(f64, geometry::Point)>| piece.iter().map(|(_, place)| view.at(*place)).collect();
-        for chain in one.beyond.iter().map(on_sheet).flat_map(|points: Vec<Point>| clipped_chain(room, &points)) {
-            canvas.draw(Pen::Beyond, Shape::Polyline(simplified(&chain)));
+        let beyond = one.beyond.iter().map(on_sheet).flat_map(|points: Vec<Point>| clipped_chain(room, &points));
+        for (part, chain) in beyond.enumerate() {
+            canvas.draw_named(&format!("beyond-{part}"), Pen::Beyond, Shape::Polyline(simplified(&chain)));
         }
         let chains = way.lines(canvas, room, one.pieces.iter().map(on_sheet));
         way.limits(canvas, &chains);

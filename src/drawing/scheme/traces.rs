@@ -73,7 +73,7 @@ impl Scheme<'_> {
 
     /// The sentence on the paths and their ticks, in markup.
     pub(in crate::drawing) fn sentence_on_paths(&self) -> Option<String> {
-        let Times { drive, step, time } = self.traces.times.as_ref()?;
+        let Times { drive, step, time, .. } = self.traces.times.as_ref()?;
         let shown = |name: &str| self.shown(name, None);
         let points: Vec<String> = self.traces.paths.iter().map(|path| shown(&path.name)).collect();
         let (language, units) = (self.words.language, self.scene.units);
@@ -82,13 +82,14 @@ impl Scheme<'_> {
             true => format!("{}°", number(*step)),
             false => format!("{} {}", number(*step), units.length.as_str()),
         };
-        let (points, drive) = (points.join(", "), shown(&drive.name));
+        let drive = self.figure.labels.get(&drive.name).unwrap_or(&drive.name);
+        let points = points.join(", ");
         let mut sentence = match time {
             Some(time) => {
                 let time = format!("{} {}", number(*time), units.time.as_str());
-                language.paths_in_time(&points, &step, &drive, &time)
+                language.paths_in_time(&points, &step, drive, &time)
             }
-            None => language.paths(&points, &step, &drive),
+            None => language.paths(&points, &step, drive),
         };
         if self.traces.paths.iter().any(|path| !path.beyond.is_empty()) {
             sentence = format!("{sentence} {}", language.paths_beyond());
