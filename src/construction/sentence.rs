@@ -12,7 +12,7 @@ use crate::position::Pose;
 use crate::words::{Language, NumberStyle, Wording};
 
 /// A point's name, marked for a caption.
-fn marked(name: &str) -> String {
+pub(super) fn marked(name: &str) -> String {
     format!("`{name}`")
 }
 
@@ -84,8 +84,8 @@ pub fn no_construction(words: &Wording, far: &[String]) -> String {
 pub struct Teller<'a> {
     mechanism: &'a Mechanism,
     pose: &'a Pose,
-    construction: &'a Construction,
-    words: &'a Wording,
+    pub(super) construction: &'a Construction,
+    pub(super) words: &'a Wording,
 }
 
 impl<'a> Teller<'a> {

@@ -2,11 +2,14 @@ use super::clip::{clipped, clipped_segment, holds, is_within};
 use super::dims::Dims;
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
-use super::shape::{Shape, around};
+use super::shape::{Shape, around, overlap};
 use super::sheet::{Drawing, Mark, Pen};
-use super::text::{LABEL, PlacedText, RichText};
+use super::text::{CAPTION, LABEL, PlacedText, RichText};
 use indexmap::IndexMap;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
+
+/// White between a panel's edge and the words on what is cut off there, in mm.
+const CUT_EDGE: f64 = 2.5;
 
 /// A panel in progress: drawn marks become obstacles; labels are placed when all is drawn.
 pub(super) struct Canvas<'a> {
@@ -251,8 +254,9 @@ impl<'a> Canvas<'a> {
     }
 
     /// Places and draws the labels, and cuts off marks at the panel's edge. Labels of points outside the panel are left
-    /// out.
-    pub(super) fn finish(mut self) {
+    /// out; `cut` says that something is.
+    pub(super) fn finish(mut self, cut: &str) {
+        self.say_cut(cut);
         let mut requests = std::mem::take(&mut self.requests);
         requests.retain(|(wanted, _)| holds(self.frame, wanted.request.anchor));
         let shown =
@@ -265,6 +269,33 @@ impl<'a> Canvas<'a> {
         }
         self.place(outside);
         self.cut_off();
+    }
+
+    /// Says in a corner of the panel that content is cut off at its edge, if it is, from the step on that draws it.
+    fn say_cut(&mut self, cut: &str) {
+        let leaves = |mark: &&Mark| !mark.passing && !is_within(self.frame, &mark.shape);
+        let step = self.marks().iter().filter(leaves).map(|mark| mark.since).min();
+        let Some(step) = step.filter(|_| !cut.is_empty()) else {
+            return;
+        };
+        let text = RichText::plain(cut);
+        let size = Vec2::new(text.width(CAPTION), CAPTION);
+        let (left, right) = (self.frame.x0 + CUT_EDGE, self.frame.x1 - CUT_EDGE - size.x);
+        let (top, bottom) = (self.frame.y0 + HEADING, self.frame.y1 - CUT_EDGE);
+        let corners = [(left, bottom), (right, bottom), (right, top), (left, top + CAPTION)];
+        let corners = corners.map(|(x, y)| Point::new(x, y));
+        let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);
+        let covered = |from: &Point| {
+            let ink = place(*from).ink_box().inflate(0.5, 0.5);
+            let lines = self.obstacles.lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some()).count();
+            lines + 4 * self.obstacles.boxes.iter().filter(|area| overlap(**area, ink)).count()
+        };
+        let Some(from) = corners.into_iter().min_by_key(covered) else { return };
+        self.step = step;
+        let text = place(from);
+        self.obstacles.boxes.push(text.ink_box());
+        let id = format!("{}-cut", self.prefix);
+        self.add_mark(Some(id), Pen::Caption, Shape::Text(text));
     }
 
     /// Places labels and draws them.

@@ -7,6 +7,7 @@ use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;
 use super::panel::{Frame, Layer, Layers, Panel, numbered};
+use super::passages::PassageWords;
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::{Drawing, Pen};
@@ -17,15 +18,28 @@ use super::worksheet::Worksheet;
 use crate::construction::{Solution, shown_text};
 use crate::mechanism::Class;
 use crate::quantity::{Kind, Scales};
-use crate::scene::PanelName;
+use crate::scene::{PageSize, PanelName};
 use crate::words::{Language, Wording};
+
+/// Weight of the size of a panel beside that in focus.
+const COMPANION: f64 = 0.2;
+
+/// A sheet with a scene's panels.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sheet {
+    /// Whether it has room for the words of steps.
+    pub is_stepwise: bool,
+    /// Whether it has the table of measured lengths.
+    pub worksheet: bool,
+}
 
 impl Solution {
     /// The figure that the scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
     #[must_use]
     pub fn figure(&self) -> Drawing {
-        let scheme = Scheme::new(self);
-        let sheet = finished(&scheme, &extents(&scheme));
+        let scheme = Scheme::scaled(self);
+        let sheet = Sheet { is_stepwise: false, worksheet: self.scene.figure.worksheet };
+        let sheet = described(&scheme, composed(&scheme, &extents(&scheme), sheet));
         sheet.draw(&sheet.layout())
     }
 
@@ -35,16 +49,33 @@ impl Solution {
     /// Steps of plans without a panel have captions, too.
     #[must_use]
     pub fn stepwise_figure(&self) -> Drawing {
-        let scheme = Scheme::new(self);
-        let sheet = stepwise(&scheme, &extents(&scheme), self.scene.figure.worksheet);
+        let scheme = Scheme::scaled(self);
+        let sheet = Sheet { is_stepwise: true, worksheet: self.scene.figure.worksheet };
+        let sheet = described(&scheme, composed(&scheme, &extents(&scheme), sheet));
         sheet.draw(&sheet.layout())
+    }
+
+    /// The same in coarse steps, one for each of the construction's [passages](crate::construction::Passage).
+    #[must_use]
+    pub fn coarse_figure(&self) -> Drawing {
+        let scheme = Scheme::scaled(self);
+        let passages = self.construction.passages();
+        let mut sheet = described(
+            &scheme,
+            composed(&scheme, &extents(&scheme), Sheet { is_stepwise: true, worksheet: self.scene.figure.worksheet }),
+        );
+        // The words of the single steps.
+        sheet.items.retain(|item| !item.is_of_steps());
+        sheet.items.push(Box::new(PassageWords { scheme: &scheme, passages: &passages }));
+        sheet.draw(&sheet.layout()).in_passages(&scheme, &passages)
     }
 
     /// The scales of the figure; for a plan without a panel the scene's scale, if there is one.
     #[must_use]
     pub fn scales(&self) -> Scales {
-        let scheme = Scheme::new(self);
-        let layout = finished(&scheme, &extents(&scheme)).layout();
+        let scheme = Scheme::scaled(self);
+        let sheet = Sheet { is_stepwise: false, worksheet: self.scene.figure.worksheet };
+        let layout = composed(&scheme, &extents(&scheme), sheet).layout();
         let of = |panel: PanelName| self.scene.figure.mu(panel).or(layout.mu(kind(panel)));
         Scales {
             length: of(PanelName::Scheme),
@@ -61,9 +92,10 @@ impl Solution {
         if !figure.panels.iter().any(|&panel| figure.mu(panel).is_some()) {
             return Vec::new();
         }
-        let scheme = Scheme::new(self);
+        let scheme = Scheme::scaled(self);
         let extents = extents(&scheme);
-        let layout = finished(&scheme, &extents).layout();
+        let sheet = Sheet { is_stepwise: false, worksheet: figure.worksheet };
+        let layout = composed(&scheme, &extents, sheet).layout();
         extents
             .iter()
             .zip(&layout.panels)
@@ -96,53 +128,60 @@ fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Optio
 /// The stepwise figures of one mechanism in several positions, all with the same panels and scales, as frames of an
 /// animation.
 ///
-/// Panels are large enough for the whole content of position `own` and for the joints and their images in the other
-/// positions, except for plans several times as large as most: near a limit position rates and special points go to
-/// infinity. Content that does not fit is cut off at the panel's edge. There is no work sheet.
+/// Scales are those of the figure in position `own`. Panels are large enough for its whole content and, as far as the
+/// sheet allows, for the joints and their images in the other positions, except for plans several times as large as most:
+/// near a limit position rates and special points go to infinity. Where a position's content does not fit, the panel
+/// says that it is cut at the edge; poles stay in sight. There is no work sheet.
 #[must_use]
 pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
-    let schemes: Vec<Scheme<'_>> =
-        positions.iter().map(|solution| Scheme { insets: false, ..Scheme::new(solution) }).collect();
-    let Some(first) = schemes.get(own) else {
+    let Some(first) = positions.get(own) else {
         return Vec::new();
     };
-    let extents: Vec<(PanelName, Extent)> = extents(first)
+    let own_scheme = Scheme::scaled(first);
+    let schemes: Vec<Scheme<'_>> =
+        positions.iter().map(|solution| Scheme { mu: own_scheme.mu, ..Scheme::new(solution) }).collect();
+    let extents: Vec<(PanelName, Extent)> = extents(&own_scheme)
         .into_iter()
-        .map(|(panel, extent)| {
-            let others = schemes.iter().filter_map(|scheme| match panel {
-                PanelName::Scheme => Some(scheme.extent_of_joints()),
-                plan => scheme.plan(plan).map(plan_panel::extent_of_images),
-            });
-            (panel, extent.with_most(others))
-        })
+        .map(|(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel))))
         .collect();
-    let sheets: Vec<Composition<'_>> = schemes.iter().map(|scheme| stepwise(scheme, &extents, false)).collect();
+    let sheet = Sheet { is_stepwise: true, worksheet: false };
+    let sheets: Vec<Composition<'_>> =
+        schemes.iter().map(|scheme| described(scheme, composed(scheme, &extents, sheet))).collect();
     let below = sheets.iter().map(Composition::height_below).fold(0.0, f64::max);
     let layout = sheets[own].layout_above(below);
     sheets.iter().map(|sheet| sheet.draw(&layout)).collect()
 }
 
-/// The finished figure.
-fn finished<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)]) -> Composition<'a> {
-    let panels = panels(scheme, extents, |panel| vec![content(scheme, panel)]);
-    let table = scheme.figure.worksheet.then(|| Worksheet::new(scheme, &panels));
-    composition(scheme, panels, table, vec![Box::new(agreement(scheme))])
+/// By position: the extent of the joints or of their images in a panel.
+pub(super) fn extents_of_images<'a>(schemes: &'a [Scheme<'_>], panel: PanelName) -> impl Iterator<Item = Extent> + 'a {
+    schemes.iter().filter_map(move |scheme| match panel {
+        PanelName::Scheme => Some(scheme.extent_of_joints()),
+        plan => scheme.plan(plan).map(plan_panel::extent_of_images),
+    })
 }
 
-/// The figure with all its steps.
-fn stepwise<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], worksheet: bool) -> Composition<'a> {
-    let panels = panels(scheme, extents, |panel| vec![hints(scheme, panel), content(scheme, panel)]);
-    let table = worksheet.then(|| Worksheet::new(scheme, &panels));
-    let after = scheme.construction.numbered_steps().count() as u16 + 1;
-    let agreement = Lines { step: Some(after), ..agreement(scheme) };
-    let sheet = composition(scheme, panels, table, vec![Box::new(StepWords(scheme)), Box::new(agreement)]);
-    Composition { is_stepwise: true, ..sheet }
+/// A sheet of the scene with panels of these extents.
+pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], sheet: Sheet) -> Composition<'a> {
+    let panels = panels(scheme, extents, |panel| match sheet.is_stepwise {
+        true => vec![hints(scheme, panel), content(scheme, panel)],
+        false => vec![content(scheme, panel)],
+    });
+    let table = sheet.worksheet.then(|| Worksheet::new(scheme, &panels));
+    let agreement = agreement(scheme);
+    let below: Vec<Box<dyn Item + 'a>> = if sheet.is_stepwise {
+        let after = scheme.construction.numbered_steps().count() as u16 + 1;
+        vec![Box::new(StepWords(scheme)), Box::new(Lines { step: Some(after), ..agreement })]
+    } else {
+        vec![Box::new(agreement)]
+    };
+    Composition { is_stepwise: sheet.is_stepwise, ..composition(scheme, panels, table, below) }
 }
 
-/// The sentence on how the construction agrees with the loop equations.
+/// The sentence on how the construction agrees with the loop equations. On a projector it is left out where they agree.
 fn agreement(scheme: &Scheme<'_>) -> Lines {
-    let sentence = legend::agreement(&scheme.words, scheme.construction);
-    Lines::of([&sentence], scheme.dims.page)
+    let (sentence, agrees) = legend::agreement(&scheme.words, scheme.construction);
+    let is_projected = scheme.figure.page.size == PageSize::Wide || scheme.dims.unit > 1.0;
+    Lines::of((!(agrees && is_projected)).then_some(&sentence), scheme.dims.page)
 }
 
 /// A sheet with these panels, a table beside them, their scales, and items below.
@@ -155,27 +194,34 @@ pub(super) fn composition<'a>(
     let (scene, words) = (scheme.scene, scheme.words);
     let table = table.map(|table| Box::new(table) as Box<dyn Item>);
     let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units, dims: scheme.dims });
-    let (teller, steps) = (scheme.teller(), scheme.construction.numbered_steps());
     Composition {
         scene,
         dims: scheme.dims,
         words,
         title: scene.title.as_deref().unwrap_or(words.language.title()).to_owned(),
-        description: description(scheme, &panels),
-        steps: steps.map(|step| shown_text(&teller.caption(&step), step.plan, &words)).collect(),
+        description: String::new(),
+        steps: Vec::new(),
         is_stepwise: false,
         panels,
         items: table.into_iter().chain([legend]).chain(below).collect(),
     }
 }
 
+/// A sheet with its description and the captions of its steps.
+pub(super) fn described<'a>(scheme: &Scheme<'_>, mut sheet: Composition<'a>) -> Composition<'a> {
+    let (teller, steps) = (scheme.teller(), scheme.construction.numbered_steps());
+    sheet.description = description(scheme, &sheet.panels);
+    sheet.steps = steps.map(|step| shown_text(&teller.caption(&step), step.plan, &scheme.words)).collect();
+    sheet
+}
+
 /// The panels with content, and its extents.
 pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(PanelName, Extent)> {
     let extent = |&panel: &PanelName| match panel {
         PanelName::Scheme => Some((panel, scheme.extent())),
-        plan => scheme.plan(plan).map(|plan| (panel, plan_panel::extent(plan))),
+        plan => scheme.plan(plan).map(|plan| (panel, plan_panel::extent(plan, scheme.figure.construction))),
     };
-    scheme.figure.panels.iter().filter_map(extent).collect()
+    scheme.figure.shown_panels().iter().filter_map(extent).collect()
 }
 
 /// Panels of these extents, with layers from `layers`.
@@ -192,7 +238,14 @@ pub(super) fn panels<'a>(
             name: name.to_owned(),
             prefix: panel.as_str(),
             // The width of the first panel's heading: it must not depend on the panel's letter.
-            needs: Needs { kind: kind(panel), extent, heading: frame(0).width(), mu: scheme.figure.mu(panel) },
+            needs: Needs {
+                kind: kind(panel),
+                extent,
+                heading: frame(0).width(),
+                mu: scheme.mu[panel as usize],
+                weight: if scheme.figure.focus.is_some_and(|focus| focus != panel) { COMPANION } else { 1.0 },
+            },
+            cut: scheme.words.language.cut_at_edge().to_owned(),
             layers: std::iter::once(lowest).chain(layers(panel)).collect(),
         }
     };

@@ -36,11 +36,10 @@ pub(super) struct Scheme<'a> {
     pub construction: &'a Construction,
     pub names: Names,
     pub stages: Stages,
-    /// Whether crowded points of plans have an enlarged detail: not in an animation, where details would appear and
-    /// vanish.
-    pub insets: bool,
     pub words: Wording,
     pub dims: Dims,
+    /// The scales of the panels, in units per mm of paper: the scene's, or those chosen for all of its sheets.
+    pub mu: [Option<f64>; PanelName::ALL.len()],
 }
 
 impl<'a> Scheme<'a> {
@@ -56,9 +55,9 @@ impl<'a> Scheme<'a> {
             construction,
             names: Names::new(mechanism, construction),
             stages: Stages::new(construction),
-            insets: true,
             words: solution.wording(),
             dims: Dims::of(&scene.figure),
+            mu: PanelName::ALL.map(|panel| scene.figure.mu(panel)),
         }
     }
 
