@@ -3,9 +3,9 @@ use super::files::{self, Source};
 use super::message::{Failure, note, warn};
 use super::paper::{GivenScales, Paper};
 use super::sweep::split_names;
-use super::wording::Words;
+use super::wording::{Words, one_of};
 use super::work::{Mode, show_warnings, solve};
-use crate::construction::Solution;
+use crate::construction::{NumberedStep, PlanKind, Solution};
 use crate::cycle::{Animation, Drive, Traces};
 use crate::drawing::{Drawing, frames_with};
 use crate::format::{WebPage, html};
@@ -22,14 +22,25 @@ const PAPER: [(&str, &str); 2] = [
     ("figure-2", include_str!("../../examples/figure-2.json")),
 ];
 
+/// How finely a construction is shown.
+#[derive(Clone, Copy)]
+enum Steps {
+    /// Each step on a sheet of its own.
+    Fine,
+    /// Steps that belong together on one.
+    Coarse,
+}
+
 /// Draw the figure of a scene.
 #[derive(Debug, Args)]
 pub(super) struct Draw {
     /// Scene file, `-` for stdin; without one the two figures of Quintero et al. (2011).
     scene: Option<PathBuf>,
-    /// Write a sheet for each step of the construction: figure-01, figure-02 …
-    #[arg(long, conflicts_with_all = ["upto", "layered"])]
-    steps: bool,
+    /// Write a sheet for each step of the construction: figure-01, figure-02 … `coarse` joins the steps that a lecturer
+    /// shows together.
+    #[arg(long, value_name = "fine|coarse", num_args = 0..=1, default_missing_value = "fine",
+        conflicts_with_all = ["upto", "layered"])]
+    steps: Option<String>,
     /// Write the sheet as it stands after this step alone.
     #[arg(long, value_name = "N", conflicts_with = "layered")]
     upto: Option<usize>,
@@ -53,6 +64,9 @@ pub(super) struct Draw {
     /// Show values at vectors, links and lengths; velocities and accelerations with this unit of length, as `m` for m/s.
     #[arg(long, value_name = "UNIT", num_args = 0..=1, require_equals = true, default_missing_value = "own", value_parser = values())]
     values: Option<ValuesShown>,
+    /// The panel that takes most of the sheet; a plan has the scheme as a small companion.
+    #[arg(long, value_name = "PANEL", value_parser = one_of(PanelName::ALL, PanelName::as_str))]
+    focus: Option<PanelName>,
     /// Positions over the whole range of the drive that a page (`--format html`) can show.
     #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u16).range(1..=1440))]
     positions: u16,
@@ -73,7 +87,8 @@ pub(super) struct Draw {
 
 impl Draw {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let scenes = match &self.scene {
+        let (scene, steps) = self.scene_and_steps()?;
+        let scenes = match &scene {
             Some(path) => vec![(stem(path), files::read(path)?)],
             None => PAPER
                 .map(|(name, text)| {
@@ -91,11 +106,11 @@ impl Draw {
             note_limits(&traces, &solution.scene.figure);
             show_warnings(&solution);
             solution.overflow_warnings().iter().for_each(|text| warn(text));
-            self.sheets(name, &solution, &mut drawings)?;
+            self.sheets(name, &solution, steps, &mut drawings)?;
             solved.push((source, solution));
         }
         style.put_on(drawings.iter_mut().map(|(_, drawing)| drawing));
-        let inputs: Vec<(&str, &Path)> = self.scene.iter().map(|scene| ("scene", scene.as_path())).collect();
+        let inputs: Vec<(&str, &Path)> = scene.iter().map(|scene| ("scene", scene.as_path())).collect();
         if self.layered {
             return self.figures.write_layered(&inputs, drawings);
         }
@@ -105,6 +120,20 @@ impl Draw {
             _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
         self.figures.write(&inputs, drawings, page)
+    }
+
+    /// The scene and the steps that are asked for. In `--steps scene.json` the scene is no kind of steps.
+    fn scene_and_steps(&self) -> Result<(Option<PathBuf>, Option<Steps>), Failure> {
+        match (self.steps.as_deref(), &self.scene) {
+            (None, scene) => Ok((scene.clone(), None)),
+            (Some("fine"), scene) => Ok((scene.clone(), Some(Steps::Fine))),
+            (Some("coarse"), scene) => Ok((scene.clone(), Some(Steps::Coarse))),
+            (Some(path), None) => Ok((Some(path.into()), Some(Steps::Fine))),
+            (Some(other), Some(_)) => Err(Failure::Misuse(
+                format!("there are no `{other}` steps"),
+                Some("--steps is fine, also without a word, or coarse".into()),
+            )),
+        }
     }
 
     /// Overrides a scene's figure by the options that are given.
@@ -120,7 +149,8 @@ impl Draw {
         }
         figure.beyond_limits |= self.beyond_limits;
         figure.ghosts = self.ghosts.map(usize::from).or(figure.ghosts);
-        figure.step = self.upto.or(figure.step).filter(|_| !self.steps && !self.layered);
+        figure.focus = self.focus.or(figure.focus);
+        figure.step = self.upto.or(figure.step).filter(|_| self.steps.is_none() && !self.layered);
     }
 
     /// Refuses options `--trace` and `--ghosts` that the scene cannot follow.
@@ -158,16 +188,25 @@ impl Draw {
     }
 
     /// Adds the finished figure to `drawings`, or those of the steps that were asked for, each under its name.
-    fn sheets(&self, name: String, solution: &Solution, drawings: &mut Vec<(String, Drawing)>) -> Result<(), Failure> {
-        let wanted = match (self.steps, solution.scene.figure.step) {
-            (false, None) => {
+    fn sheets(
+        &self,
+        name: String,
+        solution: &Solution,
+        steps: Option<Steps>,
+        drawings: &mut Vec<(String, Drawing)>,
+    ) -> Result<(), Failure> {
+        let wanted = match (steps, solution.scene.figure.step) {
+            (None, None) => {
                 let name = if self.layered { format!("{name}-layered") } else { name };
                 drawings.push((name, solution.figure()));
                 return Ok(());
             }
             (_, step) => step,
         };
-        let all = solution.stepwise_figure();
+        let all = match steps {
+            Some(Steps::Coarse) => solution.coarse_figure(),
+            _ => solution.stepwise_figure(),
+        };
         let count = all.steps.len();
         let digits = count.to_string().len().max(2);
         let (first, last) = match wanted {
@@ -180,7 +219,10 @@ impl Draw {
             }
             None => (1, count),
         };
-        let sheets = (first..=last).map(|step| (format!("{name}-{step:0digits$}"), all.after_step(step)));
+        let shown = shown_steps(solution, steps);
+        let is_shown = |step: &usize| wanted.is_some() || shown.get(step - 1) == Some(&true);
+        let sheets =
+            (first..=last).filter(is_shown).map(|step| (format!("{name}-{step:0digits$}"), all.after_step(step)));
         drawings.extend(sheets);
         Ok(())
     }
@@ -202,6 +244,26 @@ fn note_limits(traces: &Traces, figure: &Figure) {
     }
 }
 
+/// By step: whether it is drawn in a panel. With a focus the steps of the other plan are left out.
+fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
+    let construction = &solution.construction;
+    let panels = solution.scene.figure.shown_panels();
+    let is_shown = |step: &NumberedStep<'_>| {
+        let panel = step.plan.map_or(PanelName::Scheme, |plan| match plan.kind {
+            PlanKind::Velocity => PanelName::Velocity,
+            PlanKind::Acceleration => PanelName::Acceleration,
+        });
+        solution.scene.figure.focus.is_none() || panels.contains(&panel)
+    };
+    match steps {
+        Some(Steps::Coarse) => {
+            let passages = construction.passages();
+            passages.iter().map(|passage| construction.steps_of(passage).any(|step| is_shown(&step))).collect()
+        }
+        _ => construction.numbered_steps().map(|step| is_shown(&step)).collect(),
+    }
+}
+
 /// A drive's value on a page: an angle with one decimal of a degree, a length with four significant digits.
 fn drive_value(drive: &Drive, value: f64, words: &Wording) -> String {
     let decimals = |count: usize| words.write(value, NumberStyle::decimals(count).on(Medium::Figure));
@@ -214,5 +276,5 @@ fn drive_value(drive: &Drive, value: f64, words: &Wording) -> String {
 
 /// The order of the motion to be computed: accelerations only if the figure shows them.
 fn needed_order(scene: &Scene) -> Order {
-    if scene.figure.panels.contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
+    if scene.figure.shown_panels().contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
 }

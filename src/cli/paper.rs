@@ -1,5 +1,5 @@
 use super::wording::one_of;
-use crate::scene::{Figure, Page};
+use crate::scene::{Figure, Page, ScalesFor};
 use clap::{Args, ValueEnum};
 
 /// The sheet of paper, in place of the one that the scene's figure asks for.
@@ -49,6 +49,10 @@ pub(super) struct GivenScales {
     /// Scale of the acceleration plan: units of acceleration per mm of paper.
     #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
     mu_a: Option<f64>,
+    /// For which plans the other scales are chosen: the scene's own position, with one set for figure, steps, work
+    /// sheet and page; each sheet for itself; or the largest plans of the whole cycle.
+    #[arg(long, value_name = "FOR", value_parser = one_of(ScalesFor::ALL, ScalesFor::as_str))]
+    scales: Option<ScalesFor>,
 }
 
 fn scale(text: &str) -> Result<f64, String> {
@@ -59,7 +63,7 @@ fn scale(text: &str) -> Result<f64, String> {
 impl GivenScales {
     /// Whether one of its options is given.
     pub(super) fn is_given(&self) -> bool {
-        [self.mu_l, self.mu_v, self.mu_a].iter().any(Option::is_some)
+        self.scales.is_some() || [self.mu_l, self.mu_v, self.mu_a].iter().any(Option::is_some)
     }
 
     /// Overrides a scene's figure by the options that are given.
@@ -67,5 +71,6 @@ impl GivenScales {
         figure.mu_l = self.mu_l.or(figure.mu_l);
         figure.mu_v = self.mu_v.or(figure.mu_v);
         figure.mu_a = self.mu_a.or(figure.mu_a);
+        figure.scales = self.scales.unwrap_or(figure.scales);
     }
 }

@@ -18,6 +18,7 @@ mod images;
 mod leg;
 mod name;
 mod operation;
+mod passage;
 mod run;
 mod sentence;
 mod solution;
@@ -35,6 +36,7 @@ pub use operation::{
     Along, End, Equation, ErrorUnit, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, Part, PlaceId,
     Product, ProductKind, Rate, Reference, Sheet, StepId,
 };
+pub use passage::{Aim, Passage};
 pub use run::{Change, Disturbance, Drawable, SheetScales, Tolerance, Values};
 pub use sentence::{Teller, plain_text, rate_symbol, shown_text};
 pub use solution::Solution;

@@ -12,7 +12,7 @@ use crate::position::Pose;
 use crate::words::{Language, NumberStyle, Wording};
 
 /// A point's name, marked for a caption.
-fn marked(name: &str) -> String {
+pub(super) fn marked(name: &str) -> String {
     format!("`{name}`")
 }
 
@@ -85,7 +85,7 @@ pub struct Teller<'a> {
     pub(super) mechanism: &'a Mechanism,
     pose: &'a Pose,
     pub(super) construction: &'a Construction,
-    words: &'a Wording,
+    pub(super) words: &'a Wording,
 }
 
 impl<'a> Teller<'a> {

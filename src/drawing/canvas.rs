@@ -2,11 +2,14 @@ use super::clip::{clipped, clipped_segment, holds, is_within};
 use super::dims::Dims;
 use super::labels::{LabelRequest, Obstacles, place};
 use super::layout::HEADING;
-use super::shape::{Shape, around};
+use super::shape::{Shape, around, overlap};
 use super::sheet::{Drawing, Mark, Pen};
-use super::text::{LABEL, PlacedText, RichText};
+use super::text::{CAPTION, LABEL, PlacedText, RichText};
 use indexmap::IndexMap;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
+
+/// White between a panel's edge and the words on what is cut off there, in mm.
+const CUT_EDGE: f64 = 2.5;
 
 /// A panel in progress: drawn marks become obstacles; labels are placed when all is drawn.
 pub(super) struct Canvas<'a> {
@@ -110,7 +113,7 @@ impl<'a> Canvas<'a> {
 
     /// Draws a mark with an id that nothing keeps off.
     pub(super) fn draw_below(&mut self, name: &str, pen: Pen, shape: Shape) -> &mut Mark {
-        let id = mark_id(self.prefix, name);
+        let id = format!("{}-{}", self.prefix, ascii(name));
         self.add_mark(Some(id), pen, shape)
     }
 
@@ -138,7 +141,7 @@ impl<'a> Canvas<'a> {
     /// Draws a mark with an id, such as `velocity-ray-b-s3`, that labels keep off.
     pub(super) fn draw_named(&mut self, name: &str, pen: Pen, shape: Shape) -> &mut Mark {
         self.add_obstacle(pen, &shape);
-        let id = mark_id(self.prefix, name);
+        let id = format!("{}-{}", self.prefix, ascii(name));
         self.add_mark(Some(id), pen, shape)
     }
 
@@ -277,8 +280,9 @@ impl<'a> Canvas<'a> {
     }
 
     /// Places and draws the labels, and cuts off marks at the panel's edge. Labels of points outside the panel are left
-    /// out.
-    pub(super) fn finish(mut self) {
+    /// out; `cut` says that something is.
+    pub(super) fn finish(mut self, cut: &str) {
+        self.say_cut(cut);
         let mut requests = std::mem::take(&mut self.requests);
         requests.retain(|(wanted, _)| holds(self.frame, wanted.request.anchor));
         let shown =
@@ -291,6 +295,33 @@ impl<'a> Canvas<'a> {
         }
         self.place(outside);
         self.cut_off();
+    }
+
+    /// Says in a corner of the panel that content is cut off at its edge, if it is, from the step on that draws it.
+    fn say_cut(&mut self, cut: &str) {
+        let leaves = |mark: &&Mark| !mark.passing && !is_within(self.frame, &mark.shape);
+        let step = self.marks().iter().filter(leaves).map(|mark| mark.since).min();
+        let Some(step) = step.filter(|_| !cut.is_empty()) else {
+            return;
+        };
+        let text = RichText::plain(cut);
+        let size = Vec2::new(text.width(CAPTION), CAPTION);
+        let (left, right) = (self.frame.x0 + CUT_EDGE, self.frame.x1 - CUT_EDGE - size.x);
+        let (top, bottom) = (self.frame.y0 + HEADING, self.frame.y1 - CUT_EDGE);
+        let corners = [(left, bottom), (right, bottom), (right, top), (left, top + CAPTION)];
+        let corners = corners.map(|(x, y)| Point::new(x, y));
+        let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);
+        let covered = |from: &Point| {
+            let ink = place(*from).ink_box().inflate(0.5, 0.5);
+            let lines = self.obstacles.lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some()).count();
+            lines + 4 * self.obstacles.boxes.iter().filter(|area| overlap(**area, ink)).count()
+        };
+        let Some(from) = corners.into_iter().min_by_key(covered) else { return };
+        self.step = step;
+        let text = place(from);
+        self.obstacles.boxes.push(text.ink_box());
+        let id = format!("{}-cut", self.prefix);
+        self.add_mark(Some(id), Pen::Caption, Shape::Text(text));
     }
 
     /// Places labels and draws them.
@@ -313,7 +344,7 @@ impl<'a> Canvas<'a> {
                 (mark.number, mark.until) = (wanted.number, Some(next));
             }
             self.step = since;
-            let id = mark_id(self.prefix, &wanted.name);
+            let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
             let mark = self.add_mark(Some(id), wanted.pen, Shape::Text(label.text));
             mark.number = wanted.number;
         }
@@ -340,11 +371,6 @@ fn part_of(whole: &PlacedText, part: &RichText, anchor: Point) -> PlacedText {
     let (ink, own) = (whole.ink_box(), part.ink_box(whole.size));
     let left = (anchor.x - 0.5 * own.width()).min(ink.x1 - own.width()).max(ink.x0);
     PlacedText::new(part.clone(), whole.size, Point::new(left - own.x0, whole.origin.y)).anchored(whole.anchor)
-}
-
-/// The id of a mark by its panel's prefix and its name.
-pub(super) fn mark_id(prefix: &str, name: &str) -> String {
-    format!("{prefix}-{}", ascii(name))
 }
 
 /// Boxes that together cover a circle.
@@ -376,7 +402,7 @@ fn pieces(corners: &[Point]) -> impl Iterator<Item = Rect> {
 
 /// A name as part of an XML id: characters other than ASCII letters and digits become their codes, so that different
 /// names stay different.
-fn ascii(name: &str) -> String {
+pub(super) fn ascii(name: &str) -> String {
     let mut id = String::new();
     for c in name.chars() {
         match c {

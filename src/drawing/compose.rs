@@ -8,7 +8,8 @@ use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::style::Style;
 use super::text::{PlacedText, RichText};
-use crate::scene::Scene;
+use crate::quantity::Kind;
+use crate::scene::{PanelName, Scene};
 use crate::words::Wording;
 use kurbo::{Point, Rect};
 
@@ -48,9 +49,24 @@ impl Composition<'_> {
     /// The layout with `below` mm of height below the scales, which are in as few rows as possible.
     pub(super) fn layout_above(&self, below: f64) -> Layout {
         let needs: Vec<Needs> = self.panels.iter().map(|panel| panel.needs).collect();
+        self.layout_for(&needs, below)
+    }
+
+    /// The layout with scales by panel.
+    pub(super) fn layout_at(&self, scales: &[Option<f64>]) -> Layout {
+        let mu = |kind: Kind| match kind {
+            Kind::Velocity => scales[PanelName::Velocity as usize],
+            Kind::Acceleration => scales[PanelName::Acceleration as usize],
+            _ => scales[PanelName::Scheme as usize],
+        };
+        let needs = self.panels.iter().map(|panel| Needs { mu: mu(panel.needs.kind), ..panel.needs });
+        self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
+    }
+
+    fn layout_for(&self, needs: &[Needs], below: f64) -> Layout {
         let asides = |room: Rect| -> Vec<Aside> { self.items.iter().flat_map(|item| item.asides(room)).collect() };
         let in_columns =
-            |columns: usize| layout(&self.dims, &needs, [legend::height(needs.len(), columns), below], columns, asides);
+            |columns: usize| layout(&self.dims, needs, [legend::height(needs.len(), columns), below], columns, asides);
         let fits = |layout: &Layout| legend::fits(layout, &self.words, self.scene.units, &self.dims);
         [3, 2].into_iter().map(in_columns).find(fits).unwrap_or_else(|| in_columns(1))
     }

@@ -7,6 +7,7 @@ use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;
 use super::panel::{Frame, Layer, Layers, Panel, numbered};
+use super::passages::PassageWords;
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::{Drawing, Pen};
@@ -18,21 +19,30 @@ use crate::construction::{Solution, shown_text};
 use crate::cycle::Traces;
 use crate::mechanism::Class;
 use crate::quantity::{Kind, Scales};
-use crate::scene::PanelName;
+use crate::scene::{PageSize, PanelName};
 use crate::words::{Language, Wording};
 use std::sync::Arc;
 
-/// Drawings of a sheet with values before all values go to the table.
-const ROUNDS: usize = 3;
+/// Weight of the size of a panel beside that in focus.
+const COMPANION: f64 = 0.2;
+
+/// A sheet with a scene's panels.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sheet {
+    /// Whether it has room for the words of steps.
+    pub is_stepwise: bool,
+    /// Whether it has the table of measured lengths.
+    pub worksheet: bool,
+}
 
 impl Solution {
     /// The figure that the scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
     #[must_use]
     pub fn figure(&self) -> Drawing {
-        with_values(Scheme::new(self), |scheme| {
-            let sheet = finished(scheme, &extents(scheme));
-            sheet.draw(&sheet.layout())
-        })
+        let scheme = Scheme::scaled(self);
+        let sheet = Sheet { is_stepwise: false, worksheet: self.scene.figure.worksheet };
+        let sheet = described(&scheme, composed(&scheme, &extents(&scheme), sheet));
+        sheet.draw(&sheet.layout())
     }
 
     /// The same figure with every step of the construction: [`Drawing::after_step`] gives the sheet after one of them,
@@ -41,17 +51,33 @@ impl Solution {
     /// Steps of plans without a panel have captions, too.
     #[must_use]
     pub fn stepwise_figure(&self) -> Drawing {
-        with_values(Scheme::new(self), |scheme| {
-            let sheet = stepwise(scheme, &extents(scheme), self.scene.figure.worksheet);
-            sheet.draw(&sheet.layout())
-        })
+        let scheme = Scheme::scaled(self);
+        let sheet = Sheet { is_stepwise: true, worksheet: self.scene.figure.worksheet };
+        let sheet = described(&scheme, composed(&scheme, &extents(&scheme), sheet));
+        sheet.draw(&sheet.layout())
+    }
+
+    /// The same in coarse steps, one for each of the construction's [passages](crate::construction::Passage).
+    #[must_use]
+    pub fn coarse_figure(&self) -> Drawing {
+        let scheme = Scheme::scaled(self);
+        let passages = self.construction.passages();
+        let mut sheet = described(
+            &scheme,
+            composed(&scheme, &extents(&scheme), Sheet { is_stepwise: true, worksheet: self.scene.figure.worksheet }),
+        );
+        // The words of the single steps.
+        sheet.items.retain(|item| !item.is_of_steps());
+        sheet.items.push(Box::new(PassageWords { scheme: &scheme, passages: &passages }));
+        sheet.draw(&sheet.layout()).in_passages(&scheme, &passages)
     }
 
     /// The scales of the figure; for a plan without a panel the scene's scale, if there is one.
     #[must_use]
     pub fn scales(&self) -> Scales {
-        let scheme = Scheme::new(self);
-        let layout = finished(&scheme, &extents(&scheme)).layout();
+        let scheme = Scheme::scaled(self);
+        let sheet = Sheet { is_stepwise: false, worksheet: self.scene.figure.worksheet };
+        let layout = composed(&scheme, &extents(&scheme), sheet).layout();
         let of = |panel: PanelName| self.scene.figure.mu(panel).or(layout.mu(kind(panel)));
         Scales {
             length: of(PanelName::Scheme),
@@ -68,9 +94,10 @@ impl Solution {
         if !figure.panels.iter().any(|&panel| figure.mu(panel).is_some()) {
             return Vec::new();
         }
-        let scheme = Scheme::new(self);
+        let scheme = Scheme::scaled(self);
         let extents = extents(&scheme);
-        let layout = finished(&scheme, &extents).layout();
+        let sheet = Sheet { is_stepwise: false, worksheet: figure.worksheet };
+        let layout = composed(&scheme, &extents, sheet).layout();
         extents
             .iter()
             .zip(&layout.panels)
@@ -103,9 +130,10 @@ fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Optio
 /// The stepwise figures of one mechanism in several positions, all with the same panels and scales, as frames of an
 /// animation.
 ///
-/// Panels are large enough for the whole content of position `own` and for the joints and their images in the other
-/// positions, except for plans several times as large as most: near a limit position rates and special points go to
-/// infinity. Content that does not fit is cut off at the panel's edge. There is no work sheet.
+/// Scales are those of the figure in position `own`. Panels are large enough for its whole content and, as far as the
+/// sheet allows, for the joints and their images in the other positions, except for plans several times as large as most:
+/// near a limit position rates and special points go to infinity. Where a position's content does not fit, the panel
+/// says that it is cut at the edge; poles stay in sight. There is no work sheet.
 #[must_use]
 pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
     let traces = positions.get(own).map(Traces::of);
@@ -116,68 +144,57 @@ pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
 #[must_use]
 pub fn frames_with(positions: &[Solution], own: usize, traces: Traces) -> Vec<Drawing> {
     let traces = Arc::new(traces);
-    let scheme = |solution| Scheme { insets: false, ..Scheme::with(solution, Arc::clone(&traces)) };
-    let schemes: Vec<Scheme<'_>> = positions.iter().map(scheme).collect();
-    let Some(first) = schemes.get(own) else {
+    let scheme = |solution| Scheme::with(solution, Arc::clone(&traces));
+    let Some(first) = positions.get(own) else {
         return Vec::new();
     };
-    let extents: Vec<(PanelName, Extent)> = extents(first)
+    let own_scheme = scheme(first).with_scales();
+    let schemes: Vec<Scheme<'_>> =
+        positions.iter().map(|solution| Scheme { mu: own_scheme.mu, ..scheme(solution) }).collect();
+    let extents: Vec<(PanelName, Extent)> = extents(&own_scheme)
         .into_iter()
-        .map(|(panel, extent)| {
-            let others = schemes.iter().filter_map(|scheme| match panel {
-                PanelName::Scheme => Some(scheme.extent_of_joints()),
-                plan => scheme.plan(plan).map(plan_panel::extent_of_images),
-            });
-            (panel, extent.with_most(others))
-        })
+        .map(|(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel))))
         .collect();
-    let sheets: Vec<Composition<'_>> = schemes.iter().map(|scheme| stepwise(scheme, &extents, false)).collect();
+    let sheet = Sheet { is_stepwise: true, worksheet: false };
+    let sheets: Vec<Composition<'_>> =
+        schemes.iter().map(|scheme| described(scheme, composed(scheme, &extents, sheet))).collect();
     let below = sheets.iter().map(Composition::height_below).fold(0.0, f64::max);
     let layout = sheets[own].layout_above(below);
     sheets.iter().map(|sheet| sheet.draw(&layout)).collect()
 }
 
-/// Draws a sheet. Values whose labels find no place are listed in a table beside the panels; as it takes room, the sheet
-/// is then drawn again.
-fn with_values(mut scheme: Scheme<'_>, draw: impl Fn(&Scheme<'_>) -> Drawing) -> Drawing {
-    // A work sheet lists all values.
-    let rounds = if scheme.figure.worksheet { 0 } else { ROUNDS };
-    for _ in 0..rounds {
-        let drawing = draw(&scheme);
-        let left_out = scheme.left_out(&drawing);
-        if left_out.is_empty() {
-            return drawing;
-        }
-        scheme.listed.extend(left_out);
-    }
-    if !scheme.figure.worksheet {
-        scheme.list_all();
-    }
-    draw(&scheme)
+/// By position: the extent of the joints or of their images in a panel.
+pub(super) fn extents_of_images<'a>(schemes: &'a [Scheme<'_>], panel: PanelName) -> impl Iterator<Item = Extent> + 'a {
+    schemes.iter().filter_map(move |scheme| match panel {
+        PanelName::Scheme => Some(scheme.extent_of_joints()),
+        plan => scheme.plan(plan).map(plan_panel::extent_of_images),
+    })
 }
 
-/// The finished figure.
-fn finished<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)]) -> Composition<'a> {
-    let panels = panels(scheme, extents, |panel| vec![content(scheme, panel)]);
-    let table = scheme.figure.worksheet.then(|| Worksheet::new(scheme, &panels));
-    composition(scheme, panels, table, vec![Box::new(agreement(scheme))])
+/// A sheet of the scene with panels of these extents.
+pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], sheet: Sheet) -> Composition<'a> {
+    let panels = panels(scheme, extents, |panel| match sheet.is_stepwise {
+        true => vec![hints(scheme, panel), content(scheme, panel)],
+        false => vec![content(scheme, panel)],
+    });
+    let table = sheet.worksheet.then(|| Worksheet::new(scheme, &panels));
+    let agreement = agreement(scheme);
+    let below: Vec<Box<dyn Item + 'a>> = if sheet.is_stepwise {
+        let after = scheme.construction.numbered_steps().count() as u16 + 1;
+        vec![Box::new(StepWords(scheme)), Box::new(Lines { step: Some(after), ..agreement })]
+    } else {
+        vec![Box::new(agreement)]
+    };
+    Composition { is_stepwise: sheet.is_stepwise, ..composition(scheme, panels, table, below) }
 }
 
-/// The figure with all its steps.
-fn stepwise<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], worksheet: bool) -> Composition<'a> {
-    let panels = panels(scheme, extents, |panel| vec![hints(scheme, panel), content(scheme, panel)]);
-    let table = worksheet.then(|| Worksheet::new(scheme, &panels));
-    let after = scheme.construction.numbered_steps().count() as u16 + 1;
-    let agreement = Lines { step: Some(after), ..agreement(scheme) };
-    let sheet = composition(scheme, panels, table, vec![Box::new(StepWords(scheme)), Box::new(agreement)]);
-    Composition { is_stepwise: true, ..sheet }
-}
-
-/// The sentences on paths, if there are any, and on how the construction agrees with the loop equations.
+/// The sentences on paths, if there are any, and on how the construction agrees with the loop equations. Beside values
+/// and on a projector only what is not as it should be is said.
 fn agreement(scheme: &Scheme<'_>) -> Lines {
-    // Beside values, only what is not as it should be is said.
-    let is_said = scheme.values.is_empty() || !legend::agrees(scheme.construction);
-    let sentence = is_said.then(|| legend::agreement(&scheme.words, scheme.construction));
+    let (sentence, agrees) = legend::agreement(&scheme.words, scheme.construction);
+    let is_projected = scheme.figure.page.size == PageSize::Wide || scheme.dims.unit > 1.0;
+    let is_said = !agrees || (scheme.values.is_empty() && !is_projected);
+    let sentence = is_said.then_some(sentence);
     Lines::of(scheme.sentence_on_paths().iter().chain(&sentence), scheme.dims.page)
 }
 
@@ -192,27 +209,34 @@ pub(super) fn composition<'a>(
     let values = || Some(Box::new(scheme.value_list()?) as Box<dyn Item>);
     let table = table.map(|table| Box::new(table) as Box<dyn Item>).or_else(values);
     let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units, dims: scheme.dims });
-    let (teller, steps) = (scheme.teller(), scheme.construction.numbered_steps());
     Composition {
         scene,
         dims: scheme.dims,
         words,
         title: scene.title.as_deref().unwrap_or(words.language.title()).to_owned(),
-        description: description(scheme, &panels),
-        steps: steps.map(|step| shown_text(&teller.caption(&step), step.plan, &words)).collect(),
+        description: String::new(),
+        steps: Vec::new(),
         is_stepwise: false,
         panels,
         items: table.into_iter().chain([legend]).chain(below).collect(),
     }
 }
 
+/// A sheet with its description and the captions of its steps.
+pub(super) fn described<'a>(scheme: &Scheme<'_>, mut sheet: Composition<'a>) -> Composition<'a> {
+    let (teller, steps) = (scheme.teller(), scheme.construction.numbered_steps());
+    sheet.description = description(scheme, &sheet.panels);
+    sheet.steps = steps.map(|step| shown_text(&teller.caption(&step), step.plan, &scheme.words)).collect();
+    sheet
+}
+
 /// The panels with content, and its extents.
 pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(PanelName, Extent)> {
     let extent = |&panel: &PanelName| match panel {
         PanelName::Scheme => Some((panel, scheme.extent())),
-        plan => scheme.plan(plan).map(|plan| (panel, plan_panel::extent(plan))),
+        plan => scheme.plan(plan).map(|plan| (panel, plan_panel::extent(plan, scheme.figure.construction))),
     };
-    scheme.figure.panels.iter().filter_map(extent).collect()
+    scheme.figure.shown_panels().iter().filter_map(extent).collect()
 }
 
 /// Panels of these extents, with layers from `layers`.
@@ -229,7 +253,14 @@ pub(super) fn panels<'a>(
             name: name.to_owned(),
             prefix: panel.as_str(),
             // The width of the first panel's heading: it must not depend on the panel's letter.
-            needs: Needs { kind: kind(panel), extent, heading: frame(0).width(), mu: scheme.figure.mu(panel) },
+            needs: Needs {
+                kind: kind(panel),
+                extent,
+                heading: frame(0).width(),
+                mu: scheme.mu[panel as usize],
+                weight: if scheme.figure.focus.is_some_and(|focus| focus != panel) { COMPANION } else { 1.0 },
+            },
+            cut: scheme.words.language.cut_at_edge().to_owned(),
             layers: std::iter::once(lowest).chain(layers(panel)).collect(),
         }
     };

@@ -29,8 +29,10 @@ pub(super) struct Needs {
     pub extent: Extent,
     /// Width of its heading, in mm.
     pub heading: f64,
-    /// The scale that the scene gives, in units per mm.
+    /// The scale that is given, in units per mm of paper.
     pub mu: Option<f64>,
+    /// Exponent of its content's size in the quality of a layout: how much it counts among the panels.
+    pub weight: f64,
 }
 
 /// A panel's place and scale.
@@ -74,6 +76,11 @@ pub(super) trait Item {
         Vec::new()
     }
 
+    /// Whether it is the words of the construction's single steps.
+    fn is_of_steps(&self) -> bool {
+        false
+    }
+
     /// Draws it.
     fn draw(&self, drawing: &mut Drawing, layout: &Layout);
 }
@@ -88,7 +95,7 @@ pub(super) struct Layout {
     pub aside: Option<Rect>,
     pub panels: Vec<Placed>,
     /// Its quality, compared element by element.
-    pub worth: [f64; 3],
+    pub worth: [f64; 4],
 }
 
 impl Layout {
@@ -130,7 +137,7 @@ pub(super) fn layout(
         true => vec![(whole, None)],
         false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
     };
-    let mut best: Option<([f64; 3], Division)> = None;
+    let mut best: Option<([f64; 4], Division)> = None;
     for (room, aside) in rooms {
         for frames in arrangements(room, needs, dims.unit) {
             let placed: Vec<Placed> =
@@ -169,8 +176,9 @@ fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
     (left, Some(kept))
 }
 
-/// Quality of an arrangement: first whether no panel is too narrow, then how many contents fit, then their sizes.
-fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 3] {
+/// Quality of an arrangement: first whether no panel is too narrow, then how many contents fit, then their sizes, then
+/// how much room the panel with least has for its content.
+fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 4] {
     let all = || needs.iter().zip(placed);
     // Size of a content on paper.
     let drawn = |(w, p): (&Needs, &Placed)| p.shown(&w.extent);
@@ -180,13 +188,23 @@ fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 3] {
         let (size, area) = (drawn(pair), pair.1.area.inflate(ROUNDING, ROUNDING));
         size.x <= area.width() && size.y <= area.height()
     };
+    let room = |pair: (&Needs, &Placed)| {
+        let (size, area) = (drawn(pair), pair.1.area);
+        (area.width() / size.x).min(area.height() / size.y)
+    };
     let yes = |is: bool| f64::from(u8::from(is));
     [
         yes(all().all(roomy)),
         all().filter(|pair| fits(*pair)).count() as f64,
         // The product of the diagonals: enlarging one content must not reduce another by a larger factor.
-        all().map(|pair| drawn(pair).norm()).product(),
+        all().map(|pair| weighed(drawn(pair).norm(), pair.0.weight)).product(),
+        all().map(room).fold(f64::INFINITY, f64::min),
     ]
+}
+
+/// A size with its weight among others.
+fn weighed(size: f64, weight: f64) -> f64 {
+    if weight == 1.0 { size } else { libm::pow(size, weight) }
 }
 
 /// An area of the layout, in mm of paper.
@@ -214,6 +232,17 @@ fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
             }
         }
         [a, others @ ..] => {
+            // The first two share a column or a row, the third has the other.
+            if let [b, c] = others {
+                for down in [false, true] {
+                    let first: &[Needs] = if down { &[] } else { &[*a, *b] };
+                    for (both, third) in splits(room, down, [first, &[*c]], unit) {
+                        for (a, b) in splits(both, !down, [&[*a], &[*b]], unit) {
+                            ways.push(vec![a, b, third]);
+                        }
+                    }
+                }
+            }
             for (down, then) in [(false, true), (false, false), (true, false)] {
                 // Two panels side by side share the width; one above the other both have all of it.
                 let second = if down == then { &others[..0] } else { others };

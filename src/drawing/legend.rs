@@ -133,25 +133,20 @@ impl Item for Legend {
     }
 }
 
-/// Whether all groups have a construction that agrees with the loop equations.
-pub(super) fn agrees(construction: &Construction) -> bool {
-    construction.agreement.iter().all(|known| known.as_ref().is_some_and(|known| known.difference <= known.allowed))
-}
-
-/// The sentence on the agreement of the construction with the loop equations.
-pub(super) fn agreement(words: &Wording, construction: &Construction) -> String {
+/// The sentence on the agreement of the construction with the loop equations, and whether they agree.
+pub(super) fn agreement(words: &Wording, construction: &Construction) -> (String, bool) {
     let language = words.language;
     let known = construction.agreement.iter().flatten();
     let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
     match worst {
         Some(worst) if construction.agreement.iter().all(Option::is_some) => {
             let [difference, allowed] = [worst.difference, worst.allowed].map(|x| words.write(x, BOUND));
-            language.agreement(&difference, &allowed)
+            (language.agreement(&difference, &allowed), true)
         }
         _ => {
             let far = construction.special.iter().flatten().any(|special| special.place.finite().is_none());
             let why = if far { language.one_route_far() } else { language.one_route() };
-            why.to_owned()
+            (why.to_owned(), false)
         }
     }
 }

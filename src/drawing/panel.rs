@@ -2,17 +2,21 @@
 
 use super::canvas::Canvas;
 use super::dims::Dims;
-use super::layout::{Needs, Placed};
+use super::layout::{HEADING, Needs, Placed};
 use super::line::Line;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::CAPTION;
 use super::view::View;
+use crate::geometry;
+use crate::quantity::Kind;
 use indexmap::IndexMap;
 use kurbo::Vec2;
 
 /// Size of panels' headings, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
+/// Least distance of a pole from the edge, in mm: room for its name.
+const AROUND: f64 = 5.0;
 /// White before them, in mm.
 const BEFORE: f64 = 2.5;
 
@@ -24,6 +28,8 @@ pub(super) struct Panel<'a> {
     pub prefix: &'static str,
     /// The room that it needs.
     pub needs: Needs,
+    /// What it says where its content is larger.
+    pub cut: String,
     /// Its layers, the lowest first.
     pub layers: Layers<'a>,
 }
@@ -53,7 +59,13 @@ impl Panel<'_> {
     /// Draws the panel in its place; `renamed` replaces names of points and links.
     pub(super) fn draw(&self, drawing: &mut Drawing, placed: &Placed, renamed: &IndexMap<String, String>, dims: &Dims) {
         drawing.panels.push((self.name.clone(), placed.frame));
-        let view = View::new(placed.mu * dims.unit, &self.needs.extent, placed.area);
+        let mut view = View::new(placed.mu * dims.unit, &self.needs.extent, placed.area);
+        if matches!(self.needs.kind, Kind::Velocity | Kind::Acceleration) {
+            let mut room = placed.frame.inset(-AROUND);
+            room.y0 += HEADING;
+            // The pole of a plan stays in sight.
+            view = view.holding(geometry::Point::origin(), room);
+        }
         let before = drawing.marks.len();
         let mut canvas = Canvas::new(drawing, self.prefix, placed.frame, renamed, *dims);
         for layer in &self.layers {
@@ -62,7 +74,7 @@ impl Panel<'_> {
         for layer in &self.layers {
             layer.draw(&mut canvas, &view);
         }
-        canvas.finish();
+        canvas.finish(&self.cut);
         let mut marks = drawing.marks.split_off(before);
         for layer in &self.layers {
             layer.retouch(&mut marks);

@@ -1,5 +1,5 @@
 use super::canvas::Canvas;
-use super::clip::clipped_segment;
+use super::clip::{clipped_segment, holds};
 use super::inset::Inset;
 use super::scheme::{Scheme, outline};
 use super::shape::Shape;
@@ -15,8 +15,11 @@ use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::quantity::Kind;
 use crate::scene::{ConstructionShown, Figure, PanelName};
+use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
+/// White between the room of a panel and the points in it, in mm.
+const EDGE: f64 = 1.5;
 /// Plan points closer than this on paper, in mm, share one label.
 const SHARED: f64 = 0.35;
 /// Length of the shortest vector with a value beside it, in mm.
@@ -41,14 +44,37 @@ fn panel(plan: PlanKind) -> PanelName {
     }
 }
 
-/// The extent of all points of the plan.
-pub(super) fn extent(plan: &Plan) -> Extent {
-    Extent::of(plan.points.values().map(|p| p.vector.into()))
+/// Largest size of a plan with a point that only leads to others over that without it; a more distant one is not drawn
+/// at its place, but where its line leaves the panel.
+const REACH: f64 = 2.0;
+
+/// The extent of the plan's points, without far ones that only lead to others: with each of those, taken from the
+/// nearest on, the plan must not grow by more than `REACH`. A plan as in the source paper has them all.
+pub(super) fn extent(plan: &Plan, shown: ConstructionShown) -> Extent {
+    let images = extent_of_images(plan);
+    let with = |extent: Extent, place: geometry::Point| Extent::of([extent.low, extent.high, place]);
+    let leading = plan.points.values().filter(|p| !is_image(p.role)).map(|p| geometry::Point::from(p.vector));
+    let mut leading: Vec<geometry::Point> = leading.collect();
+    let size = |place: &geometry::Point| with(images, *place).size().norm();
+    leading.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    let mut extent = images;
+    for place in leading {
+        let larger = with(extent, place);
+        if shown != ConstructionShown::Paper && larger.size().norm() > REACH * extent.size().norm() {
+            break;
+        }
+        extent = larger;
+    }
+    extent
+}
+
+/// Whether a point of a plan is no mere help on the way to others.
+fn is_image(role: PointRole) -> bool {
+    matches!(role, PointRole::Pole | PointRole::Known | PointRole::Image)
 }
 
 /// The same without special points and the points that lead to them.
 pub(super) fn extent_of_images(plan: &Plan) -> Extent {
-    let is_image = |role| matches!(role, PointRole::Pole | PointRole::Known | PointRole::Image);
     Extent::of(plan.points.values().filter(|p| is_image(p.role)).map(|p| p.vector.into()))
 }
 
@@ -90,6 +116,12 @@ struct PlanOnPaper<'a> {
 impl PlanOnPaper<'_> {
     fn at(&self, name: &str) -> Option<Point> {
         self.plan.points.get(name).map(|point| self.view.at(point.vector.into()))
+    }
+
+    /// Whether a point that only leads to others lies off the panel: only its direction is drawn.
+    fn is_far(&self, canvas: &Canvas<'_>, name: &str) -> bool {
+        let leads = self.plan.points.get(name).is_some_and(|point| !is_image(point.role));
+        leads && self.at(name).is_some_and(|at| !holds(canvas.room().inset(-EDGE), at))
     }
 
     fn is_hidden(&self, name: &str) -> bool {
@@ -223,8 +255,7 @@ impl PlanOnPaper<'_> {
 
     /// Draws the heads of relative vectors that rays carry, in a figure with values.
     fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
-        let panel = panel(self.plan.kind);
-        for value in self.scheme.values.iter().filter(|value| value.panel == panel) {
+        for value in self.scheme.values_of(panel(self.plan.kind)) {
             let ValueOf::Vector(PlanVector { ends: [from, to], on_ray: true, link, .. }) = &value.of else { continue };
             canvas.set_step(value.since);
             let pen = match self.plan.kind {
@@ -240,9 +271,9 @@ impl PlanOnPaper<'_> {
 
     /// Requests the labels of values, each beside the middle of its vector, away from the middle of the plan.
     fn values(&self, canvas: &mut Canvas<'_>) {
-        let extent = extent(self.plan);
+        let extent = extent(self.plan, self.scheme.figure.construction);
         let middle = self.view.at(nalgebra::center(&extent.low, &extent.high));
-        for value in self.scheme.labelled(panel(self.plan.kind)) {
+        for value in self.scheme.values_of(panel(self.plan.kind)) {
             let ValueOf::Vector(PlanVector { ends: [from, to], .. }) = &value.of else { continue };
             let (Some(from), Some(to)) = (self.at(from), self.at(to)) else { continue };
             let along = to - from;
@@ -270,16 +301,23 @@ impl PlanOnPaper<'_> {
         }
     }
 
-    /// Draws the vector from one point to another, unless it is zero.
+    /// Draws the vector from one point to another, unless it is zero; of one that ends far off or starts there, the
+    /// part of its line on the panel.
     fn arrow<'c>(&self, canvas: &'c mut Canvas<'_>, from: &str, to: &str, pen: Pen) -> Option<&'c mut Mark> {
         let name = format!("vector-{from}-{to}");
+        if self.is_far(canvas, from) || self.is_far(canvas, to) {
+            let (from, to) = self.at(from).zip(self.at(to))?;
+            let (a, b) = clipped_segment(canvas.room(), from, to)?;
+            return Some(canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b)));
+        }
         let (from, to) = self.at(from).zip(self.at(to))?;
         ((to - from).hypot() > 1e-3).then(|| canvas.draw_named(&name, pen, canvas.arrow(from, to)))
     }
 
     /// Draws dots and labels of the points; coincident points share a label.
     fn points(&self, canvas: &mut Canvas<'_>) {
-        let places = self.places();
+        let (far, places): (Vec<_>, Vec<_>) =
+            self.places().into_iter().partition(|(_, here, _)| self.is_far(canvas, here[0]));
         let since = |here: &[&str]| here.iter().map(|name| self.stages.point(name)).min().unwrap_or_default();
         for (center, here, role) in &places {
             let (center, (pen, radius)) = (*center, self.dot(*role));
@@ -287,11 +325,11 @@ impl PlanOnPaper<'_> {
             canvas.draw_named(&format!("point-{}", here[0]), pen, Shape::Circle { center, radius });
         }
         let crowded: Vec<Point> = places.iter().map(|(place, ..)| *place).collect();
-        let inset = self.scheme.insets.then(|| Inset::new(canvas, &crowded)).flatten();
+        let inset = Inset::new(canvas, &crowded);
         if let Some(inset) = &inset {
             inset.draw(canvas, &self.scheme.words);
         }
-        let extent = extent(self.plan);
+        let extent = extent(self.plan, self.scheme.figure.construction);
         let middle = self.view.at(nalgebra::center(&extent.low, &extent.high));
         for (place, here, role) in places {
             // The pole is named in the plan itself, not in the detail.
@@ -300,13 +338,38 @@ impl PlanOnPaper<'_> {
                 None => (place, place - middle),
             };
             let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
-            let (last, before) = self.growth(&here);
+            let (last, _) = self.growth(&here);
             canvas.set_step(last);
             // The text is joined from renamed names already; the trailing space keeps the id from being renamed again.
             let joined = format!("{} ", here[0]);
             let label = canvas.label(&joined, &self.shown(&here), anchor, self.dot(role).1 + 0.7, prefer, 2);
-            label.before = before;
+            label.before = self.growing(&here, RichText::math);
         }
+        for (place, here, _) in far {
+            self.mark_far(canvas, place, &here);
+        }
+    }
+
+    /// Draws an arrow where the line to a far point leaves the panel, with the point's distance on paper.
+    fn mark_far(&self, canvas: &mut Canvas<'_>, place: Point, names: &[&str]) {
+        const ARROW: f64 = 8.0;
+        let pole = self.plan.kind.pole();
+        let laid = self.plan.arrows().find(|laid| names.contains(&laid.to.as_str()));
+        let start = laid.map_or(pole, |laid| &laid.from);
+        let start = if self.is_far(canvas, start) { pole } else { start };
+        let Some(from) = self.at(start) else { return };
+        let Some((_, edge)) = clipped_segment(canvas.room().inset(-1.0), from, place) else { return };
+        let tail = edge - (edge - from).normalize() * ARROW.min(0.5 * (edge - from).hypot());
+        let (last, before) = self.growth(names);
+        canvas.set_step(before.first().map_or(last, |(first, _)| *first));
+        canvas.draw_named(&format!("point-{}", names[0]), Pen::Special, canvas.arrow(tail, edge));
+        let mm = (place - from).hypot() * self.scheme.dims.unit;
+        let mm = self.scheme.words.write(mm, NumberStyle::decimals(0).on(Medium::Figure));
+        let words = |names: &str| RichText::plain(&self.scheme.words.language.far_in_plan(names, &mm));
+        canvas.set_step(last);
+        let label = canvas.label(&format!("{} ", names[0]), "", tail, 1.0, None, 2);
+        label.request.text = words(&self.shown(names));
+        label.before = self.growing(names, words);
     }
 
     /// The visible points, grouped by place.
@@ -339,15 +402,21 @@ impl PlanOnPaper<'_> {
         }
     }
 
-    /// How the label of coincident points grows with the steps that make them: the step that adds the last name, and
-    /// what stands there from which step before.
-    fn growth(&self, names: &[&str]) -> (u16, Vec<(u16, RichText)>) {
+    /// What stands at coincident points before the step that adds the last name, and from which step.
+    fn growing(&self, names: &[&str], set: impl Fn(&str) -> RichText) -> Vec<(u16, RichText)> {
+        let (_, steps) = self.growth(names);
+        steps.into_iter().map(|(step, names)| (step, set(&names))).collect()
+    }
+
+    /// How the names of coincident points grow with the steps that make them: the step that adds the last name, and
+    /// which names there are from which step before.
+    fn growth(&self, names: &[&str]) -> (u16, Vec<(u16, String)>) {
         let mut steps: Vec<u16> = names.iter().map(|name| self.stages.point(name)).collect();
         steps.sort_unstable();
         steps.dedup();
         let text = |step: u16| {
             let made: Vec<&str> = names.iter().copied().filter(|name| self.stages.point(name) <= step).collect();
-            (step, RichText::math(&self.shown(&made)))
+            (step, self.shown(&made))
         };
         let last = steps.pop().unwrap_or_default();
         (last, steps.into_iter().map(text).collect())

@@ -1,7 +1,7 @@
-//! The layer of values: symbols with numbers and units at vectors, at links and at given lengths; those without room
-//! are listed in a table beside the panels.
+//! The layer of values: symbols with numbers and units, all of them in a list beside the panels, and at vectors, links
+//! and lengths where there is room.
 
-use super::canvas::{Canvas, Wanted, mark_id};
+use super::canvas::{Canvas, Wanted, ascii};
 use super::labels::LabelRequest;
 use super::layout::{Aside, Item, Layout};
 use super::plan_panel;
@@ -198,31 +198,19 @@ impl List<'_> {
 }
 
 impl Scheme<'_> {
-    /// The values of a panel that have labels there.
-    pub(super) fn labelled(&self, panel: PanelName) -> impl Iterator<Item = &Value> {
-        self.values.iter().filter(move |value| value.panel == panel && !self.listed.contains(&id(value)))
+    /// The values of a panel.
+    pub(super) fn values_of(&self, panel: PanelName) -> impl Iterator<Item = &Value> {
+        self.values.iter().filter(move |value| value.panel == panel)
     }
 
-    /// The values whose labels found no place on a drawing.
-    pub(super) fn left_out(&self, drawing: &Drawing) -> Vec<String> {
-        let is_at_arrow = |value: &&Value| matches!(value.of, ValueOf::Rate(link) if self.is_at_drive(value, link));
-        let all = self.values.iter().filter(|value| !is_at_arrow(value)).map(id).filter(|id| !self.listed.contains(id));
-        let is_there = |id: &String| drawing.marks.iter().any(|mark| mark.id.as_ref() == Some(id));
-        all.filter(|id| !is_there(id)).collect()
-    }
-
-    /// Lists all values in the table.
-    pub(super) fn list_all(&mut self) {
-        let values = self.values.iter().filter(|v| !matches!(v.of, ValueOf::Rate(link) if self.is_at_drive(v, link)));
-        self.listed = values.map(id).collect();
-    }
-
-    /// The list of the values that have no labels; none where all have.
+    /// The list of all values; none in a figure without values.
     pub(super) fn value_list(&self) -> Option<ValueList> {
-        let values = self.values.iter().filter(|value| self.listed.contains(&id(value)));
-        let entries: Vec<Entry> = values
-            .map(|value| Entry { text: value.text(), id: format!("{}-listed", id(value)), since: value.since })
-            .collect();
+        let entry = |value: &Value| Entry {
+            text: value.text(),
+            id: format!("{}-{}", value.panel.as_str(), value.name),
+            since: value.since,
+        };
+        let entries: Vec<Entry> = self.values.iter().map(entry).collect();
         (!entries.is_empty()).then_some(ValueList(entries))
     }
 
@@ -258,11 +246,6 @@ impl Scheme<'_> {
         };
         self.values.iter().find(is_its).filter(|_| is_driven)
     }
-}
-
-/// The id of a value's label.
-fn id(value: &Value) -> String {
-    mark_id(value.panel.as_str(), &value.name)
 }
 
 /// Values one after another in lines, in a frame between the panels and the scales or beside the panels.
@@ -309,7 +292,7 @@ impl Item for ValueList {
             let from = Point::new(area.x0 + x, area.y0 + 5.0 + LINE * line as f64);
             let text = PlacedText::new(entry.text.clone(), CAPTION, from);
             let mark = Mark::new(Pen::Caption, Shape::Text(text));
-            drawing.add(Mark { id: Some(entry.id.clone()), since: entry.since, ..mark });
+            drawing.add(Mark { id: Some(format!("listed-{}", ascii(&entry.id))), since: entry.since, ..mark });
         }
     }
 }

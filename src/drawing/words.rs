@@ -9,7 +9,7 @@ use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use crate::construction::{
-    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Plan, PlanKind, Relation, rate_symbol,
+    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Plan, PlanKind, Ray, Relation, rate_symbol,
 };
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::Kind;
@@ -17,7 +17,7 @@ use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect};
 
 /// Height of the words below the scales, in mm.
-const HEIGHT: f64 = 30.0;
+pub(super) const HEIGHT: f64 = 30.0;
 
 /// Number style of values.
 pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7).on(Medium::Figure);
@@ -27,14 +27,14 @@ pub(super) const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).on(Medium::F
 /// Size of the caption, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
 /// Size of equations, in mm of one em.
-const EQUATION: f64 = 1.05 * CAPTION;
+pub(super) const EQUATION: f64 = 1.05 * CAPTION;
 /// Size of the words under an equation, in mm of one em.
 const SMALL: f64 = CAPTION;
 
 // Baselines below the upper edge of the words, in mm.
 const FIRST: f64 = 6.0;
-const SECOND: f64 = 14.4;
-const LAST: f64 = 27.0;
+pub(super) const SECOND: f64 = 14.4;
+pub(super) const LAST: f64 = 27.0;
 // Below the baseline of an equation, in mm: lines under vectors, and their names.
 const UNDER: f64 = 1.9;
 const BELOW: f64 = 7.4;
@@ -45,6 +45,10 @@ pub(super) struct StepWords<'a>(pub &'a Scheme<'a>);
 impl Item for StepWords<'_> {
     fn height(&self) -> f64 {
         HEIGHT
+    }
+
+    fn is_of_steps(&self) -> bool {
+        true
     }
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
@@ -62,14 +66,14 @@ impl Item for StepWords<'_> {
 }
 
 /// Writes the words of a step.
-struct Writer<'a> {
-    drawing: &'a mut Drawing,
-    layout: &'a Layout,
-    scheme: &'a Scheme<'a>,
+pub(super) struct Writer<'a> {
+    pub drawing: &'a mut Drawing,
+    pub layout: &'a Layout,
+    pub scheme: &'a Scheme<'a>,
     /// The area of the words.
-    area: Rect,
+    pub area: Rect,
     /// Number of the step.
-    number: u16,
+    pub number: u16,
 }
 
 impl Writer<'_> {
@@ -82,7 +86,7 @@ impl Writer<'_> {
     }
 
     /// Sets pieces one after another, in a smaller size where they are too wide; returns the right end.
-    fn line(&mut self, texts: &[RichText], size: f64, from: Point, room: f64) -> f64 {
+    pub(super) fn line(&mut self, texts: &[RichText], size: f64, from: Point, room: f64) -> f64 {
         // A slanted letter may lean beyond its advance.
         let advance = |text: &RichText, size: f64| text.width(size).max(text.ink_box(size).x1);
         let width: f64 = texts.iter().map(|text| advance(text, size)).sum();
@@ -98,7 +102,7 @@ impl Writer<'_> {
     }
 
     /// The pieces of a text: names between backticks in their notation, the rest by `set`.
-    fn pieces(&self, text: &str, plan: Option<&Plan>, set: fn(&str) -> RichText) -> Vec<RichText> {
+    pub(super) fn pieces(&self, text: &str, plan: Option<&Plan>, set: fn(&str) -> RichText) -> Vec<RichText> {
         let piece = |(index, piece): (usize, &str)| match index % 2 {
             0 => set(piece),
             _ => RichText::math(&self.scheme.shown(piece, plan)),
@@ -108,16 +112,22 @@ impl Writer<'_> {
 
     /// Number and caption of a step.
     fn caption(&mut self, step: &NumberedStep<'_>, count: usize) {
-        let number = RichText::plain(&format!("{} / {count}", self.number));
+        let caption = self.scheme.teller().caption(step);
+        self.numbered(step.number, count, &caption, step.plan);
+    }
+
+    /// A numbered sentence in markup.
+    pub(super) fn numbered(&mut self, number: usize, count: usize, sentence: &str, plan: Option<&Plan>) {
+        let number = RichText::plain(&format!("{number} / {count}"));
         let from = Point::new(self.area.x0, self.area.y0 + FIRST);
         let after = from.x + number.width(SIZE) + 4.0;
         self.write(Pen::Heading, number, SIZE, from);
-        let caption = self.pieces(&self.scheme.teller().caption(step), step.plan, RichText::plain);
+        let caption = self.pieces(sentence, plan, RichText::plain);
         self.line(&caption, SIZE, Point::new(after, from.y), self.area.x1 - after);
     }
 
     /// Equation and values of a step.
-    fn details(&mut self, step: &NumberedStep<'_>) {
+    pub(super) fn details(&mut self, step: &NumberedStep<'_>) {
         let plan = step.plan;
         let from = Point::new(self.area.x0, self.area.y0 + SECOND);
         let kind = plan.map(|p| p.kind);
@@ -125,16 +135,7 @@ impl Writer<'_> {
         let action = &step.step.action;
         let end = match action {
             Action::Solve { equations, unknowns } => return self.solution(equations, unknowns, plan),
-            Action::Ray(ray) => {
-                let sign = match ray.relation {
-                    Relation::Perpendicular => "⊥",
-                    Relation::Parallel => "∥",
-                    Relation::Angle => "",
-                };
-                let along = format!("{sign} {}", self.scheme.teller().line_of(ray));
-                let along = along.trim_start();
-                self.equation(&formula, plan, Some(along), from)
-            }
+            Action::Ray(ray) => self.ray_equation(ray, &formula, plan, from),
             _ => self.equation(&formula, plan, None, from),
         };
         let ends = match action {
@@ -160,6 +161,17 @@ impl Writer<'_> {
             (true, Some(_)) => end + 8.0,
         };
         self.line(&texts, EQUATION, Point::new(x, from.y), self.area.x1 - x);
+    }
+
+    /// The equation behind a ray, with the ray's direction below; returns the right end.
+    pub(super) fn ray_equation(&mut self, ray: &Ray, formula: &Formula, plan: Option<&Plan>, from: Point) -> f64 {
+        let sign = match ray.relation {
+            Relation::Perpendicular => "⊥",
+            Relation::Parallel => "∥",
+            Relation::Angle => "",
+        };
+        let along = format!("{sign} {}", self.scheme.teller().line_of(ray));
+        self.equation(formula, plan, Some(along.trim_start()), from)
     }
 
     /// The equations of the step, two in a line, and their solution.
@@ -250,7 +262,7 @@ impl Writer<'_> {
     }
 
     /// A size in a plan or on the mechanism, with its length on paper.
-    fn size(&self, value: f64, kind: Option<PlanKind>) -> String {
+    pub(super) fn size(&self, value: f64, kind: Option<PlanKind>) -> String {
         let kind = plan_panel::kind(kind);
         let unit = kind.unit(self.scheme.scene.units);
         let words = &self.scheme.words;

@@ -135,6 +135,16 @@ impl Figure {
         self.values.unwrap_or(usual)
     }
 
+    /// The panels that are drawn, in order: with a focus the scheme and the plan in focus.
+    #[must_use]
+    pub fn shown_panels(&self) -> Vec<PanelName> {
+        match self.focus {
+            None => self.panels.clone(),
+            Some(PanelName::Scheme) => vec![PanelName::Scheme],
+            Some(plan) => vec![PanelName::Scheme, plan],
+        }
+    }
+
     /// The given scale of a panel, in units per millimetre of paper; `None` if the panel is to fit.
     #[must_use]
     pub fn mu(&self, panel: PanelName) -> Option<f64> {
@@ -212,6 +222,8 @@ choice! {
         /// The plans in the scene's own position.
         #[default]
         Position = "position",
+        /// Each sheet has the largest scales that fit it: those of a figure, its step sheets and its work sheet may differ.
+        Sheet = "sheet",
         /// The largest plans over the range of the first drive: all sheets of the cycle then have one set of scales.
         Cycle = "cycle",
     }

@@ -46,6 +46,26 @@ sentences! {
     /// The cut line of a leg with two sliders, on which all directions meet.
     line_at_infinity;
 
+    // Steps that are shown together.
+    /// Several special points.
+    join_special_points(points);
+    /// Several vectors, each by its ends.
+    join_lay_off(vectors);
+    /// A ray normal to a line, within `join_cross`.
+    join_normal(through, line);
+    /// A ray parallel to a line, likewise.
+    join_parallel(through, line);
+    /// A ray at an angle, likewise.
+    join_at_angle(through, angle);
+    /// Two rays and where they cross.
+    join_cross(first, second, point);
+    /// Several lengths or segments, each by its ends.
+    join_measure(lengths);
+    /// The rates that follow from measured segments.
+    join_rates(segments, unknowns);
+    /// Images of further points.
+    join_images(points);
+
     // Steps of the construction.
     /// The pole of a plan and its scale.
     choose_pole(pole, scale);
@@ -137,6 +157,10 @@ sentences! {
     acceleration_plan;
     /// Distance of a special point off the sheet from another point.
     far_away(point, distance, from);
+    /// Distance on paper of an image off the panel, in mm, at its line.
+    far_in_plan(point, distance);
+    /// In a panel whose content is larger.
+    cut_at_edge;
     /// Of a special point at infinity.
     at_infinity(point);
     /// The paths of these points, and the step of the drive between their ticks.

@@ -34,6 +34,7 @@ mod published_numbers;
 mod reference;
 mod scene_build;
 mod scene_read;
+mod step_names;
 mod templates;
 mod worked;
 mod worksheets;

@@ -103,7 +103,14 @@ impl<'a> Graph<'a> {
         Panel {
             name: name.to_owned(),
             prefix: self.prefix(),
-            needs: Needs { kind: self.kind, extent: Extent::of([corner(0), corner(1)]), heading: 0.0, mu: None },
+            needs: Needs {
+                kind: self.kind,
+                extent: Extent::of([corner(0), corner(1)]),
+                heading: 0.0,
+                mu: None,
+                weight: 1.0,
+            },
+            cut: String::new(),
             layers: vec![Box::new(grid), Box::new(frame), Box::new(content)],
         }
     }

@@ -53,7 +53,9 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a Hodograph) -> Panel<
             extent: Extent::of(one.window.map(geometry::Point::from)),
             heading: frame.width(),
             mu: None,
+            weight: 1.0,
         },
+        cut: String::new(),
         layers: vec![
             Box::new(frame),
             scale_of(course, one.asked.kind()),

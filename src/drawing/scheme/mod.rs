@@ -29,7 +29,6 @@ use crate::position::Pose;
 use crate::scene::{Figure, PanelName, Scene};
 use crate::words::Wording;
 use kurbo::Point;
-use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -45,15 +44,12 @@ pub(super) struct Scheme<'a> {
     pub stages: Stages,
     /// The paths and ghosts that the figure asks for.
     pub traces: Arc<Traces>,
-    /// Whether crowded points of plans have an enlarged detail: not in an animation, where details would appear and
-    /// vanish.
-    pub insets: bool,
     pub words: Wording,
     pub dims: Dims,
+    /// The scales of the panels, in units per mm of paper: the scene's, or those chosen for all of its sheets.
+    pub mu: [Option<f64>; PanelName::ALL.len()],
     /// The layer of values; empty in a figure without it.
     pub values: Vec<Value>,
-    /// The ids of the values that are listed in a table.
-    pub listed: BTreeSet<String>,
 }
 
 impl<'a> Scheme<'a> {
@@ -75,11 +71,10 @@ impl<'a> Scheme<'a> {
             names: Names::new(mechanism, construction),
             stages: Stages::new(construction),
             traces,
-            insets: true,
             words: solution.wording(),
             dims: Dims::of(&scene.figure),
+            mu: PanelName::ALL.map(|panel| scene.figure.mu(panel)),
             values: Vec::new(),
-            listed: BTreeSet::new(),
         };
         Self { values: values(&scheme), ..scheme }
     }

@@ -18,12 +18,12 @@ const ALPHA_RADIUS: f64 = 6.6;
 impl Scheme<'_> {
     /// Draws the arrows of rates and requests the labels of all values.
     pub(super) fn values(&self, canvas: &mut Canvas<'_>, view: &View) {
-        for value in self.values.iter().filter(|value| value.panel == PanelName::Scheme) {
+        for value in self.values_of(PanelName::Scheme) {
             if let ValueOf::Rate(link) = value.of {
                 self.arrow_of_rate(canvas, view, value, link);
             }
         }
-        for value in self.labelled(PanelName::Scheme) {
+        for value in self.values_of(PanelName::Scheme) {
             match value.of {
                 ValueOf::Rate(link) => self.label_rate(canvas, view, value, link),
                 ValueOf::Length(ends) => self.label_length(canvas, view, value, ends),
