@@ -1,7 +1,7 @@
 //! The vectors of a plan by their symbols: whole velocities and accelerations from the pole, relative ones and their
 //! parts between plan points.
 
-use super::formula::Known;
+use super::formula::{Known, NamedPart};
 use super::name::{coincident_name, image_name};
 use super::sentence::Teller;
 use super::step::{Action, ArrowKind, Plan, PlanKind, PointRole, RayOf, VectorOf};
@@ -61,6 +61,7 @@ impl Teller<'_> {
                 continue;
             };
             let is_minus = index > 0 && formula.terms[index - 1].markup.contains('−');
+            let kind = if term.part == Some(NamedPart::Sliding) { ArrowKind::Sliding } else { kind };
             let [from, to] = if is_minus { [ends[1], ends[0]] } else { ends };
             let symbol = term.markup.split(" = ").next().unwrap_or_default();
             vectors.push(PlanVector {

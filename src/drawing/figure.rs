@@ -19,7 +19,7 @@ use crate::construction::{Solution, shown_text};
 use crate::cycle::Traces;
 use crate::mechanism::Class;
 use crate::quantity::{Kind, Scales};
-use crate::scene::{PageSize, PanelName};
+use crate::scene::PanelName;
 use crate::words::{Language, Wording};
 use std::sync::Arc;
 
@@ -181,9 +181,14 @@ pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent
     let agreement = agreement(scheme);
     let below: Vec<Box<dyn Item + 'a>> = if sheet.is_stepwise {
         let after = scheme.construction.numbered_steps().count() as u16 + 1;
-        vec![Box::new(StepWords(scheme)), Box::new(Lines { step: Some(after), ..agreement })]
+        let words: Box<dyn Item + 'a> = Box::new(StepWords(scheme));
+        let values = scheme.value_list(Some(after)).map(|list| Box::new(list) as Box<dyn Item>);
+        let last = values.unwrap_or_else(|| Box::new(Lines { step: Some(after), ..agreement }));
+        vec![words, last]
     } else {
-        vec![Box::new(agreement)]
+        // A work sheet has all values in its table.
+        let values = scheme.value_list(None).filter(|_| !sheet.worksheet).map(|list| Box::new(list) as Box<dyn Item>);
+        values.into_iter().chain([Box::new(agreement) as Box<dyn Item>]).collect()
     };
     Composition { is_stepwise: sheet.is_stepwise, ..composition(scheme, panels, table, below) }
 }
@@ -192,8 +197,7 @@ pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent
 /// and on a projector only what is not as it should be is said.
 fn agreement(scheme: &Scheme<'_>) -> Lines {
     let (sentence, agrees) = legend::agreement(&scheme.words, scheme.construction);
-    let is_projected = scheme.figure.page.size == PageSize::Wide || scheme.dims.unit > 1.0;
-    let is_said = !agrees || (scheme.values.is_empty() && !is_projected);
+    let is_said = !agrees || (scheme.values.is_empty() && !scheme.is_projected());
     let sentence = is_said.then_some(sentence);
     Lines::of(scheme.sentence_on_paths().iter().chain(&sentence), scheme.dims.page)
 }
@@ -206,8 +210,7 @@ pub(super) fn composition<'a>(
     below: Vec<Box<dyn Item + 'a>>,
 ) -> Composition<'a> {
     let (scene, words) = (scheme.scene, scheme.words);
-    let values = || Some(Box::new(scheme.value_list()?) as Box<dyn Item>);
-    let table = table.map(|table| Box::new(table) as Box<dyn Item>).or_else(values);
+    let table = table.map(|table| Box::new(table) as Box<dyn Item>);
     let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units, dims: scheme.dims });
     Composition {
         scene,

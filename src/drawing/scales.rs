@@ -45,7 +45,10 @@ impl<'a> Scheme<'a> {
             return self.mu;
         }
         let extents = self.extents_to_fit();
-        let sheets: Vec<Composition<'_>> = SHEETS.iter().map(|sheet| composed(self, &extents, *sheet)).collect();
+        // Sheets for a projector are not printed as work sheets.
+        let is_printed = |sheet: &&Sheet| !sheet.worksheet || figure.worksheet || !self.is_projected();
+        let sheets: Vec<Composition<'_>> =
+            SHEETS.iter().filter(is_printed).map(|sheet| composed(self, &extents, *sheet)).collect();
         let own: Vec<Layout> = sheets.iter().map(|sheet| sheet.layout()).collect();
         let fits = |scales: &Scales| {
             sheets.iter().all(|sheet| {

@@ -1,15 +1,15 @@
-//! The layer of values: symbols with numbers and units, all of them in a list beside the panels, and at vectors, links
-//! and lengths where there is room.
+//! The layer of values: symbols with numbers and units at vectors, links and lengths where there is room; the results
+//! stand in a list, too, beside the panels.
 
 use super::canvas::{Canvas, Wanted, ascii};
 use super::labels::LabelRequest;
-use super::layout::{Aside, Item, Layout};
+use super::layout::{Aside, Item, Layout, MARGIN};
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, LABEL, PlacedText, RichText};
-use crate::construction::{PlanKind, PlanVector, rate_symbol};
+use crate::construction::{ArrowKind, PlanKind, PlanVector, rate_symbol};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::motion::BodyMotion;
 use crate::quantity::Kind;
@@ -64,6 +64,17 @@ impl Value {
     /// Symbol, number and unit.
     pub(super) fn text(&self) -> RichText {
         RichText::math(&self.symbol).followed_by(&self.equals())
+    }
+
+    /// Whether it is a result that is listed; relative motions of two points of a link and given lengths are not.
+    fn is_listed(&self) -> bool {
+        match &self.of {
+            ValueOf::Rate(_) => true,
+            ValueOf::Vector(vector) => {
+                matches!(vector.kind, ArrowKind::Whole | ArrowKind::Sliding | ArrowKind::Coriolis)
+            }
+            ValueOf::Length(_) => false,
+        }
     }
 
     /// The number as written, and its unit.
@@ -203,15 +214,14 @@ impl Scheme<'_> {
         self.values.iter().filter(move |value| value.panel == panel)
     }
 
-    /// The list of all values; none in a figure without values.
-    pub(super) fn value_list(&self) -> Option<ValueList> {
-        let entry = |value: &Value| Entry {
-            text: value.text(),
-            id: format!("{}-{}", value.panel.as_str(), value.name),
-            since: value.since,
-        };
-        let entries: Vec<Entry> = self.values.iter().map(entry).collect();
-        (!entries.is_empty()).then_some(ValueList(entries))
+    /// The list of the results: rates of links, motions of points, and motions along guides; none in a figure without
+    /// values. On a stepwise sheet it stands below the panels, after the last step.
+    pub(super) fn value_list(&self, after: Option<u16>) -> Option<ValueList> {
+        let entry =
+            |value: &Value| Entry { text: value.text(), id: format!("{}-{}", value.panel.as_str(), value.name) };
+        let entries: Vec<Entry> = self.values.iter().filter(|value| value.is_listed()).map(entry).collect();
+        let page = self.dims.page;
+        (!entries.is_empty()).then_some(ValueList { entries, after, page })
     }
 
     /// Requests the label of a value beside `anchor`; it is left out where there is no room.
@@ -249,12 +259,16 @@ impl Scheme<'_> {
 }
 
 /// Values one after another in lines, in a frame between the panels and the scales or beside the panels.
-pub(super) struct ValueList(Vec<Entry>);
+pub(super) struct ValueList {
+    entries: Vec<Entry>,
+    /// The step after the last one, on a stepwise sheet.
+    after: Option<u16>,
+    page: [f64; 2],
+}
 
 struct Entry {
     text: RichText,
     id: String,
-    since: u16,
 }
 
 impl ValueList {
@@ -262,37 +276,55 @@ impl ValueList {
     fn places(&self, width: f64) -> Vec<(f64, usize)> {
         let column = self.widest() + BETWEEN;
         let columns = ((width - 2.0 * PAD + BETWEEN) / column).max(1.0) as usize;
-        (0..self.0.len()).map(|index| (PAD + column * (index % columns) as f64, index / columns)).collect()
+        (0..self.entries.len()).map(|index| (PAD + column * (index % columns) as f64, index / columns)).collect()
     }
 
     fn widest(&self) -> f64 {
-        self.0.iter().map(|entry| entry.text.width(CAPTION)).fold(0.0, f64::max)
+        self.entries.iter().map(|entry| entry.text.width(CAPTION)).fold(0.0, f64::max)
     }
 
-    fn height(&self, width: f64) -> f64 {
+    fn height_in(&self, width: f64) -> f64 {
         let lines = self.places(width).last().map_or(0, |(_, line)| line + 1);
         LINE * lines as f64 + 2.0
     }
 }
 
 impl Item for ValueList {
+    fn height(&self) -> f64 {
+        if self.after.is_some() { self.height_in(self.page[0] - 2.0 * MARGIN) } else { 0.0 }
+    }
+
     fn asides(&self, room: Rect) -> Vec<Aside> {
-        let mut asides = vec![Aside::Below(self.height(room.width()))];
+        if self.after.is_some() {
+            return Vec::new();
+        }
+        let mut asides = vec![Aside::Below(self.height_in(room.width()))];
         let beside = self.widest() + 2.0 * PAD;
-        if self.height(beside) <= room.height() {
+        if self.height_in(beside) <= room.height() {
             asides.push(Aside::Right(beside));
         }
         asides
     }
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let Some(area) = layout.aside else { return };
-        drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
-        for (entry, (x, line)) in self.0.iter().zip(self.places(area.width())) {
+        let area = match (self.after, layout.aside) {
+            (Some(_), _) => layout.below(),
+            (None, Some(area)) => {
+                drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
+                area
+            }
+            (None, None) => return,
+        };
+        for (entry, (x, line)) in self.entries.iter().zip(self.places(area.width())) {
             let from = Point::new(area.x0 + x, area.y0 + 5.0 + LINE * line as f64);
             let text = PlacedText::new(entry.text.clone(), CAPTION, from);
             let mark = Mark::new(Pen::Caption, Shape::Text(text));
-            drawing.add(Mark { id: Some(format!("listed-{}", ascii(&entry.id))), since: entry.since, ..mark });
+            drawing.add(Mark {
+                id: Some(format!("listed-{}", ascii(&entry.id))),
+                since: self.after.unwrap_or_default(),
+                passing: self.after.is_some(),
+                ..mark
+            });
         }
     }
 }

@@ -26,7 +26,7 @@ use crate::cycle::Traces;
 use crate::geometry;
 use crate::mechanism::{BodyId, GROUND, Mark, Mechanism, PointId, Role};
 use crate::position::Pose;
-use crate::scene::{Figure, PanelName, Scene};
+use crate::scene::{Figure, PageSize, PanelName, Scene};
 use crate::words::Wording;
 use kurbo::Point;
 use std::f64::consts::PI;
@@ -82,6 +82,11 @@ impl<'a> Scheme<'a> {
     /// The same without the layer of values: on a student's sheet it would tell the results.
     pub(super) fn without_values(self) -> Self {
         Self { values: Vec::new(), ..self }
+    }
+
+    /// Whether the sheet is for a projector: wide, or with large letters.
+    pub(super) fn is_projected(&self) -> bool {
+        self.figure.page.size == PageSize::Wide || self.dims.unit > 1.0
     }
 
     /// The writer of captions in the figure's language.
