@@ -221,6 +221,11 @@ impl<'a> Canvas<'a> {
         places.into_iter().find(has_room).unwrap_or((from.midpoint(to), side))
     }
 
+    /// Whether no joint, arrowhead or text is in a box.
+    pub(super) fn is_clear(&self, area: Rect) -> bool {
+        self.obstacles.boxes.iter().all(|other| !overlap(*other, area))
+    }
+
     /// Keeps labels off a box.
     pub(super) fn keep_off(&mut self, area: Rect) {
         self.obstacles.boxes.push(area);

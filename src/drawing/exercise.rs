@@ -3,6 +3,7 @@
 
 use super::compose::Composition;
 use super::figure::{composition, content, extents, panels};
+use super::layout::Item;
 use super::lines::Lines;
 use super::scheme::Scheme;
 use super::sheet::Drawing;
@@ -40,7 +41,7 @@ pub fn key_sheet(solution: &Solution, sentences: &[String]) -> Drawing {
     solution.scene.figure.values.get_or_insert(ValuesShown::Shown(None));
     let scheme = Scheme::new(&solution);
     let panels = panels(&scheme, &extents(&scheme), |panel| vec![content(&scheme, panel)]);
-    let table = Worksheet::new(&scheme, &panels);
+    let table: Box<dyn Item> = Box::new(Worksheet::new(&scheme, &panels));
     let sentences = Lines::of(sentences, scheme.dims.page);
     let sheet = composition(&scheme, panels, Some(table), vec![Box::new(sentences)]);
     sheet.draw(&sheet.layout())
@@ -50,7 +51,7 @@ pub fn key_sheet(solution: &Solution, sentences: &[String]) -> Drawing {
 fn student_sheet<'a>(scheme: &'a Scheme<'a>, asked: &[Asked], sentences: &[String]) -> Composition<'a> {
     let alone = [(PanelName::Scheme, scheme.extent())];
     let panels = panels(scheme, &alone, |panel| vec![content(scheme, panel)]);
-    let table = Worksheet::blank(scheme, asked);
+    let table: Box<dyn Item> = Box::new(Worksheet::blank(scheme, asked));
     let sentences = Lines::of(sentences, scheme.dims.page);
     composition(scheme, panels, Some(table), vec![Box::new(sentences)])
 }

@@ -177,7 +177,10 @@ pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent
         true => vec![hints(scheme, panel), content(scheme, panel)],
         false => vec![content(scheme, panel)],
     });
-    let table = sheet.worksheet.then(|| Worksheet::new(scheme, &panels));
+    let table = sheet.worksheet.then(|| Box::new(Worksheet::new(scheme, &panels)) as Box<dyn Item>);
+    // A work sheet has all values in its table.
+    let values = || Some(Box::new(scheme.value_list(None).filter(|_| !sheet.is_stepwise)?) as Box<dyn Item>);
+    let table = table.or_else(values);
     let agreement = agreement(scheme);
     let below: Vec<Box<dyn Item + 'a>> = if sheet.is_stepwise {
         let after = scheme.construction.numbered_steps().count() as u16 + 1;
@@ -186,9 +189,7 @@ pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent
         let last = values.unwrap_or_else(|| Box::new(Lines { step: Some(after), ..agreement }));
         vec![words, last]
     } else {
-        // A work sheet has all values in its table.
-        let values = scheme.value_list(None).filter(|_| !sheet.worksheet).map(|list| Box::new(list) as Box<dyn Item>);
-        values.into_iter().chain([Box::new(agreement) as Box<dyn Item>]).collect()
+        vec![Box::new(agreement)]
     };
     Composition { is_stepwise: sheet.is_stepwise, ..composition(scheme, panels, table, below) }
 }
@@ -206,11 +207,10 @@ fn agreement(scheme: &Scheme<'_>) -> Lines {
 pub(super) fn composition<'a>(
     scheme: &'a Scheme<'a>,
     panels: Vec<Panel<'a>>,
-    table: Option<Worksheet>,
+    table: Option<Box<dyn Item>>,
     below: Vec<Box<dyn Item + 'a>>,
 ) -> Composition<'a> {
     let (scene, words) = (scheme.scene, scheme.words);
-    let table = table.map(|table| Box::new(table) as Box<dyn Item>);
     let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units, dims: scheme.dims });
     Composition {
         scene,

@@ -92,9 +92,12 @@ impl Inset {
         let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
         canvas.draw(Pen::Frame, line);
         let text = RichText::plain(&format!("{} : 1", words.write(self.factor, NumberStyle::shortest())));
-        let below = Vec2::new(-0.5 * text.width(CAPTION), self.radius - 1.4);
-        let text = PlacedText::new(text, CAPTION, self.centre + below);
-        canvas.draw(Pen::Label, Shape::Text(text));
+        // At the foot of the circle or at its top, where no head or dot is; else below it.
+        let left = -0.5 * text.width(CAPTION);
+        let places = [self.radius - 1.4, -self.radius + 4.6, self.radius + 4.4];
+        let texts = places.map(|y| PlacedText::new(text.clone(), CAPTION, self.centre + Vec2::new(left, y)));
+        let text = texts.iter().find(|text| canvas.is_clear(text.ink_box())).unwrap_or(&texts[2]);
+        canvas.draw(Pen::Label, Shape::Text(text.clone()));
     }
 
     /// The enlarged parts of a shape in the circle.

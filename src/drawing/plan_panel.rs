@@ -22,6 +22,8 @@ use kurbo::{Point, Vec2};
 const EDGE: f64 = 1.5;
 /// Plan points closer than this on paper, in mm, share one label.
 const SHARED: f64 = 0.35;
+/// Most names of coincident points in one label.
+const TOGETHER: usize = 5;
 /// Length of the shortest vector with a value beside it, in mm.
 const SHORT: f64 = 4.0;
 /// Length of a ray beyond the crossing, in mm.
@@ -338,12 +340,14 @@ impl PlanOnPaper<'_> {
                 None => (place, place - middle),
             };
             let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
-            let (last, _) = self.growth(&here);
-            canvas.set_step(last);
-            // The text is joined from renamed names already; the trailing space keeps the id from being renamed again.
-            let joined = format!("{} ", here[0]);
-            let label = canvas.label(&joined, &self.shown(&here), anchor, self.dot(role).1 + 0.7, prefer, 2);
-            label.before = self.growing(&here, RichText::math);
+            for names in here.chunks(TOGETHER) {
+                let (last, _) = self.growth(names);
+                canvas.set_step(last);
+                // The text is joined from renamed names already; the trailing space keeps the id from being renamed again.
+                let joined = format!("{} ", names[0]);
+                let label = canvas.label(&joined, &self.shown(names), anchor, self.dot(role).1 + 0.7, prefer, 2);
+                label.before = self.growing(names, RichText::math);
+            }
         }
         for (place, here, _) in far {
             self.mark_far(canvas, place, &here);

@@ -18,9 +18,10 @@ const ALPHA_RADIUS: f64 = 6.6;
 impl Scheme<'_> {
     /// Draws the arrows of rates and requests the labels of all values.
     pub(super) fn values(&self, canvas: &mut Canvas<'_>, view: &View) {
+        let mut taken: Vec<Point> = Vec::new();
         for value in self.values_of(PanelName::Scheme) {
             if let ValueOf::Rate(link) = value.of {
-                self.arrow_of_rate(canvas, view, value, link);
+                self.arrow_of_rate(canvas, view, value, link, &mut taken);
             }
         }
         for value in self.values_of(PanelName::Scheme) {
@@ -33,8 +34,9 @@ impl Scheme<'_> {
         canvas.set_step(0);
     }
 
-    /// The arrow of a rate of a link; that of a drive's angular velocity is at its pivot.
-    fn arrow_of_rate(&self, canvas: &mut Canvas<'_>, view: &View, value: &Value, link: BodyId) {
+    /// The arrow of a rate of a link; that of a drive's angular velocity is at its pivot. Without room between the joints
+    /// and the arrows around the centres `taken` there is none.
+    fn arrow_of_rate(&self, canvas: &mut Canvas<'_>, view: &View, value: &Value, link: BodyId, taken: &mut Vec<Point>) {
         if value.number == 0.0 || self.is_at_drive(value, link) {
             return;
         }
@@ -42,7 +44,16 @@ impl Scheme<'_> {
             Kind::AngularAcceleration => (ALPHA_RADIUS, "alpha"),
             _ => (RATE_RADIUS, "omega"),
         };
-        if let Some(shape) = self.rate_arrow(view, link, radius, value.number) {
+        if let Some(shape) = self.rate_arrow(view, link, radius, value.number)
+            && let Shape::ArcArrow { center, .. } = shape
+        {
+            let mut joints = self.pose.points.iter().map(|&place| view.at(place));
+            let is_near = |other: &Point| (*other - center).hypot() < 2.0 * ALPHA_RADIUS + 1.0;
+            let is_apart = joints.all(|joint| (joint - center).hypot() > radius + self.dims.joint + 1.0);
+            if !is_apart || taken.iter().any(|other| *other != center && is_near(other)) {
+                return;
+            }
+            taken.push(center);
             canvas.set_step(value.since);
             let name = format!("{name}-{}", self.mechanism.body(link).name);
             canvas.draw_named(&name, Pen::Turning, shape).number = self.number(link);
