@@ -31,6 +31,8 @@ pub(super) struct Canvas<'a> {
     is_overlaid: bool,
 }
 
+/// Longest leader of a label that has to be legible at a glance, in mm.
+const FAR: f64 = 7.0;
 /// Length of lines through a label that has to be legible, in mm.
 const STRUCK: f64 = 1.0;
 
@@ -44,7 +46,7 @@ pub(super) struct Wanted {
     pub number: Option<usize>,
     /// Whether it is left out if no place is free.
     pub optional: bool,
-    /// Whether it is left out, too, if lines strike it through.
+    /// Whether it is left out, too, if lines strike it through or it stands far off.
     pub legible: bool,
     /// What it says before: from which step, in rising order; the label itself follows on the last.
     pub before: Vec<(u16, RichText)>,
@@ -333,7 +335,8 @@ impl<'a> Canvas<'a> {
     fn place(&mut self, requests: Vec<(Wanted, u16)>) {
         let asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
         for (label, (wanted, since)) in place(&asked, &self.obstacles).into_iter().zip(requests) {
-            let is_struck = wanted.legible && label.struck > STRUCK;
+            let is_far = label.leader.is_some_and(|(a, b)| (b - a).hypot() > FAR);
+            let is_struck = wanted.legible && (label.struck > STRUCK || is_far);
             if wanted.optional && (label.crowded || is_struck) {
                 continue;
             }

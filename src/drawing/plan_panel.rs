@@ -431,6 +431,8 @@ impl PlanOnPaper<'_> {
         let mut shown: Vec<String> = names.iter().map(|name| self.scheme.shown(name, Some(self.plan))).collect();
         // A fixed point O and the pole o have the same symbol.
         shown.dedup();
+        // The scene may give a name no text.
+        shown.retain(|name| !name.is_empty());
         shown.join(", ")
     }
 }

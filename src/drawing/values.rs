@@ -21,6 +21,8 @@ use kurbo::{Point, Rect, Vec2};
 const VALUE: NumberStyle = NumberStyle::significant(3).in_full(-3, 6).on(Medium::Figure);
 /// Number style of given lengths.
 const GIVEN: NumberStyle = NumberStyle::shortest().on(Medium::Figure);
+/// Largest part of a sheet's height for a list that the figure's style alone asks for.
+const MOST: f64 = 0.2;
 /// Height of a line of listed values, in mm.
 const LINE: f64 = 6.6;
 /// White inside the frame of listed values, in mm.
@@ -215,13 +217,17 @@ impl Scheme<'_> {
     }
 
     /// The list of the results: rates of links, motions of points, and motions along guides; none in a figure without
-    /// values. On a stepwise sheet it stands below the panels, after the last step.
+    /// values, or where its style asks for values and the list would be long. On a stepwise sheet it stands below the panels, after the last step.
     pub(super) fn value_list(&self, after: Option<u16>) -> Option<ValueList> {
         let entry =
             |value: &Value| Entry { text: value.text(), id: format!("{}-{}", value.panel.as_str(), value.name) };
         let entries: Vec<Entry> = self.values.iter().filter(|value| value.is_listed()).map(entry).collect();
         let page = self.dims.page;
-        (!entries.is_empty()).then_some(ValueList { entries, after, page })
+        let list = ValueList { entries, after, page };
+        // Values that nobody has asked for must not take the panels' room.
+        let most = if self.figure.values.is_some() { f64::INFINITY } else { MOST * page[1] };
+        let fits = list.height_in(page[0] - 2.0 * MARGIN) <= most;
+        (!list.entries.is_empty() && fits).then_some(list)
     }
 
     /// Requests the label of a value beside `anchor`; it is left out where there is no room.

@@ -36,6 +36,7 @@ mod scene_build;
 mod scene_read;
 mod step_names;
 mod templates;
+mod values;
 mod worked;
 mod worksheets;
 

@@ -3,7 +3,7 @@
 use crate::support::files;
 use kinegon::scene::{
     Builder, ConstructionShown, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink,
-    NotationName, Page, PageSize, PanelName, PointMotion, Push, Scene, StyleName, TimeUnit, Turn, polar,
+    NotationName, Page, PageSize, PanelName, PointMotion, Push, ScalesFor, Scene, StyleName, TimeUnit, Turn, polar,
 };
 
 /// The scene in a file of the repository.
@@ -108,7 +108,14 @@ fn platform_with_three_drives_and_long_names() {
 
 #[test]
 fn the_papers_mechanism_with_labels_of_its_own() {
-    let labels = [("ground", "6"), ("n_b3", "n_{s3b}"), ("n_g3", "n_{s3g}"), ("n_b5", "n_{s5b}"), ("n_g5", "n_{s5g}")];
+    let labels = [
+        ("ground", "6"),
+        ("k_b3", ""),
+        ("n_b3", "n_{s3b}"),
+        ("n_g3", "n_{s3g}"),
+        ("n_b5", "n_{s5b}"),
+        ("n_g5", "n_{s5g}"),
+    ];
     let link_4 = NewLink::points(["G", "D", "F"]).length("GD", 300.0).length("FG", 150.0).length("FD", 180.0);
     let builder = mm()
         .title("Quintero et al. (2011), Figure 2")
@@ -126,6 +133,7 @@ fn the_papers_mechanism_with_labels_of_its_own() {
         .figure(Figure {
             labels: labels.map(|(name, label)| (name.to_owned(), label.to_owned())).into(),
             construction: ConstructionShown::Paper,
+            scales: ScalesFor::Sheet,
             ..Figure::default()
         });
     is_the_same(&builder, &file("examples/figure-2.json"));
