@@ -22,7 +22,7 @@ use crate::scene::{PageSize, PanelName};
 use crate::words::{Language, Wording};
 
 /// Weight of the size of a panel beside that in focus.
-const COMPANION: f64 = 0.2;
+pub(super) const COMPANION: f64 = 0.2;
 
 /// A sheet with a scene's panels.
 #[derive(Clone, Copy, Debug)]

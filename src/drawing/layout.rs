@@ -17,6 +17,8 @@ const PADDING: f64 = 7.0;
 pub(super) const HEADING: f64 = 7.2;
 /// Rounding of sizes on paper, in mm.
 const ROUNDING: f64 = 1e-6;
+/// Parts of the room that a companion of the panel in focus may have.
+const COMPANION: [f64; 4] = [0.24, 0.28, 0.32, 0.36];
 /// Smallest width and height of a panel's content area, in mm.
 const LEAST: f64 = 20.0;
 
@@ -177,7 +179,7 @@ fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
 }
 
 /// Quality of an arrangement: first whether no panel is too narrow, then how many contents fit, then their sizes, then
-/// how much room the panel with least has for its content.
+/// at given scales, how much room the panel with least has for its content, or how large the panel in focus is.
 fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 4] {
     let all = || needs.iter().zip(placed);
     // Size of a content on paper.
@@ -192,13 +194,19 @@ fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 4] {
         let (size, area) = (drawn(pair), pair.1.area);
         (area.width() / size.x).min(area.height() / size.y)
     };
+    let has_companion = needs.iter().any(|needs| needs.weight < 1.0);
+    let focus = needs.iter().position(|needs| has_companion && needs.weight == 1.0);
     let yes = |is: bool| f64::from(u8::from(is));
     [
         yes(all().all(roomy)),
         all().filter(|pair| fits(*pair)).count() as f64,
         // The product of the diagonals: enlarging one content must not reduce another by a larger factor.
         all().map(|pair| weighed(drawn(pair).norm(), pair.0.weight)).product(),
-        all().map(room).fold(f64::INFINITY, f64::min),
+        match (needs.iter().all(|needs| needs.mu.is_some()), focus) {
+            (_, Some(panel)) => placed[panel].frame.area(),
+            (true, None) => all().map(room).fold(f64::INFINITY, f64::min),
+            (false, None) => 0.0,
+        },
     ]
 }
 
@@ -224,6 +232,16 @@ fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
     let mut ways = Vec::new();
     match needs {
         [] | [_] => ways.push(vec![room; needs.len()]),
+        // A companion is as small as its content allows.
+        [a, b] if a.weight < b.weight => {
+            for down in [false, true] {
+                let whole = if down { room.height() } else { room.width() } - GAP;
+                ways.extend(COMPANION.map(|share| {
+                    let (a, b) = divided(room, down, share * whole);
+                    vec![a, b]
+                }));
+            }
+        }
         [a, b] => {
             for down in [false, true] {
                 for (a, b) in splits(room, down, [&[*a], &[*b]], unit) {
@@ -279,14 +297,16 @@ fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> 
     cuts.extend(first.iter().flat_map(widths));
     cuts.extend(second.iter().flat_map(widths).map(|need| whole - need));
     cuts.retain(|cut| (0.2..=0.8).contains(&(cut / whole)));
-    let cut_at = |cut: f64| {
-        let (mut a, mut b) = (room, room);
-        if down {
-            (a.y1, b.y0) = (room.y0 + cut, room.y0 + cut + GAP);
-        } else {
-            (a.x1, b.x0) = (room.x0 + cut, room.x0 + cut + GAP);
-        }
-        (a, b)
-    };
-    cuts.into_iter().map(cut_at).collect()
+    cuts.into_iter().map(|cut| divided(room, down, cut)).collect()
+}
+
+/// A room divided after `cut` mm, from the left or from above.
+fn divided(room: Rect, down: bool, cut: f64) -> (Rect, Rect) {
+    let (mut a, mut b) = (room, room);
+    if down {
+        (a.y1, b.y0) = (room.y0 + cut, room.y0 + cut + GAP);
+    } else {
+        (a.x1, b.x0) = (room.x0 + cut, room.x0 + cut + GAP);
+    }
+    (a, b)
 }
