@@ -183,6 +183,11 @@ impl<'a> Canvas<'a> {
         &self.drawing.marks[self.content_start..]
     }
 
+    /// Whether a box overlaps a joint, an arrowhead or other words.
+    pub(super) fn is_taken(&self, area: Rect) -> bool {
+        self.obstacles.boxes.iter().any(|other| overlap(*other, area))
+    }
+
     /// Whether a circle is off all obstacles and enlarged details.
     pub(super) fn is_free(&self, centre: Point, radius: f64) -> bool {
         let far = radius * radius;

@@ -18,7 +18,7 @@ use super::worksheet::Worksheet;
 use crate::construction::{Solution, shown_text};
 use crate::mechanism::Class;
 use crate::quantity::{Kind, Scales};
-use crate::scene::{PageSize, PanelName};
+use crate::scene::{PageSize, PanelName, ScalesFor};
 use crate::words::{Language, Wording};
 
 /// Weight of the size of a panel beside that in focus.
@@ -140,10 +140,13 @@ pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
     let own_scheme = Scheme::scaled(first);
     let schemes: Vec<Scheme<'_>> =
         positions.iter().map(|solution| Scheme { mu: own_scheme.mu, ..Scheme::new(solution) }).collect();
-    let extents: Vec<(PanelName, Extent)> = extents(&own_scheme)
-        .into_iter()
-        .map(|(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel))))
-        .collect();
+    let extents: Vec<(PanelName, Extent)> = match first.scene.figure.scales {
+        ScalesFor::Cycle => own_scheme.extents_to_fit(),
+        _ => {
+            let own = extents(&own_scheme).into_iter();
+            own.map(|(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
+        }
+    };
     let sheet = Sheet { is_stepwise: true, worksheet: false };
     let sheets: Vec<Composition<'_>> =
         schemes.iter().map(|scheme| described(scheme, composed(scheme, &extents, sheet))).collect();

@@ -92,8 +92,12 @@ impl Inset {
         let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
         canvas.draw(Pen::Frame, line);
         let text = RichText::plain(&format!("{} : 1", words.write(self.factor, NumberStyle::shortest())));
-        let below = Vec2::new(-0.5 * text.width(CAPTION), self.radius - 1.4);
-        let text = PlacedText::new(text, CAPTION, self.centre + below);
+        // Within the circle below or above, or beneath it where both are taken.
+        let left = -0.5 * text.width(CAPTION);
+        let at = |y: f64| PlacedText::new(text.clone(), CAPTION, self.centre + Vec2::new(left, y));
+        let places = [self.radius - 1.4, CAPTION - self.radius, self.radius + CAPTION].map(at);
+        let free = places.iter().find(|place| !canvas.is_taken(place.ink_box().inflate(0.3, 0.3)));
+        let text = free.unwrap_or(&places[0]).clone();
         canvas.draw(Pen::Label, Shape::Text(text));
     }
 

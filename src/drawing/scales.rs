@@ -78,7 +78,7 @@ impl<'a> Scheme<'a> {
 
     /// What must fit at the scales: the content in the scene's own position or, for a cycle, in all positions of the
     /// first drive.
-    fn extents_to_fit(&self) -> Vec<(PanelName, Extent)> {
+    pub(super) fn extents_to_fit(&self) -> Vec<(PanelName, Extent)> {
         let own = extents(self);
         if self.figure.scales != ScalesFor::Cycle {
             return own;
