@@ -123,7 +123,8 @@ type Division = (Option<Rect>, Vec<Placed>);
 
 /// Divides a sheet so that the panels' contents are largest at round scales.
 ///
-/// A few arrangements are tried: side by side, one beside two, one above two, each with every area of `asides`. The
+/// A few arrangements are tried: side by side, one beside two, one above two, and two before one, each with every area
+/// of `asides`. The
 /// best has most contents within their panels, then the largest product of the contents' sizes. The legend has a part
 /// for the scales and one `below` it.
 pub(super) fn layout(
@@ -140,13 +141,18 @@ pub(super) fn layout(
         false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
     };
     let mut best: Option<([f64; 4], Division)> = None;
-    for (room, aside) in rooms {
-        for frames in arrangements(room, needs, dims.unit) {
-            let placed: Vec<Placed> =
-                needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame, dims.unit)).collect();
-            let worth = worth(needs, &placed);
-            if best.as_ref().is_none_or(|(most, _)| worth > *most) {
-                best = Some((worth, (aside, placed)));
+    for ways in [arrangements, paired] {
+        // Two panels that share a column must not make the smallest content smaller.
+        let least = best.as_ref().map_or(0.0, |(_, (_, placed))| smallest(needs, placed));
+        for &(room, aside) in &rooms {
+            for frames in ways(room, needs, dims.unit) {
+                let placed: Vec<Placed> =
+                    needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame, dims.unit)).collect();
+                let worth = worth(needs, &placed);
+                let is_better = best.as_ref().is_none_or(|(most, _)| worth > *most);
+                if is_better && smallest(needs, &placed) >= least - ROUNDING {
+                    best = Some((worth, (aside, placed)));
+                }
             }
         }
     }
@@ -190,6 +196,11 @@ fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 4] {
         let (size, area) = (drawn(pair), pair.1.area.inflate(ROUNDING, ROUNDING));
         size.x <= area.width() && size.y <= area.height()
     };
+    // The size of what is not cut off.
+    let seen = |pair: (&Needs, &Placed)| {
+        let (size, area) = (drawn(pair), pair.1.area);
+        geometry::Vector::new(size.x.min(area.width()), size.y.min(area.height()))
+    };
     let room = |pair: (&Needs, &Placed)| {
         let (size, area) = (drawn(pair), pair.1.area);
         (area.width() / size.x).min(area.height() / size.y)
@@ -201,13 +212,18 @@ fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 4] {
         yes(all().all(roomy)),
         all().filter(|pair| fits(*pair)).count() as f64,
         // The product of the diagonals: enlarging one content must not reduce another by a larger factor.
-        all().map(|pair| weighed(drawn(pair).norm(), pair.0.weight)).product(),
+        all().map(|pair| weighed(seen(pair).norm(), pair.0.weight)).product(),
         match (needs.iter().all(|needs| needs.mu.is_some()), focus) {
             (_, Some(panel)) => placed[panel].frame.area(),
             (true, None) => all().map(room).fold(f64::INFINITY, f64::min),
             (false, None) => 0.0,
         },
     ]
+}
+
+/// Size of the smallest content.
+fn smallest(needs: &[Needs], placed: &[Placed]) -> f64 {
+    needs.iter().zip(placed).map(|(needs, placed)| placed.shown(&needs.extent).norm()).fold(f64::INFINITY, f64::min)
 }
 
 /// A size with its weight among others.
@@ -250,17 +266,6 @@ fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
             }
         }
         [a, others @ ..] => {
-            // The first two share a column or a row, the third has the other.
-            if let [b, c] = others {
-                for down in [false, true] {
-                    let first: &[Needs] = if down { &[] } else { &[*a, *b] };
-                    for (both, third) in splits(room, down, [first, &[*c]], unit) {
-                        for (a, b) in splits(both, !down, [&[*a], &[*b]], unit) {
-                            ways.push(vec![a, b, third]);
-                        }
-                    }
-                }
-            }
             for (down, then) in [(false, true), (false, false), (true, false)] {
                 // Two panels side by side share the width; one above the other both have all of it.
                 let second = if down == then { &others[..0] } else { others };
@@ -270,6 +275,20 @@ fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
                     }
                 }
             }
+        }
+    }
+    ways
+}
+
+/// Ways to divide `room` among three panels of which the first two share a column or a row.
+fn paired(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
+    let [a, b, c] = needs else { return Vec::new() };
+    let mut ways = Vec::new();
+    for down in [false, true] {
+        let both: &[Needs] = if down { &[] } else { &[*a, *b] };
+        for (both, third) in splits(room, down, [both, &[*c]], unit) {
+            let halves = splits(both, !down, [&[*a], &[*b]], unit);
+            ways.extend(halves.into_iter().map(|(a, b)| vec![a, b, third]));
         }
     }
     ways
