@@ -8,7 +8,7 @@ use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch, PointPaths};
 use kinegon::drawing::{Drawing, curves, hodographs, overlay, paths};
 use kinegon::exercise::Exercises;
 use kinegon::format::{Text, structure, svg_with};
-use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Scene, StyleName};
+use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, Scene, StyleName};
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
@@ -91,6 +91,8 @@ enum Kind {
     Figure(fn(&mut Figure)),
     /// The sheet after this step.
     Step(usize),
+    /// The sheet after this coarse step, asked for in this way.
+    Passage(usize, fn(&mut Figure)),
     /// Quantities over the cycle.
     Curves(&'static [&'static str]),
     /// Ways of vectors' tips.
@@ -104,7 +106,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 13] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 17] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -132,6 +134,38 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 13] = [
         "draw scene.json --style board",
         "Chalk on a dark ground.",
         Kind::Figure(|figure| figure.style = StyleName::Board),
+    ),
+    (
+        "hall",
+        "templates/whitworth.json",
+        "draw scene.json --style lecture --page 16x9",
+        "For the hall: large letters, thick lines, a sheet with the proportions of the projector.",
+        Kind::Figure(|figure| (figure.style, figure.page) = (StyleName::Lecture, wide())),
+    ),
+    (
+        "hall-focus",
+        "templates/watt-1.json",
+        "draw scene.json --style lecture --page 16x9 --focus velocity",
+        "One large plan at a time, with the scheme beside it.",
+        Kind::Figure(|figure| {
+            (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(PanelName::Velocity));
+        }),
+    ),
+    (
+        "hall-step",
+        "templates/four-bar.json",
+        "draw scene.json --style lecture --page 16x9 --focus velocity --steps coarse",
+        "A coarse step: both rays and their crossing on one sheet.",
+        Kind::Passage(2, |figure| {
+            (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(PanelName::Velocity));
+        }),
+    ),
+    (
+        "far-point",
+        "tests/lecture/valve.json",
+        "draw scene.json",
+        "A special point whose images lie far away: broken lines run towards them, with their distances on paper.",
+        Kind::Figure(|_| ()),
     ),
     (
         "worded",
@@ -205,6 +239,11 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 13] = [
         Kind::Check("examples/paper-as-student.json"),
     ),
 ];
+
+/// The sheet for a projector.
+fn wide() -> Page {
+    Page { size: PageSize::Wide, landscape: true }
+}
 
 /// The scene of a file, with what is asked of its figure, solved.
 fn solution(path: &str, asked: impl Fn(&mut Figure)) -> Result<Solution, Box<dyn Error>> {
@@ -299,6 +338,7 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
         let drawing = match kind {
             Kind::Figure(asked) => solution(path, asked)?.figure(),
             Kind::Step(number) => solution(path, |_| ())?.stepwise_figure().after_step(number),
+            Kind::Passage(number, asked) => solution(path, asked)?.coarse_figure().after_step(number),
             Kind::Curves(names) => curves_of(&solution(path, |_| ())?, names)?,
             Kind::Hodographs(names) => hodographs_of(&solution(path, |_| ())?, names)?,
             Kind::Paths(names) => paths_of(&solution(path, |_| ())?, names)?,

@@ -196,6 +196,11 @@ impl<'a> Canvas<'a> {
         &self.drawing.marks[self.content_start..]
     }
 
+    /// Whether a box overlaps a joint, an arrowhead or other words.
+    pub(super) fn is_taken(&self, area: Rect) -> bool {
+        self.obstacles.boxes.iter().any(|other| overlap(*other, area))
+    }
+
     /// Whether a circle is off all obstacles and enlarged details.
     pub(super) fn is_free(&self, centre: Point, radius: f64) -> bool {
         let far = radius * radius;
@@ -221,11 +226,6 @@ impl<'a> Canvas<'a> {
             [0.0, 1.0, 2.0, 3.0].iter().all(|k| self.is_free(*point + *side * (RADIUS + 0.6) + sideways * *k, RADIUS))
         };
         places.into_iter().find(has_room).unwrap_or((from.midpoint(to), side))
-    }
-
-    /// Whether no joint, arrowhead or text is in a box.
-    pub(super) fn is_clear(&self, area: Rect) -> bool {
-        self.obstacles.boxes.iter().all(|other| !overlap(*other, area))
     }
 
     /// Keeps labels off a box.

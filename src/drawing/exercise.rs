@@ -5,12 +5,13 @@ use super::compose::Composition;
 use super::figure::{composition, content, extents, panels};
 use super::layout::Item;
 use super::lines::Lines;
+use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::Drawing;
 use super::worksheet::Worksheet;
 use crate::construction::Solution;
 use crate::quantity::Asked;
-use crate::scene::{PanelName, ValuesShown};
+use crate::scene::{ConstructionShown, PanelName, ValuesShown};
 
 /// The sheet of an exercise: the scheme without special points, but with room for them; below it `sentences`, in
 /// markup; beside it a ruler and a table with a row for each of `asked`, with boxes for its millimetres and its value.
@@ -56,9 +57,12 @@ fn student_sheet<'a>(scheme: &'a Scheme<'a>, asked: &[Asked], sentences: &[Strin
     composition(scheme, panels, Some(table), vec![Box::new(sentences)])
 }
 
-/// Whether the scheme shows all its special points at their places, none by an arrow.
+/// Whether scheme and plans show all their points at their places, none by an arrow.
 #[must_use]
 pub fn shows_special_points(solution: &Solution) -> bool {
     let scheme = Scheme::new(solution).without_values();
+    let [shown, all] = [scheme.figure.construction, ConstructionShown::Paper];
+    let mut plans = scheme.construction.plans();
     scheme.special().all(|special| scheme.is_near(special))
+        && plans.all(|plan| plan_panel::extent(plan, shown) == plan_panel::extent(plan, all))
 }

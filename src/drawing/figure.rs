@@ -2,7 +2,7 @@
 
 use super::canvas::Canvas;
 use super::compose::Composition;
-use super::layout::{Item, Needs, Placed, on_paper};
+use super::layout::{Item, Needs, Placed};
 use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;
@@ -12,19 +12,23 @@ use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::{Drawing, Pen};
 use super::text::RichText;
-use super::view::{Extent, View, fitting_scale};
+use super::view::{Extent, View, next_scale};
 use super::words::StepWords;
 use super::worksheet::Worksheet;
 use crate::construction::{Solution, shown_text};
 use crate::cycle::Traces;
 use crate::mechanism::Class;
 use crate::quantity::{Kind, Scales};
-use crate::scene::PanelName;
+use crate::scene::{PanelName, ScalesFor};
 use crate::words::{Language, Wording};
+use kurbo::Rect;
 use std::sync::Arc;
 
 /// Weight of the size of a panel beside that in focus.
-const COMPANION: f64 = 0.2;
+pub(super) const COMPANION: f64 = 0.2;
+
+/// Scales that are tried for one that fits.
+const TRIED: usize = 120;
 
 /// A sheet with a scene's panels.
 #[derive(Clone, Copy, Debug)]
@@ -96,23 +100,35 @@ impl Solution {
         }
         let scheme = Scheme::scaled(self);
         let extents = extents(&scheme);
-        let sheet = Sheet { is_stepwise: false, worksheet: figure.worksheet };
-        let layout = composed(&scheme, &extents, sheet).layout();
-        extents
-            .iter()
-            .zip(&layout.panels)
-            .filter_map(|((panel, extent), placed)| overflow_warning(*panel, extent, placed))
-            .collect()
+        let sheet = composed(&scheme, &extents, Sheet { is_stepwise: false, worksheet: figure.worksheet });
+        let warning = |(index, placed): (usize, &Placed)| {
+            let (panel, extent) = extents[index];
+            // Content may reach into the white margin of the frame.
+            if fits_into(extent, placed, placed.frame) {
+                return None;
+            }
+            let mut scales = scheme.mu;
+            let holds = |mu: &f64| {
+                scales[panel as usize] = Some(*mu);
+                let placed = &sheet.layout_at(&scales).panels[index];
+                fits_into(extent, placed, placed.area)
+            };
+            let coarser = std::iter::successors(Some(next_scale(placed.mu)), |mu| Some(next_scale(1.01 * mu)));
+            let fitting = coarser.take(TRIED).find(holds).unwrap_or(f64::INFINITY);
+            Some(overflow_warning(panel, placed.mu, fitting))
+        };
+        sheet.layout().panels.iter().enumerate().filter_map(warning).collect()
     }
 }
 
-/// The warning for a panel whose content is larger than its frame.
-fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Option<String> {
-    // Content may reach into the white margin of the frame.
-    let (size, frame) = (placed.shown(extent), placed.frame);
-    if size.x <= frame.width() && size.y <= frame.height() {
-        return None;
-    }
+/// Whether a content fits into a part of its panel.
+fn fits_into(extent: Extent, placed: &Placed, area: Rect) -> bool {
+    let (size, area) = (placed.shown(&extent), area.inflate(1e-6, 1e-6));
+    size.x <= area.width() && size.y <= area.height()
+}
+
+/// The warning for a panel whose content is larger than its frame, with a scale that fits.
+fn overflow_warning(panel: PanelName, given: f64, fitting: f64) -> String {
     let key = match panel {
         PanelName::Scheme => "mu_l",
         PanelName::Velocity => "mu_v",
@@ -120,11 +136,10 @@ fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Optio
     };
     let words = Wording::default();
     let panel = name(words.language, panel).to_lowercase();
-    let [fitting, given] =
-        [fitting_scale(extent, on_paper(placed.area, placed.unit)), placed.mu].map(|mu| words.write(mu, legend::SCALE));
-    Some(format!(
+    let [fitting, given] = [fitting, given].map(|mu| words.write(mu, legend::SCALE));
+    format!(
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
-    ))
+    )
 }
 
 /// The stepwise figures of one mechanism in several positions, all with the same panels and scales, as frames of an
@@ -151,10 +166,13 @@ pub fn frames_with(positions: &[Solution], own: usize, traces: Traces) -> Vec<Dr
     let own_scheme = scheme(first).with_scales();
     let schemes: Vec<Scheme<'_>> =
         positions.iter().map(|solution| Scheme { mu: own_scheme.mu, ..scheme(solution) }).collect();
-    let extents: Vec<(PanelName, Extent)> = extents(&own_scheme)
-        .into_iter()
-        .map(|(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel))))
-        .collect();
+    let extents: Vec<(PanelName, Extent)> = match first.scene.figure.scales {
+        ScalesFor::Cycle => own_scheme.extents_to_fit(),
+        _ => {
+            let own = extents(&own_scheme).into_iter();
+            own.map(|(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
+        }
+    };
     let sheet = Sheet { is_stepwise: true, worksheet: false };
     let sheets: Vec<Composition<'_>> =
         schemes.iter().map(|scheme| described(scheme, composed(scheme, &extents, sheet))).collect();

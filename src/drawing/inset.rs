@@ -92,12 +92,13 @@ impl Inset {
         let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
         canvas.draw(Pen::Frame, line);
         let text = RichText::plain(&format!("{} : 1", words.write(self.factor, NumberStyle::shortest())));
-        // At the foot of the circle or at its top, where no head or dot is; else below it.
+        // Within the circle below or above, or beneath it where both are taken.
         let left = -0.5 * text.width(CAPTION);
-        let places = [self.radius - 1.4, -self.radius + 4.6, self.radius + 4.4];
-        let texts = places.map(|y| PlacedText::new(text.clone(), CAPTION, self.centre + Vec2::new(left, y)));
-        let text = texts.iter().find(|text| canvas.is_clear(text.ink_box())).unwrap_or(&texts[2]);
-        canvas.draw(Pen::Label, Shape::Text(text.clone()));
+        let at = |y: f64| PlacedText::new(text.clone(), CAPTION, self.centre + Vec2::new(left, y));
+        let places = [self.radius - 1.4, CAPTION - self.radius, self.radius + CAPTION].map(at);
+        let free = places.iter().find(|place| !canvas.is_taken(place.ink_box().inflate(0.3, 0.3)));
+        let text = free.unwrap_or(&places[0]).clone();
+        canvas.draw(Pen::Label, Shape::Text(text));
     }
 
     /// The enlarged parts of a shape in the circle.

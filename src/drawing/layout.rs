@@ -17,6 +17,8 @@ const PADDING: f64 = 7.0;
 pub(super) const HEADING: f64 = 7.2;
 /// Rounding of sizes on paper, in mm.
 const ROUNDING: f64 = 1e-6;
+/// Parts of the room that a companion of the panel in focus may have.
+const COMPANION: [f64; 4] = [0.24, 0.28, 0.32, 0.36];
 /// Smallest width and height of a panel's content area, in mm.
 const LEAST: f64 = 20.0;
 
@@ -121,7 +123,8 @@ type Division = (Option<Rect>, Vec<Placed>);
 
 /// Divides a sheet so that the panels' contents are largest at round scales.
 ///
-/// A few arrangements are tried: side by side, one beside two, one above two, each with every area of `asides`. The
+/// A few arrangements are tried: side by side, one beside two, one above two, and two before one, each with every area
+/// of `asides`. The
 /// best has most contents within their panels, then the largest product of the contents' sizes. The legend has a part
 /// for the scales and one `below` it.
 pub(super) fn layout(
@@ -138,13 +141,18 @@ pub(super) fn layout(
         false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
     };
     let mut best: Option<([f64; 4], Division)> = None;
-    for (room, aside) in rooms {
-        for frames in arrangements(room, needs, dims.unit) {
-            let placed: Vec<Placed> =
-                needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame, dims.unit)).collect();
-            let worth = worth(needs, &placed);
-            if best.as_ref().is_none_or(|(most, _)| worth > *most) {
-                best = Some((worth, (aside, placed)));
+    for ways in [arrangements, paired] {
+        // Two panels that share a column must not make the smallest content smaller.
+        let least = best.as_ref().map_or(0.0, |(_, (_, placed))| smallest(needs, placed));
+        for &(room, aside) in &rooms {
+            for frames in ways(room, needs, dims.unit) {
+                let placed: Vec<Placed> =
+                    needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame, dims.unit)).collect();
+                let worth = worth(needs, &placed);
+                let is_better = best.as_ref().is_none_or(|(most, _)| worth > *most);
+                if is_better && smallest(needs, &placed) >= least - ROUNDING {
+                    best = Some((worth, (aside, placed)));
+                }
             }
         }
     }
@@ -177,7 +185,7 @@ fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
 }
 
 /// Quality of an arrangement: first whether no panel is too narrow, then how many contents fit, then their sizes, then
-/// how much room the panel with least has for its content.
+/// at given scales, how much room the panel with least has for its content, or how large the panel in focus is.
 fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 4] {
     let all = || needs.iter().zip(placed);
     // Size of a content on paper.
@@ -188,18 +196,34 @@ fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 4] {
         let (size, area) = (drawn(pair), pair.1.area.inflate(ROUNDING, ROUNDING));
         size.x <= area.width() && size.y <= area.height()
     };
+    // The size of what is not cut off.
+    let seen = |pair: (&Needs, &Placed)| {
+        let (size, area) = (drawn(pair), pair.1.area);
+        geometry::Vector::new(size.x.min(area.width()), size.y.min(area.height()))
+    };
     let room = |pair: (&Needs, &Placed)| {
         let (size, area) = (drawn(pair), pair.1.area);
         (area.width() / size.x).min(area.height() / size.y)
     };
+    let has_companion = needs.iter().any(|needs| needs.weight < 1.0);
+    let focus = needs.iter().position(|needs| has_companion && needs.weight == 1.0);
     let yes = |is: bool| f64::from(u8::from(is));
     [
         yes(all().all(roomy)),
         all().filter(|pair| fits(*pair)).count() as f64,
         // The product of the diagonals: enlarging one content must not reduce another by a larger factor.
-        all().map(|pair| weighed(drawn(pair).norm(), pair.0.weight)).product(),
-        all().map(room).fold(f64::INFINITY, f64::min),
+        all().map(|pair| weighed(seen(pair).norm(), pair.0.weight)).product(),
+        match (needs.iter().all(|needs| needs.mu.is_some()), focus) {
+            (_, Some(panel)) => placed[panel].frame.area(),
+            (true, None) => all().map(room).fold(f64::INFINITY, f64::min),
+            (false, None) => 0.0,
+        },
     ]
+}
+
+/// Size of the smallest content.
+fn smallest(needs: &[Needs], placed: &[Placed]) -> f64 {
+    needs.iter().zip(placed).map(|(needs, placed)| placed.shown(&needs.extent).norm()).fold(f64::INFINITY, f64::min)
 }
 
 /// A size with its weight among others.
@@ -224,6 +248,16 @@ fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
     let mut ways = Vec::new();
     match needs {
         [] | [_] => ways.push(vec![room; needs.len()]),
+        // A companion is as small as its content allows.
+        [a, b] if a.weight < b.weight => {
+            for down in [false, true] {
+                let whole = if down { room.height() } else { room.width() } - GAP;
+                ways.extend(COMPANION.map(|share| {
+                    let (a, b) = divided(room, down, share * whole);
+                    vec![a, b]
+                }));
+            }
+        }
         [a, b] => {
             for down in [false, true] {
                 for (a, b) in splits(room, down, [&[*a], &[*b]], unit) {
@@ -232,17 +266,6 @@ fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
             }
         }
         [a, others @ ..] => {
-            // The first two share a column or a row, the third has the other.
-            if let [b, c] = others {
-                for down in [false, true] {
-                    let first: &[Needs] = if down { &[] } else { &[*a, *b] };
-                    for (both, third) in splits(room, down, [first, &[*c]], unit) {
-                        for (a, b) in splits(both, !down, [&[*a], &[*b]], unit) {
-                            ways.push(vec![a, b, third]);
-                        }
-                    }
-                }
-            }
             for (down, then) in [(false, true), (false, false), (true, false)] {
                 // Two panels side by side share the width; one above the other both have all of it.
                 let second = if down == then { &others[..0] } else { others };
@@ -252,6 +275,20 @@ fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
                     }
                 }
             }
+        }
+    }
+    ways
+}
+
+/// Ways to divide `room` among three panels of which the first two share a column or a row.
+fn paired(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
+    let [a, b, c] = needs else { return Vec::new() };
+    let mut ways = Vec::new();
+    for down in [false, true] {
+        let both: &[Needs] = if down { &[] } else { &[*a, *b] };
+        for (both, third) in splits(room, down, [both, &[*c]], unit) {
+            let halves = splits(both, !down, [&[*a], &[*b]], unit);
+            ways.extend(halves.into_iter().map(|(a, b)| vec![a, b, third]));
         }
     }
     ways
@@ -279,14 +316,16 @@ fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> 
     cuts.extend(first.iter().flat_map(widths));
     cuts.extend(second.iter().flat_map(widths).map(|need| whole - need));
     cuts.retain(|cut| (0.2..=0.8).contains(&(cut / whole)));
-    let cut_at = |cut: f64| {
-        let (mut a, mut b) = (room, room);
-        if down {
-            (a.y1, b.y0) = (room.y0 + cut, room.y0 + cut + GAP);
-        } else {
-            (a.x1, b.x0) = (room.x0 + cut, room.x0 + cut + GAP);
-        }
-        (a, b)
-    };
-    cuts.into_iter().map(cut_at).collect()
+    cuts.into_iter().map(|cut| divided(room, down, cut)).collect()
+}
+
+/// A room divided after `cut` mm, from the left or from above.
+fn divided(room: Rect, down: bool, cut: f64) -> (Rect, Rect) {
+    let (mut a, mut b) = (room, room);
+    if down {
+        (a.y1, b.y0) = (room.y0 + cut, room.y0 + cut + GAP);
+    } else {
+        (a.x1, b.x0) = (room.x0 + cut, room.x0 + cut + GAP);
+    }
+    (a, b)
 }

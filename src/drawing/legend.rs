@@ -16,6 +16,8 @@ const ROW: f64 = 7.2;
 const BAR: f64 = 10.0;
 /// Least white between scales in one row, in mm.
 const LEAST_GAP: f64 = 6.0;
+/// Most white between scales in one row, in mm.
+const MOST_GAP: f64 = 24.0;
 /// Number style of scales.
 pub(super) const SCALE: NumberStyle = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
 /// Number style of the difference between construction and loop equations.
@@ -104,7 +106,7 @@ fn fit_columns(widths: &[f64], layout: &Layout) -> bool {
 /// White between scales that share a row whatever their widths, in mm.
 fn gap(widths: &[f64], layout: &Layout) -> f64 {
     let free = layout.legend.width() - 2.0 * PAD - widths.iter().sum::<f64>();
-    free / widths.len().saturating_sub(1).max(1) as f64
+    (free / widths.len().saturating_sub(1).max(1) as f64).min(MOST_GAP)
 }
 
 /// The box with the scales of the panels, and room for words below them.

@@ -1,7 +1,7 @@
 //! The scales of a scene's sheets, chosen once for all of them: the figure, its steps, its work sheet and its page.
 
 use super::compose::Composition;
-use super::figure::{Sheet, composed, extents, extents_of_images};
+use super::figure::{COMPANION, Sheet, composed, extents, extents_of_images};
 use super::layout::Layout;
 use super::scheme::Scheme;
 use super::view::{Extent, next_scale};
@@ -16,8 +16,9 @@ const SHEETS: [Sheet; 3] = [
     Sheet { is_stepwise: false, worksheet: false },
 ];
 
-/// Weight of the scheme's size beside those of the plans, which have more names: of equals plans are larger.
-const SCHEME: f64 = 0.9;
+/// Weight of the scheme's size beside those of the plans: of equals the one with the larger scheme, which must not
+/// shrink for the sake of one plan.
+const SCHEME: f64 = 1.1;
 
 /// Positions in which the largest plans of a cycle are looked for.
 const POSITIONS: usize = 72;
@@ -45,10 +46,10 @@ impl<'a> Scheme<'a> {
             return self.mu;
         }
         let extents = self.extents_to_fit();
-        // Sheets for a projector are not printed as work sheets.
-        let is_printed = |sheet: &&Sheet| !sheet.worksheet || figure.worksheet || !self.is_projected();
-        let sheets: Vec<Composition<'_>> =
-            SHEETS.iter().filter(is_printed).map(|sheet| composed(self, &extents, *sheet)).collect();
+        // A sheet for the projector, or with one panel in focus, is no work sheet unless the scene says so.
+        let is_projected = self.is_projected() || figure.focus.is_some();
+        let sheets = SHEETS.iter().filter(|sheet| !sheet.worksheet || figure.worksheet || !is_projected);
+        let sheets: Vec<Composition<'_>> = sheets.map(|sheet| composed(self, &extents, *sheet)).collect();
         let own: Vec<Layout> = sheets.iter().map(|sheet| sheet.layout()).collect();
         let fits = |scales: &Scales| {
             sheets.iter().all(|sheet| {
@@ -62,7 +63,11 @@ impl<'a> Scheme<'a> {
             (panel, scales_between(own))
         });
         let mut sets = combined(self.mu, &choices.collect::<Vec<_>>());
-        let weight = |panel: PanelName| if panel == PanelName::Scheme { SCHEME } else { 1.0 };
+        let weight = |panel: PanelName| match panel {
+            PanelName::Scheme if figure.focus.is_some() => COMPANION,
+            PanelName::Scheme => SCHEME,
+            _ => 1.0,
+        };
         // The sum of the logarithms of the scales: the set with the largest contents comes first.
         let coarseness = |scales: &Scales| {
             let all =
@@ -76,7 +81,7 @@ impl<'a> Scheme<'a> {
 
     /// What must fit at the scales: the content in the scene's own position or, for a cycle, in all positions of the
     /// first drive.
-    fn extents_to_fit(&self) -> Vec<(PanelName, Extent)> {
+    pub(super) fn extents_to_fit(&self) -> Vec<(PanelName, Extent)> {
         let own = extents(self);
         if self.figure.scales != ScalesFor::Cycle {
             return own;

@@ -8,7 +8,7 @@ use crate::mechanism::mechanism;
 use crate::motion::Order;
 use crate::position::pose;
 use crate::quantity::{Asked, Pencil, Quantity, Scales, What, pencil};
-use crate::scene::{Figure, Page, PageSize, Scene};
+use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
 
 /// Largest condition number of a group: near singular positions an error of a length is enlarged many times.
 const CONDITION: f64 = 40.0;
@@ -98,6 +98,8 @@ impl Exercise {
         (figure.page, figure.worksheet) = (page, false);
         let figure = &mut solution.scene.figure;
         (figure.page, figure.worksheet) = (key_page(page), true);
+        // The key is the only sheet with plans; the accepted file says its scales, which then hold everywhere.
+        figure.scales = ScalesFor::Sheet;
         let wording = solution.wording();
         let mut scales = solution.scales();
         if solution.scene.figure.mu_l.is_none() {

@@ -19,6 +19,7 @@ mod error_bounds;
 mod fuzzed;
 mod gallery_measured;
 mod given_angle;
+mod hall;
 mod higher_class;
 mod hodographs;
 mod invariants;

@@ -34,8 +34,12 @@ fn labels(drawing: &Drawing, panel: &(String, Rect)) -> Vec<String> {
         Shape::Text(text) if panel.1.contains(text.ink_box().center()) => Some(text.text.content()),
         _ => None,
     });
-    // The factor of an enlarged detail is no name.
-    texts.filter(|text| !text.contains(':')).collect()
+    // Neither the factor of an enlarged detail nor the distance of a far point is a name.
+    let name = |text: String| match text.strip_prefix("to").and_then(|far| far.split_once(": ")) {
+        Some((name, _)) => name.to_owned(),
+        None => text,
+    };
+    texts.filter(|text| !text.contains(" : ")).map(name).collect()
 }
 
 /// The names of plan points that an action puts on the sheet.

@@ -77,7 +77,7 @@ fn wrong_paper_is_refused() {
         ("--mu-a", "1e101", "numbers are at most 1e100"),
         ("--mu-a", "inf", "numbers are at most 1e100"),
         ("--mu-l", "two", "not a number"),
-        ("--page", "a5", "[possible values: a4, a3, letter]"),
+        ("--page", "a5", "[possible values: a4, a4-landscape, a4-portrait, a3,"),
         ("--orientation", "upright", "[possible values: landscape, portrait]"),
     ] {
         let scene = files::path(FIGURE_2);
