@@ -8,7 +8,10 @@ use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch, PointPaths};
 use kinegon::drawing::{Drawing, curves, hodographs, overlay, paths};
 use kinegon::exercise::Exercises;
 use kinegon::format::{Text, structure, svg_with};
-use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, Scene, StyleName};
+use kinegon::scene::{
+    DecimalMark, Figure, LanguageName, LengthUnit, NotationName, Page, PageSize, PanelName, ScalesFor, Scene,
+    StyleName, ValuesShown,
+};
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
@@ -106,7 +109,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 17] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 21] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -159,6 +162,34 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 17] = [
         Kind::Passage(2, |figure| {
             (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(PanelName::Velocity));
         }),
+    ),
+    (
+        "images",
+        "tests/lecture/jansen.json",
+        "draw scene.json",
+        "Every point of every link has its image: the foot F by two rays over its link's triangle.",
+        Kind::Figure(|_| ()),
+    ),
+    (
+        "higher-class",
+        "tests/driven_sliders/scissor-lift.json",
+        "draw scene.json",
+        "A group of higher class: no construction by rays, but plans laid off from its rates, link by link.",
+        Kind::Figure(|_| ()),
+    ),
+    (
+        "values",
+        "tests/lecture/shaper.json",
+        "draw scene.json --values=m",
+        "Values at vectors, links and lengths, in metres; the results in a list. The Coriolis acceleration has the direction of a_c(2/3) in the results.",
+        Kind::Figure(|figure| figure.values = Some(ValuesShown::Shown(Some(LengthUnit::M)))),
+    ),
+    (
+        "cycle-scales",
+        "templates/slider-crank.json",
+        "draw scene.json --scales cycle",
+        "Scales for the largest plans of the whole cycle: this position and all others at the same ones.",
+        Kind::Figure(|figure| figure.scales = ScalesFor::Cycle),
     ),
     (
         "far-point",
