@@ -78,6 +78,8 @@ impl Exercise {
     pub(super) fn of(text: &str, page: Page, asked: Option<&Figure>) -> Result<Exercise, Refusal> {
         let mut scene = Scene::read(text).map_err(|_| Refusal::Numbers)?;
         scene.figure = asked.unwrap_or(&scene.figure).clone();
+        // A sheet for the hand has letters for the hand, in a style for the hall too.
+        scene.figure.sizes.get_or_insert_default();
         let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
         let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
         let mut solution = Solution::new(scene, mechanism, pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;

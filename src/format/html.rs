@@ -95,12 +95,15 @@ pub fn html(page: &WebPage<'_>) -> String {
     written
 }
 
+/// A layer's place in the pile: whether above, step, whether passing, until when.
+type LayerKey = (bool, u16, bool, Option<u16>);
+
 /// The data for the page's script.
 fn script_data(page: &WebPage<'_>, first: &Drawing) -> Value {
     let said = page.language;
     let mut lines: IndexSet<String> = IndexSet::new();
     // The layers of all frames, from the lowest to the highest: whether above, step, whether passing, until when.
-    let mut pile: BTreeMap<(bool, u16, bool, Option<u16>), Vec<Vec<usize>>> = BTreeMap::new();
+    let mut pile: BTreeMap<LayerKey, Vec<Vec<usize>>> = BTreeMap::new();
     for (frame, drawing) in page.frames.iter().enumerate() {
         for layer in layers(drawing, page.text) {
             let here = (!layer.below, layer.step, layer.passing, layer.until);
