@@ -86,7 +86,8 @@ impl Correction {
             .into_iter()
             .chain((2..).map(|number| format!("{name}-values-{number}")));
         let inputs = [("scene", scene_file), ("form", values_file)];
-        Figures::at(output, &self.forms).write(&inputs, names.zip(sheets).collect(), |_| {
+        let drawings = names.zip(sheets.into_iter().map(|sheet| vec![sheet])).collect();
+        Figures::at(output, &self.forms).write(&inputs, drawings, |_| {
             Err(Failure::Misuse(
                 "a check has no page to step through".into(),
                 Some("the formats are svg, png, pdf and tikz".into()),

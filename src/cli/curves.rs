@@ -75,7 +75,7 @@ impl CurvesCommand {
                 Some("`kinegon draw --format html` makes one of the figure".into()),
             ))
         };
-        self.figures.write(&[("scene", scene)], vec![(name, drawing)], page)?;
+        self.figures.write(&[("scene", scene)], vec![(name, vec![drawing])], page)?;
         self.range.report_events(&branch, range, "figure")
     }
 }

@@ -48,7 +48,7 @@ pub(super) struct Draw {
     #[arg(long)]
     layered: bool,
     /// Draw a work sheet: the figure with a table of all measured lengths and a ruler that shows whether it was printed
-    /// at 100 %.
+    /// at 100 %. A table without room beside the panels goes on a second sheet, figure-2.
     #[arg(long)]
     worksheet: bool,
     /// Draw the paths of these points over the whole cycle of the drive, as "F, M", in place of those that the scene's
@@ -109,7 +109,7 @@ impl Draw {
             self.sheets(name, &solution, steps, &mut drawings)?;
             solved.push((source, solution));
         }
-        style.put_on(drawings.iter_mut().map(|(_, drawing)| drawing));
+        style.put_on(drawings.iter_mut().flat_map(|(_, sheets)| sheets));
         let inputs: Vec<(&str, &Path)> = scene.iter().map(|scene| ("scene", scene.as_path())).collect();
         if self.layered {
             return self.figures.write_layered(&inputs, drawings);
@@ -187,18 +187,19 @@ impl Draw {
         }))
     }
 
-    /// Adds the finished figure to `drawings`, or those of the steps that were asked for, each under its name.
+    /// Adds the sheets of the finished figure to `drawings`, or those of the steps that were asked for, each under its
+    /// name.
     fn sheets(
         &self,
         name: String,
         solution: &Solution,
         steps: Option<Steps>,
-        drawings: &mut Vec<(String, Drawing)>,
+        drawings: &mut Vec<(String, Vec<Drawing>)>,
     ) -> Result<(), Failure> {
         let wanted = match (steps, solution.scene.figure.step) {
             (None, None) => {
                 let name = if self.layered { format!("{name}-layered") } else { name };
-                drawings.push((name, solution.figure()));
+                drawings.push((name, solution.sheets()));
                 return Ok(());
             }
             (_, step) => step,
@@ -222,7 +223,7 @@ impl Draw {
         let shown = shown_steps(solution, steps);
         let is_shown = |step: &usize| wanted.is_some() || shown.get(step - 1) == Some(&true);
         let sheets =
-            (first..=last).filter(is_shown).map(|step| (format!("{name}-{step:0digits$}"), all.after_step(step)));
+            (first..=last).filter(is_shown).map(|step| (format!("{name}-{step:0digits$}"), vec![all.after_step(step)]));
         drawings.extend(sheets);
         Ok(())
     }

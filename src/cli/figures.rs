@@ -1,5 +1,5 @@
 use super::files;
-use super::message::Failure;
+use super::message::{Failure, note};
 use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
@@ -96,43 +96,65 @@ impl Figures {
         Figures { output: output.to_owned(), options: options.clone() }
     }
 
-    /// Writes drawings by their names in all formats, but not over the files `inputs` that were read; `page` makes the
-    /// web page of the drawing of an index.
+    /// Writes figures by their names in all formats, each with its further sheets, but not over the files `inputs` that
+    /// were read; `page` makes the web page of the figure of an index.
     pub(super) fn write(
         &self,
         inputs: &[(&str, &Path)],
-        drawings: Vec<(String, Drawing)>,
+        drawings: Vec<(String, Vec<Drawing>)>,
         page: impl Fn(usize) -> Result<String, Failure>,
     ) -> Result<(), Failure> {
-        let text = self.text();
         let mut written = Vec::new();
-        for (index, (name, drawing)) in drawings.iter().enumerate() {
+        for (index, (name, sheets)) in drawings.iter().enumerate() {
             for (path, format) in self.targets(name, drawings.len())? {
-                let bytes = match format {
-                    FigureFormat::Svg => format::svg_with(drawing, text).into_bytes(),
-                    #[cfg(feature = "pdf")]
-                    FigureFormat::Pdf => drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None))?,
-                    FigureFormat::Tikz => drawing.tikz().into_bytes(),
-                    #[cfg(feature = "png")]
-                    FigureFormat::Png => {
-                        drawing.png(self.options.dpi).map_err(|error| Failure::Misuse(error.to_string(), None))?
-                    }
-                    FigureFormat::Html => page(index)?.into_bytes(),
-                };
-                written.push((path, bytes));
+                if format == FigureFormat::Html {
+                    written.push((path, page(index)?.into_bytes()));
+                    continue;
+                }
+                for (path, drawing) in self.sheet_paths(path, sheets.len()).zip(sheets) {
+                    written.push((path, self.bytes(drawing, format)?));
+                }
             }
         }
         self.finish(inputs, &written)
+    }
+
+    /// The file of a drawing in a format other than a page.
+    fn bytes(&self, drawing: &Drawing, format: FigureFormat) -> Result<Vec<u8>, Failure> {
+        match format {
+            #[cfg(feature = "pdf")]
+            FigureFormat::Pdf => drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None)),
+            #[cfg(feature = "png")]
+            FigureFormat::Png => {
+                drawing.png(self.options.dpi).map_err(|error| Failure::Misuse(error.to_string(), None))
+            }
+            FigureFormat::Tikz => Ok(drawing.tikz().into_bytes()),
+            FigureFormat::Svg | FigureFormat::Html => Ok(format::svg_with(drawing, self.text()).into_bytes()),
+        }
+    }
+
+    /// The paths of a figure's sheets: the second has `-2` before its ending. Only the first is written on stdout.
+    fn sheet_paths(&self, first: PathBuf, sheets: usize) -> impl Iterator<Item = PathBuf> {
+        let on_stdout = self.output == Path::new("-");
+        if on_stdout && sheets > 1 {
+            note("the table is on a second sheet, which is not on stdout; name a folder or a file to have it");
+        }
+        let numbered = move |number: usize| {
+            let [stem, ending] = [first.file_stem(), first.extension()].map(|part| part.unwrap_or_default());
+            let name = format!("{}-{number}.{}", stem.to_string_lossy(), ending.to_string_lossy());
+            if number == 1 { first.clone() } else { first.with_file_name(name) }
+        };
+        (1..=if on_stdout { 1 } else { sheets }).map(numbered)
     }
 
     /// Writes drawings as SVG with a group for each step of the construction.
     pub(super) fn write_layered(
         &self,
         inputs: &[(&str, &Path)],
-        drawings: Vec<(String, Drawing)>,
+        drawings: Vec<(String, Vec<Drawing>)>,
     ) -> Result<(), Failure> {
         let mut written = Vec::new();
-        for (name, drawing) in &drawings {
+        for (name, sheets) in &drawings {
             let targets = self.targets(name, drawings.len())?;
             let Some((path, _)) = targets.into_iter().find(|(_, format)| *format == FigureFormat::Svg) else {
                 return Err(Failure::Misuse(
@@ -140,8 +162,9 @@ impl Figures {
                     Some("leave out --format, or name a file that ends in `.svg`".into()),
                 ));
             };
-            let bytes = format::layered_svg(drawing, self.text()).into_bytes();
-            written.push((path, bytes));
+            for (path, drawing) in self.sheet_paths(path, sheets.len()).zip(sheets) {
+                written.push((path, format::layered_svg(drawing, self.text()).into_bytes()));
+            }
         }
         self.finish(inputs, &written)
     }

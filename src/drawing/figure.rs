@@ -2,7 +2,8 @@
 
 use super::canvas::Canvas;
 use super::compose::Composition;
-use super::layout::{Item, Needs, Placed};
+use super::further::further_sheets;
+use super::layout::{Item, Layout, Needs, Placed};
 use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;
@@ -14,7 +15,7 @@ use super::sheet::{Drawing, Pen};
 use super::text::RichText;
 use super::view::{Extent, View, next_scale};
 use super::words::StepWords;
-use super::worksheet::Worksheet;
+use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, shown_text};
 use crate::cycle::Traces;
 use crate::mechanism::Class;
@@ -30,13 +31,22 @@ pub(super) const COMPANION: f64 = 0.2;
 /// Scales that are tried for one that fits.
 const TRIED: usize = 120;
 
-/// A sheet with a scene's panels.
-#[derive(Clone, Copy, Debug)]
+/// What a sheet has besides the panels.
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sheet {
-    /// Whether it has room for the words of steps.
-    pub is_stepwise: bool,
-    /// Whether it has the table of measured lengths.
-    pub worksheet: bool,
+    /// The steps for whose words it has room.
+    pub steps: Option<Steps>,
+    /// The table of measured lengths, on a work sheet.
+    pub table: Option<TablePlace>,
+}
+
+/// How finely a construction is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Steps {
+    /// Every step by itself.
+    Fine,
+    /// Steps that belong together at once.
+    Coarse,
 }
 
 impl Solution {
@@ -44,9 +54,21 @@ impl Solution {
     #[must_use]
     pub fn figure(&self) -> Drawing {
         let scheme = Scheme::scaled(self);
-        let sheet = Sheet { is_stepwise: false, worksheet: self.scene.figure.worksheet };
-        let sheet = described(&scheme, composed(&scheme, &extents(&scheme), sheet));
-        sheet.draw(&sheet.layout())
+        let LaidOut { sheet, layout } = scheme.laid_out(None);
+        sheet.draw(&layout)
+    }
+
+    /// All sheets that the scene asks for: first the figure; then, for a work sheet whose table has no room beside the
+    /// panels, the table.
+    #[must_use]
+    pub fn sheets(&self) -> Vec<Drawing> {
+        let scheme = Scheme::scaled(self);
+        let LaidOut { sheet, layout } = scheme.laid_out(None);
+        let figure = sheet.draw(&layout);
+        let is_apart = self.scene.figure.worksheet && layout.aside.is_none();
+        let table = is_apart.then(|| Worksheet::new(&scheme, &sheet.panels).filled(&layout));
+        let further = table.map(|table| further_sheets(&figure, scheme.dims.unit, |_| Vec::new(), table));
+        std::iter::once(figure).chain(further.into_iter().flatten()).collect()
     }
 
     /// The same figure with every step of the construction: [`Drawing::after_step`] gives the sheet after one of them,
@@ -56,32 +78,23 @@ impl Solution {
     #[must_use]
     pub fn stepwise_figure(&self) -> Drawing {
         let scheme = Scheme::scaled(self);
-        let sheet = Sheet { is_stepwise: true, worksheet: self.scene.figure.worksheet };
-        let sheet = described(&scheme, composed(&scheme, &extents(&scheme), sheet));
-        sheet.draw(&sheet.layout())
+        let LaidOut { sheet, layout } = scheme.laid_out(Some(Steps::Fine));
+        sheet.draw(&layout)
     }
 
     /// The same in coarse steps, one for each of the construction's [passages](crate::construction::Passage).
     #[must_use]
     pub fn coarse_figure(&self) -> Drawing {
         let scheme = Scheme::scaled(self);
-        let passages = self.construction.passages();
-        let mut sheet = described(
-            &scheme,
-            composed(&scheme, &extents(&scheme), Sheet { is_stepwise: true, worksheet: self.scene.figure.worksheet }),
-        );
-        // The words of the single steps.
-        sheet.items.retain(|item| !item.is_of_steps());
-        sheet.items.push(Box::new(PassageWords { scheme: &scheme, passages: &passages }));
-        sheet.draw(&sheet.layout()).in_passages(&scheme, &passages)
+        let LaidOut { sheet, layout } = scheme.laid_out(Some(Steps::Coarse));
+        sheet.draw(&layout).in_passages(&scheme, &self.construction.passages())
     }
 
     /// The scales of the figure; for a plan without a panel the scene's scale, if there is one.
     #[must_use]
     pub fn scales(&self) -> Scales {
         let scheme = Scheme::scaled(self);
-        let sheet = Sheet { is_stepwise: false, worksheet: self.scene.figure.worksheet };
-        let layout = composed(&scheme, &extents(&scheme), sheet).layout();
+        let layout = scheme.laid_out(None).layout;
         let of = |panel: PanelName| self.scene.figure.mu(panel).or(layout.mu(kind(panel)));
         Scales {
             length: of(PanelName::Scheme),
@@ -100,7 +113,7 @@ impl Solution {
         }
         let scheme = Scheme::scaled(self);
         let extents = extents(&scheme);
-        let sheet = composed(&scheme, &extents, Sheet { is_stepwise: false, worksheet: figure.worksheet });
+        let LaidOut { sheet, layout } = scheme.laid_out(None);
         let warning = |(index, placed): (usize, &Placed)| {
             let (panel, extent) = extents[index];
             // Content may reach into the white margin of the frame.
@@ -117,7 +130,7 @@ impl Solution {
             let fitting = coarser.take(TRIED).find(holds).unwrap_or(f64::INFINITY);
             Some(overflow_warning(panel, placed.mu, fitting))
         };
-        sheet.layout().panels.iter().enumerate().filter_map(warning).collect()
+        layout.panels.iter().enumerate().filter_map(warning).collect()
     }
 }
 
@@ -173,7 +186,7 @@ pub fn frames_with(positions: &[Solution], own: usize, traces: Traces) -> Vec<Dr
             own.map(|(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
         }
     };
-    let sheet = Sheet { is_stepwise: true, worksheet: false };
+    let sheet = Sheet { steps: Some(Steps::Fine), table: None };
     let sheets: Vec<Composition<'_>> =
         schemes.iter().map(|scheme| described(scheme, composed(scheme, &extents, sheet))).collect();
     let below = sheets.iter().map(Composition::height_below).fold(0.0, f64::max);
@@ -189,36 +202,76 @@ pub(super) fn extents_of_images<'a>(schemes: &'a [Scheme<'_>], panel: PanelName)
     })
 }
 
+/// A sheet of the scene with its layout.
+struct LaidOut<'a> {
+    sheet: Composition<'a>,
+    layout: Layout,
+}
+
+impl Scheme<'_> {
+    /// The sheet with the panels. The table of a work sheet is on it where the panels leave room for it at their scales;
+    /// where each sheet has scales of its own, it always is.
+    fn laid_out(&self, steps: Option<Steps>) -> LaidOut<'_> {
+        let extents = extents(self);
+        let laid_out = |table: Option<TablePlace>| {
+            let sheet = described(self, composed(self, &extents, Sheet { steps, table }));
+            LaidOut { layout: sheet.layout(), sheet }
+        };
+        if !self.figure.worksheet {
+            return laid_out(None);
+        }
+        if self.mu.contains(&None) {
+            return laid_out(Some(TablePlace::Anywhere));
+        }
+        let apart = laid_out(Some(TablePlace::Apart));
+        let beside = laid_out(Some(TablePlace::Beside));
+        let shown = |sheet: &LaidOut<'_>| [sheet.layout.worth[0], sheet.layout.worth[1]];
+        let has_room = beside.layout.aside.is_some() && shown(&beside) >= shown(&apart);
+        if has_room { beside } else { apart }
+    }
+}
+
 /// A sheet of the scene with panels of these extents.
 pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], sheet: Sheet) -> Composition<'a> {
-    let panels = panels(scheme, extents, |panel| match sheet.is_stepwise {
-        true => vec![hints(scheme, panel), content(scheme, panel)],
-        false => vec![content(scheme, panel)],
+    let Sheet { steps, table } = sheet;
+    let panels = panels(scheme, extents, |panel| match steps {
+        Some(_) => vec![hints(scheme, panel), content(scheme, panel)],
+        None => vec![content(scheme, panel)],
     });
-    let table = sheet.worksheet.then(|| Box::new(Worksheet::new(scheme, &panels)) as Box<dyn Item>);
-    // A work sheet has all values in its table.
-    let values = || Some(Box::new(scheme.value_list(None).filter(|_| !sheet.is_stepwise)?) as Box<dyn Item>);
-    let table = table.or_else(values);
-    let agreement = agreement(scheme);
-    let below: Vec<Box<dyn Item + 'a>> = if sheet.is_stepwise {
-        let after = scheme.construction.numbered_steps().count() as u16 + 1;
-        let words: Box<dyn Item + 'a> = Box::new(StepWords(scheme));
-        let values = scheme.value_list(Some(after)).map(|list| Box::new(list) as Box<dyn Item>);
-        let last = values.unwrap_or_else(|| Box::new(Lines { step: Some(after), ..agreement }));
-        vec![words, last]
-    } else {
-        vec![Box::new(agreement)]
+    let beside: Option<Box<dyn Item>> = match table {
+        None => scheme.value_list(None).filter(|_| steps.is_none()).map(|list| Box::new(list) as Box<dyn Item>),
+        // A work sheet has all values in its table.
+        Some(TablePlace::Apart) => None,
+        Some(place) => Some(Box::new(Worksheet { place, ..Worksheet::new(scheme, &panels) })),
     };
-    Composition { is_stepwise: sheet.is_stepwise, ..composition(scheme, panels, table, below) }
+    let has_ruler = steps.is_none() && table == Some(TablePlace::Apart);
+    let ruler = has_ruler.then(|| Ruler::new(scheme));
+    let agreement = agreement(scheme, ruler.as_ref().map_or(0.0, Ruler::width));
+    let ruler = ruler.map(|ruler| Box::new(ruler) as Box<dyn Item>);
+    let below: Vec<Box<dyn Item + 'a>> = match steps {
+        None => std::iter::once(Box::new(agreement) as Box<dyn Item>).chain(ruler).collect(),
+        Some(steps) => {
+            let words: Box<dyn Item + 'a> = match steps {
+                Steps::Fine => Box::new(StepWords(scheme)),
+                Steps::Coarse => Box::new(PassageWords { scheme, passages: scheme.construction.passages() }),
+            };
+            let after = scheme.construction.numbered_steps().count() as u16 + 1;
+            let values = scheme.value_list(Some(after)).map(|list| Box::new(list) as Box<dyn Item>);
+            let last = values.unwrap_or_else(|| Box::new(Lines { step: Some(after), ..agreement }));
+            vec![words, last]
+        }
+    };
+    Composition { is_stepwise: steps.is_some(), ..composition(scheme, panels, beside, below) }
 }
 
 /// The sentences on paths, if there are any, and on how the construction agrees with the loop equations. Beside values
-/// and on a projector only what is not as it should be is said.
-fn agreement(scheme: &Scheme<'_>) -> Lines {
+/// and on a projector only what is not as it should be is said. `beside` mm of the width are kept free.
+fn agreement(scheme: &Scheme<'_>, beside: f64) -> Lines {
     let (sentence, agrees) = legend::agreement(&scheme.words, scheme.construction);
     let is_said = !agrees || (scheme.values.is_empty() && !scheme.is_projected());
     let sentence = is_said.then_some(sentence);
-    Lines::of(scheme.sentence_on_paths().iter().chain(&sentence), scheme.dims.page)
+    let [width, height] = scheme.dims.page;
+    Lines::of(scheme.sentence_on_paths().iter().chain(&sentence), [width - beside, height])
 }
 
 /// A sheet with these panels, a table beside them, their scales, and items below.

@@ -78,11 +78,6 @@ pub(super) trait Item {
         Vec::new()
     }
 
-    /// Whether it is the words of the construction's single steps.
-    fn is_of_steps(&self) -> bool {
-        false
-    }
-
     /// Draws it.
     fn draw(&self, drawing: &mut Drawing, layout: &Layout);
 }
@@ -169,7 +164,7 @@ pub(super) fn layout(
 }
 
 /// The rest of a room, and the area cut off from it.
-fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
+pub(super) fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
     let (mut left, mut kept) = (room, room);
     match aside {
         Aside::Below(height) => {

@@ -18,6 +18,7 @@ mod dims;
 mod exercise;
 mod figure;
 mod fonts;
+mod further;
 mod inset;
 mod labels;
 mod layout;

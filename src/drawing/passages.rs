@@ -13,7 +13,7 @@ use kurbo::{Point, Rect};
 /// The words of all passages, each shown with its own.
 pub(super) struct PassageWords<'a> {
     pub scheme: &'a Scheme<'a>,
-    pub passages: &'a [Passage],
+    pub passages: Vec<Passage>,
 }
 
 impl Item for PassageWords<'_> {

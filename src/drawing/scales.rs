@@ -1,7 +1,6 @@
 //! The scales of a scene's sheets, chosen once for all of them: the figure, its steps, its work sheet and its page.
 
-use super::compose::Composition;
-use super::figure::{COMPANION, Sheet, composed, extents, extents_of_images};
+use super::figure::{COMPANION, Sheet, Steps, composed, extents, extents_of_images};
 use super::layout::Layout;
 use super::scheme::Scheme;
 use super::view::{Extent, next_scale};
@@ -9,12 +8,8 @@ use crate::construction::Solution;
 use crate::cycle::Animation;
 use crate::scene::{PanelName, ScalesFor};
 
-/// The sheets that have the same scales.
-const SHEETS: [Sheet; 3] = [
-    Sheet { is_stepwise: true, worksheet: false },
-    Sheet { is_stepwise: false, worksheet: true },
-    Sheet { is_stepwise: false, worksheet: false },
-];
+/// The sheets that have the same scales. A work sheet has them, too, but its table stands where there is room.
+const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None];
 
 /// Weight of the scheme's size beside those of the plans: of equals the one with the larger scheme, which must not
 /// shrink for the sake of one plan.
@@ -46,10 +41,7 @@ impl<'a> Scheme<'a> {
             return self.mu;
         }
         let extents = self.extents_to_fit();
-        // A sheet for the projector, or with one panel in focus, is no work sheet unless the scene says so.
-        let is_projected = self.is_projected() || figure.focus.is_some();
-        let sheets = SHEETS.iter().filter(|sheet| !sheet.worksheet || figure.worksheet || !is_projected);
-        let sheets: Vec<Composition<'_>> = sheets.map(|sheet| composed(self, &extents, *sheet)).collect();
+        let sheets = SHEETS.map(|steps| composed(self, &extents, Sheet { steps, table: None }));
         let own: Vec<Layout> = sheets.iter().map(|sheet| sheet.layout()).collect();
         let fits = |scales: &Scales| {
             sheets.iter().all(|sheet| {

@@ -47,10 +47,6 @@ impl Item for StepWords<'_> {
         HEIGHT
     }
 
-    fn is_of_steps(&self) -> bool {
-        true
-    }
-
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         let scheme = self.0;
         let area = layout.below();

@@ -2,7 +2,7 @@
 //! and a ruler by which the size of a print is checked.
 
 use super::dims::Dims;
-use super::layout::{Aside, Item, Layout};
+use super::layout::{Aside, Item, Layout, cut_off};
 use super::legend::symbol;
 use super::panel::Panel;
 use super::plan_panel;
@@ -19,7 +19,7 @@ use kurbo::{Point, Rect, Vec2};
 
 /// Length of the ruler, in mm of paper.
 const RULER: f64 = 50.0;
-/// Width and height of the ruler with its numbers and words, in mm.
+/// Width and height of the ruler with its numbers, and words above it, in mm.
 const RULER_ROOM: [f64; 2] = [64.0, 18.6];
 /// The same height, in rows of the table.
 const RULER_ROWS: usize = 3;
@@ -31,6 +31,18 @@ pub(super) struct Worksheet {
     pub lengths: Vec<Option<(f64, Kind)>>,
     pub words: Wording,
     pub dims: Dims,
+    pub place: TablePlace,
+}
+
+/// Where a work sheet's table stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum TablePlace {
+    /// Beside or below the panels, which make room for it.
+    Anywhere,
+    /// Beside or below the panels, where all its rows fit at their usual size.
+    Beside,
+    /// On a further sheet.
+    Apart,
 }
 
 /// Number of cells: name, millimetres, scale, value, unit.
@@ -82,25 +94,42 @@ impl Worksheet {
                 boxes: [false; CELLS],
             });
         }
-        Self { table: table(words.language.segment(), words.language.value(), rows), lengths, words, dims: scheme.dims }
-    }
-}
-
-impl Item for Worksheet {
-    fn asides(&self, room: Rect) -> Vec<Aside> {
-        self.table.asides(room)
+        let table = table(words.language.segment(), words.language.value(), rows);
+        Self { table, lengths, words, dims: scheme.dims, place: TablePlace::Anywhere }
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let Some(area) = layout.aside else { return };
+    /// The table with millimetres at a layout's scales.
+    fn at_scales(&self, layout: &Layout) -> Table<CELLS> {
         let mut table = self.table.clone();
         for (row, length) in table.rows.iter_mut().zip(&self.lengths) {
             if let Some((value, mu)) = length.and_then(|(value, kind)| Some((value, layout.mu(kind)?))) {
                 row.texts[MILLIMETRES] = millimetres(&self.words, value, mu);
             }
         }
-        let foot = table.draw_in(drawing, area);
-        ruler(drawing, foot + Vec2::new(2.0, -RULER_ROOM[1]), self.words.language.ruler(), self.dims.unit);
+        table
+    }
+
+    /// The same without room for a ruler.
+    pub(super) fn filled(&self, layout: &Layout) -> Table<CELLS> {
+        Table { foot: ([0.0; 2], 0), ..self.at_scales(layout) }
+    }
+}
+
+impl Item for Worksheet {
+    fn asides(&self, room: Rect) -> Vec<Aside> {
+        let mut asides = self.table.asides(room);
+        if self.place == TablePlace::Beside {
+            asides.retain(|aside| cut_off(room, *aside).1.is_some_and(|area| self.table.fits(area)));
+        }
+        asides
+    }
+
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let Some(area) = layout.aside else { return };
+        let foot = self.at_scales(layout).draw_in(drawing, area);
+        let from = foot + Vec2::new(2.0, -RULER_ROOM[1]);
+        drawing.caption(RichText::plain(self.words.language.ruler()), from + Vec2::new(0.0, 4.2));
+        ruler(drawing, from + Vec2::new(0.0, 7.4), self.dims.unit);
     }
 }
 
@@ -138,10 +167,44 @@ fn measured<'a>(scheme: &'a Scheme<'_>) -> impl Iterator<Item = (u16, Option<&'a
     })
 }
 
-/// Draws a ruler with a line for each millimetre, below the words.
-fn ruler(drawing: &mut Drawing, from: Point, words: &str, unit: f64) {
-    drawing.caption(RichText::plain(words), from + Vec2::new(0.0, 4.2));
-    let at = |mm: f64| Point::new(from.x + mm / unit, from.y + 7.4);
+/// A ruler at the right end of the area below the scales, for a sheet without the table; words before it.
+pub(super) struct Ruler {
+    words: RichText,
+    unit: f64,
+}
+
+/// White before the ruler's words and between them and the ruler, in mm.
+const BEFORE: f64 = 3.0;
+/// Room after the ruler for its last number with the unit, in mm.
+const AFTER: f64 = 12.0;
+
+impl Ruler {
+    pub(super) fn new(scheme: &Scheme<'_>) -> Self {
+        Self { words: RichText::plain(scheme.words.language.ruler()), unit: scheme.dims.unit }
+    }
+
+    /// Width of the area that is kept free, in mm.
+    pub(super) fn width(&self) -> f64 {
+        self.words.width(CAPTION) + 2.0 * BEFORE + RULER / self.unit + AFTER
+    }
+}
+
+impl Item for Ruler {
+    fn height(&self) -> f64 {
+        11.0
+    }
+
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let area = layout.below();
+        let from = Point::new(area.x1 - self.width() + BEFORE, area.y0 + 4.6);
+        drawing.caption(self.words.clone(), from);
+        ruler(drawing, from + Vec2::new(self.words.width(CAPTION) + BEFORE, -3.2), self.unit);
+    }
+}
+
+/// Draws a ruler with a line for each millimetre, to the right of its upper left end.
+fn ruler(drawing: &mut Drawing, from: Point, unit: f64) {
+    let at = |mm: f64| Point::new(from.x + mm / unit, from.y);
     let line = Shape::Line(at(0.0), at(RULER));
     drawing.draw_named("ruler", Pen::Ground, line);
     for mm in 0..=RULER as u32 {
