@@ -335,6 +335,7 @@ pub(super) fn panels<'a>(
                 weight: if scheme.figure.focus.is_some_and(|focus| focus != panel) { COMPANION } else { 1.0 },
             },
             cut: scheme.words.language.cut_at_edge().to_owned(),
+            content: scheme.plan(panel).map(|plan| plan_panel::extent(plan, scheme.figure.construction)),
             layers: std::iter::once(lowest).chain(layers(panel)).collect(),
         }
     };

@@ -7,7 +7,7 @@ use super::line::Line;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::CAPTION;
-use super::view::View;
+use super::view::{Extent, View};
 use crate::geometry;
 use crate::quantity::Kind;
 use indexmap::IndexMap;
@@ -30,6 +30,8 @@ pub(super) struct Panel<'a> {
     pub needs: Needs,
     /// What it says where its content is larger.
     pub cut: String,
+    /// The extent of a plan's own content, which is held in sight where the panel is for other positions, too.
+    pub content: Option<Extent>,
     /// Its layers, the lowest first.
     pub layers: Layers<'a>,
 }
@@ -63,7 +65,14 @@ impl Panel<'_> {
         if matches!(self.needs.kind, Kind::Velocity | Kind::Acceleration) {
             let mut room = placed.frame.inset(-AROUND);
             room.y0 += HEADING;
-            // The pole of a plan stays in sight.
+            // The content of a plan that fits stays in sight, and the pole always.
+            let fits = |content: &Extent| {
+                let size = placed.shown(content);
+                size.x <= placed.area.width() && size.y <= placed.area.height()
+            };
+            if let Some(content) = self.content.filter(fits) {
+                view = view.holding(content.low, placed.area).holding(content.high, placed.area);
+            }
             view = view.holding(geometry::Point::origin(), room);
         }
         let before = drawing.marks.len();

@@ -56,6 +56,7 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a Hodograph) -> Panel<
             weight: 1.0,
         },
         cut: String::new(),
+        content: None,
         layers: vec![
             Box::new(frame),
             scale_of(course, one.asked.kind()),

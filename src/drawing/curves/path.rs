@@ -62,6 +62,7 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a PointPath) -> Panel<
         prefix: PREFIXES[index],
         needs: Needs { kind: Kind::Length, extent: Extent::of(places), heading: frame.width(), mu: None, weight: 1.0 },
         cut: String::new(),
+        content: None,
         layers: vec![
             Box::new(frame),
             scale_of(course, Kind::Length),
