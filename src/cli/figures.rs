@@ -249,8 +249,10 @@ impl GivenStyle {
     pub(super) fn put_into(&self, figure: &mut Figure) {
         match self {
             GivenStyle::Scene => {}
-            GivenStyle::Named(name) => (figure.style, figure.sizes) = (*name, None),
-            GivenStyle::File(style) => figure.sizes = Some(style.sizes()),
+            GivenStyle::Named(name) => (figure.style, figure.sizes, figure.usual_values) = (*name, None, None),
+            GivenStyle::File(style) => {
+                (figure.sizes, figure.usual_values) = (Some(style.sizes()), Some(style.shows_values()));
+            }
         }
     }
 

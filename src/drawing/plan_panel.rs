@@ -200,7 +200,7 @@ impl PlanOnPaper<'_> {
             let is_met = || plan.rays().any(|ray| ray.to == name);
             let is_whole = match plan.points.get(name).map(|p| p.role) {
                 Some(PointRole::Special) => true,
-                Some(PointRole::Image) => !is_paper || is_met(),
+                Some(PointRole::Image | PointRole::Known) => !is_paper || is_met(),
                 _ => false,
             };
             is_whole && !self.is_hidden(name)
@@ -340,7 +340,7 @@ impl PlanOnPaper<'_> {
                 None => (place, place - middle),
             };
             let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
-            for names in here.chunks(TOGETHER) {
+            for names in here.chunks(TOGETHER).filter(|names| !self.shown(names).is_empty()) {
                 let (last, _) = self.growth(names);
                 canvas.set_step(last);
                 // The text is joined from renamed names already; the trailing space keeps the id from being renamed again.

@@ -8,6 +8,7 @@ use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
+use super::style::Style;
 use super::text::{CAPTION, LABEL, PlacedText, RichText};
 use crate::construction::{ArrowKind, PlanKind, PlanVector, rate_symbol};
 use crate::mechanism::{BodyId, PointId, Role};
@@ -91,7 +92,12 @@ impl Value {
 
 /// All values of a figure, in the order of the panels; none where it shows none.
 pub(super) fn values(scheme: &Scheme<'_>) -> Vec<Value> {
-    let ValuesShown::Shown(unit) = scheme.figure.shows_values() else {
+    let figure = scheme.figure;
+    let usual = || match figure.usual_values.unwrap_or_else(|| Style::named(figure.style).shows_values()) {
+        true => ValuesShown::Shown(None),
+        false => ValuesShown::Hidden,
+    };
+    let ValuesShown::Shown(unit) = figure.values.unwrap_or_else(usual) else {
         return Vec::new();
     };
     let own = scheme.scene.units;

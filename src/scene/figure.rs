@@ -64,7 +64,7 @@ pub struct Figure {
     /// Whether construction lines are shown; "paper": shown, and the plans end where the source paper's end; left out: true.
     #[schemars(with = "Option<ConstructionShown>")]
     pub construction: ConstructionShown,
-    /// Whether values stand at vectors and links, in which unit of length; left out: only with style "lecture".
+    /// Whether values stand at vectors and links, in which unit of length; left out: as the style says, "lecture" alone does.
     pub values: Option<ValuesShown>,
     /// The step of the construction up to which the figure is drawn, from 1; left out: finished.
     #[serde(deserialize_with = "count")]
@@ -83,11 +83,14 @@ pub struct Figure {
     /// Sizes of letters and signs in place of those of `style`: of a style file, which is no part of the scene.
     #[serde(skip)]
     pub sizes: Option<Sizes>,
+    /// Whether a figure that does not say so has values, in place of what `style` says: of a style file likewise.
+    #[serde(skip)]
+    pub usual_values: Option<bool>,
 }
 
 write_keys!(Figure {
     panels, mu_l, mu_v, mu_a, scales, focus, page, worksheet, style, notation, language, decimal, labels, special_points,
-    construction, values, step, trace, beyond_limits, ghosts; sizes
+    construction, values, step, trace, beyond_limits, ghosts; sizes, usual_values
 } unless Figure::default());
 
 /// Steps and positions are read as `u16`: there are never more, and messages can name the range.
@@ -120,21 +123,12 @@ impl Default for Figure {
             beyond_limits: false,
             ghosts: None,
             sizes: None,
+            usual_values: None,
         }
     }
 }
 
 impl Figure {
-    /// Whether values are shown, and with which unit of length in place of the scene's.
-    #[must_use]
-    pub fn shows_values(&self) -> ValuesShown {
-        let usual = match self.style {
-            StyleName::Lecture => ValuesShown::Shown(None),
-            StyleName::Paper | StyleName::Print | StyleName::Board => ValuesShown::Hidden,
-        };
-        self.values.unwrap_or(usual)
-    }
-
     /// The panels that are drawn, in order: with a focus the scheme and the plan in focus.
     #[must_use]
     pub fn shown_panels(&self) -> Vec<PanelName> {

@@ -405,23 +405,23 @@ fn structure_is_written_as_a_formula() {
 
 #[test]
 fn a_cylinder_and_its_rod_are_one_link() {
-    let output = |task: &str| {
-        let output = with_scene(&[task, "-"], BOOM.as_bytes());
+    let output = |task: &str, more: &[&str]| {
+        let output = with_scene(&[&[task, "-"], more].concat(), BOOM.as_bytes());
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
         String::from_utf8(output.stdout).expect("UTF-8")
     };
-    let structure = output("structure");
+    let structure = output("structure", &[]);
     assert!(
         structure.starts_with("I(3/2) → II(2+3, 4; RRR)\ndegrees of freedom: 1, as many as drives\n"),
         "{structure}"
     );
-    let modes = output("modes");
+    let modes = output("modes", &[]);
     assert!(modes.starts_with("2 assembly modes"), "{modes}");
     // 2 ω_2 v_r and ω_2² L_AC, with ω_2 = 0.09740614212 and AC = 1350.
-    let steps = output("steps");
+    let steps = output("steps", &["--mu-v", "2", "--mu-a", "1"]);
     for line in [
         "Lay off the sliding velocity of 3/2 along its guide, from a to r_a3.",
-        "a r_a3 = 80.00000 mm/s (16.00 mm on paper), direction 68.46°",
+        "a r_a3 = 80.00000 mm/s (40.00 mm on paper), direction 68.46°",
         "v_C = v_A + v_r(3/2) + v_CA; direction 158.46°",
         "ω_3 L_CA = μ_v (r_a3 c)",
         "omega(4) = 0.1026143 rad/s",

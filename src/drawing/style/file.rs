@@ -44,6 +44,8 @@ pub(super) struct StyleFile {
     #[serde(default)]
     #[schemars(with = "Option<SizesFile>")]
     pub sizes: SizesFile,
+    /// Whether figures show values where the scene does not say so; left out: as the style that this one is based on.
+    pub values: Option<bool>,
     /// How each kind of mark looks.
     #[schemars(schema_with = "pens")]
     #[serde(default)]
@@ -145,6 +147,7 @@ impl StyleFile {
             table.curve_dashes = dashes.into_iter().map(|DashList(dash)| dash).collect();
         }
         table.sizes = self.sizes.over(table.sizes);
+        table.values = self.values.unwrap_or(table.values);
         table.pens.resize(Pen::COUNT, PenFile::default());
         for (PenName(pen), own) in self.pens {
             let place = &mut table.pens[pen as usize];
@@ -165,6 +168,7 @@ pub(super) struct Table {
     pub curves: Vec<Colour>,
     pub curve_dashes: Vec<Dash>,
     pub sizes: Sizes,
+    pub values: bool,
     /// By pen.
     pub pens: Vec<PenFile>,
 }

@@ -93,6 +93,12 @@ impl Style {
         self.0.sizes
     }
 
+    /// Whether figures show values where the scene does not say so.
+    #[must_use]
+    pub fn shows_values(&self) -> bool {
+        self.0.values
+    }
+
     /// Colour of the paper, and of the halos of letters.
     #[must_use]
     pub fn background(&self) -> Colour {
