@@ -223,9 +223,11 @@ fn long_tables_stand_in_columns() {
         let letters = |sheet: &Drawing| {
             let cells =
                 sheet.marks.iter().filter(|mark| mark.id.as_deref().is_some_and(|id| id.starts_with("measured")));
-            cells.filter_map(|mark| if let Shape::Text(text) = &mark.shape { Some(text.size) } else { None }).collect()
+            cells
+                .filter_map(|mark| if let Shape::Text(text) = &mark.shape { Some(text.size) } else { None })
+                .collect::<Vec<_>>()
         };
-        let sizes: Vec<f64> = sheets.iter().flat_map(letters).collect::<Vec<f64>>();
+        let sizes: Vec<f64> = sheets.iter().flat_map(letters).collect();
         assert!(sizes.iter().all(|size| *size == sizes[0]), "{page}");
     }
 }
@@ -234,7 +236,8 @@ fn long_tables_stand_in_columns() {
 #[test]
 fn a_table_leaves_the_scales_as_they_are() {
     let mut apart = 0;
-    for (name, text) in scenes() {
+    // Figure 2 asks for scales of each sheet.
+    for (name, text) in scenes().into_iter().filter(|(_, text)| !text.contains("\"scales\"")) {
         for page in PAGES {
             let keys = serde_json::json!({ "page": page });
             let alone = solved(&with_figure(&text, keys.clone())).expect("a good scene").scales();
