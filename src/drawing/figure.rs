@@ -179,18 +179,31 @@ pub fn frames_with(positions: &[Solution], own: usize, traces: Traces) -> Vec<Dr
     let own_scheme = scheme(first).with_scales();
     let schemes: Vec<Scheme<'_>> =
         positions.iter().map(|solution| Scheme { mu: own_scheme.mu, ..scheme(solution) }).collect();
+    let own_extents = extents(&own_scheme);
     let extents: Vec<(PanelName, Extent)> = match first.scene.figure.scales {
         ScalesFor::Cycle => own_scheme.extents_to_fit(),
         _ => {
-            let own = extents(&own_scheme).into_iter();
-            own.map(|(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
+            let own = own_extents.iter();
+            own.map(|&(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
         }
     };
     let sheet = Sheet { steps: Some(Steps::Fine), table: None };
-    let sheets: Vec<Composition<'_>> =
+    let mut sheets: Vec<Composition<'_>> =
         schemes.iter().map(|scheme| described(scheme, composed(scheme, &extents, sheet))).collect();
+    for (panel, (name, extent)) in sheets.iter_mut().flat_map(|sheet| sheet.panels.iter_mut().zip(&own_extents)) {
+        // The frame stands still, where the scene's own position is in sight.
+        if *name == PanelName::Scheme {
+            panel.content = Some(*extent);
+        }
+    }
     let below = sheets.iter().map(Composition::height_below).fold(0.0, f64::max);
     let layout = sheets[own].layout_above(below);
+    let shows_own = own_extents.iter().zip(&layout.panels).all(|((_, extent), placed)| placed.holds(extent));
+    // Else the panels are those of the step sheets.
+    let layout = match shows_own {
+        true => layout,
+        false => composed(&own_scheme, &own_extents, sheet).layout_above(below),
+    };
     sheets.iter().map(|sheet| sheet.draw(&layout)).collect()
 }
 

@@ -55,6 +55,12 @@ impl Placed {
     pub(super) fn shown(&self, extent: &Extent) -> geometry::Vector {
         extent.size() / (self.mu * self.unit)
     }
+
+    /// Whether something fits into the area of the panel's content.
+    pub(super) fn holds(&self, extent: &Extent) -> bool {
+        let (size, area) = (self.shown(extent), self.area.inflate(ROUNDING, ROUNDING));
+        size.x <= area.width() && size.y <= area.height()
+    }
 }
 
 /// An area of the sheet without panels, for a table.

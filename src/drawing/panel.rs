@@ -30,7 +30,7 @@ pub(super) struct Panel<'a> {
     pub needs: Needs,
     /// What it says where its content is larger.
     pub cut: String,
-    /// The extent of a plan's own content, which is held in sight where the panel is for other positions, too.
+    /// The extent of what is held in sight where the panel is for other positions, too.
     pub content: Option<Extent>,
     /// Its layers, the lowest first.
     pub layers: Layers<'a>,
@@ -62,17 +62,14 @@ impl Panel<'_> {
     pub(super) fn draw(&self, drawing: &mut Drawing, placed: &Placed, renamed: &IndexMap<String, String>, dims: &Dims) {
         drawing.panels.push((self.name.clone(), placed.frame));
         let mut view = View::new(placed.mu * dims.unit, &self.needs.extent, placed.area);
+        // The content that fits stays in sight.
+        if let Some(content) = self.content.filter(|content| placed.holds(content)) {
+            view = view.holding(content.low, placed.area).holding(content.high, placed.area);
+        }
         if matches!(self.needs.kind, Kind::Velocity | Kind::Acceleration) {
             let mut room = placed.frame.inset(-AROUND);
             room.y0 += HEADING;
-            // The content of a plan that fits stays in sight, and the pole always.
-            let fits = |content: &Extent| {
-                let size = placed.shown(content);
-                size.x <= placed.area.width() && size.y <= placed.area.height()
-            };
-            if let Some(content) = self.content.filter(fits) {
-                view = view.holding(content.low, placed.area).holding(content.high, placed.area);
-            }
+            // The pole of a plan always does.
             view = view.holding(geometry::Point::origin(), room);
         }
         let before = drawing.marks.len();
