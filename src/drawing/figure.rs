@@ -8,7 +8,6 @@ use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;
 use super::panel::{Frame, Layer, Layers, Panel, numbered};
-use super::passages::PassageWords;
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::{Drawing, Pen};
@@ -264,10 +263,7 @@ pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent
     let below: Vec<Box<dyn Item + 'a>> = match steps {
         None => std::iter::once(Box::new(agreement) as Box<dyn Item>).chain(ruler).collect(),
         Some(steps) => {
-            let words: Box<dyn Item + 'a> = match steps {
-                Steps::Fine => Box::new(StepWords(scheme)),
-                Steps::Coarse => Box::new(PassageWords { scheme, passages: scheme.construction.passages() }),
-            };
+            let words: Box<dyn Item + 'a> = Box::new(StepWords::new(scheme, steps));
             let after = scheme.construction.numbered_steps().count() as u16 + 1;
             let values = scheme.value_list(Some(after)).map(|list| Box::new(list) as Box<dyn Item>);
             let last = values.unwrap_or_else(|| Box::new(Lines { step: Some(after), ..agreement }));

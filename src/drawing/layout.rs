@@ -102,6 +102,11 @@ pub(super) struct Layout {
 }
 
 impl Layout {
+    /// A layout of nothing but an area of words.
+    pub(super) fn of_words(area: Rect) -> Layout {
+        Layout { legend: area, scales: 0.0, columns: 1, aside: None, panels: Vec::new(), worth: [0.0; 4] }
+    }
+
     /// The legend's lower part.
     pub(super) fn below(&self) -> Rect {
         Rect { y0: self.legend.y0 + self.scales, ..self.legend }

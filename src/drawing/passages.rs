@@ -1,41 +1,25 @@
 //! A figure in coarse steps: words about each passage of the construction, and marks that come with it.
 
-use super::layout::{Item, Layout};
-use super::lines::PAD;
 use super::scheme::Scheme;
-use super::shape::Shape;
-use super::sheet::{Drawing, Pen};
+use super::sheet::Drawing;
 use super::text::RichText;
-use super::words::{EQUATION, HEIGHT, LAST, SECOND, Writer};
+use super::words::{BELOW, EQUATION, ROW, SECOND, Writer};
 use crate::construction::{Action, Aim, Formula, Known, NumberedStep, Passage, Plan, shown_text};
-use kurbo::{Point, Rect};
-
-/// The words of all passages, each shown with its own.
-pub(super) struct PassageWords<'a> {
-    pub scheme: &'a Scheme<'a>,
-    pub passages: Vec<Passage>,
-}
-
-impl Item for PassageWords<'_> {
-    fn height(&self) -> f64 {
-        HEIGHT
-    }
-
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let (scheme, area) = (self.scheme, layout.below());
-        drawing.draw(Pen::Frame, Shape::Line(area.origin(), Point::new(area.x1, area.y0)));
-        let area = Rect { x0: area.x0 + PAD, x1: area.x1 - PAD, ..area };
-        for (index, passage) in self.passages.iter().enumerate() {
-            let steps: Vec<NumberedStep<'_>> = scheme.construction.steps_of(passage).collect();
-            let mut writer = Writer { drawing, layout, scheme, area, number: passage.steps[1] as u16 };
-            let caption = scheme.teller().passage_caption(passage);
-            writer.numbered(index + 1, self.passages.len(), &caption, steps.first().and_then(|step| step.plan));
-            writer.passage(passage.aim, &steps);
-        }
-    }
-}
+use kurbo::Point;
 
 impl Writer<'_> {
+    /// The words of all passages.
+    pub(super) fn passages(&mut self, passages: &[Passage]) {
+        let scheme = self.scheme;
+        for (index, passage) in passages.iter().enumerate() {
+            let steps: Vec<NumberedStep<'_>> = scheme.construction.steps_of(passage).collect();
+            self.number = passage.steps[1] as u16;
+            let caption = scheme.teller().passage_caption(passage);
+            self.numbered(index + 1, passages.len(), &caption, steps.first().and_then(|step| step.plan));
+            self.passage(passage.aim, &steps);
+        }
+    }
+
     /// Equations and values of a passage.
     fn passage(&mut self, aim: Aim, steps: &[NumberedStep<'_>]) {
         let with_details: Vec<&NumberedStep<'_>> = match aim {
@@ -47,7 +31,7 @@ impl Writer<'_> {
         };
         match with_details.as_slice() {
             [step] => self.details(step),
-            _ => self.formulas(steps, &[SECOND, LAST - 4.0]),
+            _ => self.formulas(steps, &[SECOND, SECOND + ROW + 1.0]),
         }
     }
 
@@ -60,7 +44,7 @@ impl Writer<'_> {
         });
         for (index, (step, value)) in measured.enumerate() {
             let (row, column) = ((index / 2) as f64, (index % 2) as f64);
-            let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 1.6 + 6.0 * row);
+            let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 0.4 + ROW * row);
             let symbol = RichText::math(&self.scheme.teller().formula(step).markup());
             let value = RichText::plain(&format!(" = {}", self.size(value, None)));
             self.line(&[symbol, value], EQUATION, from, half - 4.0);
@@ -75,13 +59,13 @@ impl Writer<'_> {
             _ => None,
         });
         for (index, (step, ray)) in rays.take(2).enumerate() {
-            let from = Point::new(self.area.x0 + half * index as f64, self.area.y0 + SECOND - 0.6);
+            let from = Point::new(self.area.x0 + half * index as f64, self.area.y0 + SECOND);
             let formula = self.scheme.teller().formula(step);
             self.ray_equation(ray, &formula, step.plan, from);
         }
         let laid_off = steps.iter().filter(|step| matches!(step.step.action, Action::LayOff(_)));
         let laid_off: Vec<NumberedStep<'_>> = laid_off.copied().collect();
-        self.formulas(&laid_off, &[LAST + 1.0]);
+        self.formulas(&laid_off, &[SECOND + BELOW + ROW]);
     }
 
     /// The formulas of some steps one after another, in lines with these baselines; in a smaller size where they are

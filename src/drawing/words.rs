@@ -1,6 +1,7 @@
 //! Words about each step below the panels: caption, equation, results.
 
-use super::layout::{Item, Layout};
+use super::figure::Steps;
+use super::layout::{Item, Layout, MARGIN};
 use super::legend::SCALE;
 use super::lines::PAD;
 use super::plan_panel;
@@ -9,15 +10,12 @@ use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use crate::construction::{
-    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Plan, PlanKind, Ray, Relation, rate_symbol,
+    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Passage, Plan, PlanKind, Ray, Relation, rate_symbol,
 };
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::Kind;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect};
-
-/// Height of the words below the scales, in mm.
-pub(super) const HEIGHT: f64 = 30.0;
 
 /// Number style of values.
 pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7).on(Medium::Figure);
@@ -32,32 +30,64 @@ pub(super) const EQUATION: f64 = 1.05 * CAPTION;
 const SMALL: f64 = CAPTION;
 
 // Baselines below the upper edge of the words, in mm.
-const FIRST: f64 = 6.0;
-pub(super) const SECOND: f64 = 14.4;
-pub(super) const LAST: f64 = 27.0;
+const FIRST: f64 = 5.4;
+pub(super) const SECOND: f64 = 12.4;
+/// The lowest baseline.
+const LAST: f64 = 25.0;
+/// Distance of baselines without lines under vectors, in mm.
+pub(super) const ROW: f64 = 6.0;
 // Below the baseline of an equation, in mm: lines under vectors, and their names.
 const UNDER: f64 = 1.9;
-const BELOW: f64 = 7.4;
+pub(super) const BELOW: f64 = 6.7;
+/// White below the lowest ink, in mm.
+const FOOT: f64 = 1.4;
 
-/// The words of all steps, each shown in its own step only.
-pub(super) struct StepWords<'a>(pub &'a Scheme<'a>);
+/// Words about each step, shown in their own step only; their area is as high as the tallest needs.
+pub(super) struct StepWords<'a> {
+    scheme: &'a Scheme<'a>,
+    passages: Option<Vec<Passage>>,
+    /// In mm.
+    height: f64,
+}
 
-impl Item for StepWords<'_> {
-    fn height(&self) -> f64 {
-        HEIGHT
+impl<'a> StepWords<'a> {
+    /// The words of all steps or, in coarse steps, of all passages.
+    pub(super) fn new(scheme: &'a Scheme<'a>, steps: Steps) -> Self {
+        let passages = (steps == Steps::Coarse).then(|| scheme.construction.passages());
+        let words = Self { scheme, passages, height: 0.0 };
+        let [width, height] = scheme.dims.page;
+        let mut trial = Drawing::new(width, height);
+        let layout = Layout::of_words(Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0));
+        words.write(&mut trial, &layout);
+        let lowest = trial.marks.iter().map(|mark| mark.shape.bounds().y1).fold(0.0, f64::max);
+        Self { height: lowest + FOOT, ..words }
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let scheme = self.0;
-        let area = layout.below();
-        drawing.draw(Pen::Frame, Shape::Line(area.origin(), Point::new(area.x1, area.y0)));
+    fn write(&self, drawing: &mut Drawing, layout: &Layout) {
+        let (scheme, area) = (self.scheme, layout.below());
         let area = Rect { x0: area.x0 + PAD, x1: area.x1 - PAD, ..area };
+        let mut writer = Writer { drawing, layout, scheme, area, number: 0 };
+        if let Some(passages) = &self.passages {
+            return writer.passages(passages);
+        }
         let count = scheme.construction.numbered_steps().count();
         for step in scheme.construction.numbered_steps() {
-            let mut writer = Writer { drawing, layout, scheme, area, number: step.number as u16 };
+            writer.number = step.number as u16;
             writer.caption(&step, count);
             writer.details(&step);
         }
+    }
+}
+
+impl Item for StepWords<'_> {
+    fn height(&self) -> f64 {
+        self.height
+    }
+
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let area = layout.below();
+        drawing.draw(Pen::Frame, Shape::Line(area.origin(), Point::new(area.x1, area.y0)));
+        self.write(drawing, layout);
     }
 }
 
@@ -174,10 +204,11 @@ impl Writer<'_> {
     fn solution(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
         let half = 0.5 * self.area.width();
         let lines = equations.len().div_ceil(2) as f64;
-        let step = (LAST - SECOND + 1.6) / lines.max(1.0);
+        // Many equations are closer together.
+        let row_height = ((LAST - SECOND) / lines.max(1.0)).min(ROW);
         for (index, equation) in equations.iter().enumerate() {
             let (row, column) = ((index / 2) as f64, (index % 2) as f64);
-            let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 1.6 + step.min(6.0) * row);
+            let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 0.4 + row_height * row);
             let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
             let equation = self.pieces(&self.scheme.teller().equation(kind, equation), plan, RichText::math);
             self.line(&equation, EQUATION, from, half - 4.0);
@@ -188,7 +219,7 @@ impl Writer<'_> {
             [RichText::plain(if index > 0 { ",   " } else { "" }), RichText::math(&symbol), value]
         });
         let found: Vec<RichText> = found.collect();
-        let from = Point::new(self.area.x0, self.area.y0 + LAST);
+        let from = Point::new(self.area.x0, self.area.y0 + SECOND + row_height * lines);
         self.line(&found, EQUATION, from, self.area.width());
     }
 
