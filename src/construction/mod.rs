@@ -41,7 +41,7 @@ pub use run::{Change, Disturbance, Drawable, SheetScales, Tolerance, Values};
 pub use sentence::{Teller, plain_text, rate_symbol, shown_text};
 pub use solution::Solution;
 pub use step::{
-    Action, Added, Arrow, ArrowKind, LegEquation, Plan, PlanKind, PlanPoint, PointRole, Ray, RayOf, Relation,
+    Action, Added, Arrow, ArrowKind, LegEquation, NOTHING, Plan, PlanKind, PlanPoint, PointRole, Ray, RayOf, Relation,
     RelativePart, Step, VectorOf,
 };
 pub use vectors::PlanVector;

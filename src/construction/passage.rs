@@ -3,7 +3,7 @@
 use super::construct::{Construction, NumberedStep};
 use super::operation::Sheet;
 use super::sentence::{Teller, marked, rate_symbol};
-use super::step::{Action, Arrow, RayOf, Relation, VectorOf};
+use super::step::{Action, Arrow, PointRole, RayOf, Relation, VectorOf};
 use crate::words::Language;
 
 /// What a passage reaches.
@@ -220,8 +220,14 @@ impl Teller<'_> {
     }
 
     fn joined_images(&self, steps: &[NumberedStep<'_>]) -> String {
-        let mut names: Vec<String> = steps.iter().filter_map(|step| step.step.action.image()).map(marked).collect();
-        names.dedup();
+        // Images alone, each in the passage that makes it.
+        let made = |step: &NumberedStep<'_>| {
+            let (plan, name) = (step.plan?, step.step.action.image()?);
+            let is_image = plan.points.get(name).is_some_and(|point| point.role == PointRole::Image);
+            let first = plan.steps.iter().find(|other| other.action.image() == Some(name))?;
+            (is_image && std::ptr::eq(first, step.step)).then(|| marked(name))
+        };
+        let names: Vec<String> = steps.iter().filter_map(made).collect();
         self.words.language.join_images(&names.join(", "))
     }
 

@@ -7,7 +7,7 @@ use super::name::{image_name, point_on};
 use super::solution::Solution;
 use super::step::{Action, Added, Arrow, LegEquation, Plan, PlanKind, Ray, RayOf, Relation, RelativePart, VectorOf};
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
-use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role};
+use crate::mechanism::{BodyId, DrivenSlide, GROUND, Mechanism, PointId, Role};
 use crate::position::Pose;
 use crate::words::{Language, NumberStyle, Wording};
 
@@ -292,21 +292,29 @@ impl<'a> Teller<'a> {
     pub(super) fn ray_equation(&self, kind: PlanKind, ray: &Ray) -> Formula {
         let (special, side) = match ray.of {
             RayOf::Leg(special, side) => (self.construction.special(special), side),
-            RayOf::Arm { from, to, .. } => return self.arm_equation(kind, from, to),
+            RayOf::Arm { link, from, to, .. } => return self.arm_equation(kind, link, [from, to]),
         };
         let cut = &special.cuts[side];
         let start = cut.start().map(|point| point_on(self.mechanism, cut.leg.base, point)).unwrap_or_default();
-        match kind {
+        let mut formula = match kind {
             PlanKind::Velocity => self.leg_velocity(special, cut, &start),
             PlanKind::Acceleration => self.relative_acceleration(special, cut, &start),
+        };
+        // A point of the ground under a slider is at rest: it is left out, with a plus behind it.
+        let ground = self.mechanism.body(GROUND);
+        let is_under = cut.leg.base == GROUND && cut.start().is_some_and(|start| !ground.points.contains(&start));
+        if is_under && formula.terms.len() > 3 {
+            let end = if formula.terms[3].markup == " + " { 4 } else { 3 };
+            formula.terms.drain(2..end);
         }
+        formula
     }
 
     /// The vector equation behind a ray for the image of a further point of a link.
-    fn arm_equation(&self, kind: PlanKind, from: PointId, to: PointId) -> Formula {
-        let [from, to] = [from, to].map(|point| self.mechanism.point_name(point));
+    fn arm_equation(&self, kind: PlanKind, link: BodyId, ends: [PointId; 2]) -> Formula {
+        let [from, to] = ends.map(|point| point_on(self.mechanism, link, point));
         match kind {
-            PlanKind::Velocity => self.relative_velocity(to, from),
+            PlanKind::Velocity => self.relative_velocity(&to, &from),
             PlanKind::Acceleration => Formula::default(),
         }
     }
@@ -415,6 +423,7 @@ impl<'a> Teller<'a> {
         let (mechanism, words, s) = (self.mechanism, self.words, &point.name);
         let cut = &point.cuts[side];
         let mut normals = Vec::new();
+        let mut centre = "";
         for term in &cut.terms {
             if let Term::Turn { link, from, to } = *term
                 && self.turning(point, term).is_some_and(|link| self.turns(link))
@@ -422,16 +431,14 @@ impl<'a> Teller<'a> {
                 let to = to.map_or(s.as_str(), |to| mechanism.point_name(to));
                 let arm = subscript(&[to, mechanism.point_name(from)]);
                 normals.push(format!("ω_{}^2 L{arm}", mechanism.body(link).name));
+                centre = mechanism.point_name(from);
             }
         }
         let language = words.language;
-        let sentence = match normals.len() {
-            2 => Language::lay_off_normal_parts,
-            _ => Language::lay_off_normal_part,
-        };
         let start = cut.start().map_or("", |start| mechanism.point_name(start));
         let mut formula = Formula::default();
         formula.vector(format!("a^{}{}", words.notation.normal, subscript(&[s, start])), Known::Entirely, None);
+        let both = normals.len() == 2;
         let mut between = language.made_from();
         for part in normals {
             formula.words(between);
@@ -439,7 +446,11 @@ impl<'a> Teller<'a> {
             between = language.and();
         }
         let line = cut.name(words, mechanism, s);
-        (formula, sentence(language, &line, &marked(from), &marked(to)))
+        let caption = match both {
+            true => language.lay_off_normal_parts(&line, &marked(from), &marked(to)),
+            false => language.lay_off_normal_part(&line, centre, &marked(from), &marked(to)),
+        };
+        (formula, caption)
     }
 
     /// The arm of a rotation term, to joint `to` or else to the sought point; zero for a point at infinity.

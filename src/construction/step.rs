@@ -385,11 +385,28 @@ pub enum Relation {
     Angle,
 }
 
+/// Vectors and rates below this part of the largest of their kind are rounding errors of zero.
+pub const NOTHING: f64 = 1e-12;
+
 impl Plan {
     /// The vector from one plan point to another; `None` for an unknown name.
     #[must_use]
     pub fn segment(&self, from: &str, to: &str) -> Option<Vector> {
         Some(self.points.get(to)?.vector - self.points.get(from)?.vector)
+    }
+
+    /// The same for showing: zero where only rounding is left of it.
+    #[must_use]
+    pub fn shown_segment(&self, from: &str, to: &str) -> Option<Vector> {
+        let segment = self.segment(from, to)?;
+        Some(if self.is_nothing(segment.norm()) { Vector::zeros() } else { segment })
+    }
+
+    /// Whether a size is what rounding leaves of zero in this plan.
+    #[must_use]
+    pub fn is_nothing(&self, size: f64) -> bool {
+        let largest = self.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
+        size.abs() <= NOTHING * largest
     }
 
     /// The symbol of a plan point in a notation; `written` is the symbol without its changes for poles and images.
@@ -400,7 +417,9 @@ impl Plan {
         let Some(point) = self.points.get(name) else {
             return written;
         };
-        if name == self.kind.pole() {
+        // A point of the ground under a slider has no name of its own in a plan.
+        let is_under = point.role == PointRole::Pole && name.ends_with("_ground");
+        if name == self.kind.pole() || is_under {
             return pole.to_owned();
         }
         let primes = notation.primes && self.kind == PlanKind::Acceleration;

@@ -30,13 +30,13 @@ impl Teller<'_> {
     pub fn vectors(&self, plan: &Plan) -> Vec<PlanVector> {
         let mut vectors = self.whole_vectors(plan);
         for action in plan.steps.iter().map(|step| &step.action) {
-            let (ends, formula, kind, link) = match action {
+            let (ends, made, formula, kind, link) = match action {
                 Action::LayOff(arrow) if matches!(arrow.of, VectorOf::Point(..)) => continue,
                 Action::LayOff(arrow) => {
                     if matches!(arrow.of, VectorOf::Normal(special, _) if self.construction.special(special).is_assur) {
                         continue;
                     }
-                    (arrow.ends(), self.lay_off(plan.kind, arrow).0, arrow.kind(), None)
+                    (arrow.ends(), &arrow.to, self.lay_off(plan.kind, arrow).0, arrow.kind(), None)
                 }
                 Action::Ray(ray) => {
                     let RayOf::Leg(special, side) = ray.of else { continue };
@@ -46,7 +46,7 @@ impl Teller<'_> {
                     }
                     let formula = self.ray_equation(plan.kind, ray);
                     let link = Some(special.cuts[side].carrier);
-                    ([ray.through.as_str(), ray.to.as_str()], formula, ArrowKind::Relative, link)
+                    ([ray.through.as_str(), ray.to.as_str()], &ray.to, formula, ArrowKind::Relative, link)
                 }
                 _ => continue,
             };
@@ -68,7 +68,7 @@ impl Teller<'_> {
                 ends: [from.to_owned(), to.to_owned()],
                 symbol: symbol.to_owned(),
                 kind,
-                made: ends[1].to_owned(),
+                made: made.clone(),
                 link,
                 on_ray,
             });

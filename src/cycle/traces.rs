@@ -6,6 +6,7 @@ use super::tip::{MARKS, SAME};
 use super::{CycleError, Drive, Happening, Path};
 use crate::construction::Solution;
 use crate::kernel::InputKind;
+use crate::mechanism::{Mechanism, Role};
 use crate::position::Pose;
 
 /// Most turns of a drive that are followed until the mechanism is where it began.
@@ -34,8 +35,14 @@ pub struct Times {
     pub is_stopped: bool,
     /// Distance of two ticks, in degrees or in the scene's unit of length.
     pub step: f64,
-    /// The time for it, in the scene's unit; none for a drive at rest.
+    /// The time for it, in the scene's unit; none for a drive at rest or with an acceleration.
     pub time: Option<f64>,
+}
+
+/// Whether no drive of the scene has an acceleration.
+fn is_uniform(mechanism: &Mechanism) -> bool {
+    let turns = mechanism.bodies.iter().all(|body| !matches!(body.role, Role::Driver { alpha, .. } if alpha != 0.0));
+    turns && mechanism.sliders.iter().all(|slider| slider.drive.is_none_or(|drive| drive.acceleration == 0.0))
 }
 
 /// The cycle of a drive.
@@ -78,7 +85,7 @@ impl Traces {
         let times = (!paths.is_empty()).then(|| Times {
             is_stopped: [false, true].into_iter().any(|above| path.end(above).is_some()),
             step,
-            time: time(&path, step),
+            time: time(&path, step).filter(|_| is_uniform(&solution.mechanism)),
             drive: path.drive.clone(),
         });
         let ghosts = figure.ghosts.map_or_else(Vec::new, |count| cycle.ghosts(&path, &solution.pose, count));

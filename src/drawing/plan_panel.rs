@@ -221,6 +221,7 @@ impl PlanOnPaper<'_> {
             let pen = match laid.kind() {
                 ArrowKind::Whole => whole,
                 ArrowKind::Normal => Pen::Normal,
+                ArrowKind::Relative if plan.kind == PlanKind::Acceleration => Pen::Tangential,
                 ArrowKind::Relative => Pen::Image,
                 ArrowKind::Sliding => Pen::Vector,
                 ArrowKind::Coriolis => Pen::Coriolis,

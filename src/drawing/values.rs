@@ -10,7 +10,7 @@ use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
 use super::style::Style;
 use super::text::{CAPTION, LABEL, PlacedText, RichText};
-use crate::construction::{ArrowKind, PlanKind, PlanVector, rate_symbol};
+use crate::construction::{ArrowKind, NOTHING, PlanKind, PlanVector, rate_symbol};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::motion::BodyMotion;
 use crate::quantity::Kind;
@@ -23,15 +23,13 @@ const VALUE: NumberStyle = NumberStyle::significant(3).in_full(-3, 6).on(Medium:
 /// Number style of given lengths.
 const GIVEN: NumberStyle = NumberStyle::shortest().on(Medium::Figure);
 /// Largest part of a sheet's height for a list that the figure's style alone asks for.
-const MOST: f64 = 0.2;
+const MOST: f64 = 0.3;
 /// Height of a line of listed values, in mm.
 const LINE: f64 = 6.6;
 /// White inside the frame of listed values, in mm.
 const PAD: f64 = 3.0;
 /// White between two listed values in a line, in mm.
 const BETWEEN: f64 = 6.0;
-/// Rates and vectors below this part of the largest of their kind are rounding errors of zero.
-const NOTHING: f64 = 1e-12;
 
 /// A value to be shown.
 #[derive(Clone, Debug)]
@@ -206,6 +204,10 @@ impl List<'_> {
                 if is_whole {
                     same.symbol = format!("{} = {}", same.symbol, vector.symbol);
                 }
+                continue;
+            }
+            // The motion along a guide is drawn at every point that passes it.
+            if values.iter().any(|value| value.symbol == vector.symbol) {
                 continue;
             }
             let number = if is_nothing { 0.0 } else { segment.norm() };

@@ -171,7 +171,7 @@ impl Writer<'_> {
             }
             _ => None,
         };
-        let vector = ends.and_then(|[from, to]| plan?.segment(from, to));
+        let vector = ends.and_then(|[from, to]| plan?.shown_segment(from, to));
         let value = match (action, vector) {
             (Action::Measure { value, .. }, _) => self.size(*value, kind),
             (Action::MeasureLength { value, .. }, _) => self.size(*value, None),

@@ -102,7 +102,7 @@ sentences! {
     /// The segment between two points of a plan.
     measure_segment(from, to);
     /// The normal part along a cut line, between two points of the acceleration plan.
-    lay_off_normal_part(line, from, to);
+    lay_off_normal_part(line, centre, from, to);
     /// The normal parts of both links of a leg, laid off as one.
     lay_off_normal_parts(line, from, to);
     /// The equations that give the rates of a group.
