@@ -48,6 +48,8 @@ pub(super) struct Wanted {
     pub optional: bool,
     /// Whether it is left out, too, if lines strike it through or it stands far off.
     pub legible: bool,
+    /// A shorter text for it, where there is no room for the whole.
+    pub short: Option<RichText>,
     /// What it says before: from which step, in rising order; the label itself follows on the last.
     pub before: Vec<(u16, RichText)>,
 }
@@ -257,6 +259,7 @@ impl<'a> Canvas<'a> {
             number: None,
             optional: false,
             legible: false,
+            short: None,
             before: Vec::new(),
         })
     }
@@ -333,8 +336,18 @@ impl<'a> Canvas<'a> {
 
     /// Places labels and draws them.
     fn place(&mut self, requests: Vec<(Wanted, u16)>) {
-        let asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
-        for (label, (wanted, since)) in place(&asked, &self.obstacles).into_iter().zip(requests) {
+        let mut asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
+        let mut placed = place(&asked, &self.obstacles);
+        let mut is_shortened = false;
+        for ((label, (wanted, _)), asked) in placed.iter().zip(&requests).zip(&mut asked) {
+            if let (true, Some(short)) = (label.crowded || label.struck > STRUCK, &wanted.short) {
+                (asked.text, is_shortened) = (short.clone(), true);
+            }
+        }
+        if is_shortened {
+            placed = place(&asked, &self.obstacles);
+        }
+        for (label, (wanted, since)) in placed.into_iter().zip(requests) {
             let is_far = label.leader.is_some_and(|(a, b)| (b - a).hypot() > FAR);
             let is_struck = wanted.legible && (label.struck > STRUCK || is_far);
             if wanted.optional && (label.crowded || is_struck) {

@@ -253,6 +253,7 @@ impl Scheme<'_> {
             number,
             optional: true,
             legible: true,
+            short: None,
             before: Vec::new(),
         });
     }

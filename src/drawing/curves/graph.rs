@@ -215,6 +215,7 @@ impl<'a> Graph<'a> {
                 number: Some(*look),
                 optional: true,
                 legible: false,
+                short: None,
                 before: Vec::new(),
             });
         }

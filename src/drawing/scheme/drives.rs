@@ -121,7 +121,7 @@ impl Scheme<'_> {
         let label = canvas.label(&name, &label, anchor, 0.8, Some(direction), 2);
         label.number = self.number(link);
         if let Some(value) = self.drive_value(link) {
-            label.request.text = value.text();
+            label.short = Some(std::mem::replace(&mut label.request.text, value.text()));
         }
     }
 
