@@ -23,7 +23,7 @@ const VALUE: NumberStyle = NumberStyle::significant(3).in_full(-3, 6).on(Medium:
 /// Number style of given lengths.
 const GIVEN: NumberStyle = NumberStyle::shortest().on(Medium::Figure);
 /// Largest part of a sheet's height for a list that the figure's style alone asks for.
-const MOST: f64 = 0.3;
+const MOST: f64 = 0.2;
 /// Height of a line of listed values, in mm.
 const LINE: f64 = 6.6;
 /// White inside the frame of listed values, in mm.
@@ -105,7 +105,7 @@ pub(super) fn values(scheme: &Scheme<'_>) -> Vec<Value> {
         PanelName::Scheme => list.of_scheme(),
         plan => list.of_plan(plan),
     };
-    scheme.figure.panels.iter().flat_map(of_panel).collect()
+    figure.shown_panels().iter().flat_map(of_panel).collect()
 }
 
 /// Makes the list of values.
@@ -132,7 +132,9 @@ impl List<'_> {
     /// Rates of links and given lengths.
     fn of_scheme(&self) -> Vec<Value> {
         let mut values = self.rates(PlanKind::Velocity);
-        if self.scheme.construction.acceleration.is_some() {
+        // Angular accelerations belong to the acceleration plan.
+        let has_plan = self.scheme.figure.shown_panels().contains(&PanelName::Acceleration);
+        if has_plan && self.scheme.construction.acceleration.is_some() {
             values.extend(self.rates(PlanKind::Acceleration));
         }
         let mechanism = self.scheme.mechanism;
