@@ -1,7 +1,7 @@
 //! Composition of a sheet: a title, panels in their places, items beside and below them.
 
 use super::dims::Dims;
-use super::layout::{Aside, Item, Layout, MARGIN, Needs, layout};
+use super::layout::{Aside, Item, LEAST_WHITE, Layout, MARGIN, Needs, layout};
 use super::legend;
 use super::panel::Panel;
 use super::shape::Shape;
@@ -63,7 +63,19 @@ impl Composition<'_> {
         self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
     }
 
+    /// The layout for needs. On the sheets of steps at given scales there is less white round the contents where they do
+    /// not fit with the usual white: words take room there that they do not take on the figure.
     fn layout_for(&self, needs: &[Needs], below: f64) -> Layout {
+        let layout = self.layout_with(needs, below);
+        let all_fit = |layout: &Layout| layout.worth[0] > 0.0 && layout.worth[1] as usize == needs.len();
+        if !self.is_stepwise || needs.iter().any(|needs| needs.mu.is_none()) || all_fit(&layout) {
+            return layout;
+        }
+        let closer: Vec<Needs> = needs.iter().map(|needs| Needs { white: LEAST_WHITE, ..*needs }).collect();
+        Some(self.layout_with(&closer, below)).filter(all_fit).unwrap_or(layout)
+    }
+
+    fn layout_with(&self, needs: &[Needs], below: f64) -> Layout {
         let asides = |room: Rect| -> Vec<Aside> { self.items.iter().flat_map(|item| item.asides(room)).collect() };
         let in_columns =
             |columns: usize| layout(&self.dims, needs, [legend::height(needs.len(), columns), below], columns, asides);

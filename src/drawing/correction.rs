@@ -30,7 +30,7 @@ struct Division<'a> {
 /// are not smaller for it, else on further sheets. Content outside a panel is cut off and named at its edge.
 #[must_use]
 pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
-    let scheme = Scheme::new(solution).without_values();
+    let scheme = Scheme::new(solution).for_pencil().without_values();
     let Division { place, mut sheet, layout } = best_division(&scheme, overlay);
     let table = overlay.table();
     if place == WordsPlace::Below {

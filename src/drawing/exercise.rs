@@ -18,7 +18,7 @@ use crate::scene::{ConstructionShown, PanelName, ValuesShown};
 /// `None` where the scheme does not fit at the scale that the scene gives.
 #[must_use]
 pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<Drawing> {
-    let scheme = Scheme::new(solution).without_values();
+    let scheme = Scheme::new(solution).for_pencil().without_values();
     let sheet = student_sheet(&scheme, asked, sentences);
     let layout = sheet.layout();
     let placed = layout.panels.first()?;
@@ -31,7 +31,7 @@ pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]
 /// without one, the smallest that fits.
 #[must_use]
 pub fn exercise_scale(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<f64> {
-    let layout = student_sheet(&Scheme::new(solution).without_values(), asked, sentences).layout();
+    let layout = student_sheet(&Scheme::new(solution).for_pencil().without_values(), asked, sentences).layout();
     layout.panels.first().map(|placed| placed.mu)
 }
 
@@ -40,7 +40,7 @@ pub fn exercise_scale(solution: &Solution, asked: &[Asked], sentences: &[String]
 pub fn key_sheet(solution: &Solution, sentences: &[String]) -> Drawing {
     let mut solution = solution.clone();
     solution.scene.figure.values.get_or_insert(ValuesShown::Shown(None));
-    let scheme = Scheme::new(&solution);
+    let scheme = Scheme::new(&solution).for_pencil();
     let panels = panels(&scheme, &extents(&scheme), |panel| vec![content(&scheme, panel)]);
     let table: Box<dyn Item> = Box::new(Worksheet::new(&scheme, &panels));
     let sentences = Lines::of(sentences, scheme.dims.page);
@@ -60,7 +60,7 @@ fn student_sheet<'a>(scheme: &'a Scheme<'a>, asked: &[Asked], sentences: &[Strin
 /// Whether scheme and plans show all their points at their places, none by an arrow.
 #[must_use]
 pub fn shows_special_points(solution: &Solution) -> bool {
-    let scheme = Scheme::new(solution).without_values();
+    let scheme = Scheme::new(solution).for_pencil().without_values();
     let [shown, all] = [scheme.figure.construction, ConstructionShown::Paper];
     let mut plans = scheme.construction.plans();
     scheme.special().all(|special| scheme.is_near(special))

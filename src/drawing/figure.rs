@@ -3,7 +3,7 @@
 use super::canvas::Canvas;
 use super::compose::Composition;
 use super::further::further_sheets;
-use super::layout::{Item, Layout, Needs, Placed};
+use super::layout::{Item, Layout, Needs, Placed, WHITE};
 use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;
@@ -330,7 +330,11 @@ pub(super) fn panels<'a>(
 ) -> Vec<Panel<'a>> {
     let panel = |(index, &(panel, extent)): (usize, &(PanelName, Extent))| {
         let name = name(scheme.words.language, panel);
-        let frame = |index| Frame::new(Line::new(vec![RichText::plain(&numbered(index, name))]), Pen::Heading);
+        let line = |heading: &str| Line::new(vec![RichText::plain(heading)]);
+        let frame = |index| Frame {
+            short: Some(line(name)),
+            ..Frame::new(line(&numbered(index, name)), Pen::Heading)
+        };
         let lowest: Box<dyn Layer> = Box::new(frame(index));
         Panel {
             name: name.to_owned(),
@@ -341,6 +345,7 @@ pub(super) fn panels<'a>(
                 extent,
                 heading: frame(0).width(),
                 mu: scheme.mu[panel as usize],
+                white: WHITE,
                 weight: if scheme.figure.focus.is_some_and(|focus| focus != panel) { COMPANION } else { 1.0 },
             },
             cut: scheme.words.language.cut_at_edge().to_owned(),
@@ -370,7 +375,7 @@ pub(super) fn hints<'a>(scheme: &'a Scheme<'a>, panel: PanelName) -> Box<dyn Lay
 }
 
 /// The kind of quantity that a panel shows to scale.
-fn kind(panel: PanelName) -> Kind {
+pub(super) fn kind(panel: PanelName) -> Kind {
     match panel {
         PanelName::Scheme => Kind::Length,
         PanelName::Velocity => Kind::Velocity,

@@ -12,7 +12,9 @@ pub(super) const TITLE: f64 = 9.0;
 /// White between panels, in mm.
 const GAP: f64 = 4.0;
 /// White inside a panel around its content, for labels, in mm.
-const PADDING: f64 = 7.0;
+pub(super) const WHITE: f64 = 7.0;
+/// The same where its content needs the room at a given scale.
+pub(super) const LEAST_WHITE: f64 = 5.0;
 /// Height of a panel's heading, in mm.
 pub(super) const HEADING: f64 = 7.2;
 /// Rounding of sizes on paper, in mm.
@@ -33,6 +35,8 @@ pub(super) struct Needs {
     pub heading: f64,
     /// The scale that is given, in units per mm of paper.
     pub mu: Option<f64>,
+    /// White around its content inside the panel, for labels, in mm.
+    pub white: f64,
     /// Exponent of its content's size in the quality of a layout: how much it counts among the panels.
     pub weight: f64,
 }
@@ -102,9 +106,9 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// A layout of nothing but an area of words.
-    pub(super) fn of_words(area: Rect) -> Layout {
-        Layout { legend: area, scales: 0.0, columns: 1, aside: None, panels: Vec::new(), worth: [0.0; 4] }
+    /// A layout of an area of words, with panels of no place for their scales.
+    pub(super) fn of_words(area: Rect, panels: Vec<Placed>) -> Layout {
+        Layout { legend: area, scales: 0.0, columns: 1, aside: None, panels, worth: [0.0; 4] }
     }
 
     /// The legend's lower part.
@@ -127,6 +131,9 @@ pub(super) fn room([width, height]: [f64; 2], legend: f64) -> Rect {
 /// A division of a sheet: the area without panels, and the panels.
 type Division = (Option<Rect>, Vec<Placed>);
 
+/// Divides a room among panels, with a unit of the layout in mm.
+type Ways = fn(Rect, &[Needs], f64) -> Vec<Vec<Rect>>;
+
 /// Divides a sheet so that the panels' contents are largest at round scales.
 ///
 /// A few arrangements are tried: side by side, one beside two, one above two, and two before one, each with every area
@@ -147,7 +154,11 @@ pub(super) fn layout(
         false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
     };
     let mut best: Option<([f64; 4], Division)> = None;
-    for ways in [arrangements, paired] {
+    let passes: [(Ways, bool); 3] = [(arrangements, false), (paired, false), (by_headings, true)];
+    for (ways, is_last_resort) in passes {
+        if is_last_resort && best.as_ref().is_some_and(|(worth, _)| worth[0] > 0.0) {
+            break;
+        }
         // Two panels that share a column must not make the smallest content smaller.
         let least = best.as_ref().map_or(0.0, |(_, (_, placed))| smallest(needs, placed));
         for &(room, aside) in &rooms {
@@ -156,7 +167,9 @@ pub(super) fn layout(
                     needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame, dims.unit)).collect();
                 let worth = worth(needs, &placed);
                 let is_better = best.as_ref().is_none_or(|(most, _)| worth > *most);
-                if is_better && smallest(needs, &placed) >= least - ROUNDING {
+                // Headings come before all else.
+                let is_first = best.as_ref().is_some_and(|(most, _)| most[0] == 0.0) && worth[0] > 0.0;
+                if is_first || (is_better && smallest(needs, &placed) >= least - ROUNDING) {
                     best = Some((worth, (aside, placed)));
                 }
             }
@@ -243,7 +256,7 @@ pub(super) fn on_paper(area: Rect, unit: f64) -> Rect {
 }
 
 fn place(needs: &Needs, frame: Rect, unit: f64) -> Placed {
-    let mut area = frame.inset(-PADDING);
+    let mut area = frame.inset(-needs.white);
     area.y0 += HEADING - 2.0;
     let mu = needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, on_paper(area, unit)));
     Placed { kind: needs.kind, frame, area, mu, unit }
@@ -300,6 +313,24 @@ fn paired(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
     ways
 }
 
+/// Ways to divide `room` so that headings fit: two panels as narrow as theirs beside a third, or all three so.
+fn by_headings(room: Rect, needs: &[Needs], _: f64) -> Vec<Vec<Rect>> {
+    let [a, b, c] = needs else { return Vec::new() };
+    let [a, b, c] = [a, b, c].map(|needs| needs.heading + ROUNDING);
+    let all = room.width() - 2.0 * GAP;
+    let spare = all - a - b - c;
+    if spare < 0.0 {
+        return Vec::new();
+    }
+    let row = |widths: [f64; 3]| {
+        let (first, rest) = divided(room, false, widths[0]);
+        let (second, third) = divided(rest, false, widths[1]);
+        vec![first, second, third]
+    };
+    let third = spare / 3.0;
+    vec![row([a + spare, b, c]), row([a, b + spare, c]), row([a, b, c + spare]), row([a + third, b + third, c + third])]
+}
+
 /// Divisions of `room` into two: at the middle, and where the content of either side just fits at a round scale.
 fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> Vec<(Rect, Rect)> {
     let whole = if down { room.height() } else { room.width() } - GAP;
@@ -307,7 +338,7 @@ fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> 
         let size = w.extent.size();
         let (size, extra) = if down { (size.y, HEADING - 2.0) } else { (size.x, 0.0) };
         let least = if down { 0.0 } else { w.heading };
-        let at = move |mu: f64| (size / (mu * unit) + 2.0 * PADDING + extra).max(least) + ROUNDING;
+        let at = move |mu: f64| (size / (mu * unit) + 2.0 * w.white + extra).max(least) + ROUNDING;
         // The scale that fits the whole room, and the next larger one.
         let mut mu = w.mu.unwrap_or_else(|| place(w, room, unit).mu);
         std::array::from_fn::<f64, 2, _>(|_| {

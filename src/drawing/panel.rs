@@ -92,6 +92,8 @@ impl Panel<'_> {
 /// A panel's border and heading: its lowest layer.
 pub(super) struct Frame {
     pub heading: Line,
+    /// What stands in a panel that is too narrow for the heading.
+    pub short: Option<Line>,
     pub pen: Pen,
     /// Start of the heading, from the panel's upper left corner, in mm.
     pub at: Vec2,
@@ -100,7 +102,7 @@ pub(super) struct Frame {
 impl Frame {
     /// A frame with the heading inside.
     pub(super) fn new(heading: Line, pen: Pen) -> Frame {
-        Frame { heading, pen, at: Vec2::new(BEFORE, 6.0) }
+        Frame { heading, short: None, pen, at: Vec2::new(BEFORE, 6.0) }
     }
 
     /// Smallest width of a panel with this heading, in mm.
@@ -113,7 +115,12 @@ impl Layer for Frame {
     fn draw(&self, canvas: &mut Canvas<'_>, _: &View) {
         let frame = canvas.frame();
         canvas.drawing.draw(Pen::Frame, Shape::Polygon(corners(frame)));
-        let ink = self.heading.starting(canvas.drawing, self.pen, frame.origin() + self.at, SIZE);
+        // A short one is no smaller than captions.
+        let (heading, size) = match &self.short {
+            Some(short) if self.width() > frame.width() => (short, CAPTION),
+            _ => (&self.heading, SIZE),
+        };
+        let ink = heading.starting(canvas.drawing, self.pen, frame.origin() + self.at, size);
         canvas.keep_off(ink);
         canvas.exclude_drawn();
     }

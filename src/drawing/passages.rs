@@ -3,25 +3,27 @@
 use super::scheme::Scheme;
 use super::sheet::Drawing;
 use super::text::RichText;
-use super::words::{BELOW, EQUATION, ROW, SECOND, Writer};
-use crate::construction::{Action, Aim, Formula, Known, NumberedStep, Passage, Plan, shown_text};
-use kurbo::Point;
+use super::words::{BELOW, BETWEEN, EQUATION, FIRST, ROW, SECOND, Writer, width_of};
+use crate::construction::{Action, Aim, Known, NumberedStep, Passage, shown_text};
+use kurbo::{Point, Rect};
 
 impl Writer<'_> {
-    /// The words of all passages.
-    pub(super) fn passages(&mut self, passages: &[Passage]) {
+    /// Caption and details of a passage, or one of both.
+    pub(super) fn passage(&mut self, index: usize, passage: &Passage, [caption, details]: [bool; 2]) {
         let scheme = self.scheme;
-        for (index, passage) in passages.iter().enumerate() {
-            let steps: Vec<NumberedStep<'_>> = scheme.construction.steps_of(passage).collect();
-            self.number = passage.steps[1] as u16;
+        let steps: Vec<NumberedStep<'_>> = scheme.construction.steps_of(passage).collect();
+        self.number = passage.steps[1] as u16;
+        if caption {
             let caption = scheme.teller().passage_caption(passage);
-            self.numbered(index + 1, passages.len(), &caption, steps.first().and_then(|step| step.plan));
-            self.passage(passage.aim, &steps);
+            self.numbered(index + 1, &caption, steps.first().and_then(|step| step.plan));
+        }
+        if details {
+            self.details_of(passage.aim, &steps);
         }
     }
 
     /// Equations and values of a passage.
-    fn passage(&mut self, aim: Aim, steps: &[NumberedStep<'_>]) {
+    fn details_of(&mut self, aim: Aim, steps: &[NumberedStep<'_>]) {
         let with_details: Vec<&NumberedStep<'_>> = match aim {
             Aim::SpecialPoints => return self.lengths(steps),
             Aim::Crossing => return self.crossing(steps),
@@ -31,7 +33,7 @@ impl Writer<'_> {
         };
         match with_details.as_slice() {
             [step] => self.details(step),
-            _ => self.formulas(steps, &[SECOND, SECOND + ROW + 1.0]),
+            _ => self.formulas(steps, self.area, &[SECOND, SECOND + ROW]),
         }
     }
 
@@ -44,14 +46,15 @@ impl Writer<'_> {
         });
         for (index, (step, value)) in measured.enumerate() {
             let (row, column) = ((index / 2) as f64, (index % 2) as f64);
-            let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 0.4 + ROW * row);
+            let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND + ROW * row);
             let symbol = RichText::math(&self.scheme.teller().formula(step).markup());
             let value = RichText::plain(&format!(" = {}", self.size(value, None)));
             self.line(&[symbol, value], EQUATION, from, half - 4.0);
         }
     }
 
-    /// The equations behind both rays, and below them what has been laid off.
+    /// The equations behind both rays, and what has been laid off: below the caption, with the equations beside it;
+    /// beside the caption, with the equations below; or, where that is too long, below the equations.
     fn crossing(&mut self, steps: &[NumberedStep<'_>]) {
         let half = 0.5 * self.area.width();
         let rays = steps.iter().filter_map(|step| match &step.step.action {
@@ -65,26 +68,42 @@ impl Writer<'_> {
         }
         let laid_off = steps.iter().filter(|step| matches!(step.step.action, Action::LayOff(_)));
         let laid_off: Vec<NumberedStep<'_>> = laid_off.copied().collect();
-        self.formulas(&laid_off, &[SECOND + BELOW + ROW]);
+        let room = Rect { x0: self.caption_end + BETWEEN, ..self.captions };
+        let width = width_of(&self.formula(&laid_off), EQUATION);
+        let (area, baseline) = if self.area.x0 > self.captions.x0 {
+            (Rect { x1: self.area.x0 - 4.0, ..self.captions }, FIRST + BELOW)
+        } else if width <= room.width() {
+            (room, FIRST)
+        } else {
+            (self.captions, SECOND + BELOW + ROW)
+        };
+        self.formulas(&laid_off, area, &[baseline]);
     }
 
     /// The formulas of some steps one after another, in lines with these baselines; in a smaller size where they are
     /// too long.
-    fn formulas(&mut self, steps: &[NumberedStep<'_>], baselines: &[f64]) {
-        let written = steps.iter().map(|step| (self.scheme.teller().formula(step), step.plan));
-        let written: Vec<(Formula, Option<&Plan>)> = written.filter(|(formula, _)| !formula.is_empty()).collect();
-        let in_line = written.len().div_ceil(baselines.len()).max(1);
-        for (formulas, y) in written.chunks(in_line).zip(baselines) {
-            let mut pieces: Vec<RichText> = Vec::new();
-            for (index, (formula, plan)) in formulas.iter().enumerate() {
-                pieces.extend((index > 0).then(|| RichText::plain(",   ")));
-                for term in &formula.terms {
-                    let set = if term.known == Known::Words { RichText::plain } else { RichText::math };
-                    pieces.extend(self.pieces(&term.markup, *plan, set));
-                }
-            }
-            self.line(&pieces, EQUATION, Point::new(self.area.x0, self.area.y0 + y), self.area.width());
+    fn formulas(&mut self, steps: &[NumberedStep<'_>], area: Rect, baselines: &[f64]) {
+        let has_formula = |step: &&NumberedStep<'_>| !self.scheme.teller().formula(step).is_empty();
+        let steps: Vec<NumberedStep<'_>> = steps.iter().filter(has_formula).copied().collect();
+        let in_line = steps.len().div_ceil(baselines.len()).max(1);
+        for (steps, y) in steps.chunks(in_line).zip(baselines) {
+            let pieces = self.formula(steps);
+            self.line(&pieces, EQUATION, Point::new(area.x0, area.y0 + y), area.width());
         }
+    }
+
+    /// The formulas of some steps, with commas between them.
+    fn formula(&self, steps: &[NumberedStep<'_>]) -> Vec<RichText> {
+        let mut pieces: Vec<RichText> = Vec::new();
+        let written = steps.iter().map(|step| (self.scheme.teller().formula(step), step.plan));
+        for (formula, plan) in written.filter(|(formula, _)| !formula.is_empty()) {
+            pieces.extend((!pieces.is_empty()).then(|| RichText::plain(",   ")));
+            for term in &formula.terms {
+                let set = if term.known == Known::Words { RichText::plain } else { RichText::math };
+                pieces.extend(self.pieces(&term.markup, plan, set));
+            }
+        }
+        pieces
     }
 }
 

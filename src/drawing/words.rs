@@ -1,7 +1,7 @@
 //! Words about each step below the panels: caption, equation, results.
 
-use super::figure::Steps;
-use super::layout::{Item, Layout, MARGIN};
+use super::figure::{Steps, extents, kind};
+use super::layout::{Item, Layout, MARGIN, Placed};
 use super::legend::SCALE;
 use super::lines::PAD;
 use super::plan_panel;
@@ -9,11 +9,13 @@ use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
+use super::view::{Extent, fitting_scale};
 use crate::construction::{
     Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Passage, Plan, PlanKind, Ray, Relation, rate_symbol,
 };
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::Kind;
+use crate::scene::PanelName;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect};
 
@@ -30,8 +32,8 @@ pub(super) const EQUATION: f64 = 1.05 * CAPTION;
 const SMALL: f64 = CAPTION;
 
 // Baselines below the upper edge of the words, in mm.
-const FIRST: f64 = 5.4;
-pub(super) const SECOND: f64 = 12.4;
+pub(super) const FIRST: f64 = 5.4;
+pub(super) const SECOND: f64 = 12.0;
 /// The lowest baseline.
 const LAST: f64 = 25.0;
 /// Distance of baselines without lines under vectors, in mm.
@@ -41,11 +43,18 @@ const UNDER: f64 = 1.9;
 pub(super) const BELOW: f64 = 6.7;
 /// White below the lowest ink, in mm.
 const FOOT: f64 = 1.4;
+/// White between a caption and details on its line, in mm, and the number of places along the line where they start.
+pub(super) const BETWEEN: f64 = 8.0;
+const TABS: f64 = 12.0;
+/// Usual width and height of a plan, in mm.
+const USUAL: f64 = 100.0;
 
 /// Words about each step, shown in their own step only; their area is as high as the tallest needs.
 pub(super) struct StepWords<'a> {
     scheme: &'a Scheme<'a>,
     passages: Option<Vec<Passage>>,
+    /// By step or passage: where its details start on the line of its caption; none where they stand below.
+    starts: Vec<Option<f64>>,
     /// In mm.
     height: f64,
 }
@@ -54,29 +63,98 @@ impl<'a> StepWords<'a> {
     /// The words of all steps or, in coarse steps, of all passages.
     pub(super) fn new(scheme: &'a Scheme<'a>, steps: Steps) -> Self {
         let passages = (steps == Steps::Coarse).then(|| scheme.construction.passages());
-        let words = Self { scheme, passages, height: 0.0 };
+        let mut words = Self { scheme, passages, starts: Vec::new(), height: 0.0 };
         let [width, height] = scheme.dims.page;
-        let mut trial = Drawing::new(width, height);
-        let layout = Layout::of_words(Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0));
-        words.write(&mut trial, &layout);
-        let lowest = trial.marks.iter().map(|mark| mark.shape.bounds().y1).fold(0.0, f64::max);
-        Self { height: lowest + FOOT, ..words }
+        // Scales of plans of a usual size: they are part of the words.
+        let usual = Rect::new(0.0, 0.0, USUAL, USUAL);
+        let mu = |(panel, extent): (PanelName, Extent)| Placed {
+            kind: kind(panel),
+            frame: usual,
+            area: usual,
+            mu: scheme.mu[panel as usize].unwrap_or_else(|| fitting_scale(&extent, usual)),
+            unit: scheme.dims.unit,
+        };
+        let scales = extents(scheme).into_iter().map(mu).collect();
+        let layout = Layout::of_words(Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0), scales);
+        for number in 0..words.count() {
+            let trial = |start: Option<f64>, parts: [bool; 2]| {
+                let mut drawing = Drawing::new(width, height);
+                words.write(&mut drawing, &layout, number, start, parts);
+                drawing
+            };
+            let caption_end = extent(&trial(None, [true, false])).x1;
+            let tab = (layout.legend.width() - 2.0 * PAD) / TABS;
+            let start = tab * libm::ceil((caption_end - PAD + BETWEEN) / tab);
+            let beside = trial(Some(start), [false, true]);
+            let is_whole = |mark: &Mark| match &mark.shape {
+                Shape::Text(text) => text.size >= SMALL,
+                _ => true,
+            };
+            let fits = extent(&beside).x1 <= layout.legend.x1 - PAD && beside.marks.iter().all(is_whole);
+            let start = Some(start).filter(|_| fits);
+            words.height = words.height.max(extent(&trial(start, [true; 2])).y1 + FOOT);
+            words.starts.push(start);
+        }
+        words
     }
 
-    fn write(&self, drawing: &mut Drawing, layout: &Layout) {
+    fn count(&self) -> usize {
+        self.passages.as_ref().map_or_else(|| self.scheme.construction.numbered_steps().count(), Vec::len)
+    }
+
+    /// Writes the caption and the details of a step or passage, or one of both. The details are below the caption or
+    /// start on its line.
+    fn write(
+        &self,
+        drawing: &mut Drawing,
+        layout: &Layout,
+        index: usize,
+        start: Option<f64>,
+        [caption, details]: [bool; 2],
+    ) {
         let (scheme, area) = (self.scheme, layout.below());
         let area = Rect { x0: area.x0 + PAD, x1: area.x1 - PAD, ..area };
-        let mut writer = Writer { drawing, layout, scheme, area, number: 0 };
-        if let Some(passages) = &self.passages {
-            return writer.passages(passages);
-        }
-        let count = scheme.construction.numbered_steps().count();
-        for step in scheme.construction.numbered_steps() {
-            writer.number = step.number as u16;
-            writer.caption(&step, count);
-            writer.details(&step);
+        let beside = start.map(|start| Rect { x0: area.x0 + start, y0: area.y0 + FIRST - SECOND, ..area });
+        let mut writer = Writer {
+            drawing,
+            layout,
+            scheme,
+            captions: area,
+            area: beside.unwrap_or(area),
+            number: 0,
+            count: self.count(),
+            caption_end: area.x0,
+        };
+        match &self.passages {
+            Some(passages) => writer.passage(index, &passages[index], [caption, details]),
+            None => {
+                let Some(step) = scheme.construction.numbered_steps().nth(index) else { return };
+                writer.number = step.number as u16;
+                if caption {
+                    writer.numbered(step.number, &scheme.teller().caption(&step), step.plan);
+                }
+                if details {
+                    writer.details(&step);
+                }
+            }
         }
     }
+}
+
+/// Width of a piece; a slanted letter may lean beyond its advance.
+fn advance(text: &RichText, size: f64) -> f64 {
+    text.width(size).max(text.ink_box(size).x1)
+}
+
+/// Width of pieces one after another.
+pub(super) fn width_of(texts: &[RichText], size: f64) -> f64 {
+    texts.iter().map(|text| advance(text, size)).sum()
+}
+
+/// The box around all marks.
+fn extent(drawing: &Drawing) -> Rect {
+    let all = drawing.marks.iter().map(|mark| mark.shape.bounds());
+    all.reduce(|a, b| a.union(b)).unwrap_or_default()
 }
 
 impl Item for StepWords<'_> {
@@ -87,7 +165,9 @@ impl Item for StepWords<'_> {
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         let area = layout.below();
         drawing.draw(Pen::Frame, Shape::Line(area.origin(), Point::new(area.x1, area.y0)));
-        self.write(drawing, layout);
+        for (index, start) in self.starts.iter().enumerate() {
+            self.write(drawing, layout, index, *start, [true; 2]);
+        }
     }
 }
 
@@ -96,10 +176,16 @@ pub(super) struct Writer<'a> {
     pub drawing: &'a mut Drawing,
     pub layout: &'a Layout,
     pub scheme: &'a Scheme<'a>,
-    /// The area of the words.
+    /// The area of all words.
+    pub captions: Rect,
+    /// That of the details, with room for a caption above them.
     pub area: Rect,
     /// Number of the step.
     pub number: u16,
+    /// How many steps or passages there are.
+    pub count: usize,
+    /// The right end of the caption.
+    pub caption_end: f64,
 }
 
 impl Writer<'_> {
@@ -113,10 +199,7 @@ impl Writer<'_> {
 
     /// Sets pieces one after another, in a smaller size where they are too wide; returns the right end.
     pub(super) fn line(&mut self, texts: &[RichText], size: f64, from: Point, room: f64) -> f64 {
-        // A slanted letter may lean beyond its advance.
-        let advance = |text: &RichText, size: f64| text.width(size).max(text.ink_box(size).x1);
-        let width: f64 = texts.iter().map(|text| advance(text, size)).sum();
-        let size = size * (room / width).min(1.0);
+        let size = size * (room / width_of(texts, size)).min(1.0);
         let mut x = from.x;
         for text in texts {
             if !text.is_empty() {
@@ -136,20 +219,14 @@ impl Writer<'_> {
         text.split('`').enumerate().map(piece).collect()
     }
 
-    /// Number and caption of a step.
-    fn caption(&mut self, step: &NumberedStep<'_>, count: usize) {
-        let caption = self.scheme.teller().caption(step);
-        self.numbered(step.number, count, &caption, step.plan);
-    }
-
     /// A numbered sentence in markup.
-    pub(super) fn numbered(&mut self, number: usize, count: usize, sentence: &str, plan: Option<&Plan>) {
-        let number = RichText::plain(&format!("{number} / {count}"));
-        let from = Point::new(self.area.x0, self.area.y0 + FIRST);
+    pub(super) fn numbered(&mut self, number: usize, sentence: &str, plan: Option<&Plan>) {
+        let number = RichText::plain(&format!("{number} / {}", self.count));
+        let from = Point::new(self.captions.x0, self.captions.y0 + FIRST);
         let after = from.x + number.width(SIZE) + 4.0;
         self.write(Pen::Heading, number, SIZE, from);
         let caption = self.pieces(sentence, plan, RichText::plain);
-        self.line(&caption, SIZE, Point::new(after, from.y), self.area.x1 - after);
+        self.caption_end = self.line(&caption, SIZE, Point::new(after, from.y), self.captions.x1 - after);
     }
 
     /// Equation and values of a step.
@@ -200,18 +277,23 @@ impl Writer<'_> {
         self.equation(formula, plan, Some(along.trim_start()), from)
     }
 
-    /// The equations of the step, two in a line, and their solution.
+    /// The equations of the step, at least two in a line, and their solution.
     fn solution(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
-        let half = 0.5 * self.area.width();
-        let lines = equations.len().div_ceil(2) as f64;
+        let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
+        let set = |equation: &LegEquation| {
+            self.pieces(&self.scheme.teller().equation(kind, equation), plan, RichText::math)
+        };
+        let written: Vec<Vec<RichText>> = equations.iter().map(set).collect();
+        let widest = written.iter().map(|pieces| width_of(pieces, EQUATION)).fold(0.0, f64::max);
+        let fitting = (self.area.width() / (widest + BETWEEN)) as usize;
+        let columns = fitting.clamp(2, written.len().max(2));
+        let (lines, column) = (written.len().div_ceil(columns) as f64, self.area.width() / columns as f64);
         // Many equations are closer together.
         let row_height = ((LAST - SECOND) / lines.max(1.0)).min(ROW);
-        for (index, equation) in equations.iter().enumerate() {
-            let (row, column) = ((index / 2) as f64, (index % 2) as f64);
-            let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 0.4 + row_height * row);
-            let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
-            let equation = self.pieces(&self.scheme.teller().equation(kind, equation), plan, RichText::math);
-            self.line(&equation, EQUATION, from, half - 4.0);
+        for (index, equation) in written.iter().enumerate() {
+            let (row, place) = ((index / columns) as f64, (index % columns) as f64);
+            let from = Point::new(self.area.x0 + column * place, self.area.y0 + SECOND + row_height * row);
+            self.line(equation, EQUATION, from, column - 4.0);
         }
         let found = unknowns.iter().enumerate().flat_map(|(index, (name, value))| {
             let (symbol, unit) = self.rate(name);

@@ -5,7 +5,7 @@ use crate::cycle::Curve;
 use crate::drawing::canvas::{Canvas, Wanted};
 use crate::drawing::chain::{clipped_chain, simplified};
 use crate::drawing::labels::LabelRequest;
-use crate::drawing::layout::Needs;
+use crate::drawing::layout::{Needs, WHITE};
 use crate::drawing::line::Line;
 use crate::drawing::panel::{Frame, Panel, numbered};
 use crate::drawing::shape::Shape;
@@ -94,6 +94,7 @@ impl<'a> Graph<'a> {
         let heading = numbered(index, &language.in_unit(name, &unit));
         let frame = Frame {
             heading: Line::new(vec![RichText::plain(&heading)]),
+            short: None,
             pen: Pen::Heading,
             at: Vec2::new(0.0, self.rows[0] + 5.2 - self.rows[1]),
         };
@@ -108,6 +109,7 @@ impl<'a> Graph<'a> {
                 extent: Extent::of([corner(0), corner(1)]),
                 heading: 0.0,
                 mu: None,
+                white: WHITE,
                 weight: 1.0,
             },
             cut: String::new(),

@@ -7,7 +7,7 @@ use super::way::{SCALE, Sides, Way, label, scale_of, sheet};
 use crate::cycle::{Hodograph, Hodographs};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::dims::Dims;
-use crate::drawing::layout::Needs;
+use crate::drawing::layout::{Needs, WHITE};
 use crate::drawing::line::Line;
 use crate::drawing::panel::{Frame, Layer, Panel, numbered};
 use crate::drawing::shape::Shape;
@@ -53,6 +53,7 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a Hodograph) -> Panel<
             extent: Extent::of(one.window.map(geometry::Point::from)),
             heading: frame.width(),
             mu: None,
+            white: WHITE,
             weight: 1.0,
         },
         cut: String::new(),

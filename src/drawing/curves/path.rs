@@ -8,7 +8,7 @@ use crate::cycle::{PointPath, PointPaths};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::chain::{clipped_chain, simplified};
 use crate::drawing::dims::Dims;
-use crate::drawing::layout::Needs;
+use crate::drawing::layout::{Needs, WHITE};
 use crate::drawing::line::Line;
 use crate::drawing::panel::{Frame, Layer, Panel, numbered};
 use crate::drawing::shape::Shape;
@@ -60,7 +60,7 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a PointPath) -> Panel<
     Panel {
         name: one.name.clone(),
         prefix: PREFIXES[index],
-        needs: Needs { kind: Kind::Length, extent: Extent::of(places), heading: frame.width(), mu: None, weight: 1.0 },
+        needs: Needs { kind: Kind::Length, extent: Extent::of(places), heading: frame.width(), mu: None, white: WHITE, weight: 1.0 },
         cut: String::new(),
         content: None,
         layers: vec![

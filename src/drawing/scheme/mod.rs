@@ -50,6 +50,8 @@ pub(super) struct Scheme<'a> {
     pub mu: [Option<f64>; PanelName::ALL.len()],
     /// The layer of values; empty in a figure without it.
     pub values: Vec<Value>,
+    /// Whether the sheet is one that a student measures.
+    pub is_for_pencil: bool,
 }
 
 impl<'a> Scheme<'a> {
@@ -75,8 +77,14 @@ impl<'a> Scheme<'a> {
             dims: Dims::of(&scene.figure),
             mu: PanelName::ALL.map(|panel| scene.figure.mu(panel)),
             values: Vec::new(),
+            is_for_pencil: false,
         };
         Self { values: values(&scheme), ..scheme }
+    }
+
+    /// The scheme on an exercise's sheets and on the corrected drawing.
+    pub(super) fn for_pencil(self) -> Self {
+        Self { is_for_pencil: true, ..self }
     }
 
     /// The same without the layer of values: on a student's sheet it would tell the results.
@@ -94,10 +102,9 @@ impl<'a> Scheme<'a> {
         Teller::new(self.solution, &self.words)
     }
 
-    /// The extent of all points, of paths and ghosts, and of the special points that are not too far away.
+    /// The extent of all points, of paths and ghosts, and of the special points, or of the arrows to those too far away.
     pub(super) fn extent(&self) -> Extent {
-        let near = self.special().filter(|s| self.is_near(s));
-        let special = near.filter_map(|s| s.place.finite());
+        let special = self.special().filter_map(|special| self.reached(special));
         Extent::of(self.places().chain(special).chain(self.places_of_traces()))
     }
 
