@@ -1,6 +1,6 @@
 use super::clip::{clipped, clipped_segment, holds, is_within};
 use super::dims::Dims;
-use super::labels::{LabelRequest, Obstacles, place};
+use super::labels::{LabelRequest, Obstacles, place, place_near};
 use super::layout::HEADING;
 use super::shape::{Shape, around, overlap};
 use super::sheet::{Drawing, Mark, Pen};
@@ -31,8 +31,6 @@ pub(super) struct Canvas<'a> {
     is_overlaid: bool,
 }
 
-/// Longest leader of a label that has to be legible at a glance, in mm.
-const FAR: f64 = 7.0;
 /// Length of lines through a label that has to be legible, in mm.
 const STRUCK: f64 = 1.0;
 
@@ -46,8 +44,8 @@ pub(super) struct Wanted {
     pub number: Option<usize>,
     /// Whether it is left out if no place is free.
     pub optional: bool,
-    /// Whether it is left out, too, if lines strike it through or it stands far off.
-    pub legible: bool,
+    /// Whether it is placed after all others, near its anchor where nothing strikes it through, or not at all.
+    pub last: bool,
     /// A shorter text for it, where there is no room for the whole.
     pub short: Option<RichText>,
     /// What it says before: from which step, in rising order; the label itself follows on the last.
@@ -258,7 +256,7 @@ impl<'a> Canvas<'a> {
             pen: Pen::Label,
             number: None,
             optional: false,
-            legible: false,
+            last: false,
             short: None,
             before: Vec::new(),
         })
@@ -336,6 +334,7 @@ impl<'a> Canvas<'a> {
 
     /// Places labels and draws them.
     fn place(&mut self, requests: Vec<(Wanted, u16)>) {
+        let (last, requests): (Vec<_>, Vec<_>) = requests.into_iter().partition(|(wanted, _)| wanted.last);
         let mut asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
         let mut placed = place(&asked, &self.obstacles);
         let mut is_shortened = false;
@@ -348,10 +347,11 @@ impl<'a> Canvas<'a> {
             placed = place(&asked, &self.obstacles);
         }
         for (label, (wanted, since)) in placed.into_iter().zip(requests) {
-            let is_far = label.leader.is_some_and(|(a, b)| (b - a).hypot() > FAR);
-            let is_struck = wanted.legible && (label.struck > STRUCK || is_far);
-            if wanted.optional && (label.crowded || is_struck) {
+            if wanted.optional && label.crowded {
                 continue;
+            }
+            if !last.is_empty() {
+                self.obstacles.boxes.push(label.text.ink_box());
             }
             self.step = wanted.before.first().map_or(since, |(first, _)| *first);
             if let Some((a, b)) = label.leader {
@@ -368,6 +368,14 @@ impl<'a> Canvas<'a> {
             let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
             let mark = self.add_mark(Some(id), wanted.pen, Shape::Text(label.text));
             mark.number = wanted.number;
+        }
+        for (wanted, since) in last {
+            let label = place_near(&wanted.request, &self.obstacles).filter(|label| label.struck <= STRUCK);
+            let Some(label) = label else { continue };
+            self.obstacles.boxes.push(label.text.ink_box());
+            self.step = since;
+            let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
+            self.add_mark(Some(id), wanted.pen, Shape::Text(label.text)).number = wanted.number;
         }
     }
 

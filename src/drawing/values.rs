@@ -254,7 +254,7 @@ impl Scheme<'_> {
             pen: Pen::Label,
             number,
             optional: true,
-            legible: true,
+            last: true,
             short: None,
             before: Vec::new(),
         });

@@ -216,7 +216,7 @@ impl<'a> Graph<'a> {
                 pen: Pen::Curve,
                 number: Some(*look),
                 optional: true,
-                legible: false,
+                last: false,
                 short: None,
                 before: Vec::new(),
             });

@@ -46,6 +46,18 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
     placed.collect()
 }
 
+/// The best place near its anchor for one more label; `None` where nothing is free there. Other labels do not move for
+/// it.
+pub(super) fn place_near(request: &LabelRequest, obstacles: &Obstacles) -> Option<PlacedLabel> {
+    let mut search = Search::new(std::slice::from_ref(request), obstacles);
+    let count = search.labels[0].places.len();
+    let cheapest = (0..count).map(|place| (search.cost(0, place), place)).min_by(|a, b| a.0.total_cmp(&b.0));
+    let place = search.labels[0].places[cheapest?.1];
+    let origin = Point::ORIGIN + (place.ink.origin() - request.text.ink_box(request.size).origin());
+    let text = PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle);
+    Some(PlacedLabel { text, leader: place.leader, struck: search.struck(place.ink), crowded: false })
+}
+
 #[cfg(test)]
 mod tests {
     use super::boxes::{gap, touch};
