@@ -82,7 +82,8 @@ impl<'a> StepWords<'a> {
                 words.write(&mut drawing, &layout, number, start, parts);
                 drawing
             };
-            let caption_end = extent(&trial(None, [true, false])).x1;
+            let caption = extent(&trial(None, [true, false]));
+            let caption_end = caption.x1;
             let tab = (layout.legend.width() - 2.0 * PAD) / TABS;
             let start = tab * libm::ceil((caption_end - PAD + BETWEEN) / tab);
             let beside = trial(Some(start), [false, true]);
@@ -92,7 +93,8 @@ impl<'a> StepWords<'a> {
             };
             let fits = extent(&beside).x1 <= layout.legend.x1 - PAD && beside.marks.iter().all(is_whole);
             let start = Some(start).filter(|_| fits);
-            words.height = words.height.max(extent(&trial(start, [true; 2])).y1 + FOOT);
+            let details = if fits { extent(&beside) } else { extent(&trial(None, [true; 2])) };
+            words.height = words.height.max(caption.y1.max(details.y1) + FOOT);
             words.starts.push(start);
         }
         words
