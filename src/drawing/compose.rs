@@ -71,7 +71,8 @@ impl Composition<'_> {
         if !self.is_stepwise || needs.iter().any(|needs| needs.mu.is_none()) || all_fit(&layout) {
             return layout;
         }
-        let closer: Vec<Needs> = needs.iter().map(|needs| Needs { white: LEAST_WHITE, ..*needs }).collect();
+        let white = |needs: &Needs| LEAST_WHITE[usize::from(needs.kind == Kind::Length)];
+        let closer: Vec<Needs> = needs.iter().map(|needs| Needs { white: white(needs), ..*needs }).collect();
         Some(self.layout_with(&closer, below)).filter(all_fit).unwrap_or(layout)
     }
 

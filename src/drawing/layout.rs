@@ -13,8 +13,9 @@ pub(super) const TITLE: f64 = 9.0;
 const GAP: f64 = 4.0;
 /// White inside a panel around its content, for labels, in mm.
 pub(super) const WHITE: f64 = 7.0;
-/// The same where its content needs the room at a given scale.
-pub(super) const LEAST_WHITE: f64 = 5.0;
+/// The same where contents need the room at given scales: around a plan, and around the scheme, where the feet of pivots
+/// stand in it.
+pub(super) const LEAST_WHITE: [f64; 2] = [4.8, 6.4];
 /// Height of a panel's heading, in mm.
 pub(super) const HEADING: f64 = 7.2;
 /// Rounding of sizes on paper, in mm.

@@ -56,21 +56,23 @@ impl Writer<'_> {
     /// The equations behind both rays, and what has been laid off: below the caption, with the equations beside it;
     /// beside the caption, with the equations below; or, where that is too long, below the equations.
     fn crossing(&mut self, steps: &[NumberedStep<'_>]) {
-        let half = 0.5 * self.area.width();
+        let is_beside = self.area.x0 > self.captions.x0;
         let rays = steps.iter().filter_map(|step| match &step.step.action {
             Action::Ray(ray) => Some((step, ray)),
             _ => None,
         });
-        for (index, (step, ray)) in rays.take(2).enumerate() {
-            let from = Point::new(self.area.x0 + half * index as f64, self.area.y0 + SECOND);
+        let mut x = self.area.x0;
+        for (step, ray) in rays.take(2) {
             let formula = self.scheme.teller().formula(step);
-            self.ray_equation(ray, &formula, step.plan, from);
+            let end = self.ray_equation(ray, &formula, step.plan, Point::new(x, self.area.y0 + SECOND));
+            let middle = if is_beside { x } else { self.area.center().x };
+            x = (end + BETWEEN).max(middle);
         }
         let laid_off = steps.iter().filter(|step| matches!(step.step.action, Action::LayOff(_)));
         let laid_off: Vec<NumberedStep<'_>> = laid_off.copied().collect();
         let room = Rect { x0: self.caption_end + BETWEEN, ..self.captions };
         let width = width_of(&self.formula(&laid_off), EQUATION);
-        let (area, baseline) = if self.area.x0 > self.captions.x0 {
+        let (area, baseline) = if is_beside {
             (Rect { x1: self.area.x0 - 4.0, ..self.captions }, FIRST + BELOW)
         } else if width <= room.width() {
             (room, FIRST)

@@ -32,17 +32,17 @@ pub(super) const EQUATION: f64 = 1.05 * CAPTION;
 const SMALL: f64 = CAPTION;
 
 // Baselines below the upper edge of the words, in mm.
-pub(super) const FIRST: f64 = 5.4;
-pub(super) const SECOND: f64 = 12.0;
+pub(super) const FIRST: f64 = 5.0;
+pub(super) const SECOND: f64 = 11.0;
 /// The lowest baseline.
-const LAST: f64 = 25.0;
+const LAST: f64 = 24.0;
 /// Distance of baselines without lines under vectors, in mm.
 pub(super) const ROW: f64 = 6.0;
 // Below the baseline of an equation, in mm: lines under vectors, and their names.
 const UNDER: f64 = 1.9;
-pub(super) const BELOW: f64 = 6.7;
+pub(super) const BELOW: f64 = 6.4;
 /// White below the lowest ink, in mm.
-const FOOT: f64 = 1.4;
+const FOOT: f64 = 1.0;
 /// White between a caption and details on its line, in mm, and the number of places along the line where they start.
 pub(super) const BETWEEN: f64 = 8.0;
 const TABS: f64 = 12.0;

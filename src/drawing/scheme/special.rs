@@ -14,7 +14,7 @@ use kurbo::{Point, Vec2};
 
 /// Largest size of the scheme with a special point over that without it; more distant points are not drawn at their
 /// places: they would make the mechanism small.
-const REACH: f64 = 1.35;
+const REACH: f64 = 1.4;
 /// The same on sheets where the student finds the point, and in figures as in the source paper.
 const REACH_OF_PENCIL: f64 = 2.5;
 
