@@ -318,10 +318,7 @@ pub(super) fn panels<'a>(
     let panel = |(index, &(panel, extent)): (usize, &(PanelName, Extent))| {
         let name = name(scheme.words.language, panel);
         let line = |heading: &str| Line::new(vec![RichText::plain(heading)]);
-        let frame = |index| Frame {
-            short: Some(line(name)),
-            ..Frame::new(line(&numbered(index, name)), Pen::Heading)
-        };
+        let frame = |index| Frame { short: Some(line(name)), ..Frame::new(line(&numbered(index, name)), Pen::Heading) };
         let lowest: Box<dyn Layer> = Box::new(frame(index));
         Panel {
             name: name.to_owned(),

@@ -60,7 +60,14 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a PointPath) -> Panel<
     Panel {
         name: one.name.clone(),
         prefix: PREFIXES[index],
-        needs: Needs { kind: Kind::Length, extent: Extent::of(places), heading: frame.width(), mu: None, white: WHITE, weight: 1.0 },
+        needs: Needs {
+            kind: Kind::Length,
+            extent: Extent::of(places),
+            heading: frame.width(),
+            mu: None,
+            white: WHITE,
+            weight: 1.0,
+        },
         cut: String::new(),
         layers: vec![
             Box::new(frame),
