@@ -117,7 +117,8 @@ impl Layer for Frame {
         canvas.drawing.draw(Pen::Frame, Shape::Polygon(corners(frame)));
         // A short one is no smaller than captions.
         let (heading, size) = match &self.short {
-            Some(short) if self.width() > frame.width() => (short, CAPTION),
+            // White on the right may be narrower: letters of panels differ in width.
+            Some(short) if self.width() - BEFORE > frame.width() => (short, CAPTION),
             _ => (&self.heading, SIZE),
         };
         let ink = heading.starting(canvas.drawing, self.pen, frame.origin() + self.at, size);

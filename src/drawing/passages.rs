@@ -54,9 +54,14 @@ impl Writer<'_> {
     }
 
     /// The equations behind both rays, and what has been laid off: below the caption, with the equations beside it;
-    /// beside the caption, with the equations below; or, where that is too long, below the equations.
+    /// after the caption, with the equations below; after the equations; or, where that is too long, below them.
     fn crossing(&mut self, steps: &[NumberedStep<'_>]) {
+        let laid_off = steps.iter().filter(|step| matches!(step.step.action, Action::LayOff(_)));
+        let laid_off: Vec<NumberedStep<'_>> = laid_off.copied().collect();
+        let width = width_of(&self.formula(&laid_off), EQUATION);
         let is_beside = self.area.x0 > self.captions.x0;
+        let after_caption = Rect { x0: self.caption_end + BETWEEN, ..self.captions };
+        let is_after_caption = !is_beside && width <= after_caption.width();
         let rays = steps.iter().filter_map(|step| match &step.step.action {
             Action::Ray(ray) => Some((step, ray)),
             _ => None,
@@ -65,17 +70,15 @@ impl Writer<'_> {
         for (step, ray) in rays.take(2) {
             let formula = self.scheme.teller().formula(step);
             let end = self.ray_equation(ray, &formula, step.plan, Point::new(x, self.area.y0 + SECOND));
-            let middle = if is_beside { x } else { self.area.center().x };
-            x = (end + BETWEEN).max(middle);
+            let least = if is_after_caption { self.area.center().x } else { x };
+            x = (end + BETWEEN).max(least);
         }
-        let laid_off = steps.iter().filter(|step| matches!(step.step.action, Action::LayOff(_)));
-        let laid_off: Vec<NumberedStep<'_>> = laid_off.copied().collect();
-        let room = Rect { x0: self.caption_end + BETWEEN, ..self.captions };
-        let width = width_of(&self.formula(&laid_off), EQUATION);
         let (area, baseline) = if is_beside {
             (Rect { x1: self.area.x0 - 4.0, ..self.captions }, FIRST + BELOW)
-        } else if width <= room.width() {
-            (room, FIRST)
+        } else if is_after_caption {
+            (after_caption, FIRST)
+        } else if width <= self.captions.x1 - x {
+            (Rect { x0: x, ..self.captions }, SECOND)
         } else {
             (self.captions, SECOND + BELOW + ROW)
         };
