@@ -338,6 +338,7 @@ pub(super) fn panels<'a>(
             prefix: panel.as_str(),
             // The width of the first panel's heading: it must not depend on the panel's letter.
             needs: Needs {
+                above: if panel == PanelName::Scheme { scheme.above() } else { 0.0 },
                 kind: kind(panel),
                 extent,
                 heading: frame(0).width(),

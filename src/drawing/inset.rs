@@ -96,7 +96,11 @@ impl Inset {
         let left = -0.5 * text.width(CAPTION);
         let at = |y: f64| PlacedText::new(text.clone(), CAPTION, self.centre + Vec2::new(left, y));
         let places = [self.radius - 1.4, CAPTION - self.radius, self.radius + CAPTION].map(at);
-        let free = places.iter().find(|place| !canvas.is_taken(place.ink_box().inflate(0.3, 0.3)));
+        let is_free = |place: &&PlacedText| {
+            let ink = place.ink_box().inflate(0.3, 0.3);
+            canvas.bounds().union(ink) == canvas.bounds() && !canvas.is_taken(ink)
+        };
+        let free = places.iter().find(is_free);
         let text = free.unwrap_or(&places[0]).clone();
         canvas.draw(Pen::Label, Shape::Text(text));
     }

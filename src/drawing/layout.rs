@@ -34,6 +34,8 @@ pub(super) struct Needs {
     pub extent: Extent,
     /// Width of its heading, in mm.
     pub heading: f64,
+    /// Further white between heading and content, in mm.
+    pub above: f64,
     /// The scale that is given, in units per mm of paper.
     pub mu: Option<f64>,
     /// White around its content inside the panel, for labels, in mm.
@@ -258,7 +260,7 @@ pub(super) fn on_paper(area: Rect, unit: f64) -> Rect {
 
 fn place(needs: &Needs, frame: Rect, unit: f64) -> Placed {
     let mut area = frame.inset(-needs.white);
-    area.y0 += HEADING - 2.0;
+    area.y0 += HEADING - 2.0 + needs.above;
     let mu = needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, on_paper(area, unit)));
     Placed { kind: needs.kind, frame, area, mu, unit }
 }
@@ -337,7 +339,7 @@ fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> 
     let whole = if down { room.height() } else { room.width() } - GAP;
     let widths = |w: &Needs| {
         let size = w.extent.size();
-        let (size, extra) = if down { (size.y, HEADING - 2.0) } else { (size.x, 0.0) };
+        let (size, extra) = if down { (size.y, HEADING - 2.0 + w.above) } else { (size.x, 0.0) };
         let least = if down { 0.0 } else { w.heading };
         let at = move |mu: f64| (size / (mu * unit) + 2.0 * w.white + extra).max(least) + ROUNDING;
         // The scale that fits the whole room, and the next larger one.

@@ -83,8 +83,8 @@ fn a_table_has_a_sheet_of_its_own() {
     let text = |name: &str| std::fs::read_to_string(folder.join(name)).expect(name);
     draw(&["-o", "sheets/", "--format", "svg,tikz"]);
     for [first, second] in [["four-bar.svg", "four-bar-2.svg"], ["four-bar.tex", "four-bar-2.tex"]] {
-        assert!(text(&format!("sheets/{first}")).contains("100 mm/s"), "{first}");
-        assert!(!text(&format!("sheets/{second}")).contains("100 mm/s"), "{second}");
+        assert!(text(&format!("sheets/{first}")).contains("50 mm/s"), "{first}");
+        assert!(!text(&format!("sheets/{second}")).contains("50 mm/s"), "{second}");
     }
     draw(&["-o", "own.name.svg"]);
     assert!(!text("own.name.svg").contains("measured-1-mm"));

@@ -105,6 +105,7 @@ impl<'a> Graph<'a> {
             name: name.to_owned(),
             prefix: self.prefix(),
             needs: Needs {
+                above: 0.0,
                 kind: self.kind,
                 extent: Extent::of([corner(0), corner(1)]),
                 heading: 0.0,

@@ -49,6 +49,7 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a Hodograph) -> Panel<
         name: one.asked.name().to_owned(),
         prefix: PREFIXES[index],
         needs: Needs {
+            above: 0.0,
             kind: one.asked.kind(),
             extent: Extent::of(one.window.map(geometry::Point::from)),
             heading: frame.width(),

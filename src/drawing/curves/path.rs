@@ -64,6 +64,7 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a PointPath) -> Panel<
             kind: Kind::Length,
             extent: Extent::of(places),
             heading: frame.width(),
+            above: 0.0,
             mu: None,
             white: WHITE,
             weight: 1.0,

@@ -17,7 +17,7 @@ const PUSHES: usize = 3;
 /// Most tries of one label, which bounds the time for overfull panels.
 const TRIES: usize = 1_000;
 /// Cost of a place, as where a line strikes through the label, above which one with a leader may be better.
-const STRUCK: f64 = 8.0;
+const STRUCK: f64 = 5.0;
 /// Cost of a leader that crosses another label or its leader, in mm of distance.
 const CROSSED: f64 = 30.0;
 /// Grid of the last search over the whole panel, in mm.

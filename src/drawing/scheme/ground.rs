@@ -5,7 +5,7 @@ use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::View;
 use super::Scheme;
-use crate::mechanism::{Body, BodyId, PointId};
+use crate::mechanism::{Body, BodyId, GROUND, PointId};
 use kurbo::{Point, Rect, Vec2};
 
 /// Height of a pivot's triangle, and half the length of the ground line under it, in mm.
@@ -32,6 +32,13 @@ impl Scheme<'_> {
         canvas.draw(Pen::Ground, Shape::Line(a, b));
         hatch(canvas, a, b, down);
         canvas.keep_off(self.pivot_box(view, point));
+    }
+
+    /// White that supports above their pivots need between a panel's heading and the mechanism, in mm.
+    pub(in crate::drawing) fn above(&self) -> f64 {
+        let view = View::new(1.0, &self.extent(), Rect::ZERO);
+        let mut fixed = self.mechanism.body(GROUND).points.iter();
+        if fixed.any(|&point| self.is_pin(point) && self.down(&view, point).y < 0.0) { 2.0 } else { 0.0 }
     }
 
     /// Draws a fixed point without a link: a piece of the ground with the point on it.
