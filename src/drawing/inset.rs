@@ -92,15 +92,25 @@ impl Inset {
         let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
         canvas.draw(Pen::Frame, line);
         let text = RichText::plain(&format!("{} : 1", words.write(self.factor, NumberStyle::shortest())));
-        // Within the circle below or above, or beneath it where both are taken.
-        let left = -0.5 * text.width(CAPTION);
-        let at = |y: f64| PlacedText::new(text.clone(), CAPTION, self.centre + Vec2::new(left, y));
-        let places = [self.radius - 1.4, CAPTION - self.radius, self.radius + CAPTION].map(at);
-        let is_free = |place: &&PlacedText| {
+        // Within the circle below or above; where both are taken, beneath it, over it or beside it, within the panel.
+        let half = 0.5 * text.width(CAPTION);
+        let at = |(x, y): (f64, f64)| PlacedText::new(text.clone(), CAPTION, self.centre + Vec2::new(x - half, y));
+        let (radius, beside) = (self.radius, self.radius + half + 1.0);
+        let middle = 0.3 * CAPTION;
+        let places = [
+            (0.0, radius - 1.4),
+            (0.0, CAPTION - radius),
+            (0.0, radius + CAPTION),
+            (0.0, -radius - 1.4),
+            (beside, middle),
+            (-beside, middle),
+        ]
+        .map(at);
+        let frame = canvas.frame();
+        let free = places.iter().find(|place| {
             let ink = place.ink_box().inflate(0.3, 0.3);
-            canvas.bounds().union(ink) == canvas.bounds() && !canvas.is_taken(ink)
-        };
-        let free = places.iter().find(is_free);
+            frame.union(ink) == frame && !canvas.is_taken(ink)
+        });
         let text = free.unwrap_or(&places[0]).clone();
         canvas.draw(Pen::Label, Shape::Text(text));
     }
