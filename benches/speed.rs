@@ -2,7 +2,7 @@
 
 use divan::{Bencher, black_box};
 use kinegon::check::{AnswerKey, Measured, check};
-use kinegon::construction::{SheetScales, Tolerance, construct};
+use kinegon::construction::{Extent, SheetScales, Tolerance, construct};
 use kinegon::cycle::{Drive, Path, Steps, Sweep, Walker};
 use kinegon::geometry::{MANY, Many};
 use kinegon::mechanism::Mechanism;
@@ -165,7 +165,7 @@ fn motion_with_bounds(bencher: Bencher) {
 #[divan::bench]
 fn plans(bencher: Bencher) {
     let Solution { mechanism, pose, motion, .. } = solved(FIGURE_2);
-    bencher.bench(|| construct(&mechanism, black_box(&pose), &motion));
+    bencher.bench(|| construct(&mechanism, black_box(&pose), &motion, Extent::Points));
 }
 
 /// The whole construction once more, operation by operation.

@@ -4,11 +4,14 @@
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, Measured, check, redrawn};
 use kinegon::construction::Tolerance;
-use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch};
-use kinegon::drawing::{Drawing, curves, hodographs, overlay};
+use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch, PointPaths};
+use kinegon::drawing::{Drawing, curves, hodographs, overlay, paths};
 use kinegon::exercise::Exercises;
 use kinegon::format::{Text, structure, svg_with};
-use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Scene, StyleName};
+use kinegon::scene::{
+    DecimalMark, Figure, LanguageName, LengthUnit, NotationName, Page, PageSize, PanelName, ScalesFor, Scene,
+    StyleName, ValuesShown,
+};
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
@@ -91,10 +94,14 @@ enum Kind {
     Figure(fn(&mut Figure)),
     /// The sheet after this step.
     Step(usize),
+    /// The sheet after this coarse step, asked for in this way.
+    Passage(usize, fn(&mut Figure)),
     /// Quantities over the cycle.
     Curves(&'static [&'static str]),
     /// Ways of vectors' tips.
     Hodographs(&'static [&'static str]),
+    /// Paths of points, as charts.
+    Paths(&'static [&'static str]),
     /// The values of that form over the right figure.
     Check(&'static str),
     /// The sheet of the first exercise with that seed.
@@ -102,7 +109,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 11] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 21] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -130,6 +137,66 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 11] = [
         "draw scene.json --style board",
         "Chalk on a dark ground.",
         Kind::Figure(|figure| figure.style = StyleName::Board),
+    ),
+    (
+        "hall",
+        "templates/whitworth.json",
+        "draw scene.json --style lecture --page 16x9",
+        "For the hall: large letters, thick lines, a sheet with the proportions of the projector.",
+        Kind::Figure(|figure| (figure.style, figure.page) = (StyleName::Lecture, wide())),
+    ),
+    (
+        "hall-focus",
+        "templates/watt-1.json",
+        "draw scene.json --style lecture --page 16x9 --focus velocity",
+        "One large plan at a time, with the scheme beside it.",
+        Kind::Figure(|figure| {
+            (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(PanelName::Velocity));
+        }),
+    ),
+    (
+        "hall-step",
+        "templates/four-bar.json",
+        "draw scene.json --style lecture --page 16x9 --focus velocity --steps coarse",
+        "A coarse step: both rays and their crossing on one sheet.",
+        Kind::Passage(2, |figure| {
+            (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(PanelName::Velocity));
+        }),
+    ),
+    (
+        "images",
+        "tests/lecture/jansen.json",
+        "draw scene.json",
+        "Every point of every link has its image: the foot F by two rays over its link's triangle.",
+        Kind::Figure(|_| ()),
+    ),
+    (
+        "higher-class",
+        "tests/driven_sliders/scissor-lift.json",
+        "draw scene.json",
+        "A group of higher class: no construction by rays, but plans laid off from its rates, link by link.",
+        Kind::Figure(|_| ()),
+    ),
+    (
+        "values",
+        "tests/lecture/shaper.json",
+        "draw scene.json --values=m",
+        "Values at vectors, links and lengths, in metres; the results in a list. The Coriolis acceleration has the direction of a_c(2/3) in the results.",
+        Kind::Figure(|figure| figure.values = Some(ValuesShown::Shown(Some(LengthUnit::M)))),
+    ),
+    (
+        "cycle-scales",
+        "templates/slider-crank.json",
+        "draw scene.json --scales cycle",
+        "Scales for the largest plans of the whole cycle: this position and all others at the same ones.",
+        Kind::Figure(|figure| figure.scales = ScalesFor::Cycle),
+    ),
+    (
+        "far-point",
+        "tests/lecture/valve.json",
+        "draw scene.json",
+        "A special point whose images lie far away: broken lines run towards them, with their distances on paper.",
+        Kind::Figure(|_| ()),
     ),
     (
         "worded",
@@ -171,6 +238,24 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 11] = [
         Kind::Hodographs(&["v(C)", "a(C)"]),
     ),
     (
+        "paths",
+        "tests/lecture/jansen.json",
+        "draw scene.json --trace F --ghosts 12 --style lecture",
+        "The path of a point over the cycle, with strokes at equal times, and the links pale in other positions.",
+        Kind::Figure(|figure| {
+            figure.trace = owned(&["F"]);
+            figure.ghosts = Some(12);
+            figure.style = StyleName::Lecture;
+        }),
+    ),
+    (
+        "path",
+        "tests/lecture/jansen.json",
+        "curves scene.json --path \"F, E\"",
+        "Paths as charts, y over x at one scale, marked every 30° of the crank.",
+        Kind::Paths(&["F", "E"]),
+    ),
+    (
         "exercise",
         "templates/four-bar.json",
         "exercise four-bar --seed 11 -o class/",
@@ -185,6 +270,11 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 11] = [
         Kind::Check("examples/paper-as-student.json"),
     ),
 ];
+
+/// The sheet for a projector.
+fn wide() -> Page {
+    Page { size: PageSize::Wide, landscape: true }
+}
 
 /// The scene of a file, with what is asked of its figure, solved.
 fn solution(path: &str, asked: impl Fn(&mut Figure)) -> Result<Solution, Box<dyn Error>> {
@@ -212,6 +302,12 @@ fn hodographs_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn
     let branch = turned(solution)?;
     let sampled = Hodographs::new(&branch, [0.0, 360.0], &owned(names))?;
     Ok(hodographs(&solution.scene, &sampled)?)
+}
+
+fn paths_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
+    let branch = turned(solution)?;
+    let sampled = PointPaths::new(&branch, [0.0, 360.0], &owned(names))?;
+    Ok(paths(&solution.scene, &sampled)?)
 }
 
 /// What is probably elsewhere in the drawing from which the values of a form were read, over the right figure; scales as in the command.
@@ -273,8 +369,10 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
         let drawing = match kind {
             Kind::Figure(asked) => solution(path, asked)?.figure(),
             Kind::Step(number) => solution(path, |_| ())?.stepwise_figure().after_step(number),
+            Kind::Passage(number, asked) => solution(path, asked)?.coarse_figure().after_step(number),
             Kind::Curves(names) => curves_of(&solution(path, |_| ())?, names)?,
             Kind::Hodographs(names) => hodographs_of(&solution(path, |_| ())?, names)?,
+            Kind::Paths(names) => paths_of(&solution(path, |_| ())?, names)?,
             Kind::Check(form) => checked(path, form)?,
             Kind::Exercise(seed) => exercise(path, seed)?,
         };

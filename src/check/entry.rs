@@ -1,6 +1,7 @@
 use super::answer_key::AnswerKey;
 use super::precision::Precision;
 use super::sheet::{CheckError, Given, Measured, Positive};
+use super::template::form_name;
 use super::unit;
 use crate::construction::{Sheet, image_name};
 use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
@@ -11,6 +12,8 @@ use indexmap::IndexMap;
 pub struct Entry {
     /// The quantity, by the name that steps and results give it.
     pub asked: Asked,
+    /// The name by which the form asks for it.
+    pub row: String,
     /// Its digits as they were written; empty for a distance computed from places on paper.
     pub text: String,
     /// Its value in the scene's units and sign conventions.
@@ -153,6 +156,7 @@ impl Reader<'_> {
             sheet,
             step,
             expected,
+            row: form_name(&self.key.solution.construction, asked.name()),
             asked,
         })
     }
@@ -210,8 +214,8 @@ impl Reader<'_> {
             let hint = own.or(near).unwrap_or_else(|| all.to_owned());
             CheckError::new(message, hint)
         };
-        let reversed = self.reversed(name);
-        let name = reversed.as_deref().unwrap_or(name);
+        let usual = self.usual(name);
+        let name = usual.as_deref().unwrap_or(name);
         let mut asked = Asked::new(name, &solution.mechanism).map_err(wrong)?;
         if asked.is_vector() {
             asked = Asked::new(&format!("{name}.size"), &solution.mechanism).map_err(wrong)?;
@@ -226,15 +230,23 @@ impl Reader<'_> {
         Ok((asked, expected, sheet, step))
     }
 
-    /// The steps' name of a segment or length whose ends are written in the other order; `None` for other names.
-    fn reversed(&self, name: &str) -> Option<String> {
+    /// The steps' name of a segment or length whose ends are written in the other order, or called as if every leg had
+    /// a normal part; `None` for other names.
+    fn usual(&self, name: &str) -> Option<String> {
         if self.order.contains_key(name) {
             return None;
         }
         let (head, rest) = name.split_once('(')?;
         let (from, to) = rest.strip_suffix(')')?.split_once(',')?;
-        let other = format!("{head}({to},{from})");
-        self.order.contains_key(&other).then_some(other)
+        let named = |point| match head {
+            "aplan" => self.key.solution.construction.plan_name(Sheet::Acceleration, point),
+            _ => point,
+        };
+        let (from, to) = (named(from), named(to));
+        [[from, to], [to, from]]
+            .map(|[a, b]| format!("{head}({a},{b})"))
+            .into_iter()
+            .find(|n| self.order.contains_key(n))
     }
 
     /// The number of the step after which a quantity that no step names can be read: that which makes the image of its

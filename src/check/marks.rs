@@ -4,7 +4,7 @@ use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::entry::entries;
 use super::sheet::{CheckError, Given, Measured};
-use super::template::form_names;
+use super::template::{form_name, form_names};
 use super::verdict::Verdict;
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
 use crate::words::Wording;
@@ -103,7 +103,7 @@ impl Marks {
         for (written, value) in &self.values {
             let place = format!("values.{written}");
             let value = marks(&place, *value)?;
-            let name = usual_name(written, key)?;
+            let name = form_name(&key.solution.construction, &usual_name(written, key)?);
             if let Some(other) = given.insert(name.clone(), written) {
                 let message = format!("`{other}` is the same quantity and has its marks already");
                 let error = CheckError::new(message, "keep the one that you mean");
@@ -173,8 +173,9 @@ impl MarkScheme {
         };
         let (mut earned, mut follow_through) = (0.0, 0.0);
         for (name, worth) in &self.worth {
-            let mut values = checked.values.iter();
-            let Some(index) = values.position(|v| v.entry.asked.name() == name) else {
+            let by_name = checked.values.iter().position(|v| v.entry.asked.name() == name);
+            let of_row = || checked.values.iter().position(|v| v.entry.row == *name);
+            let Some(index) = by_name.or_else(of_row) else {
                 earned += self.missing * worth;
                 continue;
             };

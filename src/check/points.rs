@@ -3,6 +3,7 @@
 use super::entry::{Entry, Reader};
 use super::precision::Precision;
 use super::sheet::{CheckError, PointsOf};
+use super::template::form_name;
 use crate::construction::{Plan, PlanKind};
 use crate::geometry::Vector;
 use indexmap::IndexMap;
@@ -29,8 +30,9 @@ impl Reader<'_> {
                     format!("add \"{pole}\": [x, y]"),
                 ));
             };
+            let construction = &self.key.solution.construction;
             let named = |name: &str| {
-                if name == own_pole { pole.to_owned() } else { name.to_owned() }
+                if name == own_pole { pole.to_owned() } else { construction.plan_name(sheet, name).to_owned() }
             };
             let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
             for (a, b) in self.pairs(points.kind, &places) {
@@ -46,6 +48,7 @@ impl Reader<'_> {
                 let [p, q] = [a, b].map(|n| places[n]);
                 let mm = libm::hypot(q[0] - p[0], q[1] - p[1]);
                 entries.push(Entry {
+                    row: form_name(&self.key.solution.construction, asked.name()),
                     asked,
                     text: String::new(),
                     value: mm * mu,

@@ -1,20 +1,75 @@
 //! Empty forms: every quantity of the steps, in the order of the construction.
 
-use crate::construction::Construction;
+use crate::construction::{Construction, PlaceId, Sheet};
 use crate::quantity::Scales;
 use indexmap::IndexMap;
 use serde::Serialize;
 
-/// The names of all quantities of the steps, once each: those that a form asks for.
+/// The names of the quantities of the steps, once each: those that a form asks for.
+///
+/// A segment may have several names, as p a₃ and o a₃ where o is fixed: the one that is measured stands there.
 #[must_use]
 pub fn form_names(construction: &Construction) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for name in construction.numbered_steps().flat_map(|step| step.names()) {
-        if !names.contains(&name) {
-            names.push(name);
+    rows(construction).into_iter().map(|row| row.name).collect()
+}
+
+/// The name by which a form asks for a quantity; of one that it does not ask for its own name.
+#[must_use]
+pub fn form_name(construction: &Construction, name: &str) -> String {
+    let segment = Segment::of(construction, name);
+    let found = rows(construction).into_iter().find(|row| row.is(name, segment));
+    found.map_or_else(|| name.to_owned(), |row| row.name)
+}
+
+/// A row of a form.
+struct FormRow {
+    name: String,
+    segment: Option<Segment>,
+    is_measured: bool,
+}
+
+impl FormRow {
+    /// Whether it asks for the quantity of that name, which is this segment.
+    fn is(&self, name: &str, segment: Option<Segment>) -> bool {
+        self.name == name || (segment.is_some() && self.segment == segment)
+    }
+}
+
+/// The two places between which a segment of a plan lies.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Segment(Sheet, [PlaceId; 2]);
+
+impl Segment {
+    /// The segment of that name; `None` for other quantities.
+    fn of(construction: &Construction, name: &str) -> Option<Segment> {
+        let (head, ends) = name.strip_suffix(')')?.split_once('(')?;
+        let sheet = match head {
+            "vplan" => Sheet::Velocity,
+            "aplan" => Sheet::Acceleration,
+            _ => return None,
+        };
+        let (from, to) = ends.split_once(',')?;
+        let place = |name| construction.place(sheet, construction.plan_name(sheet, name));
+        let (a, b) = (place(from)?, place(to)?);
+        Some(Segment(sheet, if a.0 <= b.0 { [a, b] } else { [b, a] }))
+    }
+}
+
+fn rows(construction: &Construction) -> Vec<FormRow> {
+    let mut rows: Vec<FormRow> = Vec::new();
+    for step in construction.numbered_steps() {
+        let is_measured = step.step.action.is_measured();
+        for name in step.names() {
+            let segment = Segment::of(construction, &name);
+            match rows.iter().position(|row| row.is(&name, segment)) {
+                Some(row) if is_measured && !rows[row].is_measured => drop(rows.remove(row)),
+                Some(_) => continue,
+                None => {}
+            }
+            rows.push(FormRow { name, segment, is_measured });
         }
     }
-    names
+    rows
 }
 
 /// The form as JSON: values are to be written between the quotes, or as numbers in place of them.

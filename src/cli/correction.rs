@@ -72,18 +72,22 @@ impl Correction {
         figure.mu_l = mu_l.or(figure.mu_l);
         figure.mu_v = mu_v.or(figure.mu_v);
         figure.mu_a = mu_a.or(figure.mu_a);
+        let style = self.forms.style()?;
+        style.put_into(figure);
         self.paper.put_into(figure);
         self.scales.put_into(figure);
         let redrawn = check::redrawn(measured, key, checked, &solution.wording())
             .map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
         solution.overflow_warnings().iter().for_each(|text| warn(text));
-        let sheets = overlay(&solution, &redrawn);
+        let mut sheets = overlay(&solution, &redrawn);
+        style.put_on(&mut sheets);
         let name = format!("{}-check", stem(values_file));
         let names = [name.clone(), format!("{name}-values")]
             .into_iter()
             .chain((2..).map(|number| format!("{name}-values-{number}")));
         let inputs = [("scene", scene_file), ("form", values_file)];
-        Figures::at(output, &self.forms).write(&inputs, names.zip(sheets).collect(), |_| {
+        let drawings = names.zip(sheets.into_iter().map(|sheet| vec![sheet])).collect();
+        Figures::at(output, &self.forms).write(&inputs, drawings, |_| {
             Err(Failure::Misuse(
                 "a check has no page to step through".into(),
                 Some("the formats are svg, png, pdf and tikz".into()),

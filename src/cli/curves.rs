@@ -3,8 +3,8 @@ use super::message::Failure;
 use super::paper::Paper;
 use super::sweep::{Range, split_names};
 use super::wording::Words;
-use crate::cycle::{Curves, Hodographs};
-use crate::drawing::{curves, hodographs};
+use crate::cycle::{Curves, Hodographs, PointPaths};
+use crate::drawing::{curves, hodographs, paths};
 use clap::Args;
 
 /// Draw quantities over the motion while a drive moves, along the branch of the scene's own position.
@@ -19,6 +19,12 @@ pub(super) struct CurvesCommand {
     /// Draw the way of vectors' tips from a pole in place of curves: as "v(D), a(D)".
     #[arg(long, value_name = "VECTORS", conflicts_with = "want")]
     hodograph: Vec<String>,
+    /// Draw the paths of points in place of curves, y over x to one scale: as "F, M".
+    #[arg(long, value_name = "POINTS", conflicts_with_all = ["want", "hodograph"])]
+    path: Vec<String>,
+    /// Let the paths go on beyond limits of the drive, dashed, in other assembly modes.
+    #[arg(long, requires = "path", conflicts_with_all = ["from", "to"])]
+    beyond_limits: bool,
     #[command(flatten)]
     figures: Figures,
     #[command(flatten)]
@@ -32,6 +38,8 @@ impl CurvesCommand {
         let mut driven = self.range.driven_scene()?;
         self.words.put_into(&mut driven.scene.figure);
         self.paper.put_into(&mut driven.scene.figure);
+        let style = self.figures.style()?;
+        style.put_into(&mut driven.scene.figure);
         let (mut branch, mut range) = driven.follow(&self.range)?;
         // One full turn is shown from 0° to 360°, if no range is given.
         if !self.range.is_given() && branch.drive.is_angle() && branch.end(true).is_none() {
@@ -43,14 +51,23 @@ impl CurvesCommand {
         }
         let scene = &self.range.scene;
         let vectors: Vec<String> = self.hodograph.iter().flat_map(|text| split_names(text)).collect();
-        let (kind, drawing) = if self.hodograph.is_empty() {
+        let points: Vec<String> = self.path.iter().flat_map(|text| split_names(text)).collect();
+        let (kind, drawing) = if !points.is_empty() {
+            let traced = driven.scene.check_traced(&points, None);
+            traced.map_err(|error| Failure::Misuse(format!("--path: {}", error.message), error.hint))?;
+            let sampled = PointPaths::new(&branch, range, &points);
+            let sampled = if self.beyond_limits { sampled.and_then(PointPaths::beyond_limits) } else { sampled };
+            let sampled = sampled.map_err(|error| driven.fail(error))?;
+            ("path", paths(&driven.scene, &sampled))
+        } else if self.hodograph.is_empty() {
             let sampled = Curves::new(&branch, range, driven.names.as_deref()).map_err(|error| driven.fail(error))?;
             ("curves", curves(&driven.scene, &sampled))
         } else {
             let sampled = Hodographs::new(&branch, range, &vectors).map_err(|error| driven.fail(error))?;
             ("hodograph", hodographs(&driven.scene, &sampled))
         };
-        let drawing = drawing.map_err(|error| driven.fail(error))?;
+        let mut drawing = drawing.map_err(|error| driven.fail(error))?;
+        style.put_on([&mut drawing]);
         let name = format!("{}-{kind}", stem(scene));
         let page = |_| {
             Err(Failure::Misuse(
@@ -58,7 +75,7 @@ impl CurvesCommand {
                 Some("`kinegon draw --format html` makes one of the figure".into()),
             ))
         };
-        self.figures.write(&[("scene", scene)], vec![(name, drawing)], page)?;
+        self.figures.write(&[("scene", scene)], vec![(name, vec![drawing])], page)?;
         self.range.report_events(&branch, range, "figure")
     }
 }

@@ -1,17 +1,19 @@
-use super::figures::{Figures, stem};
+use super::figures::{Figures, GivenStyle, stem};
 use super::files::{self, Source};
-use super::message::{Failure, warn};
+use super::message::{Failure, note, warn};
 use super::paper::{GivenScales, Paper};
-use super::wording::Words;
+use super::sweep::split_names;
+use super::wording::{Words, one_of};
 use super::work::{Mode, show_warnings, solve};
-use crate::construction::Solution;
-use crate::cycle::{Animation, Drive};
-use crate::drawing::{Drawing, frames};
+use crate::construction::{NumberedStep, PlanKind, Solution};
+use crate::cycle::{Animation, Drive, Traces};
+use crate::drawing::{Drawing, frames_with};
 use crate::format::{WebPage, html};
 use crate::motion::Order;
-use crate::scene::{Figure, PanelName, Scene};
+use crate::scene::{Figure, LengthUnit, PanelName, Scene, ValuesShown};
 use crate::words::{Medium, NumberStyle, Wording};
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 
 /// The scenes of figures 1 and 2 of Quintero et al. (2011), drawn if no scene is named.
@@ -20,14 +22,25 @@ const PAPER: [(&str, &str); 2] = [
     ("figure-2", include_str!("../../examples/figure-2.json")),
 ];
 
+/// How finely a construction is shown.
+#[derive(Clone, Copy)]
+enum Steps {
+    /// Each step on a sheet of its own.
+    Fine,
+    /// Steps that belong together on one.
+    Coarse,
+}
+
 /// Draw the figure of a scene.
 #[derive(Debug, Args)]
 pub(super) struct Draw {
     /// Scene file, `-` for stdin; without one the two figures of Quintero et al. (2011).
     scene: Option<PathBuf>,
-    /// Write a sheet for each step of the construction: figure-01, figure-02 …
-    #[arg(long, conflicts_with_all = ["upto", "layered"])]
-    steps: bool,
+    /// Write a sheet for each step of the construction: figure-01, figure-02 … `coarse` joins the steps that a lecturer
+    /// shows together.
+    #[arg(long, value_name = "fine|coarse", num_args = 0..=1, default_missing_value = "fine",
+        conflicts_with_all = ["upto", "layered"])]
+    steps: Option<String>,
     /// Write the sheet as it stands after this step alone.
     #[arg(long, value_name = "N", conflicts_with = "layered")]
     upto: Option<usize>,
@@ -35,13 +48,29 @@ pub(super) struct Draw {
     #[arg(long)]
     layered: bool,
     /// Draw a work sheet: the figure with a table of all measured lengths and a ruler that shows whether it was printed
-    /// at 100 %.
+    /// at 100 %. A table without room beside the panels goes on a second sheet, figure-2.
     #[arg(long)]
     worksheet: bool,
+    /// Draw the paths of these points over the whole cycle of the drive, as "F, M", in place of those that the scene's
+    /// figure names.
+    #[arg(long, value_name = "POINTS")]
+    trace: Vec<String>,
+    /// Let the paths go on beyond limits of the drive, dashed, in other assembly modes.
+    #[arg(long)]
+    beyond_limits: bool,
+    /// Draw the links pale in N equally spaced positions over that cycle.
+    #[arg(long, value_name = "N")]
+    ghosts: Option<u16>,
+    /// Show values at vectors, links and lengths; velocities and accelerations with this unit of length, as `m` for m/s.
+    #[arg(long, value_name = "UNIT", num_args = 0..=1, require_equals = true, default_missing_value = "own", value_parser = values())]
+    values: Option<ValuesShown>,
+    /// The panel that takes most of the sheet; a plan has the scheme as a small companion.
+    #[arg(long, value_name = "PANEL", value_parser = one_of(PanelName::ALL, PanelName::as_str))]
+    focus: Option<PanelName>,
     /// Positions over the whole range of the drive that a page (`--format html`) can show.
     #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u16).range(1..=1440))]
     positions: u16,
-    /// The drive that a page moves; without it the first.
+    /// The drive that a page moves, and that its paths follow; without it the first.
     #[arg(long, value_name = "NAME")]
     drive: Option<String>,
     #[command(flatten)]
@@ -58,7 +87,8 @@ pub(super) struct Draw {
 
 impl Draw {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let scenes = match &self.scene {
+        let (scene, steps) = self.scene_and_steps()?;
+        let scenes = match &scene {
             Some(path) => vec![(stem(path), files::read(path)?)],
             None => PAPER
                 .map(|(name, text)| {
@@ -67,37 +97,73 @@ impl Draw {
                 })
                 .to_vec(),
         };
+        let style = self.figures.style()?;
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
-            let solution = solve(&source, self.mode.number, |f| self.put_into(f), needed_order)?;
+            let solution = solve(&source, self.mode.number, |f| self.put_into(f, &style), needed_order)?;
+            self.check_traced(&solution.scene)?;
+            let traces = Traces::new(&solution, None).map_err(|error| source.fail(error))?;
+            note_limits(&traces, &solution.scene.figure);
             show_warnings(&solution);
             solution.overflow_warnings().iter().for_each(|text| warn(text));
-            self.sheets(name, &solution, &mut drawings)?;
+            self.sheets(name, &solution, steps, &mut drawings)?;
             solved.push((source, solution));
         }
-        let inputs: Vec<(&str, &Path)> = self.scene.iter().map(|scene| ("scene", scene.as_path())).collect();
+        style.put_on(drawings.iter_mut().flat_map(|(_, sheets)| sheets));
+        let inputs: Vec<(&str, &Path)> = scene.iter().map(|scene| ("scene", scene.as_path())).collect();
         if self.layered {
             return self.figures.write_layered(&inputs, drawings);
         }
         let are_finished = drawings.len() == solved.len();
         let page = |index: usize| match solved.get(index) {
-            Some((source, solution)) if are_finished => self.page(source, solution),
+            Some((source, solution)) if are_finished => self.page(source, solution, &style),
             _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
         self.figures.write(&inputs, drawings, page)
     }
 
+    /// The scene and the steps that are asked for. In `--steps scene.json` the scene is no kind of steps.
+    fn scene_and_steps(&self) -> Result<(Option<PathBuf>, Option<Steps>), Failure> {
+        match (self.steps.as_deref(), &self.scene) {
+            (None, scene) => Ok((scene.clone(), None)),
+            (Some("fine"), scene) => Ok((scene.clone(), Some(Steps::Fine))),
+            (Some("coarse"), scene) => Ok((scene.clone(), Some(Steps::Coarse))),
+            (Some(path), None) => Ok((Some(path.into()), Some(Steps::Fine))),
+            (Some(other), Some(_)) => Err(Failure::Misuse(
+                format!("there are no `{other}` steps"),
+                Some("--steps is fine, also without a word, or coarse".into()),
+            )),
+        }
+    }
+
     /// Overrides a scene's figure by the options that are given.
-    fn put_into(&self, figure: &mut Figure) {
+    fn put_into(&self, figure: &mut Figure, style: &GivenStyle) {
+        style.put_into(figure);
         self.words.put_into(figure);
         self.paper.put_into(figure);
         self.scales.put_into(figure);
         figure.worksheet |= self.worksheet;
-        figure.step = self.upto.or(figure.step).filter(|_| !self.steps && !self.layered);
+        figure.values = self.values.or(figure.values);
+        if !self.trace.is_empty() {
+            figure.trace = self.trace.iter().flat_map(|text| split_names(text)).collect();
+        }
+        figure.beyond_limits |= self.beyond_limits;
+        figure.ghosts = self.ghosts.map(usize::from).or(figure.ghosts);
+        figure.focus = self.focus.or(figure.focus);
+        figure.step = self.upto.or(figure.step).filter(|_| self.steps.is_none() && !self.layered);
+    }
+
+    /// Refuses options `--trace` and `--ghosts` that the scene cannot follow.
+    fn check_traced(&self, scene: &Scene) -> Result<(), Failure> {
+        let figure = &scene.figure;
+        scene.check_traced(&figure.trace, figure.ghosts).map_err(|error| {
+            let option = if error.path.starts_with("trace") { "--trace" } else { "--ghosts" };
+            Failure::Misuse(format!("{option}: {}", error.message), error.hint)
+        })
     }
 
     /// The web page of a scene: its figure with all steps, in all positions of the drive.
-    fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
+    fn page(&self, source: &Source, solution: &Solution, style: &GivenStyle) -> Result<String, Failure> {
         let words = solution.wording();
         let animation = Animation::new(solution, self.drive.as_deref(), self.positions.into())
             .map_err(|error| source.fail(error))?;
@@ -107,8 +173,9 @@ impl Draw {
         };
         let values: Vec<String> = animation.values.iter().map(value).collect();
         let quantity = animation.drive.as_ref().map(Drive::quantity);
-        let mut frames = frames(&animation.positions, animation.own);
-        self.figures.set_style(&mut frames)?;
+        let traces = Traces::new(solution, self.drive.as_deref()).map_err(|error| source.fail(error))?;
+        let mut frames = frames_with(&animation.positions, animation.own, traces);
+        style.put_on(&mut frames);
         Ok(html(&WebPage {
             frames: &frames,
             values: &values,
@@ -116,20 +183,31 @@ impl Draw {
             is_round: animation.is_round,
             quantity: &quantity.unwrap_or_default(),
             language: words.language,
+            text: self.figures.text(),
         }))
     }
 
-    /// Adds the finished figure to `drawings`, or those of the steps that were asked for, each under its name.
-    fn sheets(&self, name: String, solution: &Solution, drawings: &mut Vec<(String, Drawing)>) -> Result<(), Failure> {
-        let wanted = match (self.steps, solution.scene.figure.step) {
-            (false, None) => {
+    /// Adds the sheets of the finished figure to `drawings`, or those of the steps that were asked for, each under its
+    /// name.
+    fn sheets(
+        &self,
+        name: String,
+        solution: &Solution,
+        steps: Option<Steps>,
+        drawings: &mut Vec<(String, Vec<Drawing>)>,
+    ) -> Result<(), Failure> {
+        let wanted = match (steps, solution.scene.figure.step) {
+            (None, None) => {
                 let name = if self.layered { format!("{name}-layered") } else { name };
-                drawings.push((name, solution.figure()));
+                drawings.push((name, solution.sheets()));
                 return Ok(());
             }
             (_, step) => step,
         };
-        let all = solution.stepwise_figure();
+        let all = match steps {
+            Some(Steps::Coarse) => solution.coarse_figure(),
+            _ => solution.stepwise_figure(),
+        };
         let count = all.steps.len();
         let digits = count.to_string().len().max(2);
         let (first, last) = match wanted {
@@ -142,9 +220,48 @@ impl Draw {
             }
             None => (1, count),
         };
-        let sheets = (first..=last).map(|step| (format!("{name}-{step:0digits$}"), all.after_step(step)));
+        let shown = shown_steps(solution, steps);
+        let is_shown = |step: &usize| wanted.is_some() || shown.get(step - 1) == Some(&true);
+        let sheets =
+            (first..=last).filter(is_shown).map(|step| (format!("{name}-{step:0digits$}"), vec![all.after_step(step)]));
         drawings.extend(sheets);
         Ok(())
+    }
+}
+
+/// Reads the unit of length of values: `own` is the scene's, `none` shows no values.
+fn values() -> impl TypedValueParser<Value = ValuesShown> {
+    let names = LengthUnit::ALL.map(LengthUnit::as_str);
+    PossibleValuesParser::new(names.into_iter().chain(["own", "none"])).map(|given| match given.as_str() {
+        "none" => ValuesShown::Hidden,
+        unit => ValuesShown::Shown(LengthUnit::ALL.into_iter().find(|known| known.as_str() == unit)),
+    })
+}
+
+/// Says where paths end, unless they go on.
+fn note_limits(traces: &Traces, figure: &Figure) {
+    if !figure.beyond_limits && traces.times.as_ref().is_some_and(|times| times.is_stopped) {
+        note("the paths end where limits stop the drive; --beyond-limits draws the rest of the curves, dashed");
+    }
+}
+
+/// By step: whether it is drawn in a panel. With a focus the steps of the other plan are left out.
+fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
+    let construction = &solution.construction;
+    let panels = solution.scene.figure.shown_panels();
+    let is_shown = |step: &NumberedStep<'_>| {
+        let panel = step.plan.map_or(PanelName::Scheme, |plan| match plan.kind {
+            PlanKind::Velocity => PanelName::Velocity,
+            PlanKind::Acceleration => PanelName::Acceleration,
+        });
+        solution.scene.figure.focus.is_none() || panels.contains(&panel)
+    };
+    match steps {
+        Some(Steps::Coarse) => {
+            let passages = construction.passages();
+            passages.iter().map(|passage| construction.steps_of(passage).any(|step| is_shown(&step))).collect()
+        }
+        _ => construction.numbered_steps().map(|step| is_shown(&step)).collect(),
     }
 }
 
@@ -160,5 +277,5 @@ fn drive_value(drive: &Drive, value: f64, words: &Wording) -> String {
 
 /// The order of the motion to be computed: accelerations only if the figure shows them.
 fn needed_order(scene: &Scene) -> Order {
-    if scene.figure.panels.contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
+    if scene.figure.shown_panels().contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
 }

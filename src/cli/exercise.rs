@@ -1,15 +1,15 @@
-use super::figures::{stem, style};
+use super::figures::{GivenStyle, stem};
 use super::files::{self, Source};
 use super::message::Failure;
 use super::new;
 use super::paper::{GivenScales, Paper};
 use super::wording::Words;
 use super::work::solve;
-use crate::drawing::{Drawing, Style};
+use crate::drawing::Drawing;
 use crate::exercise::{Exercise, ExerciseError, Exercises};
 use crate::format::{self, Text};
 use crate::motion::Order;
-use crate::scene::{Figure, StyleName};
+use crate::scene::Figure;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -53,15 +53,13 @@ pub(super) struct ExerciseCommand {
 impl ExerciseCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let (name, source) = self.source()?;
+        let style = GivenStyle::read(self.style.as_deref())?;
         let override_figure = |figure: &mut Figure| {
             self.words.put_into(figure);
             self.paper.put_into(figure);
             self.scales.put_into(figure);
-            // The scene names a style of the program; a style file is applied to the drawings.
-            let named = StyleName::ALL.into_iter().find(|name| Some(name.as_str()) == self.style.as_deref());
-            figure.style = named.unwrap_or(figure.style);
+            style.put_into(figure);
         };
-        let style = self.style.as_deref().map(style).transpose()?;
         let solution = solve(&source, None, override_figure, |_| Order::Acceleration)?;
         let (figure, construction) = (&solution.scene.figure, &solution.construction);
         let failed = |error: ExerciseError| Failure::Outside(format!("{}: {error}", source.name));
@@ -81,7 +79,7 @@ impl ExerciseCommand {
         }
         for number in 1..=self.count {
             let exercise = exercises.next().map_err(failed)?;
-            let written = files_of(&exercise, style.as_ref(), &folder(number))?;
+            let written = files_of(&exercise, &style, &folder(number))?;
             files::write(&written)?;
         }
         Ok(())
@@ -108,12 +106,10 @@ impl ExerciseCommand {
 }
 
 /// The files of an exercise, by their paths.
-fn files_of(exercise: &Exercise, style: Option<&Style>, folder: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+fn files_of(exercise: &Exercise, style: &GivenStyle, folder: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut written = vec![("scene.json".to_owned(), exercise.text.clone().into_bytes())];
     for (name, mut drawing) in [("sheet", exercise.sheet.clone()), ("key", exercise.key_sheet())] {
-        if let Some(style) = style {
-            drawing.style = style.clone();
-        }
+        style.put_on([&mut drawing]);
         written.extend(pictures(name, &drawing)?);
     }
     for (name, text) in [

@@ -1,8 +1,8 @@
 use super::files;
-use super::message::Failure;
+use super::message::{Failure, note};
 use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
-use crate::scene::StyleName;
+use crate::scene::{Figure, StyleName};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -22,7 +22,7 @@ pub(super) struct FigureOptions {
     /// Formats to write into a folder; on stdout the one that is given, or SVG.
     #[arg(long, value_delimiter = ',', value_enum, default_values_t = FigureFormat::usual())]
     format: Vec<FigureFormat>,
-    /// Write the letters of SVG as outlines, for programs that lack the font.
+    /// Write the letters of SVG and of a page as outlines, for programs that lack the font.
     #[arg(long)]
     outlines: bool,
     /// Drawing style in place of the scene's own: paper, print, lecture, board, or the path of a style file.
@@ -37,6 +37,11 @@ impl FigureOptions {
     /// Whether `--style` is given.
     pub(super) fn has_style(&self) -> bool {
         self.style.is_some()
+    }
+
+    /// The style of `--style`.
+    pub(super) fn style(&self) -> Result<GivenStyle, Failure> {
+        GivenStyle::read(self.style.as_deref())
     }
 }
 
@@ -81,50 +86,75 @@ fn dots_per_inch(text: &str) -> Result<f64, String> {
 }
 
 impl Figures {
+    /// The style of `--style`.
+    pub(super) fn style(&self) -> Result<GivenStyle, Failure> {
+        self.options.style()
+    }
+
     /// Figures that are written to a folder or to a file.
     pub(super) fn at(output: &Path, options: &FigureOptions) -> Figures {
         Figures { output: output.to_owned(), options: options.clone() }
     }
 
-    /// Writes drawings by their names in all formats, but not over the files `inputs` that were read; `page` makes the
-    /// web page of the drawing of an index.
+    /// Writes figures by their names in all formats, each with its further sheets, but not over the files `inputs` that
+    /// were read; `page` makes the web page of the figure of an index.
     pub(super) fn write(
         &self,
         inputs: &[(&str, &Path)],
-        mut drawings: Vec<(String, Drawing)>,
+        drawings: Vec<(String, Vec<Drawing>)>,
         page: impl Fn(usize) -> Result<String, Failure>,
     ) -> Result<(), Failure> {
-        self.set_style(drawings.iter_mut().map(|(_, drawing)| drawing))?;
-        let text = self.text();
         let mut written = Vec::new();
-        for (index, (name, drawing)) in drawings.iter().enumerate() {
+        for (index, (name, sheets)) in drawings.iter().enumerate() {
             for (path, format) in self.targets(name, drawings.len())? {
-                let bytes = match format {
-                    FigureFormat::Svg => format::svg_with(drawing, text).into_bytes(),
-                    #[cfg(feature = "pdf")]
-                    FigureFormat::Pdf => drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None))?,
-                    FigureFormat::Tikz => drawing.tikz().into_bytes(),
-                    #[cfg(feature = "png")]
-                    FigureFormat::Png => {
-                        drawing.png(self.options.dpi).map_err(|error| Failure::Misuse(error.to_string(), None))?
-                    }
-                    FigureFormat::Html => page(index)?.into_bytes(),
-                };
-                written.push((path, bytes));
+                if format == FigureFormat::Html {
+                    written.push((path, page(index)?.into_bytes()));
+                    continue;
+                }
+                for (path, drawing) in self.sheet_paths(path, sheets.len()).zip(sheets) {
+                    written.push((path, self.bytes(drawing, format)?));
+                }
             }
         }
         self.finish(inputs, &written)
+    }
+
+    /// The file of a drawing in a format other than a page.
+    fn bytes(&self, drawing: &Drawing, format: FigureFormat) -> Result<Vec<u8>, Failure> {
+        match format {
+            #[cfg(feature = "pdf")]
+            FigureFormat::Pdf => drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None)),
+            #[cfg(feature = "png")]
+            FigureFormat::Png => {
+                drawing.png(self.options.dpi).map_err(|error| Failure::Misuse(error.to_string(), None))
+            }
+            FigureFormat::Tikz => Ok(drawing.tikz().into_bytes()),
+            FigureFormat::Svg | FigureFormat::Html => Ok(format::svg_with(drawing, self.text()).into_bytes()),
+        }
+    }
+
+    /// The paths of a figure's sheets: the second has `-2` before its ending. Only the first is written on stdout.
+    fn sheet_paths(&self, first: PathBuf, sheets: usize) -> impl Iterator<Item = PathBuf> {
+        let on_stdout = self.output == Path::new("-");
+        if on_stdout && sheets > 1 {
+            note("the table is on a second sheet, which is not on stdout; name a folder or a file to have it");
+        }
+        let numbered = move |number: usize| {
+            let [stem, ending] = [first.file_stem(), first.extension()].map(|part| part.unwrap_or_default());
+            let name = format!("{}-{number}.{}", stem.to_string_lossy(), ending.to_string_lossy());
+            if number == 1 { first.clone() } else { first.with_file_name(name) }
+        };
+        (1..=if on_stdout { 1 } else { sheets }).map(numbered)
     }
 
     /// Writes drawings as SVG with a group for each step of the construction.
     pub(super) fn write_layered(
         &self,
         inputs: &[(&str, &Path)],
-        mut drawings: Vec<(String, Drawing)>,
+        drawings: Vec<(String, Vec<Drawing>)>,
     ) -> Result<(), Failure> {
-        self.set_style(drawings.iter_mut().map(|(_, drawing)| drawing))?;
         let mut written = Vec::new();
-        for (name, drawing) in &drawings {
+        for (name, sheets) in &drawings {
             let targets = self.targets(name, drawings.len())?;
             let Some((path, _)) = targets.into_iter().find(|(_, format)| *format == FigureFormat::Svg) else {
                 return Err(Failure::Misuse(
@@ -132,23 +162,15 @@ impl Figures {
                     Some("leave out --format, or name a file that ends in `.svg`".into()),
                 ));
             };
-            let bytes = format::layered_svg(drawing, self.text()).into_bytes();
-            written.push((path, bytes));
+            for (path, drawing) in self.sheet_paths(path, sheets.len()).zip(sheets) {
+                written.push((path, format::layered_svg(drawing, self.text()).into_bytes()));
+            }
         }
         self.finish(inputs, &written)
     }
 
-    /// Gives drawings the style of `--style` in place of the scene's.
-    pub(super) fn set_style<'a>(&self, drawings: impl IntoIterator<Item = &'a mut Drawing>) -> Result<(), Failure> {
-        if let Some(style) = self.options.style.as_deref().map(style).transpose()? {
-            for drawing in drawings {
-                drawing.style = style.clone();
-            }
-        }
-        Ok(())
-    }
-
-    fn text(&self) -> Text {
+    /// How letters are written, of SVG and of a page.
+    pub(super) fn text(&self) -> Text {
         if self.options.outlines { Text::Outlines } else { Text::Letters }
     }
 
@@ -203,11 +225,47 @@ impl Figures {
     }
 }
 
-/// A style by its name, or from a file.
-pub(super) fn style(asked: &str) -> Result<Style, Failure> {
-    if let Some(name) = StyleName::ALL.into_iter().find(|name| name.as_str() == asked) {
-        return Ok(Style::named(name));
+/// A drawing style in place of the scene's.
+pub(super) enum GivenStyle {
+    /// The scene's own.
+    Scene,
+    /// One that comes with the program.
+    Named(StyleName),
+    /// That of a file.
+    File(Style),
+}
+
+impl GivenStyle {
+    /// The style of `--style`, if that is given.
+    pub(super) fn read(asked: Option<&str>) -> Result<GivenStyle, Failure> {
+        let Some(asked) = asked else {
+            return Ok(GivenStyle::Scene);
+        };
+        let named = StyleName::ALL.into_iter().find(|name| name.as_str() == asked);
+        named.map_or_else(|| style_file(asked).map(GivenStyle::File), |name| Ok(GivenStyle::Named(name)))
     }
+
+    /// Asks a scene's figure for it. The looks of a file are put on the drawing, its sizes must be known before.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        match self {
+            GivenStyle::Scene => {}
+            GivenStyle::Named(name) => (figure.style, figure.sizes, figure.usual_values) = (*name, None, None),
+            GivenStyle::File(style) => {
+                (figure.sizes, figure.usual_values) = (Some(style.sizes()), Some(style.shows_values()));
+            }
+        }
+    }
+
+    /// Gives drawings the looks of a style file.
+    pub(super) fn put_on<'a>(&self, drawings: impl IntoIterator<Item = &'a mut Drawing>) {
+        if let GivenStyle::File(style) = self {
+            drawings.into_iter().for_each(|drawing| drawing.style = style.clone());
+        }
+    }
+}
+
+/// The style of a file.
+fn style_file(asked: &str) -> Result<Style, Failure> {
     if !asked.contains(['.', '/', '\\']) && asked != "-" && !Path::new(asked).exists() {
         let known = StyleName::ALL.map(StyleName::as_str).join(", ");
         return Err(Failure::Misuse(

@@ -1,13 +1,13 @@
 use super::wording::one_of;
-use crate::scene::{Figure, PageSize};
+use crate::scene::{Figure, Page, ScalesFor};
 use clap::{Args, ValueEnum};
 
 /// The sheet of paper, in place of the one that the scene's figure asks for.
 #[derive(Debug, Default, Args)]
 pub(super) struct Paper {
-    /// Size of the sheet.
-    #[arg(long, value_name = "SIZE", value_parser = one_of(PageSize::ALL, PageSize::as_str))]
-    page: Option<PageSize>,
+    /// The sheet: 16x9 (320 mm × 180 mm) for the projector; `-portrait` or `-landscape` says which way it lies.
+    #[arg(long, value_name = "NAME", value_parser = one_of(Page::NAMES, |name| name))]
+    page: Option<&'static str>,
     /// Which way the sheet lies.
     #[arg(long, value_enum)]
     orientation: Option<Orientation>,
@@ -28,7 +28,10 @@ impl Paper {
     /// Overrides a scene's figure by the options that are given.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         let page = &mut figure.page;
-        page.size = self.page.unwrap_or(page.size);
+        if let Some((name, given)) = self.page.and_then(|name| Some((name, Page::from_name(name)?))) {
+            page.size = given.size;
+            page.landscape = if name.contains('-') { given.landscape } else { page.landscape };
+        }
         let landscape = self.orientation.map(|way| way == Orientation::Landscape);
         page.landscape = landscape.unwrap_or(page.landscape);
     }
@@ -46,6 +49,10 @@ pub(super) struct GivenScales {
     /// Scale of the acceleration plan: units of acceleration per mm of paper.
     #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
     mu_a: Option<f64>,
+    /// For which plans the other scales are chosen: the scene's own position, with one set for figure, steps, work
+    /// sheet and page; each sheet for itself; or the largest plans of the whole cycle.
+    #[arg(long, value_name = "FOR", value_parser = one_of(ScalesFor::ALL, ScalesFor::as_str))]
+    scales: Option<ScalesFor>,
 }
 
 fn scale(text: &str) -> Result<f64, String> {
@@ -56,7 +63,7 @@ fn scale(text: &str) -> Result<f64, String> {
 impl GivenScales {
     /// Whether one of its options is given.
     pub(super) fn is_given(&self) -> bool {
-        [self.mu_l, self.mu_v, self.mu_a].iter().any(Option::is_some)
+        self.scales.is_some() || [self.mu_l, self.mu_v, self.mu_a].iter().any(Option::is_some)
     }
 
     /// Overrides a scene's figure by the options that are given.
@@ -64,5 +71,6 @@ impl GivenScales {
         figure.mu_l = self.mu_l.or(figure.mu_l);
         figure.mu_v = self.mu_v.or(figure.mu_v);
         figure.mu_a = self.mu_a.or(figure.mu_a);
+        figure.scales = self.scales.unwrap_or(figure.scales);
     }
 }

@@ -1,12 +1,13 @@
 use super::operation::NumberId;
 use super::writer::Writer;
+use crate::geometry::span;
 use crate::mechanism::{Group, LoopEquations, SliderId};
 
 /// Comparison of the rates from the construction with those from the loop equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
-    /// The largest difference of an angular or slide rate, velocity or acceleration, relative to the largest rate of
-    /// its kind.
+    /// The largest difference of an angular or slide rate, velocity or acceleration, relative to the mechanism's largest
+    /// rate of its kind.
     pub difference: f64,
     /// The largest difference that rounding, the condition and the sines of the crossings allow, relative in the same
     /// way.
@@ -17,15 +18,13 @@ pub struct Agreement {
 type UnknownRate = (NumberId, f64, f64);
 
 impl Writer<'_> {
-    /// Compares the solved rates of a group with those from the loop equations. `size` is the group's extent, a length:
-    /// it relates slide rates to angular rates.
-    pub(super) fn agreement(&self, group: &Group, equations: &LoopEquations, size: f64) -> Agreement {
+    /// Compares the solved rates of a group with those from the loop equations.
+    pub(super) fn agreement(&self, group: &Group, equations: &LoopEquations) -> Agreement {
         let mut result = Agreement { difference: 0.0, allowed: 0.0 };
+        let size = span(self.pose.points.iter().copied());
         for order in 0..self.plans().len() {
             let (spins, slides) = (self.unknown_spins(group, equations, order), self.unknown_slides(equations, order));
-            // Angular and slide rates have a common scale: a slide rate is divided by the mechanism's size.
-            let largest = |rates: &[UnknownRate]| rates.iter().fold(0.0, |m: f64, rate| m.max(rate.1.abs()));
-            let scale = largest(&spins).max(largest(&slides) / size);
+            let scale = self.largest_rate(order, size);
             // Subnormal rates have lost digits: they count as zero.
             if scale < f64::MIN_POSITIVE {
                 continue;
@@ -43,6 +42,21 @@ impl Writer<'_> {
             }
         }
         result
+    }
+
+    /// The mechanism's largest angular velocity or acceleration; it also counts other velocities and accelerations, over
+    /// the mechanism's size, and ω². A group that stands still has no measure of its own.
+    fn largest_rate(&self, order: usize, size: f64) -> f64 {
+        let bodies = self.motion.bodies.iter().map(|body| {
+            [body.omega.abs().max(body.velocity.norm() / size), {
+                let turning = body.alpha.abs().max(body.omega * body.omega);
+                turning.max(body.acceleration.norm() / size)
+            }]
+        });
+        let slides = self.motion.slides.iter();
+        let slides = slides.map(|slide| [slide.velocity.abs() / size, slide.acceleration.abs() / size]);
+        // `max` ignores NaN, as of a mechanism without size.
+        bodies.chain(slides).fold(0.0, |largest: f64, rates| largest.max(rates[order]))
     }
 
     fn unknown_spins(&self, group: &Group, equations: &LoopEquations, order: usize) -> Vec<UnknownRate> {

@@ -1,9 +1,10 @@
 //! Velocity and acceleration of a body's point, laid off in a plan: from the pole where the scene gives the vector,
 //! else from a point of known motion.
 
-use super::name::{coriolis_name, slide_name};
+use super::images::LaidOff;
+use super::name::{coriolis_name, point_on, slide_name};
 use super::operation::{Along, NumberKind, PlaceId, Product, ProductKind, Rate, Sheet};
-use super::step::{Action, Added, Arrow, PointRole, VectorOf};
+use super::step::{Action, Added, Arrow, PointRole, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
 use crate::mechanism::{BodyId, DrivenSlide, JointId, PointId, Role, SliderId};
@@ -165,13 +166,26 @@ impl Writer<'_> {
         }
         let line = Along::line(self.join(from, to));
         let length = self.length(from, to);
+        let [from, to] = [from, to].map(|point| point_on(self.mechanism, body, point));
+        let of = |part| VectorOf::Relative { link: body, from: from.clone(), to: to.clone(), part };
         let turned = |rate| vec![Product::new(ProductKind::Turning, 1.0, &[rate, length])];
         if sheet == Sheet::Velocity {
-            return Some(self.lay_off(sheet, place, omega.map(turned).unwrap_or_default(), line.turned(1)));
+            let turned = omega.map(turned).unwrap_or_default();
+            return Some(self.lay_off_part(sheet, place, turned, line.turned(1), of(RelativePart::Velocity)));
         }
         let normal = omega.map(|omega| vec![Product::new(ProductKind::Normal, -1.0, &[omega, omega, length])]);
-        let place = self.lay_off(sheet, place, normal.unwrap_or_default(), line);
-        Some(self.lay_off(sheet, place, alpha.map(turned).unwrap_or_default(), line.turned(1)))
+        let place = self.lay_off_part(sheet, place, normal.unwrap_or_default(), line, of(RelativePart::Normal));
+        let turned = alpha.map(turned).unwrap_or_default();
+        Some(self.lay_off_part(sheet, place, turned, line.turned(1), of(RelativePart::Tangential)))
+    }
+
+    /// Lays off a vector and notes its meaning.
+    fn lay_off_part(&mut self, sheet: Sheet, start: PlaceId, sum: Vec<Product>, along: Along, of: VectorOf) -> PlaceId {
+        let end = self.lay_off(sheet, start, sum, along);
+        if end != start {
+            self.laid_off.push(LaidOff { start, end, of });
+        }
+        end
     }
 
     /// Adds the relative motions of driven sliders, one after another; `None` where a rate is unknown.
@@ -215,7 +229,7 @@ impl Writer<'_> {
             place = match known {
                 Some(known) => known,
                 None => {
-                    let of = VectorOf::Driven(slide, added);
+                    let of = VectorOf::Passed(slide, added);
                     self.begin(sheet, Action::LayOff(Arrow { from, to: to.clone(), of }));
                     let place = self.lay_off_slide_part(sheet, place, &slide, added).unwrap_or(place);
                     self.show(sheet, &to, place, role);
@@ -228,7 +242,7 @@ impl Writer<'_> {
     }
 
     /// Lays off a slider's relative velocity or acceleration from `place`; returns its end.
-    fn lay_off_slide_part(
+    pub(super) fn lay_off_slide_part(
         &mut self,
         sheet: Sheet,
         place: PlaceId,
@@ -238,19 +252,21 @@ impl Writer<'_> {
         let guide = Along::line(self.guide(slide.slider));
         let along = if added == Added::Coriolis { guide.turned(1) } else { guide };
         let sum = self.slide_part_size(slide, added)?;
-        Some(self.lay_off(sheet, place, sum, along))
+        Some(self.lay_off_part(sheet, place, sum, along, VectorOf::Passed(*slide, added)))
     }
 
     /// The signed size of a slider's relative velocity or acceleration: an empty sum for zero, `None` where a rate is
     /// unknown.
-    fn slide_part_size(&self, slide: &DrivenSlide, added: Added) -> Option<Vec<Product>> {
+    pub(super) fn slide_part_size(&self, slide: &DrivenSlide, added: Added) -> Option<Vec<Product>> {
         let [velocity, acceleration] = self.construction.slides[slide.slider.0]?;
         let sliding = |rate| Product::new(ProductKind::Sliding, slide.sign, &[rate]);
         let product = match added {
             Added::SlidingVelocity => velocity.map(sliding),
             Added::SlidingAcceleration => acceleration.map(sliding),
             Added::Coriolis => {
-                let [omega, _] = self.construction.spins[slide.to.0]?;
+                // Both bodies of a slider turn alike.
+                let spins = &self.construction.spins;
+                let [omega, _] = spins[slide.to.0].or(spins[slide.from.0])?;
                 let rates = omega.zip(velocity);
                 rates.map(|(omega, rate)| Product::new(ProductKind::Coriolis, 2.0 * slide.sign, &[omega, rate]))
             }

@@ -14,6 +14,8 @@ use indexmap::IndexMap;
 /// behind them.
 #[derive(Clone, Debug)]
 pub struct Construction {
+    /// How far the plans go.
+    pub extent: Extent,
     /// By group: its special points.
     pub special: Vec<Vec<Special>>,
     /// By group: how the construction's rates compare with the loop equations'; none where there is no construction.
@@ -35,6 +37,9 @@ pub struct Construction {
     pub(super) counts: [usize; 3],
     /// Named points: joints and special points of the scheme, points of the plans.
     pub(super) places: IndexMap<(Sheet, String), PlaceId>,
+    /// By the usual name of a leg's normal part, as in `n_b3`: the plan points where the known parts of the leg's
+    /// acceleration begin and end.
+    pub(super) known_parts: IndexMap<String, [String; 2]>,
     /// By body: the numbers of ω and α; none for a given rate of zero.
     pub(crate) spins: Vec<Option<[Option<NumberId>; 2]>>,
     /// By slider: the numbers of velocity and acceleration along the guide; none for a given rate of zero.
@@ -48,23 +53,45 @@ pub struct Construction {
 /// them, any other in its direction. For a group without a construction, and for bodies whose motion follows from it,
 /// rates and vectors are taken from `motion`.
 #[must_use]
-pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Construction {
-    construction_writer(mechanism, pose, motion).construction
+pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion, extent: Extent) -> Construction {
+    construction_writer(mechanism, pose, motion, extent).construction
+}
+
+/// How far the plans go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// To the rates of all links, and in the velocity plan to the joints, as in the source paper (Quintero et al.,
+    /// 2011).
+    Rates,
+    /// To every point of every link.
+    Points,
 }
 
 /// The same, as a writer that can add further measurements.
-pub(crate) fn construction_writer<'a>(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Writer<'a> {
-    let mut writer = Writer::new(mechanism, pose, motion);
+pub(crate) fn construction_writer<'a>(
+    mechanism: &'a Mechanism,
+    pose: &'a Pose,
+    motion: &'a Motion,
+    extent: Extent,
+) -> Writer<'a> {
+    let mut writer = Writer::new(mechanism, pose, motion, extent);
     for group in &mechanism.groups {
         writer.group(group);
+        if extent == Extent::Points {
+            group.bodies.iter().for_each(|&body| writer.further_images(body));
+        }
+    }
+    if extent == Extent::Points {
+        mechanism.body_ids().filter(|&body| mechanism.is_known(body)).for_each(|body| writer.further_images(body));
     }
     writer
 }
 
 impl Construction {
-    pub(super) fn empty(mechanism: &Mechanism, order: Order, origin: Point) -> Self {
+    pub(super) fn empty(mechanism: &Mechanism, order: Order, origin: Point, extent: Extent) -> Self {
         let plan = |kind| Plan { kind, points: IndexMap::new(), steps: Vec::new() };
         Self {
+            extent,
             special: Vec::new(),
             agreement: Vec::new(),
             scheme: Vec::new(),
@@ -75,6 +102,7 @@ impl Construction {
             numbers: Vec::new(),
             counts: [0; 3],
             places: IndexMap::new(),
+            known_parts: IndexMap::new(),
             spins: vec![None; mechanism.bodies.len()],
             slides: vec![None; mechanism.sliders.len()],
         }
@@ -116,6 +144,21 @@ impl Construction {
     #[must_use]
     pub fn counts(&self) -> [usize; 3] {
         self.counts
+    }
+
+    /// The plan points where the known parts of a leg's acceleration begin and end, by the usual name `n_b3` of that end:
+    /// equal where the leg has no known part.
+    #[must_use]
+    pub fn known_parts(&self, normal_name: &str) -> Option<&[String; 2]> {
+        self.known_parts.get(normal_name)
+    }
+
+    /// The name of a plan point that may be called as if every leg had a normal part: `n_b3` also is the end of a
+    /// Coriolis acceleration alone, or the start of a leg without a known part. Other names stay.
+    #[must_use]
+    pub fn plan_name<'a>(&'a self, sheet: Sheet, name: &'a str) -> &'a str {
+        let end = self.known_parts.get(name).filter(|_| sheet == Sheet::Acceleration);
+        end.map_or(name, |[_, end]| end)
     }
 
     /// A point of a sheet by its name, as in `S3` of the scheme or `n_b3` of the acceleration plan.
@@ -233,6 +276,9 @@ impl NumberedStep<'_> {
             Action::MeasureLength { from, to, .. } => vec![format!("L({from},{to})")],
             Action::LayOff(arrow) => segment(&arrow.from, &arrow.to),
             Action::Cross { point, .. } => segment(self.plan.map_or("", |p| p.kind.pole()), point),
+            Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                segment(self.plan.map_or("", |p| p.kind.pole()), point)
+            }
             Action::Measure { from, to, .. } => segment(from, to),
             Action::Solve { unknowns, .. } => unknowns.iter().map(|u| u.0.clone()).collect(),
             Action::Pole { .. } | Action::SpecialPoint { .. } | Action::Ray(_) | Action::NoConstruction { .. } => {

@@ -1,4 +1,4 @@
-use super::name::{normal_name, point_on};
+use super::name::{coriolis_name, image_name, normal_name, point_on};
 use crate::geometry::{Crossing, Line, Place, quarter_turn};
 use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, Joint, Leg, Mechanism, PointId, SliderId, SpecialPoint};
 use crate::position::Pose;
@@ -128,6 +128,18 @@ impl CutLine {
         }
     }
 
+    /// The slider that the leg passes, from the base on, other than driven ones.
+    #[must_use]
+    pub fn slide(&self, mechanism: &Mechanism) -> Option<DrivenSlide> {
+        self.terms.iter().find_map(|term| match *term {
+            Term::Slide { slider, from } => {
+                let (ends, sign) = (mechanism.slider(slider), mechanism.slide_sign(slider, from));
+                Some(DrivenSlide { slider, from, to: if sign > 0.0 { ends.link } else { ends.on }, sign })
+            }
+            Term::Turn { .. } => None,
+        })
+    }
+
     /// The joint from which the length to the sought point is measured; none where no equation contains it.
     #[must_use]
     pub fn measured_from(&self) -> Option<PointId> {
@@ -193,6 +205,18 @@ impl Special {
             second = second.replacen('_', "'_", 1);
         }
         [first, second]
+    }
+}
+
+impl Special {
+    /// Name of the end of the Coriolis acceleration of the slider in a leg, as in `k_a3`: laid off from the image of A,
+    /// of a slider that leads to link 3. Empty for a leg without a slider.
+    #[must_use]
+    pub fn coriolis_name(&self, mechanism: &Mechanism, side: usize) -> String {
+        let cut = &self.cuts[side];
+        let start = cut.start().map(|point| image_name(&point_on(mechanism, cut.leg.base, point)));
+        let entered = cut.slide(mechanism).map(|slide| mechanism.body(slide.to).name.as_str());
+        start.zip(entered).map(|(start, entered)| coriolis_name(&start, entered)).unwrap_or_default()
     }
 }
 

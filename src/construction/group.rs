@@ -2,13 +2,14 @@
 //! points.
 
 use super::body::Anchor;
+use super::construct::Extent;
 use super::cut::{CutLine, Special, SpecialId, special_points};
 use super::leg::Drawn;
 use super::name::{coincident_name, image_name, point_on};
 use super::operation::{LineId, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, Rate, Sheet};
-use super::step::{Action, Arrow, LegEquation, PointRole, Ray, Relation, VectorOf};
+use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
-use crate::geometry::{Vector, quarter_turn, span};
+use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId, Spin};
 
 /// The ray of a leg.
@@ -52,9 +53,7 @@ impl Writer<'_> {
         if constructed.is_none() {
             self.without_construction(group, &equations, &special);
         }
-        let points = group.bodies.iter().flat_map(|&link| &self.mechanism.body(link).points);
-        let size = span(points.map(|&p| self.pose.point(p)));
-        let agreement = constructed.map(|()| self.agreement(group, &equations, size));
+        let agreement = constructed.map(|()| self.agreement(group, &equations));
         self.construction.agreement.push(agreement);
         self.construction.special.push(special);
         self.step = None;
@@ -67,9 +66,14 @@ impl Writer<'_> {
             if sheet == Sheet::Velocity {
                 self.note_anchors(group);
             }
-            self.images(sheet, group);
+            if sheet == Sheet::Velocity || self.construction.extent == Extent::Rates {
+                self.images(sheet, group);
+            }
         }
         self.image_steps(group);
+        if self.construction.extent == Extent::Points && self.plans().contains(&Sheet::Acceleration) {
+            self.relative_images(Sheet::Acceleration, group);
+        }
         Some(())
     }
 
@@ -84,9 +88,8 @@ impl Writer<'_> {
         self.take_computed_rates(group, equations);
         self.note_anchors(group);
         for &sheet in self.plans() {
-            self.images(sheet, group);
+            self.relative_images(sheet, group);
         }
-        self.image_steps(group);
     }
 
     /// Draws the cut lines and crosses them; a dyad's inner joint is only plotted. `None` for a special point at
@@ -140,6 +143,11 @@ impl Writer<'_> {
     /// Lays off the known vector of the point from which a ray starts.
     fn known_vector(&mut self, sheet: Sheet, base: BodyId, point: PointId) {
         let name = self.start_name(base, point);
+        // An earlier group may have constructed it.
+        if let Some(shown) = self.plan(sheet).points.get_mut(&name).filter(|shown| shown.role != PointRole::Pole) {
+            shown.role = PointRole::Known;
+            return;
+        }
         match self.mechanism.body(base).role {
             Role::Pushed { from, .. } if from != GROUND && self.mechanism.is_known(base) => {
                 self.pushed_vector(sheet, base, point, &name);
@@ -317,13 +325,7 @@ impl Writer<'_> {
         let start = (self.start_name(base, start), self.motion(sheet, base, start));
         let mut from = self.driven_slides(sheet, start, &cut.slides, PointRole::Slid, None);
         if sheet == Sheet::Acceleration {
-            let [first, second] = point.special.normal_names(self.mechanism);
-            let normal = if side == 0 { first } else { second };
-            let of = VectorOf::Normal(point.id, side);
-            self.begin(sheet, Action::LayOff(Arrow { from: from.0, to: normal.clone(), of }));
-            let place = self.lay_off_normal_part(point, side, from.1)?;
-            self.show(sheet, &normal, place, PointRole::Normal);
-            from = (normal, place);
+            from = self.known_parts(point, side, from)?;
         }
         // The ray is drawn against the guide where there is one, else against the line through two joints.
         let relation = if cut.guide().is_some() { Relation::Parallel } else { Relation::Perpendicular };
@@ -334,8 +336,7 @@ impl Writer<'_> {
                 to: image_name(&point.special.name),
                 direction: quarter_turn(cut.line.direction().unwrap_or_else(Vector::x)),
                 relation,
-                special: point.id,
-                side,
+                of: RayOf::Leg(point.id, side),
             }),
         );
         // Two special points may have a ray in common.
@@ -367,6 +368,31 @@ impl Writer<'_> {
             let [from, holder] = [from, link].map(|body| mechanism.side(joint, body));
             self.anchors[holder.0].get_or_insert(Anchor { joint, from });
         }
+        while let Some((link, anchor)) = self.next_anchor(group) {
+            self.anchors[link.0] = Some(anchor);
+        }
+    }
+
+    /// A joint of the group from a body that is known or has an anchor to a link that no leg reaches, as in a group of
+    /// higher class. Pins go before sliders.
+    fn next_anchor(&self, group: &Group) -> Option<(BodyId, Anchor)> {
+        let mechanism = self.mechanism;
+        let is_anchored = |body: BodyId| {
+            let mut bodies = mechanism.compound(mechanism.root(body)).into_iter();
+            !group.bodies.contains(&body) || bodies.any(|other| self.anchors[other.0].is_some())
+        };
+        let mut joints = mechanism.joints_of(group);
+        joints.retain(|&joint| mechanism.joint(joint).holds_places());
+        joints.sort_by_key(|&joint| mechanism.joint(joint).pin.is_none());
+        joints.into_iter().find_map(|joint| {
+            let [a, b] = mechanism.joint(joint).bodies;
+            let (from, link) = match (is_anchored(a), is_anchored(b)) {
+                (true, false) => (a, b),
+                (false, true) => (b, a),
+                _ => return None,
+            };
+            Some((link, Anchor { joint, from }))
+        })
     }
 
     /// Adds the velocity plan's steps from the images of a group's outer joints to those of its inner ones.
@@ -415,7 +441,12 @@ impl Writer<'_> {
         let to = image_name(&end);
         // A dyad's inner joint has its image already, the crossing of its rays.
         if !self.plan(sheet).points.contains_key(&to) {
-            let of = VectorOf::Relative { link: inner_link, from: mechanism.point_name(outer).to_owned(), to: end };
+            let of = VectorOf::Relative {
+                link: inner_link,
+                from: mechanism.point_name(outer).to_owned(),
+                to: end,
+                part: RelativePart::Velocity,
+            };
             self.begin(sheet, Action::LayOff(Arrow { from, to: to.clone(), of }));
             let place = self.motion(sheet, inner_link, inner);
             self.show(sheet, &to, place, PointRole::Image);
@@ -442,6 +473,35 @@ impl Writer<'_> {
         self.show(sheet, &names[1], image, PointRole::Image);
         self.claim(image);
         names
+    }
+
+    /// Constructs the images of the group's joints by relative motions: first of pins, then of sliders.
+    fn relative_images(&mut self, sheet: Sheet, group: &Group) {
+        let mechanism = self.mechanism;
+        for joint in mechanism.joints_of(group) {
+            if let Some(point) = mechanism.joint(joint).pin {
+                let bodies = mechanism.joint(joint).bodies;
+                let body = bodies.into_iter().find(|&body| self.place_of_motion(sheet, body, point).is_some());
+                let anchored = || bodies.into_iter().find(|&body| self.anchors[body.0].is_some());
+                if let Some(body) = body.or_else(anchored) {
+                    self.relative_image(sheet, body, point);
+                    let place = self.motion(sheet, body, point);
+                    for other in bodies {
+                        if self.place_of_motion(sheet, other, point).is_none() {
+                            self.note_motion(sheet, other, point, place);
+                        }
+                    }
+                }
+            }
+        }
+        for joint in mechanism.joints_of(group) {
+            let Some(slider) = mechanism.joint(joint).slider else { continue };
+            let ends = mechanism.slider(slider);
+            for body in [ends.on, ends.link] {
+                self.relative_image(sheet, body, ends.at);
+            }
+        }
+        self.step = None;
     }
 
     /// Names the images of the group's joints: first of pins, each by the motion of its carrying link, then of sliders.

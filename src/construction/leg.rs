@@ -1,10 +1,11 @@
 //! The legs of a special point: cut lines, equations of the segments measured along the rays (Eqs. 7, 8, 15, 16 and 35
-//! to 38 of Quintero et al., 2011), and normal parts.
+//! to 38 of Quintero et al., 2011), normal parts and Coriolis accelerations.
 
 use super::cut::{Course, CutLine, Special, SpecialId, Term};
 use super::operation::{
     Along, End, Equation, LineId, MeasuredAs, NumberId, NumberKind, Part, PlaceId, Product, ProductKind, Sheet,
 };
+use super::step::{Action, Added, Arrow, PointRole, VectorOf};
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
 use crate::mechanism::{BodyId, LoopEquations, PointId, SliderId, Spin, TieTerms};
@@ -35,9 +36,8 @@ pub(super) struct Drawn<'a> {
 enum Summand {
     /// The rotating link and its arm's length.
     Turn(BodyId, NumberId),
-    /// The slider; the body that carries the guide's rotation; +1 where the guide, signed away from that body, has the
-    /// direction of the ray, else −1.
-    Slide(SliderId, BodyId, f64),
+    /// The slider; +1 where the guide, signed away from the base, has the direction of the ray, else −1.
+    Slide(SliderId, f64),
 }
 
 impl Writer<'_> {
@@ -92,7 +92,7 @@ impl Writer<'_> {
             Term::Slide { slider, from } => {
                 let ray = quarter_turn(cut.line.direction()?);
                 let guide = self.pose.guide(slider) * self.mechanism.slide_sign(slider, from);
-                Some(Summand::Slide(slider, from, guide.dot(&ray).signum()))
+                Some(Summand::Slide(slider, guide.dot(&ray).signum()))
             }
         };
         cut.terms.iter().filter_map(summand).collect()
@@ -118,7 +118,7 @@ impl Writer<'_> {
                         }
                     }
                 },
-                Summand::Slide(slider, _, sign) => {
+                Summand::Slide(slider, sign) => {
                     if let Some(unknown) = equations.slide_unknown(slider) {
                         left.push((unknown, Product::new(ProductKind::Sliding, sign, &[])));
                     }
@@ -143,27 +143,52 @@ impl Writer<'_> {
         Some(Equation { left, right })
     }
 
-    /// Lays off a leg's normal part, Coriolis acceleration included, along the cut line; returns its end.
-    pub(super) fn lay_off_normal_part(&mut self, drawn: &Drawn<'_>, side: usize, from: PlaceId) -> Option<PlaceId> {
+    /// Lays off the known parts of a leg's acceleration from the plan point `from` on, each in a step of its own: the
+    /// Coriolis acceleration of its slider, then its normal part. A part that is zero whatever the position, as the
+    /// Coriolis acceleration on a guide that never turns, has no step. Returns name and place of the end.
+    pub(super) fn known_parts(
+        &mut self,
+        drawn: &Drawn<'_>,
+        side: usize,
+        from: (String, PlaceId),
+    ) -> Option<(String, PlaceId)> {
+        let sheet = Sheet::Acceleration;
+        let usual = drawn.special.normal_names(self.mechanism)[side].clone();
+        let start = from.0.clone();
+        let mut at = from;
+        if let Some(slide) = drawn.special.cuts[side].slide(self.mechanism)
+            && self.slide_part_size(&slide, Added::Coriolis).is_some_and(|sum| !sum.is_empty())
+        {
+            let name = drawn.special.coriolis_name(self.mechanism, side);
+            let name = self.free_name(sheet, name);
+            let of = VectorOf::Passed(slide, Added::Coriolis);
+            self.begin(sheet, Action::LayOff(Arrow { from: at.0, to: name.clone(), of }));
+            let end = self.lay_off_slide_part(sheet, at.1, &slide, Added::Coriolis)?;
+            self.show(sheet, &name, end, PointRole::Slid);
+            at = (name, end);
+        }
+        let normal = self.normal_part(drawn, side)?;
+        if !normal.is_empty() {
+            let of = VectorOf::Normal(drawn.id, side);
+            self.begin(sheet, Action::LayOff(Arrow { from: at.0, to: usual.clone(), of }));
+            let end = self.lay_off(sheet, at.1, normal, drawn.legs[side].along);
+            self.show(sheet, &usual, end, PointRole::Normal);
+            at = (usual.clone(), end);
+        }
+        self.construction.known_parts.insert(usual, [start, at.0.clone()]);
+        Some(at)
+    }
+
+    /// The signed size of a leg's normal part, against the cut line: an empty sum where nothing turns.
+    fn normal_part(&mut self, drawn: &Drawn<'_>, side: usize) -> Option<Vec<Product>> {
         let mut sum = Vec::new();
         for summand in self.summands(drawn, side) {
-            match summand {
-                Summand::Turn(link, length) => {
-                    if let Some(omega) = self.construction.spins[link.0]?[0] {
-                        sum.push(Product::new(ProductKind::Normal, -1.0, &[omega, omega, length]));
-                    }
-                }
-                Summand::Slide(slider, body, sign) => {
-                    let omega = self.construction.spins[body.0]?[0];
-                    let velocity = self.construction.slides[slider.0]?[0];
-                    if let (Some(omega), Some(velocity)) = (omega, velocity) {
-                        // The Coriolis acceleration has the direction of the guide turned by +90°: against the cut line
-                        // where the guide has the direction of the ray, which is the cut line turned by +90°.
-                        sum.push(Product::new(ProductKind::Coriolis, -2.0 * sign, &[omega, velocity]));
-                    }
-                }
+            if let Summand::Turn(link, length) = summand
+                && let Some(omega) = self.construction.spins[link.0]?[0]
+            {
+                sum.push(Product::new(ProductKind::Normal, -1.0, &[omega, omega, length]));
             }
         }
-        Some(self.lay_off(Sheet::Acceleration, from, sum, drawn.legs[side].along))
+        Some(sum)
     }
 }

@@ -14,18 +14,21 @@ mod construct;
 mod cut;
 mod formula;
 mod group;
+mod images;
 mod leg;
 mod name;
 mod operation;
+mod passage;
 mod run;
 mod sentence;
 mod solution;
 mod step;
+mod vectors;
 mod writer;
 
 pub use agreement::Agreement;
 pub(crate) use construct::construction_writer;
-pub use construct::{Construction, NumberedStep, construct};
+pub use construct::{Construction, Extent, NumberedStep, construct};
 pub use cut::{Course, CutLine, Special, SpecialId, Term, special_points};
 pub use formula::{Formula, FormulaTerm, Known, NamedPart};
 pub use name::{coincident_name, coriolis_name, display, image_name, normal_name, point_on, slide_name};
@@ -33,10 +36,13 @@ pub use operation::{
     Along, End, Equation, ErrorUnit, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, Part, PlaceId,
     Product, ProductKind, Rate, Reference, Sheet, StepId,
 };
+pub use passage::{Aim, Passage};
 pub use run::{Change, Disturbance, Drawable, SheetScales, Tolerance, Values};
 pub use sentence::{Teller, plain_text, rate_symbol, shown_text};
 pub use solution::Solution;
 pub use step::{
-    Action, Added, Arrow, ArrowKind, LegEquation, Plan, PlanKind, PlanPoint, PointRole, Ray, Relation, Step, VectorOf,
+    Action, Added, Arrow, ArrowKind, LegEquation, NOTHING, Plan, PlanKind, PlanPoint, PointRole, Ray, RayOf, Relation,
+    RelativePart, Step, VectorOf,
 };
+pub use vectors::PlanVector;
 pub(crate) use writer::Writer;

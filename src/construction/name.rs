@@ -64,7 +64,9 @@ pub fn display(name: &str) -> String {
             name.split_at(digits)
         }
     };
-    if low.is_empty() || base.is_empty() { name.to_owned() } else { format!("{base}_{{{low}}}") }
+    // The last digit of a pair of links, as in 2/1, is no subscript.
+    let is_name = base.ends_with(|c: char| c.is_alphabetic() || c == '\'');
+    if low.is_empty() || !is_name { name.to_owned() } else { format!("{base}_{{{low}}}") }
 }
 
 #[cfg(test)]
@@ -82,5 +84,6 @@ mod tests {
         assert_eq!(display("S3"), "S_{3}");
         assert_eq!(display("B"), "B");
         assert_eq!(display("12"), "12");
+        assert_eq!(display("2/1"), "2/1");
     }
 }

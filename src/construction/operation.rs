@@ -119,6 +119,15 @@ pub enum OperationKind {
         /// The lines.
         lines: [LineId; 2],
     },
+    /// Divides the line between two places as a point of a link divides the line between two others.
+    Divide {
+        /// The place made.
+        place: PlaceId,
+        /// The two places, images of the first two points.
+        ends: [PlaceId; 2],
+        /// On the scheme: the two points of the link, and the point on their line.
+        like: [PlaceId; 3],
+    },
     /// Lays off a vector of known size and direction.
     LayOff {
         /// Its end, which is made.
@@ -178,6 +187,16 @@ pub struct Along {
 pub enum Reference {
     /// The direction of a line that is drawn already.
     Line(LineId),
+    /// The direction of a line of a plan, turned by the angle from one line of the scheme to another: so a triangle is
+    /// drawn similar to that of the link.
+    Angle {
+        /// The line of the plan.
+        base: LineId,
+        /// The line of the scheme of which it is the image.
+        from: LineId,
+        /// The other line of the scheme.
+        to: LineId,
+    },
     /// A unit vector that the scene gives.
     Given(Vector),
 }
@@ -319,6 +338,12 @@ impl Along {
         Along { reference: Reference::Line(line), quarter_turns: 0 }
     }
 
+    /// The direction of a line of a plan, turned by the angle between two lines of the scheme.
+    #[must_use]
+    pub fn angle(base: LineId, [from, to]: [LineId; 2]) -> Along {
+        Along { reference: Reference::Angle { base, from, to }, quarter_turns: 0 }
+    }
+
     /// A given direction, of length 1.
     #[must_use]
     pub fn given(direction: Vector) -> Along {
@@ -362,7 +387,7 @@ impl OperationKind {
             OperationKind::Draw { .. } => &[ErrorUnit::Direction],
             OperationKind::LayOff { .. } => &[ErrorUnit::Direction, ErrorUnit::Length],
             OperationKind::Measure { how: MeasuredAs::Direction, .. } => &[ErrorUnit::Direction],
-            OperationKind::Measure { .. } => &[ErrorUnit::Length],
+            OperationKind::Divide { .. } | OperationKind::Measure { .. } => &[ErrorUnit::Length],
             OperationKind::Pole { .. }
             | OperationKind::Join { .. }
             | OperationKind::Take { .. }
@@ -378,6 +403,7 @@ impl OperationKind {
             OperationKind::Pole { place, .. }
             | OperationKind::Plot { place, .. }
             | OperationKind::Cross { place, .. }
+            | OperationKind::Divide { place, .. }
             | OperationKind::LayOff { place, .. } => Some(*place),
             _ => None,
         }
@@ -408,12 +434,14 @@ impl OperationKind {
     pub(super) fn places_and_lines_read(&self) -> (SmallVec<[PlaceId; 2]>, SmallVec<[LineId; 2]>) {
         let line = |along: &Along| match along.reference {
             Reference::Line(line) => SmallVec::from_slice(&[line]),
+            Reference::Angle { base, from, to } => SmallVec::from_slice(&[base, from, to]),
             Reference::Given(_) => SmallVec::new(),
         };
         match self {
             OperationKind::Join { from, towards, .. } => (SmallVec::from_slice(&[*from, *towards]), SmallVec::new()),
             OperationKind::Draw { through, along, .. } => (SmallVec::from_slice(&[*through]), line(along)),
             OperationKind::Cross { lines, .. } => (SmallVec::new(), SmallVec::from_slice(lines)),
+            OperationKind::Divide { ends, like, .. } => (ends.iter().chain(like).copied().collect(), SmallVec::new()),
             OperationKind::LayOff { from, along, .. } => (SmallVec::from_slice(&[*from]), line(along)),
             OperationKind::Measure { from, to, how, .. } => {
                 let lines = match how {

@@ -149,6 +149,11 @@ impl Values<Ball> {
         self.places[id.0]
     }
 
+    /// The unit direction of a line with the bounds of its components' errors.
+    pub(super) fn exact_direction(&self, id: LineId) -> Pair<Ball> {
+        self.lines[id.0].1
+    }
+
     /// A number with the bound of its error.
     pub(super) fn exact_number(&self, id: NumberId) -> Ball {
         self.numbers[id.0]
@@ -198,6 +203,14 @@ impl<S: Drawable> Values<S> {
                 let t = (q - p).cross(e) / d.cross(e);
                 self.places[place.0] = displaced(p + d * t, offset);
             }
+            OperationKind::Divide { place, ends, like } => {
+                let [from, to] = ends.map(|PlaceId(end)| self.places[end]);
+                let [first, second, point] = like.map(|PlaceId(point)| self.places[point]);
+                let (line, arm) = (second - first, point - first);
+                let divided = from + (to - from) * (arm.dot(line) / line.dot(line));
+                let is_off = offset.x != 0.0;
+                self.places[place.0] = if is_off { divided + unit(to - from) * S::from(offset.x) } else { divided };
+            }
             OperationKind::LayOff { place, from, size, along } => {
                 let direction = self.direction(along, errors[0]);
                 let size = increased(self.numbers[size.0], errors[1] * per_mm);
@@ -232,6 +245,11 @@ impl<S: Drawable> Values<S> {
     fn direction(&self, along: &Along, degrees: f64) -> Pair<S> {
         let mut direction = match along.reference {
             Reference::Line(LineId(line)) => self.lines[line].1,
+            Reference::Angle { base, from, to } => {
+                let [base, from, to] = [base, from, to].map(|LineId(line)| self.lines[line].1);
+                // The conjugate turns back.
+                base.turn(to).turn(Pair { x: from.x, y: -from.y })
+            }
             Reference::Given(direction) => Pair { x: S::from(direction.x), y: S::from(direction.y) },
         };
         for _ in 0..along.quarter_turns {

@@ -5,14 +5,14 @@ use super::cut::{CutLine, Special, Term};
 use super::formula::{Formula, Known, NamedPart};
 use super::name::{image_name, point_on};
 use super::solution::Solution;
-use super::step::{Action, Added, Arrow, LegEquation, Plan, PlanKind, Ray, Relation, VectorOf};
+use super::step::{Action, Added, Arrow, LegEquation, Plan, PlanKind, Ray, RayOf, Relation, RelativePart, VectorOf};
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
-use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role};
+use crate::mechanism::{BodyId, DrivenSlide, GROUND, Mechanism, PointId, Role};
 use crate::position::Pose;
 use crate::words::{Language, NumberStyle, Wording};
 
 /// A point's name, marked for a caption.
-fn marked(name: &str) -> String {
+pub(super) fn marked(name: &str) -> String {
     format!("`{name}`")
 }
 
@@ -82,10 +82,10 @@ pub fn no_construction(words: &Wording, far: &[String]) -> String {
 /// Writes steps in a language and a notation.
 #[derive(Clone, Copy, Debug)]
 pub struct Teller<'a> {
-    mechanism: &'a Mechanism,
+    pub(super) mechanism: &'a Mechanism,
     pose: &'a Pose,
-    construction: &'a Construction,
-    words: &'a Wording,
+    pub(super) construction: &'a Construction,
+    pub(super) words: &'a Wording,
 }
 
 impl<'a> Teller<'a> {
@@ -109,10 +109,19 @@ impl<'a> Teller<'a> {
                 let sentence = match ray.relation {
                     Relation::Perpendicular => Language::ray_normal,
                     Relation::Parallel => Language::ray_parallel,
+                    Relation::Angle => Language::ray_at_angle,
                 };
                 sentence(language, &marked(&ray.through), &self.line_of(ray), &marked(&ray.to))
             }
             Action::Cross { point, .. } => language.cross(&marked(point)),
+            Action::Divide { point, between: [from, to], points } => {
+                let [first, second, third] = points.map(|point| self.mechanism.point_name(point));
+                let ratio = [format!("{first}{third}"), format!("{first}{second}")];
+                language.divide(&marked(from), &marked(to), &ratio[0], &ratio[1], &marked(point))
+            }
+            Action::Coincide { point, with, link } => {
+                language.coincide(&self.mechanism.body(*link).name, &marked(point), &marked(with))
+            }
             Action::Measure { from, to, .. } => language.measure_segment(&marked(from), &marked(to)),
             Action::Solve { unknowns, .. } => {
                 let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
@@ -131,9 +140,15 @@ impl<'a> Teller<'a> {
             Action::LayOff(arrow) => self.lay_off(kind, arrow).0,
             Action::Ray(ray) => self.ray_equation(kind, ray),
             Action::Measure { from, to, .. } => measured(kind, from, to).into(),
+            Action::Divide { point, between: [from, to], points } => {
+                let [first, second, third] = points.map(|point| self.mechanism.point_name(point));
+                let [from, to, point] = [from, to, point].map(|name| marked(name));
+                format!("{from} {point} : {from} {to} = {first}{third} : {first}{second}").into()
+            }
             Action::Pole { .. }
             | Action::SpecialPoint { .. }
             | Action::Cross { .. }
+            | Action::Coincide { .. }
             | Action::Solve { .. }
             | Action::NoConstruction { .. } => Formula::default(),
         }
@@ -142,8 +157,15 @@ impl<'a> Teller<'a> {
     /// The line of the mechanism that gives a ray its direction, by name.
     #[must_use]
     pub fn line_of(&self, ray: &Ray) -> String {
-        let special = self.construction.special(ray.special);
-        let cut = &special.cuts[ray.side];
+        let name = |point: PointId| self.mechanism.point_name(point);
+        let (special, side) = match ray.of {
+            RayOf::Leg(special, side) => (self.construction.special(special), side),
+            RayOf::Arm { from, to, other, .. } if ray.relation == Relation::Angle => {
+                return format!("∠{}{}{}", name(other), name(from), name(to));
+            }
+            RayOf::Arm { from, to, .. } => return format!("{}{}", name(from), name(to)),
+        };
+        let cut = &special.cuts[side];
         match cut.guide() {
             Some(slider) => self.words.language.guide_of(&self.mechanism.slider_name(slider)),
             None => cut.name(self.words, self.mechanism, &special.name),
@@ -173,17 +195,12 @@ impl<'a> Teller<'a> {
     }
 
     /// Equation and caption of a vector that is laid off.
-    fn lay_off(&self, kind: PlanKind, Arrow { from, to, of }: &Arrow) -> (Formula, String) {
+    pub(super) fn lay_off(&self, kind: PlanKind, arrow: &Arrow) -> (Formula, String) {
+        let Arrow { from, to, of } = arrow;
         match of {
             VectorOf::Point(body, point) => self.known_vector(*body, *point, kind),
             VectorOf::Normal(special, side) => self.normal_part(self.construction.special(*special), *side, from, to),
-            VectorOf::Relative { link, from, to } => {
-                let link = &self.mechanism.body(*link).name;
-                let formula = format!("v{0} = ω_{link} L{0}", subscript(&[to, from])).into();
-                let language = self.words.language;
-                let line = format!("{from}{to}");
-                (formula, language.lay_off_relative(link, &marked(to), &marked(from), &line))
-            }
+            VectorOf::Relative { link, from, to, part } => self.relative(*link, [from, to], *part),
             VectorOf::Sliding(slider, under) => {
                 let name = self.mechanism.slider_name(*slider);
                 let at = self.mechanism.point_name(self.mechanism.slider(*slider).at);
@@ -191,8 +208,30 @@ impl<'a> Teller<'a> {
                 let caption = language.lay_off_sliding_velocity(&name, &marked(under), &marked(at));
                 (format!("v_{}({name})", notation.relative).into(), caption)
             }
-            VectorOf::Driven(slide, added) => self.driven_part(slide, *added, [from, to]),
+            VectorOf::Passed(slide, added) => self.passed_part(slide, *added, arrow),
         }
+    }
+
+    /// Equation and caption of the motion of one point of a link relative to another.
+    fn relative(&self, link: BodyId, [from, to]: [&str; 2], part: RelativePart) -> (Formula, String) {
+        let (language, notation) = (self.words.language, self.words.notation);
+        let link = &self.mechanism.body(link).name;
+        let (pair, line) = (subscript(&[to, from]), format!("{from}{to}"));
+        let (to, from) = (marked(to), marked(from));
+        let (equation, caption) = match part {
+            RelativePart::Velocity => {
+                (format!("v{pair} = ω_{link} L{pair}"), language.lay_off_relative(link, &to, &from, &line))
+            }
+            RelativePart::Normal => (
+                format!("a^{}{pair} = ω_{link}^2 L{pair}", notation.normal),
+                language.lay_off_relative_normal(&to, &from, &line),
+            ),
+            RelativePart::Tangential => (
+                format!("a^{}{pair} = α_{link} L{pair}", notation.tangential),
+                language.lay_off_relative_tangential(link, &to, &from, &line),
+            ),
+        };
+        (equation.into(), caption)
     }
 
     /// Equation and caption of the known velocity or acceleration of body `base` at a point.
@@ -250,116 +289,168 @@ impl<'a> Teller<'a> {
     }
 
     /// The vector equation behind a ray: motion of the sought point relative to the leg's start.
-    fn ray_equation(&self, kind: PlanKind, ray: &Ray) -> Formula {
-        let special = self.construction.special(ray.special);
-        let cut = &special.cuts[ray.side];
+    pub(super) fn ray_equation(&self, kind: PlanKind, ray: &Ray) -> Formula {
+        let (special, side) = match ray.of {
+            RayOf::Leg(special, side) => (self.construction.special(special), side),
+            RayOf::Arm { link, from, to, .. } => return self.arm_equation(kind, link, [from, to]),
+        };
+        let cut = &special.cuts[side];
         let start = cut.start().map(|point| point_on(self.mechanism, cut.leg.base, point)).unwrap_or_default();
-        match kind {
-            PlanKind::Velocity => self.relative_velocity(&cut.slides, &special.name, &start),
-            PlanKind::Acceleration => self.relative_acceleration(cut, &special.name, &start),
+        let mut formula = match kind {
+            PlanKind::Velocity => self.leg_velocity(special, cut, &start),
+            PlanKind::Acceleration => self.relative_acceleration(special, cut, &start),
+        };
+        // A point of the ground under a slider is at rest: it is left out, with a plus behind it.
+        let ground = self.mechanism.body(GROUND);
+        let is_under = cut.leg.base == GROUND && cut.start().is_some_and(|start| !ground.points.contains(&start));
+        if is_under && formula.terms.len() > 3 {
+            let end = if formula.terms[3].markup == " + " { 4 } else { 3 };
+            formula.terms.drain(2..end);
         }
-    }
-
-    /// The vector equation behind a velocity ray; driven sliders of the leg add their relative velocities.
-    fn relative_velocity(&self, slides: &[DrivenSlide], special: &str, start: &str) -> Formula {
-        let mut formula = Formula::default();
-        formula.vector(format!("v{}", subscript(&[special])), Known::Nothing, None);
-        formula.sign(" = ");
-        formula.vector(format!("v{}", subscript(&[start])), Known::Entirely, None);
-        for slide in slides {
-            let name = self.mechanism.slider_name(slide.slider);
-            formula.sign(&format!(" {} ", plus_or_minus(slide)));
-            let sliding = Some(NamedPart::Sliding);
-            let added = format!("v_{}({name})", self.words.notation.relative);
-            formula.vector(added, Known::Entirely, sliding);
-        }
-        formula.sign(" + ");
-        let relative = format!("v{}", subscript(&[special, start]));
-        formula.vector(relative, Known::Direction, None);
         formula
     }
 
-    /// The vector equation behind an acceleration ray; driven sliders of the leg add their relative and Coriolis
-    /// accelerations.
-    fn relative_acceleration(&self, cut: &CutLine, special: &str, start: &str) -> Formula {
-        let has_normal = cut.terms.iter().any(|term| matches!(term, Term::Turn { .. }));
-        let has_coriolis = cut.terms.iter().any(|term| matches!(term, Term::Slide { .. }));
+    /// The vector equation behind a ray for the image of a further point of a link.
+    fn arm_equation(&self, kind: PlanKind, link: BodyId, ends: [PointId; 2]) -> Formula {
+        let [from, to] = ends.map(|point| point_on(self.mechanism, link, point));
+        match kind {
+            PlanKind::Velocity => self.relative_velocity(&to, &from),
+            PlanKind::Acceleration => Formula::default(),
+        }
+    }
+
+    /// The vector equation of the velocity of one point by that of another of the same link.
+    fn relative_velocity(&self, to: &str, from: &str) -> Formula {
+        let mut formula = Formula::default();
+        formula.vector(format!("v{}", subscript(&[to])), Known::Nothing, None);
+        formula.sign(" = ");
+        formula.vector(format!("v{}", subscript(&[from])), Known::Entirely, None);
+        formula.sign(" + ");
+        formula.vector(format!("v{}", subscript(&[to, from])), Known::Direction, None);
+        formula
+    }
+
+    /// The vector equation behind a velocity ray: what driven sliders on the way add, then the velocity along the ray,
+    /// which is a sliding velocity where nothing else moves.
+    fn leg_velocity(&self, point: &Special, cut: &CutLine, start: &str) -> Formula {
+        let mut formula = self.relative_velocity(&point.name, start);
+        let along = formula.terms.split_off(formula.terms.len() - 2);
+        let r = self.words.notation.relative;
+        let sliding = |slide: &DrivenSlide| format!("v_{r}({})", self.mechanism.slider_name(slide.slider));
+        for slide in &cut.slides {
+            formula.sign(&format!(" {} ", plus_or_minus(slide)));
+            formula.vector(sliding(slide), Known::Entirely, Some(NamedPart::Sliding));
+        }
+        let turns = cut.terms.iter().any(|term| self.turning(point, term).is_some());
+        match cut.slide(self.mechanism).filter(|_| !turns) {
+            Some(slide) => {
+                formula.sign(&format!(" {} ", plus_or_minus(&slide)));
+                formula.vector(sliding(&slide), Known::Direction, Some(NamedPart::Sliding));
+            }
+            None => formula.terms.extend(along),
+        }
+        formula
+    }
+
+    /// The vector equation behind an acceleration ray: what the sliders on the way add, normal and tangential part.
+    /// Parts that are zero in every position are left out.
+    fn relative_acceleration(&self, point: &Special, cut: &CutLine, start: &str) -> Formula {
         let notation = self.words.notation;
         let mut formula = Formula::default();
-        formula.vector(format!("a{}", subscript(&[special])), Known::Nothing, None);
+        formula.vector(format!("a{}", subscript(&[&point.name])), Known::Nothing, None);
         formula.sign(" = ");
         formula.vector(format!("a{}", subscript(&[start])), Known::Entirely, None);
+        let slider = |slide: &DrivenSlide| self.mechanism.slider_name(slide.slider);
+        let mut add = |sign: char, markup: String, known: Known, part: NamedPart| {
+            formula.sign(&format!(" {sign} "));
+            formula.vector(markup, known, Some(part));
+        };
+        let (relative, coriolis) = (notation.relative, notation.coriolis);
         for slide in &cut.slides {
-            let name = self.mechanism.slider_name(slide.slider);
-            for (letter, part) in [(notation.relative, NamedPart::Sliding), (notation.coriolis, NamedPart::Coriolis)] {
-                formula.sign(&format!(" {} ", plus_or_minus(slide)));
-                let added = format!("a_{letter}({name})");
-                formula.vector(added, Known::Entirely, Some(part));
+            add(plus_or_minus(slide), format!("a_{relative}({})", slider(slide)), Known::Entirely, NamedPart::Sliding);
+            if self.has_coriolis(slide) {
+                let added = format!("a_{coriolis}({})", slider(slide));
+                add(plus_or_minus(slide), added, Known::Entirely, NamedPart::Coriolis);
             }
         }
-        let points = subscript(&[special, start]);
-        let (known, direction) = (Known::Entirely, Known::Direction);
-        for (letter, known, part) in [
-            (notation.normal, known, NamedPart::Normal),
-            (notation.coriolis, known, NamedPart::Coriolis),
-            (notation.tangential, direction, NamedPart::Tangential),
-        ] {
-            let has = match part {
-                NamedPart::Normal => has_normal,
-                NamedPart::Coriolis => has_coriolis,
-                _ => true,
-            };
-            if !has {
-                continue;
-            }
-            formula.sign(" + ");
-            formula.vector(format!("a^{letter}{points}"), known, Some(part));
+        let passed = cut.slide(self.mechanism);
+        if let Some(slide) = passed.as_ref().filter(|slide| self.has_coriolis(slide)) {
+            let added = format!("a_{coriolis}({})", slider(slide));
+            add(plus_or_minus(slide), added, Known::Entirely, NamedPart::Coriolis);
+        }
+        let points = subscript(&[&point.name, start]);
+        let turning = || cut.terms.iter().filter_map(|term| self.turning(point, term));
+        if turning().any(|link| self.turns(link)) {
+            add('+', format!("a^{}{points}", notation.normal), Known::Entirely, NamedPart::Normal);
+        }
+        if turning().next().is_some() {
+            add('+', format!("a^{}{points}", notation.tangential), Known::Direction, NamedPart::Tangential);
+        }
+        if let Some(slide) = passed {
+            add(
+                plus_or_minus(&slide),
+                format!("a_{relative}({})", slider(&slide)),
+                Known::Direction,
+                NamedPart::Sliding,
+            );
         }
         formula
+    }
+
+    /// The link of a turning term, unless its arm has no length.
+    fn turning(&self, point: &Special, term: &Term) -> Option<BodyId> {
+        match *term {
+            Term::Turn { link, from, to } => {
+                (to.is_some() || self.arm(point, from, to) != Vector::zeros()).then_some(link)
+            }
+            Term::Slide { .. } => None,
+        }
+    }
+
+    /// Whether a link has an angular velocity other than a given one of zero.
+    fn turns(&self, link: BodyId) -> bool {
+        self.construction.spins[link.0].is_none_or(|[omega, _]| omega.is_some())
+    }
+
+    /// Whether a slider has a Coriolis acceleration: its guide turns, and something slides.
+    fn has_coriolis(&self, slide: &DrivenSlide) -> bool {
+        let slides = self.construction.slides[slide.slider.0];
+        self.turns(slide.from) && self.turns(slide.to) && slides.is_none_or(|[velocity, _]| velocity.is_some())
     }
 
     /// Equation and caption of a leg's normal part.
     fn normal_part(&self, point: &Special, side: usize, from: &str, to: &str) -> (Formula, String) {
         let (mechanism, words, s) = (self.mechanism, self.words, &point.name);
         let cut = &point.cuts[side];
-        let body = |b: BodyId| mechanism.body(b).name.as_str();
-        let (mut normals, mut coriolis) = (Vec::new(), None);
+        let mut normals = Vec::new();
+        let mut centre = "";
         for term in &cut.terms {
-            match *term {
-                // A zero arm is left out of the equation.
-                Term::Turn { link, from, to } if self.arm(point, from, to) != Vector::zeros() || to.is_some() => {
-                    let to = to.map_or(s.as_str(), |to| mechanism.point_name(to));
-                    normals.push(format!("ω_{}^2 L{}", body(link), subscript(&[to, mechanism.point_name(from)])));
-                }
-                Term::Turn { .. } => {}
-                Term::Slide { slider, from } => {
-                    let (omega, name) = (body(from), mechanism.slider_name(slider));
-                    coriolis = Some(format!("2 ω_{omega} v_{}({name})", words.notation.relative));
-                }
+            if let Term::Turn { link, from, to } = *term
+                && self.turning(point, term).is_some_and(|link| self.turns(link))
+            {
+                let to = to.map_or(s.as_str(), |to| mechanism.point_name(to));
+                let arm = subscript(&[to, mechanism.point_name(from)]);
+                normals.push(format!("ω_{}^2 L{arm}", mechanism.body(link).name));
+                centre = mechanism.point_name(from);
             }
         }
-        let sentence = match (normals.len(), coriolis.is_some()) {
-            (2, _) => Language::lay_off_normal_parts,
-            (1, true) => Language::lay_off_normal_and_coriolis,
-            (_, true) => Language::lay_off_coriolis_part,
-            (_, false) => Language::lay_off_normal_part,
-        };
         let language = words.language;
         let start = cut.start().map_or("", |start| mechanism.point_name(start));
         let mut formula = Formula::default();
         formula.vector(format!("a^{}{}", words.notation.normal, subscript(&[s, start])), Known::Entirely, None);
+        let both = normals.len() == 2;
         let mut between = language.made_from();
         for part in normals {
             formula.words(between);
             formula.sign(&part);
             between = language.and();
         }
-        if let Some(part) = coriolis {
-            formula.words(&format!("{between}{}", language.coriolis_word()));
-            formula.sign(&part);
-        }
         let line = cut.name(words, mechanism, s);
-        (formula, sentence(language, &line, &marked(from), &marked(to)))
+        let caption = match both {
+            true => language.lay_off_normal_parts(&line, &marked(from), &marked(to)),
+            false => language.lay_off_normal_part(&line, centre, &marked(from), &marked(to)),
+        };
+        (formula, caption)
     }
 
     /// The arm of a rotation term, to joint `to` or else to the sought point; zero for a point at infinity.
@@ -413,30 +504,30 @@ impl<'a> Teller<'a> {
         format!("{left} = {}", measured(kind, from, &image_name(&point.name)))
     }
 
-    /// Equation and caption of a driven slider's relative velocity, relative acceleration or Coriolis acceleration.
-    fn driven_part(&self, slide: &DrivenSlide, added: Added, [from, to]: [&str; 2]) -> (Formula, String) {
+    /// Equation and caption of a slider's relative velocity, relative acceleration or Coriolis acceleration.
+    ///
+    /// A chain may pass the slider from the sliding link to the guide: then the vector is laid off backwards, so that
+    /// its head is where the chain has come from.
+    fn passed_part(&self, slide: &DrivenSlide, added: Added, arrow: &Arrow) -> (Formula, String) {
         let mechanism = self.mechanism;
         let name = mechanism.slider_name(slide.slider);
         let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
-        // The leg may pass the slider from the sliding link to the guide: then the sign is reversed.
-        let backwards = slide.sign < 0.0;
-        let minus = if backwards { "−" } else { "" };
         let (language, notation) = (self.words.language, self.words.notation);
         let (r, c) = (notation.relative, notation.coriolis);
         let equation = match added {
-            Added::SlidingVelocity => format!("{minus}v_{r}({name})"),
-            Added::SlidingAcceleration => format!("{minus}a_{r}({name})"),
-            Added::Coriolis => format!("{minus}a_{c}({name}) = {minus}2 ω_{on} v_{r}({name})"),
+            Added::SlidingVelocity => format!("v_{r}({name})"),
+            Added::SlidingAcceleration => format!("a_{r}({name})"),
+            Added::Coriolis => format!("a_{c}({name}) = 2 ω_{on} v_{r}({name})"),
         };
-        let sentence = match (added, backwards) {
-            (Added::SlidingVelocity, false) => Language::lay_off_sliding_velocity,
-            (Added::SlidingVelocity, true) => Language::lay_off_sliding_velocity_reversed,
-            (Added::SlidingAcceleration, false) => Language::lay_off_sliding_acceleration,
-            (Added::SlidingAcceleration, true) => Language::lay_off_sliding_acceleration_reversed,
-            (Added::Coriolis, false) => Language::lay_off_coriolis,
-            (Added::Coriolis, true) => Language::lay_off_coriolis_reversed,
+        let [from, to] = arrow.ends().map(marked);
+        let caption = match (added, arrow.is_backwards()) {
+            (Added::SlidingVelocity, false) => language.lay_off_sliding_velocity(&name, &from, &to),
+            (Added::SlidingVelocity, true) => language.lay_off_sliding_velocity_backwards(&name, &from, &to),
+            (Added::SlidingAcceleration, false) => language.lay_off_sliding_acceleration(&name, &from, &to),
+            (Added::SlidingAcceleration, true) => language.lay_off_sliding_acceleration_backwards(&name, &from, &to),
+            (Added::Coriolis, false) => language.lay_off_coriolis(&name, on, &from, &to),
+            (Added::Coriolis, true) => language.lay_off_coriolis_backwards(&name, on, &from, &to),
         };
-        let caption = sentence(language, &name, &marked(from), &marked(to));
         (equation.into(), caption)
     }
 }

@@ -1,9 +1,9 @@
-use super::construct::{Construction, construct};
+use super::construct::{Construction, Extent, construct};
 use super::sentence::{no_construction, plain_text};
 use crate::mechanism::Mechanism;
 use crate::motion::{Motion, MotionError, Order, motion};
 use crate::position::Pose;
-use crate::scene::Scene;
+use crate::scene::{ConstructionShown, Scene};
 use crate::words::Wording;
 
 /// A solved scene: the mechanism in one position with its motion and its plans. Input of figures, results, steps and
@@ -26,7 +26,11 @@ impl Solution {
     /// Motion and plans of a mechanism at a pose.
     pub fn new(scene: Scene, mechanism: Mechanism, pose: Pose, order: Order) -> Result<Self, MotionError> {
         let motion = motion(&mechanism, &pose, order)?;
-        let construction = construct(&mechanism, &pose, &motion);
+        let extent = match scene.figure.construction {
+            ConstructionShown::Paper => Extent::Rates,
+            ConstructionShown::Whole | ConstructionShown::Hidden => Extent::Points,
+        };
+        let construction = construct(&mechanism, &pose, &motion, extent);
         Ok(Self { scene, mechanism, pose, motion, construction })
     }
 

@@ -161,6 +161,24 @@ pub enum Action {
         /// The unknowns' quantity names and values.
         unknowns: Vec<(String, f64)>,
     },
+    /// Divide the line between two images in the ratio of the link: the image of a point on the line of two others.
+    Divide {
+        /// The plan point made.
+        point: String,
+        /// The images that are divided.
+        between: [String; 2],
+        /// On the link: the points whose images they are, and the point looked for.
+        points: [PointId; 3],
+    },
+    /// The link does not turn: a further point has the image of another.
+    Coincide {
+        /// The plan point made.
+        point: String,
+        /// The image that is there.
+        with: String,
+        /// The link.
+        link: BodyId,
+    },
     /// There is no construction by two rays.
     NoConstruction {
         /// Names of the special points at infinity, where these are the reason; else empty.
@@ -175,12 +193,21 @@ impl Action {
         matches!(self, Action::MeasureLength { .. } | Action::Measure { .. })
     }
 
+    /// The plan point that it makes or leads to.
+    #[must_use]
+    pub fn towards(&self) -> Option<&str> {
+        match self {
+            Action::Ray(ray) => Some(&ray.to),
+            _ => self.image(),
+        }
+    }
+
     /// The plan point that it makes, if it makes one.
     #[must_use]
     pub fn image(&self) -> Option<&str> {
         match self {
             Action::LayOff(arrow) => Some(&arrow.to),
-            Action::Cross { point, .. } => Some(point),
+            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => Some(point),
             _ => None,
         }
     }
@@ -199,12 +226,12 @@ pub struct LegEquation {
     pub segment: f64,
 }
 
-/// A vector of a plan, from one of its points to another.
+/// A vector that is laid off in a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrow {
-    /// From this plan point …
+    /// The plan point at which it is laid off …
     pub from: String,
-    /// … to this one.
+    /// … and the one that it makes. [`Arrow::ends`] says where its head is.
     pub to: String,
     /// Its meaning.
     pub of: VectorOf,
@@ -215,9 +242,9 @@ pub struct Arrow {
 pub enum VectorOf {
     /// The whole velocity or acceleration of a body's point.
     Point(BodyId, PointId),
-    /// The normal part of a leg, Coriolis acceleration included: special point and leg.
+    /// The normal part of a leg: special point and leg.
     Normal(SpecialId, usize),
-    /// The velocity of one point of a link relative to another, by their names.
+    /// The velocity or acceleration of one point of a link relative to another, by their names, or a part of it.
     Relative {
         /// The link.
         link: BodyId,
@@ -225,15 +252,28 @@ pub enum VectorOf {
         from: String,
         /// … to this one.
         to: String,
+        /// Which part of it.
+        part: RelativePart,
     },
     /// The sliding velocity at a slider, from the coincident point of the guide's body, given by name, to the slider's
     /// point.
     Sliding(SliderId, String),
-    /// The relative motion of a driven slider.
-    Driven(DrivenSlide, Added),
+    /// A part of the relative motion at a slider that a chain of vectors passes, in either direction.
+    Passed(DrivenSlide, Added),
 }
 
-/// A part of the relative motion at a driven slider.
+/// A part of the motion of one point of a link relative to another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RelativePart {
+    /// The velocity, ω × r.
+    Velocity,
+    /// The normal acceleration, −ω² r.
+    Normal,
+    /// The tangential acceleration, α × r.
+    Tangential,
+}
+
+/// A part of the relative motion at a slider.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Added {
     /// Relative velocity v_r, along the guide.
@@ -262,24 +302,41 @@ pub enum ArrowKind {
     Whole,
     /// A normal part.
     Normal,
-    /// A relative velocity of two points of one link.
+    /// A relative velocity of two points of one link, or a tangential acceleration.
     Relative,
     /// A sliding velocity or acceleration.
     Sliding,
-    /// The Coriolis acceleration of a driven slider.
+    /// The Coriolis acceleration of a slider.
     Coriolis,
 }
 
 impl Arrow {
+    /// Whether the vector points from the new plan point back to the one that was there: a chain that passes a slider
+    /// from the sliding link to the guide subtracts its relative motion.
+    #[must_use]
+    pub fn is_backwards(&self) -> bool {
+        matches!(self.of, VectorOf::Passed(slide, _) if slide.sign < 0.0)
+    }
+
+    /// The plan points where the vector begins and where its head is. It has the direction of the quantity that it
+    /// shows, whichever end is laid off first.
+    #[must_use]
+    pub fn ends(&self) -> [&str; 2] {
+        match self.is_backwards() {
+            true => [&self.to, &self.from],
+            false => [&self.from, &self.to],
+        }
+    }
+
     /// The kind of the vector.
     #[must_use]
     pub fn kind(&self) -> ArrowKind {
         match self.of {
             VectorOf::Point(..) => ArrowKind::Whole,
-            VectorOf::Normal(..) => ArrowKind::Normal,
+            VectorOf::Normal(..) | VectorOf::Relative { part: RelativePart::Normal, .. } => ArrowKind::Normal,
             VectorOf::Relative { .. } => ArrowKind::Relative,
-            VectorOf::Driven(_, Added::Coriolis) => ArrowKind::Coriolis,
-            VectorOf::Sliding(..) | VectorOf::Driven(..) => ArrowKind::Sliding,
+            VectorOf::Passed(_, Added::Coriolis) => ArrowKind::Coriolis,
+            VectorOf::Sliding(..) | VectorOf::Passed(..) => ArrowKind::Sliding,
         }
     }
 }
@@ -295,10 +352,26 @@ pub struct Ray {
     pub direction: Vector,
     /// Its relation to the line of the mechanism that gives the direction.
     pub relation: Relation,
-    /// The sought point …
-    pub special: SpecialId,
-    /// … and the leg, 0 or 1.
-    pub side: usize,
+    /// What gives its direction.
+    pub of: RayOf,
+}
+
+/// What gives a ray its direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayOf {
+    /// The leg, 0 or 1, of a sought point.
+    Leg(SpecialId, usize),
+    /// A link, for the image of a further point of it.
+    Arm {
+        /// The link.
+        link: BodyId,
+        /// The point from whose image the ray starts.
+        from: PointId,
+        /// The point looked for.
+        to: PointId,
+        /// A third point, whose image is there too.
+        other: PointId,
+    },
 }
 
 /// Relation of a ray to a line of the mechanism.
@@ -308,13 +381,32 @@ pub enum Relation {
     Perpendicular,
     /// Parallel to it.
     Parallel,
+    /// At the same angle to the line of two images as it makes with the line of their points.
+    Angle,
 }
+
+/// Vectors and rates below this part of the largest of their kind are rounding errors of zero.
+pub const NOTHING: f64 = 1e-12;
 
 impl Plan {
     /// The vector from one plan point to another; `None` for an unknown name.
     #[must_use]
     pub fn segment(&self, from: &str, to: &str) -> Option<Vector> {
         Some(self.points.get(to)?.vector - self.points.get(from)?.vector)
+    }
+
+    /// The same for showing: zero where only rounding is left of it.
+    #[must_use]
+    pub fn shown_segment(&self, from: &str, to: &str) -> Option<Vector> {
+        let segment = self.segment(from, to)?;
+        Some(if self.is_nothing(segment.norm()) { Vector::zeros() } else { segment })
+    }
+
+    /// Whether a size is what rounding leaves of zero in this plan.
+    #[must_use]
+    pub fn is_nothing(&self, size: f64) -> bool {
+        let largest = self.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
+        size.abs() <= NOTHING * largest
     }
 
     /// The symbol of a plan point in a notation; `written` is the symbol without its changes for poles and images.
@@ -325,7 +417,9 @@ impl Plan {
         let Some(point) = self.points.get(name) else {
             return written;
         };
-        if name == self.kind.pole() {
+        // A point of the ground under a slider has no name of its own in a plan.
+        let is_under = point.role == PointRole::Pole && name.ends_with("_ground");
+        if name == self.kind.pole() || is_under {
             return pole.to_owned();
         }
         let primes = notation.primes && self.kind == PlanKind::Acceleration;

@@ -1,7 +1,8 @@
 //! Writes operations one after another, carries out each at once, and keeps an index of what has been drawn.
 
 use super::body::Anchor;
-use super::construct::Construction;
+use super::construct::{Construction, Extent};
+use super::images::LaidOff;
 use super::name::image_name;
 use super::operation::{
     Along, End, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, Part, PlaceId, Product, Rate,
@@ -28,6 +29,8 @@ pub(crate) struct Writer<'a> {
     pub(super) exact: Values<Ball>,
     /// Places in the plans of the motions of bodies' points.
     pub(super) motions: Vec<(Sheet, BodyId, PointId, PlaceId)>,
+    /// The vectors laid off between images of points, by their ends.
+    pub(super) laid_off: Vec<LaidOff>,
     /// By body: the joint by which its motion follows from a known one.
     pub(super) anchors: Vec<Option<Anchor>>,
     /// Tolerance for a point on a line and for coincident points, in units of length.
@@ -46,15 +49,16 @@ pub(crate) struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     /// A writer with the poles of the plans and the rates that the scene gives.
-    pub(super) fn new(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Self {
+    pub(super) fn new(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion, extent: Extent) -> Self {
         let origin = pose.points.first().copied().unwrap_or_default();
         let mut writer = Writer {
             mechanism,
             pose,
             motion,
-            construction: Construction::empty(mechanism, motion.order, origin),
+            construction: Construction::empty(mechanism, motion.order, origin, extent),
             exact: Values::default(),
             motions: Vec::new(),
+            laid_off: Vec::new(),
             anchors: vec![None; mechanism.bodies.len()],
             near: 64.0 * UNIT_ROUNDOFF * span(pose.points.iter().copied()),
             step: None,
@@ -128,6 +132,14 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// Sets the direction of the last step, a ray, to that of its line.
+    pub(super) fn set_direction(&mut self, sheet: Sheet, line: LineId) {
+        let along = self.exact.exact_direction(line).rounded();
+        if let Some(Action::Ray(ray)) = self.plan(sheet).steps.last_mut().map(|step| &mut step.action) {
+            ray.direction = along;
+        }
+    }
+
     /// Notes the place of the motion of a body's point in a plan.
     pub(super) fn note_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
         self.motions.push((sheet, body, point, place));
@@ -167,6 +179,7 @@ impl<'a> Writer<'a> {
             kind,
             OperationKind::Draw { .. }
                 | OperationKind::Cross { .. }
+                | OperationKind::Divide { .. }
                 | OperationKind::LayOff { .. }
                 | OperationKind::Measure { .. }
                 | OperationKind::Solve { .. }
@@ -267,6 +280,13 @@ impl<'a> Writer<'a> {
         self.push(sheet, part, OperationKind::Cross { place, lines });
         let at = self.exact.exact_place(place);
         (is_known(at.x) && is_known(at.y)).then_some(place)
+    }
+
+    /// The point that divides the line between two plan points as the third of `like` divides that of the other two.
+    pub(super) fn divide(&mut self, sheet: Sheet, ends: [PlaceId; 2], like: [PlaceId; 3]) -> PlaceId {
+        let place = self.new_place();
+        self.push(sheet, Part::Image, OperationKind::Divide { place, ends, like });
+        place
     }
 
     pub(crate) fn measure(

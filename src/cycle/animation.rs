@@ -40,13 +40,7 @@ impl Animation {
         };
         let mut path = Path::new(mechanism, pose, drive.clone())?;
         let start = path.start();
-        let [low, high] = match path.cover(None, None) {
-            Err(CycleError::Range(_)) => {
-                let reach = OPEN_RANGE * path.unit();
-                path.cover(Some(start - reach), Some(start + reach))?
-            }
-            range => range?,
-        };
+        let [low, high] = whole_range(&mut path)?;
         let is_round = drive.is_angle() && path.end(true).is_none();
         let mut values: Vec<f64> = if is_round {
             let step = path.unit() / count.max(1) as f64;
@@ -82,5 +76,17 @@ impl Animation {
             animation.positions.push(solution);
         }
         Ok(animation)
+    }
+}
+
+/// Follows the branch once around or from end to end, that of a slider without ends a part of the mechanism's size
+/// either way; returns that range.
+pub(super) fn whole_range(path: &mut Path) -> Result<[f64; 2], CycleError> {
+    match path.cover(None, None) {
+        Err(CycleError::Range(_)) => {
+            let (start, reach) = (path.start(), OPEN_RANGE * path.unit());
+            path.cover(Some(start - reach), Some(start + reach))
+        }
+        range => range,
     }
 }

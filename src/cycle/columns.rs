@@ -1,5 +1,5 @@
 use super::{Path, Position};
-use crate::construction::{Construction, construct};
+use crate::construction::{Construction, Extent, construct};
 use crate::geometry::Row;
 use crate::motion::{Order, motion};
 use crate::quantity::{Asked, Quantity, QuantityError};
@@ -69,7 +69,7 @@ impl<'a> Columns<'a> {
     fn construct<R: Row>(&self, position: &Position<R>) -> Option<Construction> {
         let (mechanism, pose) = (self.path.mechanism, position.pose());
         let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
-        Some(construct(mechanism, &pose, &motion))
+        Some(construct(mechanism, &pose, &motion, Extent::Points))
     }
 
     /// Checks that every plan point asked for exists, at the first of these values of the drive that has plans.

@@ -69,24 +69,8 @@ impl<'a> Curves<'a> {
     /// A name is no quantity of this mechanism, or the quantity has no value in the range; or nothing of the range has
     /// been reached.
     pub fn new(path: &'a Path<'a>, range: [f64; 2], names: Option<&[String]>) -> Result<Self, CycleError> {
-        let mut low = range[0].min(range[1]).max(path.low());
-        let mut high = range[0].max(range[1]).min(path.high());
-        // There is no curve in a range without width, or of a few roundings' width.
-        if high.is_nan() || low.is_nan() || high - low <= SAME * path.unit() {
-            let [from, to] = [low, high].map(|v| path.drive.amount(v));
-            let hint = "a range with more room between --from and --to";
-            return Err(CycleError::Range(format!("from {from} to {to} there is no room for a curve\n  try: {hint}")));
-        }
-        // The path stops just before its limits; the range includes them.
-        if low == path.low() {
-            low = path.limit(false).unwrap_or(low);
-        }
-        if high == path.high() {
-            high = path.limit(true).unwrap_or(high);
-        }
-        let mut curves = Curves { path, range: [low, high], curves: Vec::new(), events: Vec::new() };
-        let inside = |e: &Event| (low..=high).contains(&e.at);
-        curves.events = path.events().into_iter().filter(inside).collect();
+        let shown = Shown::new(path, range)?;
+        let mut curves = Curves { path, range: shown.range, curves: Vec::new(), events: shown.events };
         let wanted = names.filter(|names| !names.is_empty());
         let names = wanted.map_or_else(|| every_omega(path), <[String]>::to_vec);
         curves.add(&names)?;
@@ -99,7 +83,7 @@ impl<'a> Curves<'a> {
 
     /// Adds the curves of the quantities of these names; equal quantities share a curve.
     fn add(&mut self, names: &[String]) -> Result<(), CycleError> {
-        let grid = self.grid();
+        let grid = grid(self.path, self.range);
         let mut surveys: Vec<CurveSurvey> = Vec::new();
         for (index, name) in names.iter().enumerate() {
             if names[..index].contains(name) {
@@ -139,22 +123,6 @@ impl<'a> Curves<'a> {
         // The scene's own position is not singular.
         Columns::of(path, vec![column]).check([path.start()].into_iter())?;
         Ok(asked)
-    }
-
-    /// Values of the drive at which all curves are sampled first.
-    fn grid(&self) -> Vec<f64> {
-        let [low, high] = self.range;
-        let part = |k: usize, parts: usize, [a, b]: [f64; 2]| a + (b - a) * k as f64 / parts as f64;
-        let mut grid: Vec<f64> = (0..=PARTS).map(|k| part(k, PARTS, [low, high])).collect();
-        for segment in &self.path.segments {
-            let inner = (0..PARTS_OF_SEGMENT).map(|k| part(k, PARTS_OF_SEGMENT, [segment.from, segment.to]));
-            grid.extend(inner.filter(|x| (low..high).contains(x)));
-        }
-        grid.sort_by(f64::total_cmp);
-        grid.dedup_by(|b, a| *b - *a <= SAME * (high - low));
-        let last = grid.len() - 1;
-        grid[last] = high;
-        grid
     }
 
     /// The curve, sampled for a panel whose axis covers the values `shared`.
@@ -202,6 +170,52 @@ impl<'a> Curves<'a> {
         }
         curve
     }
+}
+
+/// The part of a range that a path has reached.
+pub(super) struct Shown {
+    /// Its lowest and highest value of the drive, limits included.
+    pub range: [f64; 2],
+    /// The events in it, in the order of the drive's value.
+    pub events: Vec<Event>,
+}
+
+impl Shown {
+    /// The part of this range that the path has reached.
+    pub fn new(path: &Path, range: [f64; 2]) -> Result<Self, CycleError> {
+        let mut low = range[0].min(range[1]).max(path.low());
+        let mut high = range[0].max(range[1]).min(path.high());
+        // There is no curve in a range without width, or of a few roundings' width.
+        if high.is_nan() || low.is_nan() || high - low <= SAME * path.unit() {
+            let [from, to] = [low, high].map(|v| path.drive.amount(v));
+            let hint = "a range with more room between --from and --to";
+            return Err(CycleError::Range(format!("from {from} to {to} there is no room for a curve\n  try: {hint}")));
+        }
+        // The path stops just before its limits; the range includes them.
+        if low == path.low() {
+            low = path.limit(false).unwrap_or(low);
+        }
+        if high == path.high() {
+            high = path.limit(true).unwrap_or(high);
+        }
+        let inside = |e: &Event| (low..=high).contains(&e.at);
+        Ok(Shown { range: [low, high], events: path.events().into_iter().filter(inside).collect() })
+    }
+}
+
+/// Values of the drive at which all curves and ways are sampled first.
+pub(super) fn grid(path: &Path, [low, high]: [f64; 2]) -> Vec<f64> {
+    let part = |k: usize, parts: usize, [a, b]: [f64; 2]| a + (b - a) * k as f64 / parts as f64;
+    let mut grid: Vec<f64> = (0..=PARTS).map(|k| part(k, PARTS, [low, high])).collect();
+    for segment in &path.segments {
+        let inner = (0..PARTS_OF_SEGMENT).map(|k| part(k, PARTS_OF_SEGMENT, [segment.from, segment.to]));
+        grid.extend(inner.filter(|x| (low..high).contains(x)));
+    }
+    grid.sort_by(f64::total_cmp);
+    grid.dedup_by(|b, a| *b - *a <= SAME * (high - low));
+    let last = grid.len() - 1;
+    grid[last] = high;
+    grid
 }
 
 /// Names of the angular velocities of all driven links, or of the driving ones where there are no others.

@@ -1,4 +1,5 @@
 use super::CycleError;
+use crate::geometry::span;
 use crate::kernel::{InputKind, Kernel};
 use crate::mechanism::{Mechanism, Role, SliderId};
 
@@ -11,6 +12,8 @@ pub struct Drive {
     pub(super) input: usize,
     pub(super) turns: bool,
     quantity: String,
+    /// The size of the largest link, in units of length.
+    size: f64,
 }
 
 impl Drive {
@@ -36,7 +39,9 @@ impl Drive {
                 format!("position({})", mechanism.slider_name(SliderId(slider)))
             }
         };
-        Ok(Drive { name, input, turns: matches!(kernel.inputs[input].kind, InputKind::Turning { .. }), quantity })
+        let turns = matches!(kernel.inputs[input].kind, InputKind::Turning { .. });
+        let size = mechanism.bodies.iter().map(|body| span(body.local.iter().copied())).fold(0.0, f64::max);
+        Ok(Drive { name, input, turns, quantity, size })
     }
 
     /// The drive at this value, in words, as in `angle(1) = 30°`.
@@ -52,7 +57,7 @@ impl Drive {
         if self.turns {
             format!("{}°", (value * 1e10).round() / 1e10 + 0.0)
         } else {
-            format!("{}", shortened(value, 12))
+            format!("{}", shortened(snapped(value, self.size), 12))
         }
     }
 
@@ -67,6 +72,11 @@ impl Drive {
     pub fn is_angle(&self) -> bool {
         self.turns
     }
+}
+
+/// A value that is known to a millionth of a millionth of `whole`: zero where it is less.
+pub(super) fn snapped(value: f64, whole: f64) -> f64 {
+    if value.abs() < 1e-12 * whole { 0.0 } else { value }
 }
 
 /// The nearest number with so many decimal digits.

@@ -61,6 +61,9 @@ pub enum CycleError {
     /// A hodograph was asked for of a quantity that is no vector.
     #[error("`{0}` is no vector\n  try: v(D), v(D/G), a(D), a_n(D/G), a_t(D/G), a_c(3/2) with names of this scene")]
     NoVector(String),
+    /// A path was asked for of what is no point of a moving link.
+    #[error("`{0}` is no point of a link that moves, so it has no path")]
+    NoPath(String),
     /// A quantity that was asked for has no curve.
     #[error(transparent)]
     Quantity(#[from] QuantityError),

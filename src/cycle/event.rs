@@ -1,4 +1,4 @@
-use super::drive::shortened;
+use super::drive::{shortened, snapped};
 use super::{Path, Walker};
 use crate::geometry::{Vector, degrees_of};
 use crate::kernel::{Single, Unknown};
@@ -79,7 +79,7 @@ impl Event {
                 format!("singular position near {place}: links {links} cannot be followed through it")
             }
             Happening::TurnsBack { link, angle } => {
-                let angle = shortened(*angle, 9);
+                let angle = shortened(snapped(*angle, 360.0), 9);
                 format!("extreme position at {place}: link {link} stops at {angle}° and turns back")
             }
             Happening::SlidesBack { slider, position } => {
@@ -133,7 +133,7 @@ pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
                 let what = match unknown {
                     Unknown::Slide(slider) => Happening::SlidesBack {
                         slider: mechanism.slider_name(SliderId(slider)),
-                        position: block.slides[slider][0],
+                        position: snapped(block.slides[slider][0], path.size()),
                     },
                     Unknown::Spin(class) => {
                         // Of links that turn together the one with most points is named: the lever, not the block on

@@ -1,14 +1,8 @@
-use super::reading::Reading;
+use super::curve::Shown;
+use super::tip::{MARKS, Tip};
 use super::{Curve, Curves, CycleError, Event, Path};
 use crate::geometry::Vector;
 use crate::quantity::Asked;
-
-/// Step between the angles of the drive at which tips are marked, in degrees.
-const MARKS: f64 = 30.0;
-/// Approximate number of tips that are marked where the drive is a slider.
-const MARKS_OF_SLIDER: f64 = 12.0;
-/// Difference of two values of the drive that counts as none, in parts of the range.
-const SAME: f64 = 1e-9;
 
 /// Hodographs: the curves of the tips of vectors over a range of a path, all vectors laid off from one pole.
 #[derive(Clone, Debug)]
@@ -66,22 +60,16 @@ impl<'a> Hodographs<'a> {
                 found.expect("both parts have a curve")
             };
             let [x, y] = parts.each_ref().map(curve);
-            let mut readings = Vec::new();
-            for part in &parts {
-                readings.push(Reading::new(path, Asked::new(part, path.mechanism)?));
-            }
+            let tip = Tip::new(path, parts.each_ref().map(String::as_str))?;
             (all.range, all.events) = (curves.range, curves.events.clone());
-            let hodograph = all.hodograph(asked, [x, y], readings);
+            let hodograph = all.hodograph(asked, [x, y], tip);
             all.hodographs.push(hodograph);
         }
         Ok(all)
     }
 
-    fn hodograph(&self, asked: Asked, [x, y]: [&Curve; 2], mut readings: Vec<Reading>) -> Hodograph {
-        let mut tip = |at: f64| {
-            let mut parts = readings.iter_mut().map(|reading| reading.at(at, None));
-            Some(Vector::new(parts.next()??, parts.next()??))
-        };
+    fn hodograph(&self, asked: Asked, [x, y]: [&Curve; 2], mut tip: Tip) -> Hodograph {
+        let mut tip = |at: f64| tip.at(at);
         // Tips at the samples of both components, where the pieces of both overlap.
         let mut pieces = Vec::new();
         for a in &x.pieces {
@@ -99,14 +87,13 @@ impl<'a> Hodographs<'a> {
                 }
             }
         }
-        let [low, high] = self.range;
-        let whole = self.path.drive.is_angle() && high - low >= 360.0 * (1.0 - SAME);
+        let shown = Shown { range: self.range, events: Vec::new() };
+        let whole = shown.is_turn(self.path);
         let called = |at: f64| if whole { at.rem_euclid(360.0) } else { at };
-        let marks = self.round_values().into_iter().filter_map(|at| Some((called(at), tip(at)?))).collect();
-        let start = self.path.start();
-        // The scene's position may be in the range with whole turns added.
-        let turns = if self.path.drive.is_angle() { 360.0 * ((low - start) / 360.0 - SAME).ceil() } else { 0.0 };
-        let own = Some(start + turns).filter(|at| (low..=high).contains(at));
+        let step = if self.path.drive.is_angle() { MARKS } else { shown.round_step() };
+        let marks = shown.round_values(self.path, step).into_iter();
+        let marks = marks.filter_map(|at| Some((called(at), tip(at)?))).collect();
+        let own = shown.own(self.path);
         Hodograph {
             asked,
             pieces,
@@ -117,22 +104,5 @@ impl<'a> Hodographs<'a> {
             marks,
             own: own.and_then(tip),
         }
-    }
-
-    /// Values of the drive at which tips are marked; in a whole turn each once.
-    fn round_values(&self) -> Vec<f64> {
-        let [low, high] = self.range;
-        let step = if self.path.drive.is_angle() {
-            MARKS
-        } else {
-            let rough = (high - low) / MARKS_OF_SLIDER;
-            let decade = libm::exp10(libm::floor(libm::log10(rough)));
-            let steps = [1.0, 2.0, 5.0, 10.0].map(|k| k * decade);
-            steps.into_iter().find(|s| *s >= rough).unwrap_or(rough)
-        };
-        let turn = if self.path.drive.is_angle() { low + 360.0 - SAME * 360.0 } else { f64::INFINITY };
-        let first = (low / step - SAME).ceil();
-        let count = ((high - low) / step) as usize + 1;
-        (0..count).map(|k| (first + k as f64) * step).filter(|at| *at <= high && *at < turn).collect()
     }
 }

@@ -5,6 +5,7 @@
 //! Limit positions, where two branches meet and the drive can go no further, are located and end the path.
 
 mod animation;
+mod circuit;
 mod columns;
 mod curve;
 mod drive;
@@ -13,6 +14,7 @@ mod event;
 mod extreme;
 mod hodograph;
 mod path;
+mod point_path;
 mod position;
 mod reading;
 mod samples;
@@ -21,7 +23,9 @@ mod start;
 mod steps;
 mod survey;
 mod sweep;
+mod tip;
 mod trace;
+mod traces;
 mod variants;
 mod walker;
 
@@ -34,8 +38,10 @@ pub use event::{Event, Happening};
 pub use extreme::Extreme;
 pub use hodograph::{Hodograph, Hodographs};
 pub use path::Path;
+pub use point_path::{PointPath, PointPaths, Tick};
 pub use position::Position;
 pub use steps::Steps;
 pub use sweep::{Numbers, Sweep};
+pub use traces::{Times, Traces};
 pub use variants::Variants;
 pub use walker::Walker;

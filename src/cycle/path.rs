@@ -211,6 +211,12 @@ impl<'a> Path<'a> {
         CycleError::Range(format!("the range of {quantity} is not given\n  try: {hint}"))
     }
 
+    /// A path of the same drives through another position, not followed to either side yet.
+    pub(super) fn restarted(&self, node: Node) -> Self {
+        let bare = Path { nodes: Vec::new(), segments: Vec::new(), ..self.clone() };
+        Path { nodes: vec![node], changes: Vec::new(), ends: [None, None], ..bare }
+    }
+
     /// Starts the path afresh at the scene's position, which gets another value of the drive.
     fn count_from(&mut self, origin: f64) {
         let old = self.origin;

@@ -2,8 +2,6 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::shape::{Shape, around, on_circle};
 
-/// Length of an arrowhead on a vector long enough for it, in mm.
-const HEAD_LENGTH: f64 = 2.6;
 /// Largest length of a head over that of its vector, so that the length of a short vector remains visible.
 const HEAD_SHARE: f64 = 0.5;
 /// Half width of a head over its length: slim, as drawn with a ruling pen.
@@ -16,22 +14,22 @@ const SHAFT_END: f64 = 0.7;
 /// The head of an arrow from `from` to `to`: tip, one barb, the notch where the shaft enters, the other barb; none for
 /// an arrow of length zero or not finite.
 ///
-/// The head is `min(2.6 mm, half the arrow)` long.
-pub fn arrow_head(from: Point, to: Point) -> Option<[Point; 4]> {
-    let (unit, length) = head_along(from, to)?;
+/// It is `head` mm long, but at most half as long as the arrow.
+pub fn arrow_head(from: Point, to: Point, head: f64) -> Option<[Point; 4]> {
+    let (unit, length) = head_along(from, to, head)?;
     Some(head_at(to, unit, length))
 }
 
 /// Unit vector of an arrow and the length of its head; none for a length that is zero or not finite.
-fn head_along(from: Point, to: Point) -> Option<(Vec2, f64)> {
+fn head_along(from: Point, to: Point, head: f64) -> Option<(Vec2, f64)> {
     let along = to - from;
     let size = along.hypot2().sqrt();
     // A NaN length gives false.
-    (size > 0.0 && size.is_finite()).then(|| (along / size, head_length(size)))
+    (size > 0.0 && size.is_finite()).then(|| (along / size, head_length(size, head)))
 }
 
-fn head_length(arrow: f64) -> f64 {
-    HEAD_LENGTH.min(HEAD_SHARE * arrow)
+fn head_length(arrow: f64, head: f64) -> f64 {
+    head.min(HEAD_SHARE * arrow)
 }
 
 /// A head of the given length with its tip at `tip`, in the direction of `unit`.
@@ -46,18 +44,18 @@ impl Shape {
     /// notch, barb; none for other shapes and for arrows without length.
     pub fn head(&self) -> Option<[Point; 4]> {
         match *self {
-            Shape::Arrow { from, to } => arrow_head(from, to),
-            Shape::ArcArrow { center, radius, start, sweep } => {
+            Shape::Arrow { from, to, head } => arrow_head(from, to, head),
+            Shape::ArcArrow { center, radius, start, sweep, head } => {
                 let run = (radius * sweep).abs();
                 if !(run > 0.0 && run.is_finite()) {
                     return None;
                 }
-                let length = head_length(run);
+                let length = head_length(run, head);
                 // The straight head is a chord of its arc: both its ends lie on the circle.
                 let end = start + sweep;
                 let tip = on_circle(center, radius, end);
                 let back = on_circle(center, radius, end - (length / radius.abs()).copysign(sweep));
-                let (unit, _) = head_along(back, tip)?;
+                let (unit, _) = head_along(back, tip, head)?;
                 Some(head_at(tip, unit, length))
             }
             _ => None,
@@ -68,13 +66,13 @@ impl Shape {
     /// there is no head.
     pub fn shaft(&self) -> Option<Self> {
         match *self {
-            Shape::Arrow { from, to } => {
-                let (unit, length) = head_along(from, to)?;
+            Shape::Arrow { from, to, head } => {
+                let (unit, length) = head_along(from, to, head)?;
                 Some(Shape::Line(from, to - unit * (SHAFT_END * length)))
             }
-            Shape::ArcArrow { center, radius, start, sweep } => {
+            Shape::ArcArrow { center, radius, start, sweep, head } => {
                 self.head()?;
-                let covered = SHAFT_END * head_length((radius * sweep).abs()) / radius.abs();
+                let covered = SHAFT_END * head_length((radius * sweep).abs(), head) / radius.abs();
                 Some(Shape::Arc { center, radius, start, sweep: sweep - covered.copysign(sweep) })
             }
             _ => None,
@@ -98,26 +96,28 @@ mod tests {
                 let angle = f64::from(turn) * 0.55;
                 let from = Point::new(20.0, 30.0);
                 let to = on_circle(from, size, angle);
-                let [tip, left, notch, right] = arrow_head(from, to).expect("the arrow has length");
+                let [tip, left, notch, right] = arrow_head(from, to, 2.6).expect("the arrow has length");
                 assert_eq!(tip, to);
                 let unit = (to - from) / size;
                 for corner in [left, notch, right] {
                     let back = (to - corner).dot(unit);
                     assert!(back > 0.0 && back <= 0.5001 * size && back <= 2.6001, "{back} of {size}");
                 }
-                let Some(Shape::Line(start, end)) = (Shape::Arrow { from, to }).shaft() else { panic!("no shaft") };
+                let Some(Shape::Line(start, end)) = (Shape::Arrow { from, to, head: 2.6 }).shaft() else {
+                    panic!("no shaft")
+                };
                 assert_eq!(start, from);
                 assert!((end - from).hypot2() < size * size);
             }
         }
-        assert_eq!(arrow_head(Point::new(1.0, 1.0), Point::new(1.0, 1.0)), None);
-        assert_eq!(arrow_head(Point::new(f64::NAN, 1.0), Point::new(1.0, 1.0)), None);
+        assert_eq!(arrow_head(Point::new(1.0, 1.0), Point::new(1.0, 1.0), 2.6), None);
+        assert_eq!(arrow_head(Point::new(f64::NAN, 1.0), Point::new(1.0, 1.0), 2.6), None);
     }
 
     #[test]
     fn heads_of_arcs_point_along_them() {
         for sweep in [2.0, -2.0, 0.1, -5.0] {
-            let arrow = Shape::ArcArrow { center: Point::new(5.0, 5.0), radius: 8.0, start: 0.3, sweep };
+            let arrow = Shape::ArcArrow { center: Point::new(5.0, 5.0), radius: 8.0, start: 0.3, sweep, head: 2.6 };
             let [tip, .., right] = arrow.head().expect("the arc has length");
             let (_, end) = arrow.ends_of_arc().expect("it is an arc");
             assert!((tip - end).hypot2() < 1e-20);
@@ -127,7 +127,7 @@ mod tests {
                 matches!(arrow.shaft(), Some(Shape::Arc { sweep: less, .. }) if less.abs() < sweep.abs() && less * sweep > 0.0)
             );
         }
-        let none = Shape::ArcArrow { center: Point::ORIGIN, radius: 8.0, start: 0.3, sweep: 0.0 };
+        let none = Shape::ArcArrow { center: Point::ORIGIN, radius: 8.0, start: 0.3, sweep: 0.0, head: 2.6 };
         assert_eq!((none.head(), none.shaft()), (None, None));
     }
 }

@@ -4,7 +4,7 @@ use super::legend::symbol;
 use super::scheme::Scheme;
 use super::table::Cells;
 use super::text::RichText;
-use super::worksheet::{CELLS, Worksheet, table};
+use super::worksheet::{CELLS, TablePlace, Worksheet, table};
 use crate::quantity::{Asked, What};
 
 /// Widths of the boxes for millimetres and values, in mm.
@@ -17,7 +17,7 @@ impl Worksheet {
         let rows = asked.iter().zip(1..).map(|(asked, number)| blank_row(scheme, asked, number)).collect();
         let mut table = table(language.exercise_quantity(), language.value(), rows);
         [table.widths[1], table.widths[3]] = BOXES;
-        Self { table, lengths: Vec::new(), words: scheme.words }
+        Self { table, lengths: Vec::new(), words: scheme.words, dims: scheme.dims, place: TablePlace::Anywhere }
     }
 }
 

@@ -1,11 +1,15 @@
 use super::clip::{clipped, clipped_segment, holds, is_within};
-use super::labels::{LabelRequest, Obstacles, place};
+use super::dims::Dims;
+use super::labels::{LabelRequest, Obstacles, place, place_near};
 use super::layout::HEADING;
-use super::shape::{Shape, around};
+use super::shape::{Shape, around, overlap};
 use super::sheet::{Drawing, Mark, Pen};
-use super::text::{LABEL, RichText};
+use super::text::{CAPTION, LABEL, PlacedText, RichText};
 use indexmap::IndexMap;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
+
+/// White between a panel's edge and the words on what is cut off there, in mm.
+const CUT_EDGE: f64 = 2.5;
 
 /// A panel in progress: drawn marks become obstacles; labels are placed when all is drawn.
 pub(super) struct Canvas<'a> {
@@ -20,11 +24,15 @@ pub(super) struct Canvas<'a> {
     /// The step of the construction with which new marks appear.
     step: u16,
     renamed: &'a IndexMap<String, String>,
+    dims: Dims,
     /// Enlarged details under an overlay: centre and radius of circles that only labels of points inside may enter.
     reserved_circles: Vec<(Point, f64)>,
     /// Whether a student's drawing is laid over the content: labels from outside then keep off enlarged details.
     is_overlaid: bool,
 }
+
+/// Length of lines through a label that has to be legible, in mm.
+const STRUCK: f64 = 1.0;
 
 /// A label without a place yet.
 pub(super) struct Wanted {
@@ -36,6 +44,12 @@ pub(super) struct Wanted {
     pub number: Option<usize>,
     /// Whether it is left out if no place is free.
     pub optional: bool,
+    /// Whether it is placed after all others, near its anchor where nothing strikes it through, or not at all.
+    pub last: bool,
+    /// A shorter text for it, where there is no room for the whole.
+    pub short: Option<RichText>,
+    /// What it says before: from which step, in rising order; the label itself follows on the last.
+    pub before: Vec<(u16, RichText)>,
 }
 
 impl<'a> Canvas<'a> {
@@ -44,6 +58,7 @@ impl<'a> Canvas<'a> {
         prefix: &'static str,
         frame: Rect,
         renamed: &'a IndexMap<String, String>,
+        dims: Dims,
     ) -> Self {
         Self {
             content_start: drawing.marks.len(),
@@ -54,9 +69,20 @@ impl<'a> Canvas<'a> {
             frame,
             step: 0,
             renamed,
+            dims,
             reserved_circles: Vec::new(),
             is_overlaid: false,
         }
+    }
+
+    /// Sizes of letters and signs.
+    pub(super) fn dims(&self) -> Dims {
+        self.dims
+    }
+
+    /// A vector with a head of the sheet's size.
+    pub(super) fn arrow(&self, from: Point, to: Point) -> Shape {
+        Shape::Arrow { from, to, head: self.dims.head }
     }
 
     /// The panel with its border.
@@ -85,6 +111,12 @@ impl<'a> Canvas<'a> {
     pub(super) fn draw(&mut self, pen: Pen, shape: Shape) -> &mut Mark {
         self.add_obstacle(pen, &shape);
         self.add_mark(None, pen, shape)
+    }
+
+    /// Draws a mark with an id that nothing keeps off.
+    pub(super) fn draw_below(&mut self, name: &str, pen: Pen, shape: Shape) -> &mut Mark {
+        let id = format!("{}-{}", self.prefix, ascii(name));
+        self.add_mark(Some(id), pen, shape)
     }
 
     /// Sets the step with which further marks and labels appear.
@@ -164,6 +196,11 @@ impl<'a> Canvas<'a> {
         &self.drawing.marks[self.content_start..]
     }
 
+    /// Whether a box overlaps a joint, an arrowhead or other words.
+    pub(super) fn is_taken(&self, area: Rect) -> bool {
+        self.obstacles.boxes.iter().any(|other| overlap(*other, area))
+    }
+
     /// Whether a circle is off all obstacles and enlarged details.
     pub(super) fn is_free(&self, centre: Point, radius: f64) -> bool {
         let far = radius * radius;
@@ -175,6 +212,20 @@ impl<'a> Canvas<'a> {
         self.obstacles.lines.iter().all(is_off_line)
             && self.obstacles.boxes.iter().all(is_off_box)
             && self.reserved_circles.iter().all(|(other, own)| (*other - centre).hypot() > own + radius)
+    }
+
+    /// A point of a line, near its middle, and the side of it where a label has room: `side` rather than the opposite
+    /// one. The middle without room.
+    pub(super) fn free_side(&self, [from, to]: [Point; 2], side: Vec2) -> (Point, Vec2) {
+        const SHARES: [f64; 7] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74];
+        // A circle of the height of a label, at its near end.
+        const RADIUS: f64 = 2.2;
+        let places = SHARES.into_iter().flat_map(|share| [side, -side].map(|side| (from.lerp(to, share), side)));
+        let has_room = |(point, side): &(Point, Vec2)| {
+            let sideways = Vec2::new(side.x.signum() * 2.0, 0.0);
+            [0.0, 1.0, 2.0, 3.0].iter().all(|k| self.is_free(*point + *side * (RADIUS + 0.6) + sideways * *k, RADIUS))
+        };
+        places.into_iter().find(has_room).unwrap_or((from.midpoint(to), side))
     }
 
     /// Keeps labels off a box.
@@ -205,6 +256,9 @@ impl<'a> Canvas<'a> {
             pen: Pen::Label,
             number: None,
             optional: false,
+            last: false,
+            short: None,
+            before: Vec::new(),
         })
     }
 
@@ -234,8 +288,9 @@ impl<'a> Canvas<'a> {
     }
 
     /// Places and draws the labels, and cuts off marks at the panel's edge. Labels of points outside the panel are left
-    /// out.
-    pub(super) fn finish(mut self) {
+    /// out; `cut` says that something is.
+    pub(super) fn finish(mut self, cut: &str) {
+        self.say_cut(cut);
         let mut requests = std::mem::take(&mut self.requests);
         requests.retain(|(wanted, _)| holds(self.frame, wanted.request.anchor));
         let shown =
@@ -250,20 +305,77 @@ impl<'a> Canvas<'a> {
         self.cut_off();
     }
 
+    /// Says in a corner of the panel that content is cut off at its edge, if it is, from the step on that draws it.
+    fn say_cut(&mut self, cut: &str) {
+        let leaves = |mark: &&Mark| !mark.passing && !is_within(self.frame, &mark.shape);
+        let step = self.marks().iter().filter(leaves).map(|mark| mark.since).min();
+        let Some(step) = step.filter(|_| !cut.is_empty()) else {
+            return;
+        };
+        let text = RichText::plain(cut);
+        let size = Vec2::new(text.width(CAPTION), CAPTION);
+        let (left, right) = (self.frame.x0 + CUT_EDGE, self.frame.x1 - CUT_EDGE - size.x);
+        let (top, bottom) = (self.frame.y0 + HEADING, self.frame.y1 - CUT_EDGE);
+        let corners = [(left, bottom), (right, bottom), (right, top), (left, top + CAPTION)];
+        let corners = corners.map(|(x, y)| Point::new(x, y));
+        let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);
+        let covered = |from: &Point| {
+            let ink = place(*from).ink_box().inflate(0.5, 0.5);
+            let lines = self.obstacles.lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some()).count();
+            lines + 4 * self.obstacles.boxes.iter().filter(|area| overlap(**area, ink)).count()
+        };
+        let Some(from) = corners.into_iter().min_by_key(covered) else { return };
+        self.step = step;
+        let text = place(from);
+        self.obstacles.boxes.push(text.ink_box());
+        let id = format!("{}-cut", self.prefix);
+        self.add_mark(Some(id), Pen::Caption, Shape::Text(text));
+    }
+
     /// Places labels and draws them.
     fn place(&mut self, requests: Vec<(Wanted, u16)>) {
-        let asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
-        for (label, (wanted, since)) in place(&asked, &self.obstacles).into_iter().zip(requests) {
-            if label.crowded && wanted.optional {
+        let (last, requests): (Vec<_>, Vec<_>) = requests.into_iter().partition(|(wanted, _)| wanted.last);
+        let mut asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
+        let mut placed = place(&asked, &self.obstacles);
+        let mut is_shortened = false;
+        for ((label, (wanted, _)), asked) in placed.iter().zip(&requests).zip(&mut asked) {
+            if let (true, Some(short)) = (label.crowded || label.struck > STRUCK, &wanted.short) {
+                (asked.text, is_shortened) = (short.clone(), true);
+            }
+        }
+        if is_shortened {
+            placed = place(&asked, &self.obstacles);
+        }
+        for (label, (wanted, since)) in placed.into_iter().zip(requests) {
+            if wanted.optional && label.crowded {
                 continue;
             }
-            self.step = since;
+            if !last.is_empty() {
+                self.obstacles.boxes.push(label.text.ink_box());
+            }
+            self.step = wanted.before.first().map_or(since, |(first, _)| *first);
             if let Some((a, b)) = label.leader {
                 self.add_mark(None, Pen::Leader, Shape::Line(a, b));
             }
+            for (index, (step, text)) in wanted.before.iter().enumerate() {
+                let next = wanted.before.get(index + 1).map_or(since, |(next, _)| *next);
+                let text = part_of(&label.text, text, wanted.request.anchor);
+                self.step = *step;
+                let mark = self.add_mark(None, wanted.pen, Shape::Text(text));
+                (mark.number, mark.until) = (wanted.number, Some(next));
+            }
+            self.step = since;
             let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
             let mark = self.add_mark(Some(id), wanted.pen, Shape::Text(label.text));
             mark.number = wanted.number;
+        }
+        for (wanted, since) in last {
+            let label = place_near(&wanted.request, &self.obstacles).filter(|label| label.struck <= STRUCK);
+            let Some(label) = label else { continue };
+            self.obstacles.boxes.push(label.text.ink_box());
+            self.step = since;
+            let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
+            self.add_mark(Some(id), wanted.pen, Shape::Text(label.text)).number = wanted.number;
         }
     }
 
@@ -281,6 +393,13 @@ impl<'a> Canvas<'a> {
             }
         }
     }
+}
+
+/// A shorter text within the box of a label, on its line, as near to the anchor as possible.
+fn part_of(whole: &PlacedText, part: &RichText, anchor: Point) -> PlacedText {
+    let (ink, own) = (whole.ink_box(), part.ink_box(whole.size));
+    let left = (anchor.x - 0.5 * own.width()).min(ink.x1 - own.width()).max(ink.x0);
+    PlacedText::new(part.clone(), whole.size, Point::new(left - own.x0, whole.origin.y)).anchored(whole.anchor)
 }
 
 /// Boxes that together cover a circle.
@@ -312,7 +431,7 @@ fn pieces(corners: &[Point]) -> impl Iterator<Item = Rect> {
 
 /// A name as part of an XML id: characters other than ASCII letters and digits become their codes, so that different
 /// names stay different.
-fn ascii(name: &str) -> String {
+pub(super) fn ascii(name: &str) -> String {
     let mut id = String::new();
     for c in name.chars() {
         match c {

@@ -25,8 +25,8 @@ pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
     };
     match &shape {
         Shape::Line(a, b) => line(a, b).into_iter().collect(),
-        Shape::Arrow { from, to } => match clipped_segment(area, *from, *to) {
-            Some((from, tip)) if (tip - *to).hypot() < 1e-9 => vec![Shape::Arrow { from, to: *to }],
+        Shape::Arrow { from, to, head } => match clipped_segment(area, *from, *to) {
+            Some((from, tip)) if (tip - *to).hypot() < 1e-9 => vec![Shape::Arrow { from, to: *to, head: *head }],
             Some((a, b)) => vec![Shape::Line(a, b)],
             None => Vec::new(),
         },
@@ -112,10 +112,10 @@ mod tests {
         let (a, b) = (Point::new(5.0, 5.0), Point::new(25.0, 5.0));
         let cut = vec![Shape::Line(a, Point::new(10.0, 5.0))];
         assert_eq!(clipped(AREA, Shape::Line(a, b)), cut);
-        assert_eq!(clipped(AREA, Shape::Arrow { from: a, to: b }), cut);
-        let back = clipped(AREA, Shape::Arrow { from: b, to: a });
+        assert_eq!(clipped(AREA, Shape::Arrow { from: a, to: b, head: 2.6 }), cut);
+        let back = clipped(AREA, Shape::Arrow { from: b, to: a, head: 2.6 });
         let from = Point::new(10.0, 5.0);
-        assert_eq!(back, [Shape::Arrow { from, to: a }]);
+        assert_eq!(back, [Shape::Arrow { from, to: a, head: 2.6 }]);
         let away = Shape::Line(Point::new(11.0, 0.0), Point::new(12.0, 9.0));
         assert!(clipped(AREA, away).is_empty());
         let within = Shape::Line(a, Point::new(6.0, 6.0));

@@ -1,13 +1,15 @@
 //! Composition of a sheet: a title, panels in their places, items beside and below them.
 
-use super::layout::{Aside, Item, Layout, MARGIN, Needs, layout};
+use super::dims::Dims;
+use super::layout::{Aside, Item, LEAST_WHITE, Layout, MARGIN, Needs, layout};
 use super::legend;
 use super::panel::Panel;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::style::Style;
 use super::text::{PlacedText, RichText};
-use crate::scene::Scene;
+use crate::quantity::Kind;
+use crate::scene::{PanelName, Scene};
 use crate::words::Wording;
 use kurbo::{Point, Rect};
 
@@ -19,12 +21,15 @@ pub(super) const TITLE_LINE: f64 = MARGIN + 5.6;
 /// The contents of a sheet, before layout.
 pub(super) struct Composition<'a> {
     pub scene: &'a Scene,
+    pub dims: Dims,
     pub words: Wording,
     pub title: String,
     /// One sentence about the figure, for readers who cannot see it.
     pub description: String,
     /// Captions of the construction's steps.
     pub steps: Vec<String>,
+    /// Whether the sheet is shown step by step; else marks that later ones replace are left out.
+    pub is_stepwise: bool,
     pub panels: Vec<Panel<'a>>,
     /// Items beside and below the panels, in drawing order.
     pub items: Vec<Box<dyn Item + 'a>>,
@@ -43,32 +48,62 @@ impl Composition<'_> {
 
     /// The layout with `below` mm of height below the scales, which are in as few rows as possible.
     pub(super) fn layout_above(&self, below: f64) -> Layout {
-        let page = self.scene.figure.page.size_mm();
         let needs: Vec<Needs> = self.panels.iter().map(|panel| panel.needs).collect();
+        self.layout_for(&needs, below)
+    }
+
+    /// The layout with scales by panel.
+    pub(super) fn layout_at(&self, scales: &[Option<f64>]) -> Layout {
+        let mu = |kind: Kind| match kind {
+            Kind::Velocity => scales[PanelName::Velocity as usize],
+            Kind::Acceleration => scales[PanelName::Acceleration as usize],
+            _ => scales[PanelName::Scheme as usize],
+        };
+        let needs = self.panels.iter().map(|panel| Needs { mu: mu(panel.needs.kind), ..panel.needs });
+        self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
+    }
+
+    /// The layout for needs. On the sheets of steps at given scales there is less white round the contents where they do
+    /// not fit with the usual white: words take room there that they do not take on the figure.
+    fn layout_for(&self, needs: &[Needs], below: f64) -> Layout {
+        let layout = self.layout_with(needs, below);
+        let all_fit = |layout: &Layout| layout.worth[0] > 0.0 && layout.worth[1] as usize == needs.len();
+        if !self.is_stepwise || needs.iter().any(|needs| needs.mu.is_none()) || all_fit(&layout) {
+            return layout;
+        }
+        let white = |needs: &Needs| LEAST_WHITE[usize::from(needs.kind == Kind::Length)];
+        let closer: Vec<Needs> = needs.iter().map(|needs| Needs { white: white(needs), ..*needs }).collect();
+        Some(self.layout_with(&closer, below)).filter(all_fit).unwrap_or(layout)
+    }
+
+    fn layout_with(&self, needs: &[Needs], below: f64) -> Layout {
         let asides = |room: Rect| -> Vec<Aside> { self.items.iter().flat_map(|item| item.asides(room)).collect() };
         let in_columns =
-            |columns: usize| layout(page, &needs, [legend::height(needs.len(), columns), below], columns, asides);
-        let fits = |layout: &Layout| legend::fits(layout, &self.words, self.scene.units);
+            |columns: usize| layout(&self.dims, needs, [legend::height(needs.len(), columns), below], columns, asides);
+        let fits = |layout: &Layout| legend::fits(layout, &self.words, self.scene.units, &self.dims);
         [3, 2].into_iter().map(in_columns).find(fits).unwrap_or_else(|| in_columns(1))
     }
 
     /// Draws the sheet as it is laid out.
     pub(super) fn draw(&self, layout: &Layout) -> Drawing {
-        let mut drawing = titled(self.scene, &self.words, self.title.clone());
+        let mut drawing = titled(self.scene, &self.dims, &self.words, self.title.clone());
         (drawing.description, drawing.steps) = (self.description.clone(), self.steps.clone());
         for (panel, placed) in self.panels.iter().zip(&layout.panels) {
-            panel.draw(&mut drawing, placed, &self.scene.figure.labels);
+            panel.draw(&mut drawing, placed, &self.scene.figure.labels, &self.dims);
         }
         for item in &self.items {
             item.draw(&mut drawing, layout);
         }
-        drawing
+        if !self.is_stepwise {
+            drawing.marks.retain(|mark| mark.until.is_none());
+        }
+        drawing.enlarged(self.dims.unit)
     }
 }
 
-/// An empty sheet of the scene's size and style, with its title.
-pub(super) fn titled(scene: &Scene, words: &Wording, title: String) -> Drawing {
-    let [width, height] = scene.figure.page.size_mm();
+/// An empty sheet of the scene's size and style, with its title, in units of the layout.
+pub(super) fn titled(scene: &Scene, dims: &Dims, words: &Wording, title: String) -> Drawing {
+    let [width, height] = dims.page;
     let mut drawing = Drawing::new(width, height);
     drawing.style = Style::named(scene.figure.style);
     drawing.language = words.language.code;

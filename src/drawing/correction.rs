@@ -1,25 +1,20 @@
 //! The sheets of a corrected drawing: the student's drawing over the right figure, sentences about it, and the table of
 //! values.
 
-use super::compose::{Composition, draw_title};
+use super::compose::Composition;
 use super::figure::{composition, content, extents, hints, panels};
-use super::layout::{Layout, MARGIN, TITLE};
+use super::further::further_sheets;
+use super::layout::Layout;
 use super::lines;
 use super::overlay::{Notes, Overlay, OwnLayer, WordsPlace};
 use super::scheme::Scheme;
-use super::shape::{Shape, corners};
-use super::sheet::{Drawing, Pen};
-use super::table::Table;
-use super::text::RichText;
+use super::sheet::Drawing;
 use super::view::Extent;
 use crate::construction::Solution;
 use crate::scene::PanelName;
-use kurbo::Rect;
 
 /// Widths of a column of words beside the panels, in parts of the page's width.
 const BESIDE: [f64; 5] = [0.23, 0.235, 0.24, 0.25, 0.28];
-/// White between words and the table below them, in mm.
-const GAP: f64 = 4.0;
 
 /// A division of the sheet.
 struct Division<'a> {
@@ -35,7 +30,7 @@ struct Division<'a> {
 /// are not smaller for it, else on further sheets. Content outside a panel is cut off and named at its edge.
 #[must_use]
 pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
-    let scheme = Scheme::new(solution);
+    let scheme = Scheme::new(solution).for_pencil().without_values();
     let Division { place, mut sheet, layout } = best_division(&scheme, overlay);
     let table = overlay.table();
     if place == WordsPlace::Below {
@@ -48,8 +43,11 @@ pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
         sheet.items.pop();
     }
     let figure = sheet.draw(&layout);
-    let unplaced = (place == WordsPlace::Apart).then_some(overlay);
-    let tables = tables(&figure, unplaced, table);
+    let unplaced = |page| match place {
+        WordsPlace::Apart => overlay.lines(lines::width(page), false),
+        _ => Vec::new(),
+    };
+    let tables = further_sheets(&figure, scheme.dims.unit, unplaced, table);
     std::iter::once(figure).chain(tables).collect()
 }
 
@@ -74,7 +72,7 @@ fn sheet<'a>(
 /// The division with which most panels show their whole contents; of equals the one that shows more of the student's
 /// points, then the one with the sentences beside the figure, then the one with larger contents.
 fn best_division<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Division<'a> {
-    let page = scheme.figure.page.size_mm();
+    let page = scheme.dims.page;
     let notes = |place| Notes { overlay, words: scheme.words, page, place };
     let division = |extents: &[(PanelName, Extent)], place: WordsPlace| {
         let sheet = sheet(scheme, overlay, extents, notes(place));
@@ -111,34 +109,4 @@ fn best_division<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Division<'
         }
     }
     best.expect("there is a way to keep no panel's points")
-}
-
-/// Sheets with the title, the sentences without room on the figure, and the table, as many as its rows need; portrait
-/// unless the rows are too wide.
-fn tables<const N: usize>(figure: &Drawing, unplaced: Option<&Overlay>, mut table: Table<N>) -> Vec<Drawing> {
-    let narrow = figure.width.min(figure.height);
-    let [width, height] = match table.column() <= narrow - 2.0 * MARGIN {
-        true => [narrow, figure.width.max(figure.height)],
-        false => [figure.width, figure.height],
-    };
-    let area = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN);
-    let sentences = unplaced.map(|overlay| overlay.lines(lines::width([width, height]), false));
-    let mut sentences: Vec<RichText> = sentences.unwrap_or_default();
-    let mut sheets = Vec::new();
-    while !table.rows.is_empty() {
-        let mut drawing = Drawing { width, height, marks: Vec::new(), panels: Vec::new(), ..figure.clone() };
-        draw_title(&mut drawing);
-        let mut left = area;
-        if !sentences.is_empty() {
-            let room = Rect { y1: left.y0 + lines::height(sentences.len()), ..left };
-            drawing.draw(Pen::Frame, Shape::Polygon(corners(room)));
-            lines::draw(&mut drawing, room, 0, &std::mem::take(&mut sentences));
-            left.y0 = room.y1 + GAP;
-        }
-        let later = table.rows.split_off(table.capacity(left).clamp(1, table.rows.len()));
-        table.draw_in(&mut drawing, table.needed(left));
-        table.rows = later;
-        sheets.push(drawing);
-    }
-    sheets
 }

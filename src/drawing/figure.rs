@@ -2,7 +2,8 @@
 
 use super::canvas::Canvas;
 use super::compose::Composition;
-use super::layout::{Item, Needs, Placed};
+use super::further::further_sheets;
+use super::layout::{Item, Layout, Needs, Placed, WHITE};
 use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;
@@ -11,22 +12,62 @@ use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::{Drawing, Pen};
 use super::text::RichText;
-use super::view::{Extent, View, fitting_scale};
+use super::view::{Extent, View, next_scale};
 use super::words::StepWords;
-use super::worksheet::Worksheet;
+use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, shown_text};
+use crate::cycle::Traces;
 use crate::mechanism::Class;
 use crate::quantity::{Kind, Scales};
-use crate::scene::PanelName;
+use crate::scene::{PanelName, ScalesFor};
 use crate::words::{Language, Wording};
+use kurbo::Rect;
+use std::sync::Arc;
+
+/// Weight of the size of a panel beside that in focus.
+pub(super) const COMPANION: f64 = 0.2;
+
+/// Scales that are tried for one that fits.
+const TRIED: usize = 120;
+
+/// What a sheet has besides the panels.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sheet {
+    /// The steps for whose words it has room.
+    pub steps: Option<Steps>,
+    /// The table of measured lengths, on a work sheet.
+    pub table: Option<TablePlace>,
+}
+
+/// How finely a construction is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Steps {
+    /// Every step by itself.
+    Fine,
+    /// Steps that belong together at once.
+    Coarse,
+}
 
 impl Solution {
     /// The figure that the scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
     #[must_use]
     pub fn figure(&self) -> Drawing {
-        let scheme = Scheme::new(self);
-        let sheet = finished(&scheme, &extents(&scheme));
-        sheet.draw(&sheet.layout())
+        let scheme = Scheme::scaled(self);
+        let LaidOut { sheet, layout } = scheme.laid_out(None);
+        sheet.draw(&layout)
+    }
+
+    /// All sheets that the scene asks for: first the figure; then, for a work sheet whose table has no room beside the
+    /// panels, the table.
+    #[must_use]
+    pub fn sheets(&self) -> Vec<Drawing> {
+        let scheme = Scheme::scaled(self);
+        let LaidOut { sheet, layout } = scheme.laid_out(None);
+        let figure = sheet.draw(&layout);
+        let is_apart = self.scene.figure.worksheet && layout.aside.is_none();
+        let table = is_apart.then(|| Worksheet::new(&scheme, &sheet.panels).filled(&layout));
+        let further = table.map(|table| further_sheets(&figure, scheme.dims.unit, |_| Vec::new(), table));
+        std::iter::once(figure).chain(further.into_iter().flatten()).collect()
     }
 
     /// The same figure with every step of the construction: [`Drawing::after_step`] gives the sheet after one of them,
@@ -35,16 +76,24 @@ impl Solution {
     /// Steps of plans without a panel have captions, too.
     #[must_use]
     pub fn stepwise_figure(&self) -> Drawing {
-        let scheme = Scheme::new(self);
-        let sheet = stepwise(&scheme, &extents(&scheme), self.scene.figure.worksheet);
-        sheet.draw(&sheet.layout())
+        let scheme = Scheme::scaled(self);
+        let LaidOut { sheet, layout } = scheme.laid_out(Some(Steps::Fine));
+        sheet.draw(&layout)
+    }
+
+    /// The same in coarse steps, one for each of the construction's [passages](crate::construction::Passage).
+    #[must_use]
+    pub fn coarse_figure(&self) -> Drawing {
+        let scheme = Scheme::scaled(self);
+        let LaidOut { sheet, layout } = scheme.laid_out(Some(Steps::Coarse));
+        sheet.draw(&layout).in_passages(&scheme, &self.construction.passages())
     }
 
     /// The scales of the figure; for a plan without a panel the scene's scale, if there is one.
     #[must_use]
     pub fn scales(&self) -> Scales {
-        let scheme = Scheme::new(self);
-        let layout = finished(&scheme, &extents(&scheme)).layout();
+        let scheme = Scheme::scaled(self);
+        let layout = scheme.laid_out(None).layout;
         let of = |panel: PanelName| self.scene.figure.mu(panel).or(layout.mu(kind(panel)));
         Scales {
             length: of(PanelName::Scheme),
@@ -61,24 +110,37 @@ impl Solution {
         if !figure.panels.iter().any(|&panel| figure.mu(panel).is_some()) {
             return Vec::new();
         }
-        let scheme = Scheme::new(self);
+        let scheme = Scheme::scaled(self);
         let extents = extents(&scheme);
-        let layout = finished(&scheme, &extents).layout();
-        extents
-            .iter()
-            .zip(&layout.panels)
-            .filter_map(|((panel, extent), placed)| overflow_warning(*panel, extent, placed))
-            .collect()
+        let LaidOut { sheet, layout } = scheme.laid_out(None);
+        let warning = |(index, placed): (usize, &Placed)| {
+            let (panel, extent) = extents[index];
+            // Content may reach into the white margin of the frame.
+            if fits_into(extent, placed, placed.frame) {
+                return None;
+            }
+            let mut scales = scheme.mu;
+            let holds = |mu: &f64| {
+                scales[panel as usize] = Some(*mu);
+                let placed = &sheet.layout_at(&scales).panels[index];
+                fits_into(extent, placed, placed.area)
+            };
+            let coarser = std::iter::successors(Some(next_scale(placed.mu)), |mu| Some(next_scale(1.01 * mu)));
+            let fitting = coarser.take(TRIED).find(holds).unwrap_or(f64::INFINITY);
+            Some(overflow_warning(panel, placed.mu, fitting))
+        };
+        layout.panels.iter().enumerate().filter_map(warning).collect()
     }
 }
 
-/// The warning for a panel whose content is larger than its frame.
-fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Option<String> {
-    // Content may reach into the white margin of the frame.
-    let (size, frame) = (extent.size() / placed.mu, placed.frame);
-    if size.x <= frame.width() && size.y <= frame.height() {
-        return None;
-    }
+/// Whether a content fits into a part of its panel.
+fn fits_into(extent: Extent, placed: &Placed, area: Rect) -> bool {
+    let (size, area) = (placed.shown(&extent), area.inflate(1e-6, 1e-6));
+    size.x <= area.width() && size.y <= area.height()
+}
+
+/// The warning for a panel whose content is larger than its frame, with a scale that fits.
+fn overflow_warning(panel: PanelName, given: f64, fitting: f64) -> String {
     let key = match panel {
         PanelName::Scheme => "mu_l",
         PanelName::Velocity => "mu_v",
@@ -86,92 +148,178 @@ fn overflow_warning(panel: PanelName, extent: &Extent, placed: &Placed) -> Optio
     };
     let words = Wording::default();
     let panel = name(words.language, panel).to_lowercase();
-    let [fitting, given] = [fitting_scale(extent, placed.area), placed.mu].map(|mu| words.write(mu, legend::SCALE));
-    Some(format!(
+    let [fitting, given] = [fitting, given].map(|mu| words.write(mu, legend::SCALE));
+    format!(
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
-    ))
+    )
 }
 
 /// The stepwise figures of one mechanism in several positions, all with the same panels and scales, as frames of an
 /// animation.
 ///
-/// Panels are large enough for the whole content of position `own` and for the joints and their images in the other
-/// positions, except for plans several times as large as most: near a limit position rates and special points go to
-/// infinity. Content that does not fit is cut off at the panel's edge. There is no work sheet.
+/// Scales are those of the figure in position `own`. Panels are large enough for its whole content and, as far as the
+/// sheet allows, for the joints and their images in the other positions, except for plans several times as large as most:
+/// near a limit position rates and special points go to infinity. Where a position's content does not fit, the panel
+/// says that it is cut at the edge; poles stay in sight. There is no work sheet.
 #[must_use]
 pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
-    let schemes: Vec<Scheme<'_>> =
-        positions.iter().map(|solution| Scheme { insets: false, ..Scheme::new(solution) }).collect();
-    let Some(first) = schemes.get(own) else {
+    let traces = positions.get(own).map(Traces::of);
+    frames_with(positions, own, traces.unwrap_or_default())
+}
+
+/// As [`frames`], with these paths and ghosts, the same in all of them.
+#[must_use]
+pub fn frames_with(positions: &[Solution], own: usize, traces: Traces) -> Vec<Drawing> {
+    let traces = Arc::new(traces);
+    let scheme = |solution| Scheme::with(solution, Arc::clone(&traces));
+    let Some(first) = positions.get(own) else {
         return Vec::new();
     };
-    let extents: Vec<(PanelName, Extent)> = extents(first)
-        .into_iter()
-        .map(|(panel, extent)| {
-            let others = schemes.iter().filter_map(|scheme| match panel {
-                PanelName::Scheme => Some(scheme.extent_of_joints()),
-                plan => scheme.plan(plan).map(plan_panel::extent_of_images),
-            });
-            (panel, extent.with_most(others))
-        })
-        .collect();
-    let sheets: Vec<Composition<'_>> = schemes.iter().map(|scheme| stepwise(scheme, &extents, false)).collect();
+    let own_scheme = scheme(first).with_scales();
+    let schemes: Vec<Scheme<'_>> =
+        positions.iter().map(|solution| Scheme { mu: own_scheme.mu, ..scheme(solution) }).collect();
+    let own_extents = extents(&own_scheme);
+    let extents: Vec<(PanelName, Extent)> = match first.scene.figure.scales {
+        ScalesFor::Cycle => own_scheme.extents_to_fit(),
+        _ => {
+            let own = own_extents.iter();
+            own.map(|&(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
+        }
+    };
+    let sheet = Sheet { steps: Some(Steps::Fine), table: None };
+    let mut sheets: Vec<Composition<'_>> =
+        schemes.iter().map(|scheme| described(scheme, composed(scheme, &extents, sheet))).collect();
+    for (panel, (name, extent)) in sheets.iter_mut().flat_map(|sheet| sheet.panels.iter_mut().zip(&own_extents)) {
+        // The frame stands still, where the scene's own position is in sight.
+        if *name == PanelName::Scheme {
+            panel.content = Some(*extent);
+        }
+    }
     let below = sheets.iter().map(Composition::height_below).fold(0.0, f64::max);
     let layout = sheets[own].layout_above(below);
+    let shows_own = own_extents.iter().zip(&layout.panels).all(|((_, extent), placed)| placed.holds(extent));
+    // Else the panels are those of the step sheets.
+    let layout = match shows_own {
+        true => layout,
+        false => composed(&own_scheme, &own_extents, sheet).layout_above(below),
+    };
     sheets.iter().map(|sheet| sheet.draw(&layout)).collect()
 }
 
-/// The finished figure.
-fn finished<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)]) -> Composition<'a> {
-    let panels = panels(scheme, extents, |panel| vec![content(scheme, panel)]);
-    let table = scheme.figure.worksheet.then(|| Worksheet::new(scheme, &panels));
-    composition(scheme, panels, table, vec![Box::new(agreement(scheme))])
+/// By position: the extent of the joints or of their images in a panel.
+pub(super) fn extents_of_images<'a>(schemes: &'a [Scheme<'_>], panel: PanelName) -> impl Iterator<Item = Extent> + 'a {
+    schemes.iter().filter_map(move |scheme| match panel {
+        PanelName::Scheme => Some(scheme.extent_of_joints()),
+        plan => scheme.plan(plan).map(plan_panel::extent_of_images),
+    })
 }
 
-/// The figure with all its steps.
-fn stepwise<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], worksheet: bool) -> Composition<'a> {
-    let panels = panels(scheme, extents, |panel| vec![hints(scheme, panel), content(scheme, panel)]);
-    let table = worksheet.then(|| Worksheet::new(scheme, &panels));
-    let after = scheme.construction.numbered_steps().count() as u16 + 1;
-    let agreement = Lines { step: Some(after), ..agreement(scheme) };
-    composition(scheme, panels, table, vec![Box::new(StepWords(scheme)), Box::new(agreement)])
+/// A sheet of the scene with its layout.
+struct LaidOut<'a> {
+    sheet: Composition<'a>,
+    layout: Layout,
 }
 
-/// The sentence on how the construction agrees with the loop equations.
-fn agreement(scheme: &Scheme<'_>) -> Lines {
-    let sentence = legend::agreement(&scheme.words, scheme.construction);
-    Lines::of([&sentence], scheme.figure.page.size_mm())
+impl Scheme<'_> {
+    /// The sheet with the panels. The table of a work sheet is on it where the panels leave room for it at their scales;
+    /// where each sheet has scales of its own, it always is.
+    fn laid_out(&self, steps: Option<Steps>) -> LaidOut<'_> {
+        let extents = extents(self);
+        let laid_out = |table: Option<TablePlace>| {
+            let sheet = described(self, composed(self, &extents, Sheet { steps, table }));
+            LaidOut { layout: sheet.layout(), sheet }
+        };
+        if !self.figure.worksheet {
+            return laid_out(None);
+        }
+        if self.mu.contains(&None) {
+            return laid_out(Some(TablePlace::Anywhere));
+        }
+        let apart = laid_out(Some(TablePlace::Apart));
+        let beside = laid_out(Some(TablePlace::Beside));
+        let shown = |sheet: &LaidOut<'_>| [sheet.layout.worth[0], sheet.layout.worth[1]];
+        let has_room = beside.layout.aside.is_some() && shown(&beside) >= shown(&apart);
+        if has_room { beside } else { apart }
+    }
+}
+
+/// A sheet of the scene with panels of these extents.
+pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], sheet: Sheet) -> Composition<'a> {
+    let Sheet { steps, table } = sheet;
+    let panels = panels(scheme, extents, |panel| match steps {
+        Some(_) => vec![hints(scheme, panel), content(scheme, panel)],
+        None => vec![content(scheme, panel)],
+    });
+    let beside: Option<Box<dyn Item>> = match table {
+        None => scheme.value_list(None).filter(|_| steps.is_none()).map(|list| Box::new(list) as Box<dyn Item>),
+        // A work sheet has all values in its table.
+        Some(TablePlace::Apart) => None,
+        Some(place) => Some(Box::new(Worksheet { place, ..Worksheet::new(scheme, &panels) })),
+    };
+    let has_ruler = steps.is_none() && table == Some(TablePlace::Apart);
+    let ruler = has_ruler.then(|| Ruler::new(scheme));
+    let agreement = agreement(scheme, ruler.as_ref().map_or(0.0, Ruler::width));
+    let ruler = ruler.map(|ruler| Box::new(ruler) as Box<dyn Item>);
+    let below: Vec<Box<dyn Item + 'a>> = match steps {
+        None => std::iter::once(Box::new(agreement) as Box<dyn Item>).chain(ruler).collect(),
+        Some(steps) => {
+            let words: Box<dyn Item + 'a> = Box::new(StepWords::new(scheme, steps));
+            let after = scheme.construction.numbered_steps().count() as u16 + 1;
+            let values = scheme.value_list(Some(after)).map(|list| Box::new(list) as Box<dyn Item>);
+            let last = values.unwrap_or_else(|| Box::new(Lines { step: Some(after), ..agreement }));
+            vec![words, last]
+        }
+    };
+    Composition { is_stepwise: steps.is_some(), ..composition(scheme, panels, beside, below) }
+}
+
+/// The sentences on paths, if there are any, and on how the construction agrees with the loop equations. Beside values
+/// and on a projector only what is not as it should be is said. `beside` mm of the width are kept free.
+fn agreement(scheme: &Scheme<'_>, beside: f64) -> Lines {
+    let (sentence, agrees) = legend::agreement(&scheme.words, scheme.construction);
+    let is_said = !agrees || (scheme.values.is_empty() && !scheme.is_projected());
+    let sentence = is_said.then_some(sentence);
+    let [width, height] = scheme.dims.page;
+    Lines::of(scheme.sentence_on_paths().iter().chain(&sentence), [width - beside, height])
 }
 
 /// A sheet with these panels, a table beside them, their scales, and items below.
 pub(super) fn composition<'a>(
     scheme: &'a Scheme<'a>,
     panels: Vec<Panel<'a>>,
-    table: Option<Worksheet>,
+    table: Option<Box<dyn Item>>,
     below: Vec<Box<dyn Item + 'a>>,
 ) -> Composition<'a> {
     let (scene, words) = (scheme.scene, scheme.words);
-    let table = table.map(|table| Box::new(table) as Box<dyn Item>);
-    let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units });
-    let (teller, steps) = (scheme.teller(), scheme.construction.numbered_steps());
+    let legend: Box<dyn Item> = Box::new(Legend { words, units: scene.units, dims: scheme.dims });
     Composition {
         scene,
+        dims: scheme.dims,
         words,
         title: scene.title.as_deref().unwrap_or(words.language.title()).to_owned(),
-        description: description(scheme, &panels),
-        steps: steps.map(|step| shown_text(&teller.caption(&step), step.plan, &words)).collect(),
+        description: String::new(),
+        steps: Vec::new(),
+        is_stepwise: false,
         panels,
         items: table.into_iter().chain([legend]).chain(below).collect(),
     }
+}
+
+/// A sheet with its description and the captions of its steps.
+pub(super) fn described<'a>(scheme: &Scheme<'_>, mut sheet: Composition<'a>) -> Composition<'a> {
+    let (teller, steps) = (scheme.teller(), scheme.construction.numbered_steps());
+    sheet.description = description(scheme, &sheet.panels);
+    sheet.steps = steps.map(|step| shown_text(&teller.caption(&step), step.plan, &scheme.words)).collect();
+    sheet
 }
 
 /// The panels with content, and its extents.
 pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(PanelName, Extent)> {
     let extent = |&panel: &PanelName| match panel {
         PanelName::Scheme => Some((panel, scheme.extent())),
-        plan => scheme.plan(plan).map(|plan| (panel, plan_panel::extent(plan))),
+        plan => scheme.plan(plan).map(|plan| (panel, plan_panel::extent(plan, scheme.figure.construction))),
     };
-    scheme.figure.panels.iter().filter_map(extent).collect()
+    scheme.figure.shown_panels().iter().filter_map(extent).collect()
 }
 
 /// Panels of these extents, with layers from `layers`.
@@ -182,13 +330,24 @@ pub(super) fn panels<'a>(
 ) -> Vec<Panel<'a>> {
     let panel = |(index, &(panel, extent)): (usize, &(PanelName, Extent))| {
         let name = name(scheme.words.language, panel);
-        let frame = |index| Frame::new(Line::new(vec![RichText::plain(&numbered(index, name))]), Pen::Heading);
+        let line = |heading: &str| Line::new(vec![RichText::plain(heading)]);
+        let frame = |index| Frame { short: Some(line(name)), ..Frame::new(line(&numbered(index, name)), Pen::Heading) };
         let lowest: Box<dyn Layer> = Box::new(frame(index));
         Panel {
             name: name.to_owned(),
             prefix: panel.as_str(),
             // The width of the first panel's heading: it must not depend on the panel's letter.
-            needs: Needs { kind: kind(panel), extent, heading: frame(0).width(), mu: scheme.figure.mu(panel) },
+            needs: Needs {
+                above: if panel == PanelName::Scheme { scheme.above() } else { 0.0 },
+                kind: kind(panel),
+                extent,
+                heading: frame(0).width(),
+                mu: scheme.mu[panel as usize],
+                white: WHITE,
+                weight: if scheme.figure.focus.is_some_and(|focus| focus != panel) { COMPANION } else { 1.0 },
+            },
+            cut: scheme.words.language.cut_at_edge().to_owned(),
+            content: scheme.plan(panel).map(|plan| plan_panel::extent(plan, scheme.figure.construction)),
             layers: std::iter::once(lowest).chain(layers(panel)).collect(),
         }
     };
@@ -214,7 +373,7 @@ pub(super) fn hints<'a>(scheme: &'a Scheme<'a>, panel: PanelName) -> Box<dyn Lay
 }
 
 /// The kind of quantity that a panel shows to scale.
-fn kind(panel: PanelName) -> Kind {
+pub(super) fn kind(panel: PanelName) -> Kind {
     match panel {
         PanelName::Scheme => Kind::Length,
         PanelName::Velocity => Kind::Velocity,
@@ -246,5 +405,6 @@ fn description(scheme: &Scheme<'_>, panels: &[Panel<'_>]) -> String {
         };
         language.described_group(class, &group.link_names(scheme.mechanism))
     });
-    language.description(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "))
+    let description = language.description(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "));
+    scheme.sentence_on_paths().into_iter().fold(description, |text, paths| format!("{text} {paths}"))
 }

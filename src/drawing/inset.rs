@@ -92,8 +92,26 @@ impl Inset {
         let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
         canvas.draw(Pen::Frame, line);
         let text = RichText::plain(&format!("{} : 1", words.write(self.factor, NumberStyle::shortest())));
-        let below = Vec2::new(-0.5 * text.width(CAPTION), self.radius - 1.4);
-        let text = PlacedText::new(text, CAPTION, self.centre + below);
+        // Within the circle below or above; where both are taken, beneath it, over it or beside it, within the panel.
+        let half = 0.5 * text.width(CAPTION);
+        let at = |(x, y): (f64, f64)| PlacedText::new(text.clone(), CAPTION, self.centre + Vec2::new(x - half, y));
+        let (radius, beside) = (self.radius, self.radius + half + 1.0);
+        let middle = 0.3 * CAPTION;
+        let places = [
+            (0.0, radius - 1.4),
+            (0.0, CAPTION - radius),
+            (0.0, radius + CAPTION),
+            (0.0, -radius - 1.4),
+            (beside, middle),
+            (-beside, middle),
+        ]
+        .map(at);
+        let frame = canvas.frame();
+        let free = places.iter().find(|place| {
+            let ink = place.ink_box().inflate(0.3, 0.3);
+            frame.union(ink) == frame && !canvas.is_taken(ink)
+        });
+        let text = free.unwrap_or(&places[0]).clone();
         canvas.draw(Pen::Label, Shape::Text(text));
     }
 
@@ -109,9 +127,9 @@ impl Inset {
             Shape::Line(a, b) => lines(&[*a, *b], false),
             Shape::Polyline(points) => lines(points, false),
             Shape::Polygon(corners) => lines(corners, true),
-            Shape::Arrow { from, to } => match line(*from, *to) {
+            Shape::Arrow { from, to, head } => match line(*from, *to) {
                 Some((from, end)) if (self.at(*to) - end).hypot() < 1e-9 => {
-                    vec![Shape::Arrow { from, to: end }]
+                    vec![Shape::Arrow { from, to: end, head: *head }]
                 }
                 Some((a, b)) => vec![Shape::Line(a, b)],
                 None => Vec::new(),

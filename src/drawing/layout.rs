@@ -1,7 +1,9 @@
+use super::dims::Dims;
 use super::sheet::Drawing;
 use super::view::{Extent, fitting_scale, next_scale};
+use crate::geometry;
 use crate::quantity::Kind;
-use kurbo::Rect;
+use kurbo::{Affine, Rect};
 
 /// White around the sheet's content, in mm.
 pub(super) const MARGIN: f64 = 8.0;
@@ -10,11 +12,16 @@ pub(super) const TITLE: f64 = 9.0;
 /// White between panels, in mm.
 const GAP: f64 = 4.0;
 /// White inside a panel around its content, for labels, in mm.
-const PADDING: f64 = 7.0;
+pub(super) const WHITE: f64 = 7.0;
+/// The same where contents need the room at given scales: around a plan, and around the scheme, where the feet of pivots
+/// stand in it.
+pub(super) const LEAST_WHITE: [f64; 2] = [4.8, 6.4];
 /// Height of a panel's heading, in mm.
 pub(super) const HEADING: f64 = 7.2;
 /// Rounding of sizes on paper, in mm.
 const ROUNDING: f64 = 1e-6;
+/// Parts of the room that a companion of the panel in focus may have.
+const COMPANION: [f64; 4] = [0.24, 0.28, 0.32, 0.36];
 /// Smallest width and height of a panel's content area, in mm.
 const LEAST: f64 = 20.0;
 
@@ -27,8 +34,14 @@ pub(super) struct Needs {
     pub extent: Extent,
     /// Width of its heading, in mm.
     pub heading: f64,
-    /// The scale that the scene gives, in units per mm.
+    /// Further white between heading and content, in mm.
+    pub above: f64,
+    /// The scale that is given, in units per mm of paper.
     pub mu: Option<f64>,
+    /// White around its content inside the panel, for labels, in mm.
+    pub white: f64,
+    /// Exponent of its content's size in the quality of a layout: how much it counts among the panels.
+    pub weight: f64,
 }
 
 /// A panel's place and scale.
@@ -38,7 +51,23 @@ pub(super) struct Placed {
     pub frame: Rect,
     /// The area of its content.
     pub area: Rect,
+    /// Its scale, in units per mm of paper.
     pub mu: f64,
+    /// A unit of the layout, in mm of paper.
+    pub unit: f64,
+}
+
+impl Placed {
+    /// Width and height of something in the panel, in units of the layout.
+    pub(super) fn shown(&self, extent: &Extent) -> geometry::Vector {
+        extent.size() / (self.mu * self.unit)
+    }
+
+    /// Whether something fits into the area of the panel's content.
+    pub(super) fn holds(&self, extent: &Extent) -> bool {
+        let (size, area) = (self.shown(extent), self.area.inflate(ROUNDING, ROUNDING));
+        size.x <= area.width() && size.y <= area.height()
+    }
 }
 
 /// An area of the sheet without panels, for a table.
@@ -76,10 +105,15 @@ pub(super) struct Layout {
     pub aside: Option<Rect>,
     pub panels: Vec<Placed>,
     /// Its quality, compared element by element.
-    pub worth: [f64; 3],
+    pub worth: [f64; 4],
 }
 
 impl Layout {
+    /// A layout of an area of words, with panels of no place for their scales.
+    pub(super) fn of_words(area: Rect, panels: Vec<Placed>) -> Layout {
+        Layout { legend: area, scales: 0.0, columns: 1, aside: None, panels, worth: [0.0; 4] }
+    }
+
     /// The legend's lower part.
     pub(super) fn below(&self) -> Rect {
         Rect { y0: self.legend.y0 + self.scales, ..self.legend }
@@ -100,36 +134,52 @@ pub(super) fn room([width, height]: [f64; 2], legend: f64) -> Rect {
 /// A division of a sheet: the area without panels, and the panels.
 type Division = (Option<Rect>, Vec<Placed>);
 
+/// Divides a room among panels, with a unit of the layout in mm.
+type Ways = fn(Rect, &[Needs], f64) -> Vec<Vec<Rect>>;
+
 /// Divides a sheet so that the panels' contents are largest at round scales.
 ///
-/// A few arrangements are tried: side by side, one beside two, one above two, each with every area of `asides`. The
+/// A few arrangements are tried: side by side, one beside two, one above two, and two before one, each with every area
+/// of `asides`. The
 /// best has most contents within their panels, then the largest product of the contents' sizes. The legend has a part
 /// for the scales and one `below` it.
 pub(super) fn layout(
-    page: [f64; 2],
+    dims: &Dims,
     needs: &[Needs],
     [scales, below]: [f64; 2],
     columns: usize,
     asides: impl Fn(Rect) -> Vec<Aside>,
 ) -> Layout {
-    let whole = room(page, scales + below);
+    let whole = room(dims.page, scales + below);
     let asides: Vec<Aside> = asides(whole);
     let rooms = match asides.is_empty() {
         true => vec![(whole, None)],
         false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
     };
-    let mut best: Option<([f64; 3], Division)> = None;
-    for (room, aside) in rooms {
-        for frames in arrangements(room, needs) {
-            let placed: Vec<Placed> = needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame)).collect();
-            let worth = worth(needs, &placed);
-            if best.as_ref().is_none_or(|(most, _)| worth > *most) {
-                best = Some((worth, (aside, placed)));
+    let mut best: Option<([f64; 4], Division)> = None;
+    let passes: [(Ways, bool); 3] = [(arrangements, false), (paired, false), (by_headings, true)];
+    for (ways, is_last_resort) in passes {
+        if is_last_resort && best.as_ref().is_some_and(|(worth, _)| worth[0] > 0.0) {
+            break;
+        }
+        // Two panels that share a column must not make the smallest content smaller.
+        let least = best.as_ref().map_or(0.0, |(_, (_, placed))| smallest(needs, placed));
+        for &(room, aside) in &rooms {
+            for frames in ways(room, needs, dims.unit) {
+                let placed: Vec<Placed> =
+                    needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame, dims.unit)).collect();
+                let worth = worth(needs, &placed);
+                let is_better = best.as_ref().is_none_or(|(most, _)| worth > *most);
+                // Headings come before all else.
+                let is_first = best.as_ref().is_some_and(|(most, _)| most[0] == 0.0) && worth[0] > 0.0;
+                if is_first || (is_better && smallest(needs, &placed) >= least - ROUNDING) {
+                    best = Some((worth, (aside, placed)));
+                }
             }
         }
     }
     let (worth, (aside, panels)) = best.unwrap_or_default();
-    let [_, height] = page;
+    let [_, height] = dims.page;
     Layout {
         legend: Rect::new(whole.x0, whole.y1 + GAP, whole.x1, height - MARGIN),
         scales,
@@ -141,7 +191,7 @@ pub(super) fn layout(
 }
 
 /// The rest of a room, and the area cut off from it.
-fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
+pub(super) fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
     let (mut left, mut kept) = (room, room);
     match aside {
         Aside::Below(height) => {
@@ -156,40 +206,83 @@ fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
     (left, Some(kept))
 }
 
-/// Quality of an arrangement: first whether no panel is too narrow, then how many contents fit, then their sizes.
-fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 3] {
+/// Quality of an arrangement: first whether no panel is too narrow, then how many contents fit, then their sizes, then
+/// at given scales, how much room the panel with least has for its content, or how large the panel in focus is.
+fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 4] {
     let all = || needs.iter().zip(placed);
     // Size of a content on paper.
-    let drawn = |(w, p): (&Needs, &Placed)| w.extent.size() / p.mu;
+    let drawn = |(w, p): (&Needs, &Placed)| p.shown(&w.extent);
     let roomy =
         |(w, p): (&Needs, &Placed)| p.area.width().min(p.area.height()) >= LEAST && p.frame.width() >= w.heading;
     let fits = |pair: (&Needs, &Placed)| {
         let (size, area) = (drawn(pair), pair.1.area.inflate(ROUNDING, ROUNDING));
         size.x <= area.width() && size.y <= area.height()
     };
+    // The size of what is not cut off.
+    let seen = |pair: (&Needs, &Placed)| {
+        let (size, area) = (drawn(pair), pair.1.area);
+        geometry::Vector::new(size.x.min(area.width()), size.y.min(area.height()))
+    };
+    let room = |pair: (&Needs, &Placed)| {
+        let (size, area) = (drawn(pair), pair.1.area);
+        (area.width() / size.x).min(area.height() / size.y)
+    };
+    let has_companion = needs.iter().any(|needs| needs.weight < 1.0);
+    let focus = needs.iter().position(|needs| has_companion && needs.weight == 1.0);
     let yes = |is: bool| f64::from(u8::from(is));
     [
         yes(all().all(roomy)),
         all().filter(|pair| fits(*pair)).count() as f64,
         // The product of the diagonals: enlarging one content must not reduce another by a larger factor.
-        all().map(|pair| drawn(pair).norm()).product(),
+        all().map(|pair| weighed(seen(pair).norm(), pair.0.weight)).product(),
+        match (needs.iter().all(|needs| needs.mu.is_some()), focus) {
+            (_, Some(panel)) => placed[panel].frame.area(),
+            (true, None) => all().map(room).fold(f64::INFINITY, f64::min),
+            (false, None) => 0.0,
+        },
     ]
 }
 
-fn place(needs: &Needs, frame: Rect) -> Placed {
-    let mut area = frame.inset(-PADDING);
-    area.y0 += HEADING - 2.0;
-    Placed { kind: needs.kind, frame, area, mu: needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, area)) }
+/// Size of the smallest content.
+fn smallest(needs: &[Needs], placed: &[Placed]) -> f64 {
+    needs.iter().zip(placed).map(|(needs, placed)| placed.shown(&needs.extent).norm()).fold(f64::INFINITY, f64::min)
+}
+
+/// A size with its weight among others.
+fn weighed(size: f64, weight: f64) -> f64 {
+    if weight == 1.0 { size } else { libm::pow(size, weight) }
+}
+
+/// An area of the layout, in mm of paper.
+pub(super) fn on_paper(area: Rect, unit: f64) -> Rect {
+    Affine::scale(unit).transform_rect_bbox(area)
+}
+
+fn place(needs: &Needs, frame: Rect, unit: f64) -> Placed {
+    let mut area = frame.inset(-needs.white);
+    area.y0 += HEADING - 2.0 + needs.above;
+    let mu = needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, on_paper(area, unit)));
+    Placed { kind: needs.kind, frame, area, mu, unit }
 }
 
 /// Ways to divide `room` among one, two or three panels.
-fn arrangements(room: Rect, needs: &[Needs]) -> Vec<Vec<Rect>> {
+fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
     let mut ways = Vec::new();
     match needs {
         [] | [_] => ways.push(vec![room; needs.len()]),
+        // A companion is as small as its content allows.
+        [a, b] if a.weight < b.weight => {
+            for down in [false, true] {
+                let whole = if down { room.height() } else { room.width() } - GAP;
+                ways.extend(COMPANION.map(|share| {
+                    let (a, b) = divided(room, down, share * whole);
+                    vec![a, b]
+                }));
+            }
+        }
         [a, b] => {
             for down in [false, true] {
-                for (a, b) in splits(room, down, &[*a], &[*b]) {
+                for (a, b) in splits(room, down, [&[*a], &[*b]], unit) {
                     ways.push(vec![a, b]);
                 }
             }
@@ -198,8 +291,8 @@ fn arrangements(room: Rect, needs: &[Needs]) -> Vec<Vec<Rect>> {
             for (down, then) in [(false, true), (false, false), (true, false)] {
                 // Two panels side by side share the width; one above the other both have all of it.
                 let second = if down == then { &others[..0] } else { others };
-                for (first, rest) in splits(room, down, &[*a], second) {
-                    for (b, c) in splits(rest, then, &others[..1], &others[1..]) {
+                for (first, rest) in splits(room, down, [&[*a], second], unit) {
+                    for (b, c) in splits(rest, then, [&others[..1], &others[1..]], unit) {
                         ways.push(vec![first, b, c]);
                     }
                 }
@@ -209,16 +302,48 @@ fn arrangements(room: Rect, needs: &[Needs]) -> Vec<Vec<Rect>> {
     ways
 }
 
+/// Ways to divide `room` among three panels of which the first two share a column or a row.
+fn paired(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
+    let [a, b, c] = needs else { return Vec::new() };
+    let mut ways = Vec::new();
+    for down in [false, true] {
+        let both: &[Needs] = if down { &[] } else { &[*a, *b] };
+        for (both, third) in splits(room, down, [both, &[*c]], unit) {
+            let halves = splits(both, !down, [&[*a], &[*b]], unit);
+            ways.extend(halves.into_iter().map(|(a, b)| vec![a, b, third]));
+        }
+    }
+    ways
+}
+
+/// Ways to divide `room` so that headings fit: two panels as narrow as theirs beside a third, or all three so.
+fn by_headings(room: Rect, needs: &[Needs], _: f64) -> Vec<Vec<Rect>> {
+    let [a, b, c] = needs else { return Vec::new() };
+    let [a, b, c] = [a, b, c].map(|needs| needs.heading + ROUNDING);
+    let all = room.width() - 2.0 * GAP;
+    let spare = all - a - b - c;
+    if spare < 0.0 {
+        return Vec::new();
+    }
+    let row = |widths: [f64; 3]| {
+        let (first, rest) = divided(room, false, widths[0]);
+        let (second, third) = divided(rest, false, widths[1]);
+        vec![first, second, third]
+    };
+    let third = spare / 3.0;
+    vec![row([a + spare, b, c]), row([a, b + spare, c]), row([a, b, c + spare]), row([a + third, b + third, c + third])]
+}
+
 /// Divisions of `room` into two: at the middle, and where the content of either side just fits at a round scale.
-fn splits(room: Rect, down: bool, first: &[Needs], second: &[Needs]) -> Vec<(Rect, Rect)> {
+fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> Vec<(Rect, Rect)> {
     let whole = if down { room.height() } else { room.width() } - GAP;
     let widths = |w: &Needs| {
         let size = w.extent.size();
-        let (size, extra) = if down { (size.y, HEADING - 2.0) } else { (size.x, 0.0) };
+        let (size, extra) = if down { (size.y, HEADING - 2.0 + w.above) } else { (size.x, 0.0) };
         let least = if down { 0.0 } else { w.heading };
-        let at = move |mu: f64| (size / mu + 2.0 * PADDING + extra).max(least) + ROUNDING;
+        let at = move |mu: f64| (size / (mu * unit) + 2.0 * w.white + extra).max(least) + ROUNDING;
         // The scale that fits the whole room, and the next larger one.
-        let mut mu = w.mu.unwrap_or_else(|| place(w, room).mu);
+        let mut mu = w.mu.unwrap_or_else(|| place(w, room, unit).mu);
         std::array::from_fn::<f64, 2, _>(|_| {
             let need = at(mu);
             if w.mu.is_none() {
@@ -231,14 +356,16 @@ fn splits(room: Rect, down: bool, first: &[Needs], second: &[Needs]) -> Vec<(Rec
     cuts.extend(first.iter().flat_map(widths));
     cuts.extend(second.iter().flat_map(widths).map(|need| whole - need));
     cuts.retain(|cut| (0.2..=0.8).contains(&(cut / whole)));
-    let cut_at = |cut: f64| {
-        let (mut a, mut b) = (room, room);
-        if down {
-            (a.y1, b.y0) = (room.y0 + cut, room.y0 + cut + GAP);
-        } else {
-            (a.x1, b.x0) = (room.x0 + cut, room.x0 + cut + GAP);
-        }
-        (a, b)
-    };
-    cuts.into_iter().map(cut_at).collect()
+    cuts.into_iter().map(|cut| divided(room, down, cut)).collect()
+}
+
+/// A room divided after `cut` mm, from the left or from above.
+fn divided(room: Rect, down: bool, cut: f64) -> (Rect, Rect) {
+    let (mut a, mut b) = (room, room);
+    if down {
+        (a.y1, b.y0) = (room.y0 + cut, room.y0 + cut + GAP);
+    } else {
+        (a.x1, b.x0) = (room.x0 + cut, room.x0 + cut + GAP);
+    }
+    (a, b)
 }

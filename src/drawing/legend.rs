@@ -1,4 +1,5 @@
-use super::layout::{Item, Layout};
+use super::dims::Dims;
+use super::layout::{Item, Layout, Placed};
 use super::lines::{EDGE, PAD};
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Pen};
@@ -11,8 +12,12 @@ use kurbo::Point;
 
 /// Height of a row of scales, in mm.
 const ROW: f64 = 7.2;
-/// Length of the bar beside a scale, in mm.
+/// Length of the bar beside a scale, in mm of paper.
 const BAR: f64 = 10.0;
+/// Least white between scales in one row, in mm.
+const LEAST_GAP: f64 = 6.0;
+/// Most white between scales in one row, in mm.
+const MOST_GAP: f64 = 24.0;
 /// Number style of scales.
 pub(super) const SCALE: NumberStyle = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
 /// Number style of the difference between construction and loop equations.
@@ -37,11 +42,13 @@ pub(super) struct Entry {
     symbol: RichText,
     value: RichText,
     bar: RichText,
+    /// Length of the bar, in units of the layout.
+    length: f64,
 }
 
 impl Entry {
     /// The scale of quantities of that kind: `mu` units a millimetre.
-    pub(super) fn new(kind: Kind, mu: f64, words: &Wording, units: Units) -> Self {
+    pub(super) fn new(kind: Kind, mu: f64, words: &Wording, units: Units, dims: &Dims) -> Self {
         let unit = kind.unit(units);
         let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
         let value = words.write(mu, SCALE);
@@ -50,6 +57,7 @@ impl Entry {
             symbol: RichText::math(symbol(kind)),
             value: RichText::plain(&format!("= {value} {per_mm}")),
             bar: RichText::plain(&format!("{bar} {unit}")),
+            length: BAR / dims.unit,
         }
     }
 
@@ -60,7 +68,7 @@ impl Entry {
     /// Distances from the entry's start, in mm: of its bar, of the bar's value, of its end.
     fn places(&self) -> [f64; 3] {
         let bar = self.symbol.width(CAPTION) + 1.2 + self.value.width(CAPTION) + 3.0;
-        let value = bar + BAR + 1.4;
+        let value = bar + self.length + 1.4;
         [bar, value, value + self.bar.width(CAPTION)]
     }
 
@@ -74,7 +82,7 @@ impl Entry {
         put(&self.value, self.symbol.width(CAPTION) + 1.2);
         put(&self.bar, value);
         let y = from.y - 1.3;
-        let ends = [bar, bar + BAR].map(|x| Point::new(from.x + x, y));
+        let ends = [bar, bar + self.length].map(|x| Point::new(from.x + x, y));
         drawing.draw(Pen::Ground, Shape::Line(ends[0], ends[1]));
         for end in ends {
             let tick = Shape::Line(Point::new(end.x, y - 0.9), Point::new(end.x, y + 0.9));
@@ -83,16 +91,29 @@ impl Entry {
     }
 }
 
-/// Whether the scales fit into the layout's columns.
-pub(super) fn fits(layout: &Layout, words: &Wording, units: Units) -> bool {
+/// Whether the scales fit into the layout's columns, or all into one row.
+pub(super) fn fits(layout: &Layout, words: &Wording, units: Units, dims: &Dims) -> bool {
+    let widths = layout.panels.iter().map(|placed| Entry::new(placed.kind, placed.mu, words, units, dims).width());
+    let widths: Vec<f64> = widths.collect();
+    fit_columns(&widths, layout) || (layout.columns >= widths.len() && gap(&widths, layout) >= LEAST_GAP)
+}
+
+fn fit_columns(widths: &[f64], layout: &Layout) -> bool {
     let column = layout.legend.width() / layout.columns as f64;
-    layout.panels.iter().all(|placed| Entry::new(placed.kind, placed.mu, words, units).width() <= column - PAD)
+    widths.iter().all(|width| *width <= column - PAD)
+}
+
+/// White between scales that share a row whatever their widths, in mm.
+fn gap(widths: &[f64], layout: &Layout) -> f64 {
+    let free = layout.legend.width() - 2.0 * PAD - widths.iter().sum::<f64>();
+    (free / widths.len().saturating_sub(1).max(1) as f64).min(MOST_GAP)
 }
 
 /// The box with the scales of the panels, and room for words below them.
 pub(super) struct Legend {
     pub words: Wording,
     pub units: Units,
+    pub dims: Dims,
 }
 
 impl Item for Legend {
@@ -100,29 +121,34 @@ impl Item for Legend {
         let area = layout.legend;
         drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
         let column = area.width() / layout.columns as f64;
-        for (index, placed) in layout.panels.iter().enumerate() {
+        let entry = |placed: &Placed| Entry::new(placed.kind, placed.mu, &self.words, self.units, &self.dims);
+        let entries: Vec<Entry> = layout.panels.iter().map(entry).collect();
+        let widths: Vec<f64> = entries.iter().map(Entry::width).collect();
+        let (in_columns, gap) = (fit_columns(&widths, layout), gap(&widths, layout));
+        for (index, entry) in entries.iter().enumerate() {
             let (row, place) = (index / layout.columns, index % layout.columns);
-            let x = area.x0 + PAD + column * place as f64;
+            let before: f64 = widths[..index].iter().map(|width| width + gap).sum();
+            let x = area.x0 + PAD + if in_columns || row > 0 { column * place as f64 } else { before };
             let y = area.y0 + 0.5 * EDGE + 5.0 + ROW * row as f64;
-            Entry::new(placed.kind, placed.mu, &self.words, self.units).draw(drawing, Point::new(x, y));
+            entry.draw(drawing, Point::new(x, y));
         }
     }
 }
 
-/// The sentence on the agreement of the construction with the loop equations.
-pub(super) fn agreement(words: &Wording, construction: &Construction) -> String {
+/// The sentence on the agreement of the construction with the loop equations, and whether they agree.
+pub(super) fn agreement(words: &Wording, construction: &Construction) -> (String, bool) {
     let language = words.language;
     let known = construction.agreement.iter().flatten();
     let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
     match worst {
         Some(worst) if construction.agreement.iter().all(Option::is_some) => {
             let [difference, allowed] = [worst.difference, worst.allowed].map(|x| words.write(x, BOUND));
-            language.agreement(&difference, &allowed)
+            (language.agreement(&difference, &allowed), true)
         }
         _ => {
             let far = construction.special.iter().flatten().any(|special| special.place.finite().is_none());
             let why = if far { language.one_route_far() } else { language.one_route() };
-            why.to_owned()
+            (why.to_owned(), false)
         }
     }
 }

@@ -29,7 +29,7 @@ impl Lines {
 
 impl Item for Lines {
     fn height(&self) -> f64 {
-        height(self.lines.len())
+        if self.lines.is_empty() { 0.0 } else { height(self.lines.len()) }
     }
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {

@@ -19,10 +19,14 @@ impl Names {
                 shown.insert(image_name(&special.name), format!("s_{{{low}}}"));
             }
             let normals = special.normal_names(mechanism);
-            for (cut, name) in special.cuts.iter().zip(normals) {
+            for (side, (cut, name)) in special.cuts.iter().zip(normals).enumerate() {
                 let Some(start) = cut.start() else { continue };
                 let start = point_on(mechanism, cut.leg.base, start);
                 let image = display(&image_name(&start));
+                if let Some(slide) = cut.slide(mechanism) {
+                    let entered = &mechanism.body(slide.to).name;
+                    shown.insert(special.coriolis_name(mechanism, side), format!("k_{{{image}{entered}}}"));
+                }
                 let end = match (special.is_assur, long) {
                     (true, true) => format!(",{low}"),
                     (true, false) => low.clone(),

@@ -1,17 +1,22 @@
 //! Panels of a sheet, each with layers.
 
 use super::canvas::Canvas;
-use super::layout::{Needs, Placed};
+use super::dims::Dims;
+use super::layout::{HEADING, Needs, Placed};
 use super::line::Line;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::CAPTION;
-use super::view::View;
+use super::view::{Extent, View};
+use crate::geometry;
+use crate::quantity::Kind;
 use indexmap::IndexMap;
 use kurbo::Vec2;
 
 /// Size of panels' headings, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
+/// Least distance of a pole from the edge, in mm: room for its name.
+const AROUND: f64 = 5.0;
 /// White before them, in mm.
 const BEFORE: f64 = 2.5;
 
@@ -23,6 +28,10 @@ pub(super) struct Panel<'a> {
     pub prefix: &'static str,
     /// The room that it needs.
     pub needs: Needs,
+    /// What it says where its content is larger.
+    pub cut: String,
+    /// The extent of what is held in sight where the panel is for other positions, too.
+    pub content: Option<Extent>,
     /// Its layers, the lowest first.
     pub layers: Layers<'a>,
 }
@@ -50,18 +59,28 @@ impl<F: Fn(&mut Canvas<'_>, &View)> Layer for F {
 
 impl Panel<'_> {
     /// Draws the panel in its place; `renamed` replaces names of points and links.
-    pub(super) fn draw(&self, drawing: &mut Drawing, placed: &Placed, renamed: &IndexMap<String, String>) {
+    pub(super) fn draw(&self, drawing: &mut Drawing, placed: &Placed, renamed: &IndexMap<String, String>, dims: &Dims) {
         drawing.panels.push((self.name.clone(), placed.frame));
-        let view = View::new(placed.mu, &self.needs.extent, placed.area);
+        let mut view = View::new(placed.mu * dims.unit, &self.needs.extent, placed.area);
+        // The content that fits stays in sight.
+        if let Some(content) = self.content.filter(|content| placed.holds(content)) {
+            view = view.holding(content.low, placed.area).holding(content.high, placed.area);
+        }
+        if matches!(self.needs.kind, Kind::Velocity | Kind::Acceleration) {
+            let mut room = placed.frame.inset(-AROUND);
+            room.y0 += HEADING;
+            // The pole of a plan always does.
+            view = view.holding(geometry::Point::origin(), room);
+        }
         let before = drawing.marks.len();
-        let mut canvas = Canvas::new(drawing, self.prefix, placed.frame, renamed);
+        let mut canvas = Canvas::new(drawing, self.prefix, placed.frame, renamed, *dims);
         for layer in &self.layers {
             layer.reserve(&mut canvas, &view);
         }
         for layer in &self.layers {
             layer.draw(&mut canvas, &view);
         }
-        canvas.finish();
+        canvas.finish(&self.cut);
         let mut marks = drawing.marks.split_off(before);
         for layer in &self.layers {
             layer.retouch(&mut marks);
@@ -73,6 +92,8 @@ impl Panel<'_> {
 /// A panel's border and heading: its lowest layer.
 pub(super) struct Frame {
     pub heading: Line,
+    /// What stands in a panel that is too narrow for the heading.
+    pub short: Option<Line>,
     pub pen: Pen,
     /// Start of the heading, from the panel's upper left corner, in mm.
     pub at: Vec2,
@@ -81,7 +102,7 @@ pub(super) struct Frame {
 impl Frame {
     /// A frame with the heading inside.
     pub(super) fn new(heading: Line, pen: Pen) -> Frame {
-        Frame { heading, pen, at: Vec2::new(BEFORE, 6.0) }
+        Frame { heading, short: None, pen, at: Vec2::new(BEFORE, 6.0) }
     }
 
     /// Smallest width of a panel with this heading, in mm.
@@ -94,7 +115,13 @@ impl Layer for Frame {
     fn draw(&self, canvas: &mut Canvas<'_>, _: &View) {
         let frame = canvas.frame();
         canvas.drawing.draw(Pen::Frame, Shape::Polygon(corners(frame)));
-        let ink = self.heading.starting(canvas.drawing, self.pen, frame.origin() + self.at, SIZE);
+        // A short one is no smaller than captions.
+        let (heading, size) = match &self.short {
+            // White on the right may be narrower: letters of panels differ in width.
+            Some(short) if self.width() - BEFORE > frame.width() => (short, CAPTION),
+            _ => (&self.heading, SIZE),
+        };
+        let ink = heading.starting(canvas.drawing, self.pen, frame.origin() + self.at, size);
         canvas.keep_off(ink);
         canvas.exclude_drawn();
     }

@@ -24,6 +24,10 @@ pub enum Pen {
     Joint,
     /// The path of a point over a cycle.
     Trace,
+    /// The rest of such a path, beyond the limits of the drive.
+    Beyond,
+    /// A link in another position of the cycle.
+    Ghost,
     /// A helping line of the scheme.
     Construction,
     /// A line of known direction in a plan.

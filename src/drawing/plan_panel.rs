@@ -1,20 +1,31 @@
 use super::canvas::Canvas;
-use super::clip::clipped_segment;
+use super::clip::{clipped_segment, holds};
 use super::inset::Inset;
-use super::scheme::Scheme;
+use super::scheme::{Scheme, outline};
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::stages::PlanStages;
+use super::text::RichText;
+use super::values::ValueOf;
 use super::view::{Extent, View, on_sheet, towards};
-use crate::construction::{Action, ArrowKind, Plan, PlanKind, PointRole, Relation, coincident_name, image_name};
+use crate::construction::{
+    Action, Arrow, ArrowKind, Plan, PlanKind, PlanVector, PointRole, Relation, VectorOf, coincident_name, image_name,
+};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::quantity::Kind;
-use crate::scene::Figure;
+use crate::scene::{ConstructionShown, Figure, PanelName};
+use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
+/// White between the room of a panel and the points in it, in mm.
+const EDGE: f64 = 1.5;
 /// Plan points closer than this on paper, in mm, share one label.
 const SHARED: f64 = 0.35;
+/// Most names of coincident points in one label.
+const TOGETHER: usize = 5;
+/// Length of the shortest vector with a value beside it, in mm.
+const SHORT: f64 = 4.0;
 /// Length of a ray beyond the crossing, in mm.
 const BEYOND: f64 = 5.0;
 
@@ -27,14 +38,45 @@ pub(super) fn kind(plan: Option<PlanKind>) -> Kind {
     }
 }
 
-/// The extent of all points of the plan.
-pub(super) fn extent(plan: &Plan) -> Extent {
-    Extent::of(plan.points.values().map(|p| p.vector.into()))
+/// The panel of a plan.
+fn panel(plan: PlanKind) -> PanelName {
+    match plan {
+        PlanKind::Velocity => PanelName::Velocity,
+        PlanKind::Acceleration => PanelName::Acceleration,
+    }
+}
+
+/// Largest size of a plan with a point that only leads to others over that without it; a more distant one is not drawn
+/// at its place, but where its line leaves the panel.
+const REACH: f64 = 2.0;
+
+/// The extent of the plan's points, without far ones that only lead to others: with each of those, taken from the
+/// nearest on, the plan must not grow by more than `REACH`. A plan as in the source paper has them all.
+pub(super) fn extent(plan: &Plan, shown: ConstructionShown) -> Extent {
+    let images = extent_of_images(plan);
+    let with = |extent: Extent, place: geometry::Point| Extent::of([extent.low, extent.high, place]);
+    let leading = plan.points.values().filter(|p| !is_image(p.role)).map(|p| geometry::Point::from(p.vector));
+    let mut leading: Vec<geometry::Point> = leading.collect();
+    let size = |place: &geometry::Point| with(images, *place).size().norm();
+    leading.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    let mut extent = images;
+    for place in leading {
+        let larger = with(extent, place);
+        if shown != ConstructionShown::Paper && larger.size().norm() > REACH * extent.size().norm() {
+            break;
+        }
+        extent = larger;
+    }
+    extent
+}
+
+/// Whether a point of a plan is no mere help on the way to others.
+fn is_image(role: PointRole) -> bool {
+    matches!(role, PointRole::Pole | PointRole::Known | PointRole::Image)
 }
 
 /// The same without special points and the points that lead to them.
 pub(super) fn extent_of_images(plan: &Plan) -> Extent {
-    let is_image = |role| matches!(role, PointRole::Pole | PointRole::Known | PointRole::Image);
     Extent::of(plan.points.values().filter(|p| is_image(p.role)).map(|p| p.vector.into()))
 }
 
@@ -57,7 +99,9 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, scheme: &Scheme<'_>, pl
     // Outlines are over all areas and rays: a line on a ray must be visible.
     plan.outlines(canvas);
     plan.vectors(canvas);
+    plan.vectors_on_rays(canvas);
     plan.points(canvas);
+    plan.values(canvas);
     canvas.set_step(0);
 }
 
@@ -76,6 +120,12 @@ impl PlanOnPaper<'_> {
         self.plan.points.get(name).map(|point| self.view.at(point.vector.into()))
     }
 
+    /// Whether a point that only leads to others lies off the panel: only its direction is drawn.
+    fn is_far(&self, canvas: &Canvas<'_>, name: &str) -> bool {
+        let leads = self.plan.points.get(name).is_some_and(|point| !is_image(point.role));
+        leads && self.at(name).is_some_and(|at| !holds(canvas.room().inset(-EDGE), at))
+    }
+
     fn is_hidden(&self, name: &str) -> bool {
         is_hidden(self.scheme.figure, self.plan, name)
     }
@@ -83,14 +133,19 @@ impl PlanOnPaper<'_> {
     /// The corners of an image, and the step that completes it.
     fn corners(&self, image: &[String]) -> (Vec<Point>, u16) {
         let steps = image.iter().map(|name| self.stages.point(name));
-        (image.iter().filter_map(|name| self.at(name)).collect(), steps.max().unwrap_or_default())
+        let mut corners: Vec<geometry::Point> =
+            image.iter().filter_map(|name| self.plan.points.get(name)).map(|point| point.vector.into()).collect();
+        if corners.len() > 3 {
+            corners = outline(corners);
+        }
+        (corners.into_iter().map(|corner| self.view.at(corner)).collect(), steps.max().unwrap_or_default())
     }
 
     /// The areas of the links' images.
     fn areas(&self, canvas: &mut Canvas<'_>) {
         for (number, image) in self.images.iter().enumerate() {
-            if image.len() > 2 {
-                let (corners, since) = self.corners(image);
+            let (corners, since) = self.corners(image);
+            if corners.len() > 2 {
                 canvas.set_step(since);
                 canvas.draw(Pen::ImageFill, Shape::Polygon(corners)).number = Some(number);
             }
@@ -99,7 +154,7 @@ impl PlanOnPaper<'_> {
 
     /// The rays, lines of known direction.
     fn rays(&self, canvas: &mut Canvas<'_>) {
-        if !(self.scheme.figure.construction && self.scheme.figure.special_points) {
+        if !(self.scheme.figure.construction.has_lines() && self.scheme.figure.special_points) {
             return;
         }
         for ray in self.plan.rays() {
@@ -123,7 +178,7 @@ impl PlanOnPaper<'_> {
             let (corners, since) = self.corners(image);
             let outline = match corners.as_slice() {
                 [a, b] => Shape::Line(*a, *b),
-                [_, _, _] => Shape::Polygon(corners),
+                [_, _, _, ..] => Shape::Polygon(corners),
                 _ => continue,
             };
             canvas.set_step(since);
@@ -139,13 +194,23 @@ impl PlanOnPaper<'_> {
             PlanKind::Acceleration => Pen::Acceleration,
         };
         let pole = plan.kind.pole();
+        // In the source paper's plans no vector goes to a point that a relative motion leads to.
+        let is_paper = self.scheme.figure.construction == ConstructionShown::Paper;
         let from_pole = |name: &str| {
-            let special = plan.points.get(name).map(|p| p.role) == Some(PointRole::Special);
-            (special || plan.rays().any(|ray| ray.to == name)) && !self.is_hidden(name)
+            let is_met = || plan.rays().any(|ray| ray.to == name);
+            let is_whole = match plan.points.get(name).map(|p| p.role) {
+                Some(PointRole::Special) => true,
+                Some(PointRole::Image | PointRole::Known) => !is_paper || is_met(),
+                _ => false,
+            };
+            is_whole && !self.is_hidden(name)
         };
         for name in plan.points.keys().filter(|name| from_pole(name)) {
             canvas.set_step(self.stages.point(name));
-            self.arrow(canvas, pole, name, whole);
+            let number = self.link_of(name);
+            if let Some(mark) = self.arrow(canvas, pole, name, whole) {
+                mark.number = number;
+            }
         }
         for laid in plan.arrows() {
             // For a slider on the ground this vector has been drawn from the pole.
@@ -156,42 +221,118 @@ impl PlanOnPaper<'_> {
             let pen = match laid.kind() {
                 ArrowKind::Whole => whole,
                 ArrowKind::Normal => Pen::Normal,
+                ArrowKind::Relative if plan.kind == PlanKind::Acceleration => Pen::Tangential,
                 ArrowKind::Relative => Pen::Image,
                 ArrowKind::Sliding => Pen::Vector,
                 ArrowKind::Coriolis => Pen::Coriolis,
             };
             canvas.set_step(self.stages.vector(&laid.from, &laid.to));
-            let drawn = self.arrow(canvas, &laid.from, &laid.to, pen);
-            // The side of a link's image has the look of the image.
-            if let (Some(mark), Pen::Image) = (drawn, pen) {
-                let has_both = |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));
-                mark.number = self.images.iter().position(has_both);
+            let number = match pen {
+                // The side of a link's image has the look of the image.
+                Pen::Image => {
+                    let has_both = |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));
+                    self.images.iter().position(has_both)
+                }
+                _ => self.link_of_vector(laid),
+            };
+            let [from, to] = laid.ends();
+            if let Some(mark) = self.arrow(canvas, from, to, pen) {
+                mark.number = number;
             }
         }
     }
 
-    /// Draws the vector from one point to another, unless it is zero.
+    /// Number of the link to which the vector from the pole to a point belongs: of those with an image there, one with
+    /// a point at rest if there is one, as this vector is the image of its arm; else the first.
+    fn link_of(&self, name: &str) -> Option<usize> {
+        let at_rest = |image: &&Vec<String>| image.iter().any(|name| self.plan.points[name].role == PointRole::Pole);
+        let with = || self.images.iter().enumerate().filter(|(_, image)| image.iter().any(|own| own == name));
+        let arm = with().find(|(_, image)| at_rest(image));
+        if let Some((number, _)) = arm.or_else(|| with().next()) {
+            return Some(number);
+        }
+        let mut all = self.scheme.construction.special.iter().flatten();
+        let special = all.find(|special| image_name(&special.name) == name)?;
+        self.scheme.number(special.link)
+    }
+
+    /// Draws the heads of relative vectors that rays carry, in a figure with values.
+    fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
+        for value in self.scheme.values_of(panel(self.plan.kind)) {
+            let ValueOf::Vector(PlanVector { ends: [from, to], on_ray: true, link, .. }) = &value.of else { continue };
+            canvas.set_step(value.since);
+            let pen = match self.plan.kind {
+                PlanKind::Velocity => Pen::Image,
+                PlanKind::Acceleration => Pen::Tangential,
+            };
+            let number = link.and_then(|link| self.scheme.number(link));
+            if let Some(mark) = self.arrow(canvas, from, to, pen) {
+                mark.number = number;
+            }
+        }
+    }
+
+    /// Requests the labels of values, each beside the middle of its vector, away from the middle of the plan.
+    fn values(&self, canvas: &mut Canvas<'_>) {
+        let extent = extent(self.plan, self.scheme.figure.construction);
+        let middle = self.view.at(nalgebra::center(&extent.low, &extent.high));
+        for value in self.scheme.values_of(panel(self.plan.kind)) {
+            let ValueOf::Vector(PlanVector { ends: [from, to], .. }) = &value.of else { continue };
+            let (Some(from), Some(to)) = (self.at(from), self.at(to)) else { continue };
+            let along = to - from;
+            if along.hypot() < SHORT {
+                continue;
+            }
+            let side = Vec2::new(-along.y, along.x) / along.hypot();
+            let outward = if side.dot(from.midpoint(to) - middle) < 0.0 { -side } else { side };
+            let (anchor, prefer) = canvas.free_side([from, to], outward);
+            self.scheme.label_value(canvas, value, anchor, Some(prefer));
+        }
+    }
+
+    /// Number of the link to which a vector that is laid off belongs.
+    fn link_of_vector(&self, laid: &Arrow) -> Option<usize> {
+        let mechanism = self.scheme.mechanism;
+        match &laid.of {
+            VectorOf::Point(body, _) => self.scheme.number(*body),
+            VectorOf::Normal(special, side) => {
+                self.scheme.number(self.scheme.construction.special(*special).cuts[*side].carrier)
+            }
+            VectorOf::Relative { link, .. } => self.scheme.number(*link),
+            VectorOf::Sliding(slider, _) => self.scheme.number(mechanism.slider(*slider).link),
+            VectorOf::Passed(slide, _) => self.scheme.number(mechanism.slider(slide.slider).link),
+        }
+    }
+
+    /// Draws the vector from one point to another, unless it is zero; of one that ends far off or starts there, the
+    /// part of its line on the panel.
     fn arrow<'c>(&self, canvas: &'c mut Canvas<'_>, from: &str, to: &str, pen: Pen) -> Option<&'c mut Mark> {
         let name = format!("vector-{from}-{to}");
+        if self.is_far(canvas, from) || self.is_far(canvas, to) {
+            let (from, to) = self.at(from).zip(self.at(to))?;
+            let (a, b) = clipped_segment(canvas.room(), from, to)?;
+            return Some(canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b)));
+        }
         let (from, to) = self.at(from).zip(self.at(to))?;
-        ((to - from).hypot() > 1e-3).then(|| canvas.draw_named(&name, pen, Shape::Arrow { from, to }))
+        ((to - from).hypot() > 1e-3).then(|| canvas.draw_named(&name, pen, canvas.arrow(from, to)))
     }
 
     /// Draws dots and labels of the points; coincident points share a label.
     fn points(&self, canvas: &mut Canvas<'_>) {
-        let places = self.places();
+        let (far, places): (Vec<_>, Vec<_>) =
+            self.places().into_iter().partition(|(_, here, _)| self.is_far(canvas, here[0]));
         let since = |here: &[&str]| here.iter().map(|name| self.stages.point(name)).min().unwrap_or_default();
         for (center, here, role) in &places {
-            let (center, (pen, radius)) = (*center, dot(*role));
+            let (center, (pen, radius)) = (*center, self.dot(*role));
             canvas.set_step(since(here));
             canvas.draw_named(&format!("point-{}", here[0]), pen, Shape::Circle { center, radius });
         }
         let crowded: Vec<Point> = places.iter().map(|(place, ..)| *place).collect();
-        let inset = self.scheme.insets.then(|| Inset::new(canvas, &crowded)).flatten();
+        let inset = Inset::new(canvas, &crowded);
         if let Some(inset) = &inset {
             inset.draw(canvas, &self.scheme.words);
         }
-        let extent = extent(self.plan);
+        let extent = extent(self.plan, self.scheme.figure.construction);
         let middle = self.view.at(nalgebra::center(&extent.low, &extent.high));
         for (place, here, role) in places {
             // The pole is named in the plan itself, not in the detail.
@@ -200,11 +341,40 @@ impl PlanOnPaper<'_> {
                 None => (place, place - middle),
             };
             let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
-            canvas.set_step(since(&here));
-            // The text is joined from renamed names already; the trailing space keeps the id from being renamed again.
-            let joined = format!("{} ", here[0]);
-            canvas.label(&joined, &self.shown(&here), anchor, dot(role).1 + 0.7, prefer, 2);
+            for names in here.chunks(TOGETHER).filter(|names| !self.shown(names).is_empty()) {
+                let (last, _) = self.growth(names);
+                canvas.set_step(last);
+                // The text is joined from renamed names already; the trailing space keeps the id from being renamed again.
+                let joined = format!("{} ", names[0]);
+                let label = canvas.label(&joined, &self.shown(names), anchor, self.dot(role).1 + 0.7, prefer, 2);
+                label.before = self.growing(names, RichText::math);
+            }
         }
+        for (place, here, _) in far {
+            self.mark_far(canvas, place, &here);
+        }
+    }
+
+    /// Draws an arrow where the line to a far point leaves the panel, with the point's distance on paper.
+    fn mark_far(&self, canvas: &mut Canvas<'_>, place: Point, names: &[&str]) {
+        const ARROW: f64 = 8.0;
+        let pole = self.plan.kind.pole();
+        let laid = self.plan.arrows().find(|laid| names.contains(&laid.to.as_str()));
+        let start = laid.map_or(pole, |laid| &laid.from);
+        let start = if self.is_far(canvas, start) { pole } else { start };
+        let Some(from) = self.at(start) else { return };
+        let Some((_, edge)) = clipped_segment(canvas.room().inset(-1.0), from, place) else { return };
+        let tail = edge - (edge - from).normalize() * ARROW.min(0.5 * (edge - from).hypot());
+        let (last, before) = self.growth(names);
+        canvas.set_step(before.first().map_or(last, |(first, _)| *first));
+        canvas.draw_named(&format!("point-{}", names[0]), Pen::Special, canvas.arrow(tail, edge));
+        let mm = (place - from).hypot() * self.scheme.dims.unit;
+        let mm = self.scheme.words.write(mm, NumberStyle::decimals(0).on(Medium::Figure));
+        let words = |names: &str| RichText::plain(&self.scheme.words.language.far_in_plan(names, &mm));
+        canvas.set_step(last);
+        let label = canvas.label(&format!("{} ", names[0]), "", tail, 1.0, None, 2);
+        label.request.text = words(&self.shown(names));
+        label.before = self.growing(names, words);
     }
 
     /// The visible points, grouped by place.
@@ -227,21 +397,44 @@ impl PlanOnPaper<'_> {
         places
     }
 
+    /// Pen and radius of a point's dot.
+    fn dot(&self, role: PointRole) -> (Pen, f64) {
+        let dot = self.scheme.dims.dot;
+        match role {
+            PointRole::Pole => (Pen::Pole, 2.0 * dot),
+            PointRole::Special => (Pen::Special, (16.0 / 9.0) * dot),
+            _ => (Pen::ImagePoint, dot),
+        }
+    }
+
+    /// What stands at coincident points before the step that adds the last name, and from which step.
+    fn growing(&self, names: &[&str], set: impl Fn(&str) -> RichText) -> Vec<(u16, RichText)> {
+        let (_, steps) = self.growth(names);
+        steps.into_iter().map(|(step, names)| (step, set(&names))).collect()
+    }
+
+    /// How the names of coincident points grow with the steps that make them: the step that adds the last name, and
+    /// which names there are from which step before.
+    fn growth(&self, names: &[&str]) -> (u16, Vec<(u16, String)>) {
+        let mut steps: Vec<u16> = names.iter().map(|name| self.stages.point(name)).collect();
+        steps.sort_unstable();
+        steps.dedup();
+        let text = |step: u16| {
+            let made: Vec<&str> = names.iter().copied().filter(|name| self.stages.point(name) <= step).collect();
+            (step, self.shown(&made))
+        };
+        let last = steps.pop().unwrap_or_default();
+        (last, steps.into_iter().map(text).collect())
+    }
+
     /// The names of coincident points.
     fn shown(&self, names: &[&str]) -> String {
         let mut shown: Vec<String> = names.iter().map(|name| self.scheme.shown(name, Some(self.plan))).collect();
         // A fixed point O and the pole o have the same symbol.
         shown.dedup();
+        // The scene may give a name no text.
+        shown.retain(|name| !name.is_empty());
         shown.join(", ")
-    }
-}
-
-/// Pen and radius of a point's dot.
-fn dot(role: PointRole) -> (Pen, f64) {
-    match role {
-        PointRole::Pole => (Pen::Pole, 0.9),
-        PointRole::Special => (Pen::Special, 0.8),
-        _ => (Pen::ImagePoint, 0.45),
     }
 }
 

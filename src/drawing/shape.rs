@@ -40,6 +40,8 @@ pub enum Shape {
         start: f64,
         /// Signed angle from start to end; the head is at the end.
         sweep: f64,
+        /// Length of the head in mm; on a short arc the head is shorter.
+        head: f64,
     },
     /// A vector: a straight line with a slim filled head at its end.
     Arrow {
@@ -47,6 +49,8 @@ pub enum Shape {
         from: Point,
         /// Its tip.
         to: Point,
+        /// Length of the head in mm; on a short vector the head is shorter.
+        head: f64,
     },
     /// A line of text.
     Text(PlacedText),
@@ -56,7 +60,7 @@ impl Shape {
     /// Start and end of an [`Arc`](Shape::Arc) or [`ArcArrow`](Shape::ArcArrow); none for other shapes.
     pub fn ends_of_arc(&self) -> Option<(Point, Point)> {
         match *self {
-            Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep } => {
+            Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep, .. } => {
                 Some((on_circle(center, radius, start), on_circle(center, radius, start + sweep)))
             }
             _ => None,
@@ -73,7 +77,7 @@ impl Shape {
             Shape::Circle { center, radius }
             | Shape::Arc { center, radius, .. }
             | Shape::ArcArrow { center, radius, .. } => Rect::from_center_size(*center, (2.0 * radius, 2.0 * radius)),
-            Shape::Arrow { from, to } => {
+            Shape::Arrow { from, to, .. } => {
                 let line = Rect::from_points(*from, *to);
                 self.head_box().map_or(line, |head| line.union(head))
             }
@@ -86,7 +90,7 @@ impl Shape {
     pub fn drawn_box(&self) -> Rect {
         const PARTS: u8 = 64;
         match *self {
-            Self::Arc { center, radius, start, sweep } | Self::ArcArrow { center, radius, start, sweep } => {
+            Self::Arc { center, radius, start, sweep } | Self::ArcArrow { center, radius, start, sweep, .. } => {
                 let on = |part: u8| {
                     let share = f64::from(part) / f64::from(PARTS);
                     on_circle(center, radius, start + sweep * share)
@@ -102,14 +106,14 @@ impl Shape {
     pub(super) fn lines(&self) -> Vec<(Point, Point)> {
         let chain = |points: &[Point]| points.windows(2).map(|ends| (ends[0], ends[1])).collect();
         match self {
-            Shape::Line(a, b) | Shape::Arrow { from: a, to: b } => vec![(*a, *b)],
+            Shape::Line(a, b) | Shape::Arrow { from: a, to: b, .. } => vec![(*a, *b)],
             Shape::Polyline(points) => chain(points),
             Shape::Polygon(points) => {
                 let mut lines: Vec<(Point, Point)> = chain(points);
                 lines.extend(points.last().copied().zip(points.first().copied()));
                 lines
             }
-            &(Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep }) => {
+            &(Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep, .. }) => {
                 let on = |part: u8| on_circle(center, radius, start + sweep * f64::from(part) / 8.0);
                 chain(&(0..=8).map(on).collect::<Vec<_>>())
             }
@@ -140,10 +144,10 @@ impl Shape {
     /// Whether all its numbers are finite, and a text has letters; formats leave out all other marks.
     pub fn is_drawable(&self) -> bool {
         match self {
-            Shape::Line(a, b) | Shape::Arrow { from: a, to: b } => a.is_finite() && b.is_finite(),
+            Shape::Line(a, b) | Shape::Arrow { from: a, to: b, .. } => a.is_finite() && b.is_finite(),
             Shape::Polyline(points) | Shape::Polygon(points) => points.iter().all(|point| point.is_finite()),
             Shape::Circle { center, radius } => center.is_finite() && radius.is_finite(),
-            Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep } => {
+            Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep, .. } => {
                 center.is_finite() && radius.is_finite() && start.is_finite() && sweep.is_finite()
             }
             Shape::Text(text) => text.origin.is_finite() && text.size.is_finite() && !text.text.runs().is_empty(),

@@ -94,8 +94,7 @@ impl Drawing {
                 _ if since == step => Emphasis::New,
                 _ => Emphasis::Earlier,
             };
-            let shows = since <= step && !(mark.passing && since < step);
-            shows.then(|| Mark { emphasis, ..mark.clone() })
+            mark.is_shown_after(step).then(|| Mark { emphasis, ..mark.clone() })
         });
         let words = self.steps.get(step.wrapping_sub(1));
         Drawing {
@@ -148,6 +147,8 @@ pub struct Mark {
     pub since: u16,
     /// Whether it is shown in that step only, as words and hints are.
     pub passing: bool,
+    /// The step from which a later mark stands in its place: a name to which another of the same place is added.
+    pub until: Option<u16>,
     /// Its emphasis.
     pub emphasis: Emphasis,
 }
@@ -167,7 +168,15 @@ pub enum Emphasis {
 impl Mark {
     /// A mark without id, of all steps.
     pub fn new(pen: Pen, shape: Shape) -> Self {
-        Self { id: None, pen, number: None, shape, since: 0, passing: false, emphasis: Emphasis::Plain }
+        Self { id: None, pen, number: None, shape, since: 0, passing: false, until: None, emphasis: Emphasis::Plain }
+    }
+
+    /// Whether the mark is on the sheet after a step.
+    #[must_use]
+    pub fn is_shown_after(&self, step: usize) -> bool {
+        let since = usize::from(self.since);
+        let is_replaced = self.until.is_some_and(|until| usize::from(until) <= step);
+        since <= step && !(self.passing && since < step) && !is_replaced
     }
 }
 
@@ -203,8 +212,8 @@ mod tests {
         for wrong in [f64::NAN, f64::INFINITY, -3.0] {
             let (center, radius) = (Point::new(wrong, 1.0), wrong);
             drawing.draw(Pen::Joint, Shape::Circle { center, radius });
-            drawing.draw(Pen::Turning, Shape::ArcArrow { center, radius, start: wrong, sweep: wrong });
-            drawing.draw(Pen::Velocity, Shape::Arrow { from: center, to: Point::ORIGIN });
+            drawing.draw(Pen::Turning, Shape::ArcArrow { center, radius, start: wrong, sweep: wrong, head: 2.6 });
+            drawing.draw(Pen::Velocity, Shape::Arrow { from: center, to: Point::ORIGIN, head: wrong });
             drawing.draw(Pen::Link, Shape::Polygon(vec![]));
             let text = PlacedText::new(RichText::math("S_3"), wrong, center);
             drawing.draw(Pen::Label, Shape::Text(text));

@@ -6,6 +6,8 @@ use indexmap::IndexMap;
 pub(super) struct Stages {
     /// Special points on the scheme.
     special: IndexMap<String, u16>,
+    /// Solved rates, by the names of their quantities.
+    rates: IndexMap<String, u16>,
     velocity: PlanStages,
     acceleration: PlanStages,
 }
@@ -33,7 +35,13 @@ impl Stages {
             before += plan.map_or(0, |plan| plan.steps.len());
             stages.unwrap_or_default()
         };
+        let solved = construction.numbered_steps().filter_map(|step| match &step.step.action {
+            Action::Solve { unknowns, .. } => Some((step.number as u16, unknowns)),
+            _ => None,
+        });
+        let rates = solved.flat_map(|(number, unknowns)| unknowns.iter().map(move |(name, _)| (name.clone(), number)));
         Self {
+            rates: rates.collect(),
             special,
             velocity: plan(Some(&construction.velocity)),
             acceleration: plan(construction.acceleration.as_ref()),
@@ -43,6 +51,11 @@ impl Stages {
     /// The step that finds a special point.
     pub(super) fn special(&self, point: &str) -> u16 {
         self.special.get(point).copied().unwrap_or_default()
+    }
+
+    /// The step that solves for a rate; the last of the plan for one that no step solves for.
+    pub(super) fn rate(&self, plan: PlanKind, name: &str) -> u16 {
+        self.rates.get(name).copied().unwrap_or(self.plan(plan).last)
     }
 
     pub(super) fn plan(&self, kind: PlanKind) -> &PlanStages {
@@ -73,7 +86,9 @@ impl PlanStages {
                     let ends = [arrow.from.clone(), arrow.to.clone()];
                     stages.vectors.entry(ends).or_insert(number);
                 }
-                Action::Cross { point, .. } => made(point),
+                Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                    made(point)
+                }
                 Action::Ray(ray) => {
                     let ends = [ray.through.clone(), ray.to.clone()];
                     stages.rays.entry(ends).or_insert(number);

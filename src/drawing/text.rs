@@ -1,3 +1,5 @@
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use kurbo::{BezPath, Point, Rect, Vec2};
@@ -10,6 +12,17 @@ use super::markup::{Run, Setter, Style};
 pub(super) const LABEL: f64 = 4.7;
 /// Size of captions, in mm of one em; no words of a figure are smaller.
 pub(super) const CAPTION: f64 = 4.7;
+
+/// Most texts of a style that are remembered.
+const MOST_SET: usize = 4096;
+
+thread_local! {
+    /// Texts by their source, for each style with and without markup.
+    static SET: RefCell<[BTreeMap<String, RichText>; 4]> = RefCell::default();
+}
+
+/// White between two texts, in em: a space of the bundled font.
+const SPACE: f64 = 0.25;
 
 /// A line of text with subscripts and superscripts, measured.
 ///
@@ -67,9 +80,33 @@ impl RichText {
         lines.iter().map(|line| Self::plain(line)).collect()
     }
 
+    /// This text, a space, and another text.
+    #[must_use]
+    pub fn followed_by(mut self, other: &Self) -> Self {
+        let shift = self.advance + SPACE;
+        let moved =
+            |(index, run): (usize, &Run)| Run { x: run.x + shift, spaced: index == 0 || run.spaced, ..run.clone() };
+        self.runs.extend(other.runs.iter().enumerate().map(moved));
+        self.ink = self.ink.union(other.ink + Vec2::new(shift, 0.0));
+        self.advance = shift + other.advance;
+        self
+    }
+
+    /// A text that has been set before is not set again: sheets of one scene, and frames of a page, share most texts.
     fn set(source: &str, style: Style, markup: bool) -> Self {
-        let setter = Setter::set(source, style, markup);
-        Self { runs: setter.runs, advance: setter.pen.x, ink: setter.ink.unwrap_or(Rect::ZERO) }
+        SET.with_borrow_mut(|known| {
+            let known = &mut known[usize::from(style == Style::Math) + 2 * usize::from(markup)];
+            if let Some(text) = known.get(source) {
+                return text.clone();
+            }
+            let setter = Setter::set(source, style, markup);
+            let text = Self { runs: setter.runs, advance: setter.pen.x, ink: setter.ink.unwrap_or(Rect::ZERO) };
+            if known.len() >= MOST_SET {
+                known.clear();
+            }
+            known.insert(source.to_owned(), text.clone());
+            text
+        })
     }
 
     /// The runs in reading order.

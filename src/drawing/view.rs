@@ -35,6 +35,11 @@ impl Extent {
         Extent::of(kept.flat_map(|e| [e.low, e.high]))
     }
 
+    /// The extent of this content and all others.
+    pub(super) fn with_all(self, others: impl Iterator<Item = Extent>) -> Extent {
+        Extent::of(std::iter::once(self).chain(others).flat_map(|e| [e.low, e.high]))
+    }
+
     /// Width and height.
     #[must_use]
     pub fn size(&self) -> geometry::Vector {
@@ -55,6 +60,16 @@ impl View {
     #[must_use]
     pub fn new(mu: f64, extent: &Extent, area: Rect) -> View {
         View { mu, origin: nalgebra::center(&extent.low, &extent.high), centre: area.center() }
+    }
+
+    /// The same view, moved as little as possible so that a place is within an area.
+    pub(super) fn holding(mut self, place: geometry::Point, area: Rect) -> View {
+        let at = self.at(place);
+        // Of an area without room its middle.
+        let within = |x: f64, low: f64, high: f64| if low < high { x.clamp(low, high) } else { 0.5 * (low + high) };
+        let held = Point::new(within(at.x, area.x0, area.x1), within(at.y, area.y0, area.y1));
+        self.centre += held - at;
+        self
     }
 
     /// The place on the sheet, in mm.

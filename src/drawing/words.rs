@@ -1,6 +1,7 @@
 //! Words about each step below the panels: caption, equation, results.
 
-use super::layout::{Item, Layout};
+use super::figure::{Steps, extents, kind};
+use super::layout::{Item, Layout, MARGIN, Placed};
 use super::legend::SCALE;
 use super::lines::PAD;
 use super::plan_panel;
@@ -8,16 +9,15 @@ use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
+use super::view::{Extent, fitting_scale};
 use crate::construction::{
-    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Plan, PlanKind, Relation, rate_symbol,
+    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Passage, Plan, PlanKind, Ray, Relation, rate_symbol,
 };
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::Kind;
+use crate::scene::PanelName;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect};
-
-/// Height of the words below the scales, in mm.
-const HEIGHT: f64 = 30.0;
 
 /// Number style of values.
 pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7).on(Medium::Figure);
@@ -27,49 +27,167 @@ pub(super) const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).on(Medium::F
 /// Size of the caption, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
 /// Size of equations, in mm of one em.
-const EQUATION: f64 = 1.05 * CAPTION;
+pub(super) const EQUATION: f64 = 1.05 * CAPTION;
 /// Size of the words under an equation, in mm of one em.
 const SMALL: f64 = CAPTION;
 
 // Baselines below the upper edge of the words, in mm.
-const FIRST: f64 = 6.0;
-const SECOND: f64 = 14.4;
-const LAST: f64 = 27.0;
+pub(super) const FIRST: f64 = 5.0;
+pub(super) const SECOND: f64 = 11.0;
+/// The lowest baseline.
+const LAST: f64 = 24.0;
+/// Distance of baselines without lines under vectors, in mm.
+pub(super) const ROW: f64 = 6.0;
 // Below the baseline of an equation, in mm: lines under vectors, and their names.
 const UNDER: f64 = 1.9;
-const BELOW: f64 = 7.4;
+pub(super) const BELOW: f64 = 6.4;
+/// White below the lowest ink, in mm.
+const FOOT: f64 = 1.0;
+/// White between a caption and details on its line, in mm, and the number of places along the line where they start.
+pub(super) const BETWEEN: f64 = 8.0;
+const TABS: f64 = 12.0;
+/// Usual width and height of a plan, in mm.
+const USUAL: f64 = 100.0;
 
-/// The words of all steps, each shown in its own step only.
-pub(super) struct StepWords<'a>(pub &'a Scheme<'a>);
+/// Words about each step, shown in their own step only; their area is as high as the tallest needs.
+pub(super) struct StepWords<'a> {
+    scheme: &'a Scheme<'a>,
+    passages: Option<Vec<Passage>>,
+    /// By step or passage: where its details start on the line of its caption; none where they stand below.
+    starts: Vec<Option<f64>>,
+    /// In mm.
+    height: f64,
+}
+
+impl<'a> StepWords<'a> {
+    /// The words of all steps or, in coarse steps, of all passages.
+    pub(super) fn new(scheme: &'a Scheme<'a>, steps: Steps) -> Self {
+        let passages = (steps == Steps::Coarse).then(|| scheme.construction.passages());
+        let mut words = Self { scheme, passages, starts: Vec::new(), height: 0.0 };
+        let [width, height] = scheme.dims.page;
+        // Scales of plans of a usual size: they are part of the words.
+        let usual = Rect::new(0.0, 0.0, USUAL, USUAL);
+        let mu = |(panel, extent): (PanelName, Extent)| Placed {
+            kind: kind(panel),
+            frame: usual,
+            area: usual,
+            mu: scheme.mu[panel as usize].unwrap_or_else(|| fitting_scale(&extent, usual)),
+            unit: scheme.dims.unit,
+        };
+        let scales = extents(scheme).into_iter().map(mu).collect();
+        let layout = Layout::of_words(Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0), scales);
+        for number in 0..words.count() {
+            let trial = |start: Option<f64>, parts: [bool; 2]| {
+                let mut drawing = Drawing::new(width, height);
+                words.write(&mut drawing, &layout, number, start, parts);
+                drawing
+            };
+            let caption = extent(&trial(None, [true, false]));
+            let caption_end = caption.x1;
+            let tab = (layout.legend.width() - 2.0 * PAD) / TABS;
+            let start = tab * libm::ceil((caption_end - PAD + BETWEEN) / tab);
+            let beside = trial(Some(start), [false, true]);
+            let is_whole = |mark: &Mark| match &mark.shape {
+                Shape::Text(text) => text.size >= SMALL,
+                _ => true,
+            };
+            let fits = extent(&beside).x1 <= layout.legend.x1 - PAD && beside.marks.iter().all(is_whole);
+            let start = Some(start).filter(|_| fits);
+            let details = if fits { extent(&beside) } else { extent(&trial(None, [true; 2])) };
+            words.height = words.height.max(caption.y1.max(details.y1) + FOOT);
+            words.starts.push(start);
+        }
+        words
+    }
+
+    fn count(&self) -> usize {
+        self.passages.as_ref().map_or_else(|| self.scheme.construction.numbered_steps().count(), Vec::len)
+    }
+
+    /// Writes the caption and the details of a step or passage, or one of both. The details are below the caption or
+    /// start on its line.
+    fn write(
+        &self,
+        drawing: &mut Drawing,
+        layout: &Layout,
+        index: usize,
+        start: Option<f64>,
+        [caption, details]: [bool; 2],
+    ) {
+        let (scheme, area) = (self.scheme, layout.below());
+        let area = Rect { x0: area.x0 + PAD, x1: area.x1 - PAD, ..area };
+        let beside = start.map(|start| Rect { x0: area.x0 + start, y0: area.y0 + FIRST - SECOND, ..area });
+        let mut writer = Writer {
+            drawing,
+            layout,
+            scheme,
+            captions: area,
+            area: beside.unwrap_or(area),
+            number: 0,
+            count: self.count(),
+            caption_end: area.x0,
+        };
+        match &self.passages {
+            Some(passages) => writer.passage(index, &passages[index], [caption, details]),
+            None => {
+                let Some(step) = scheme.construction.numbered_steps().nth(index) else { return };
+                writer.number = step.number as u16;
+                if caption {
+                    writer.numbered(step.number, &scheme.teller().caption(&step), step.plan);
+                }
+                if details {
+                    writer.details(&step);
+                }
+            }
+        }
+    }
+}
+
+/// Width of a piece; a slanted letter may lean beyond its advance.
+fn advance(text: &RichText, size: f64) -> f64 {
+    text.width(size).max(text.ink_box(size).x1)
+}
+
+/// Width of pieces one after another.
+pub(super) fn width_of(texts: &[RichText], size: f64) -> f64 {
+    texts.iter().map(|text| advance(text, size)).sum()
+}
+
+/// The box around all marks.
+fn extent(drawing: &Drawing) -> Rect {
+    let all = drawing.marks.iter().map(|mark| mark.shape.bounds());
+    all.reduce(|a, b| a.union(b)).unwrap_or_default()
+}
 
 impl Item for StepWords<'_> {
     fn height(&self) -> f64 {
-        HEIGHT
+        self.height
     }
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let scheme = self.0;
         let area = layout.below();
         drawing.draw(Pen::Frame, Shape::Line(area.origin(), Point::new(area.x1, area.y0)));
-        let area = Rect { x0: area.x0 + PAD, x1: area.x1 - PAD, ..area };
-        let count = scheme.construction.numbered_steps().count();
-        for step in scheme.construction.numbered_steps() {
-            let mut writer = Writer { drawing, layout, scheme, area, number: step.number as u16 };
-            writer.caption(&step, count);
-            writer.details(&step);
+        for (index, start) in self.starts.iter().enumerate() {
+            self.write(drawing, layout, index, *start, [true; 2]);
         }
     }
 }
 
 /// Writes the words of a step.
-struct Writer<'a> {
-    drawing: &'a mut Drawing,
-    layout: &'a Layout,
-    scheme: &'a Scheme<'a>,
-    /// The area of the words.
-    area: Rect,
+pub(super) struct Writer<'a> {
+    pub drawing: &'a mut Drawing,
+    pub layout: &'a Layout,
+    pub scheme: &'a Scheme<'a>,
+    /// The area of all words.
+    pub captions: Rect,
+    /// That of the details, with room for a caption above them.
+    pub area: Rect,
     /// Number of the step.
-    number: u16,
+    pub number: u16,
+    /// How many steps or passages there are.
+    pub count: usize,
+    /// The right end of the caption.
+    pub caption_end: f64,
 }
 
 impl Writer<'_> {
@@ -82,11 +200,8 @@ impl Writer<'_> {
     }
 
     /// Sets pieces one after another, in a smaller size where they are too wide; returns the right end.
-    fn line(&mut self, texts: &[RichText], size: f64, from: Point, room: f64) -> f64 {
-        // A slanted letter may lean beyond its advance.
-        let advance = |text: &RichText, size: f64| text.width(size).max(text.ink_box(size).x1);
-        let width: f64 = texts.iter().map(|text| advance(text, size)).sum();
-        let size = size * (room / width).min(1.0);
+    pub(super) fn line(&mut self, texts: &[RichText], size: f64, from: Point, room: f64) -> f64 {
+        let size = size * (room / width_of(texts, size)).min(1.0);
         let mut x = from.x;
         for text in texts {
             if !text.is_empty() {
@@ -98,7 +213,7 @@ impl Writer<'_> {
     }
 
     /// The pieces of a text: names between backticks in their notation, the rest by `set`.
-    fn pieces(&self, text: &str, plan: Option<&Plan>, set: fn(&str) -> RichText) -> Vec<RichText> {
+    pub(super) fn pieces(&self, text: &str, plan: Option<&Plan>, set: fn(&str) -> RichText) -> Vec<RichText> {
         let piece = |(index, piece): (usize, &str)| match index % 2 {
             0 => set(piece),
             _ => RichText::math(&self.scheme.shown(piece, plan)),
@@ -106,18 +221,18 @@ impl Writer<'_> {
         text.split('`').enumerate().map(piece).collect()
     }
 
-    /// Number and caption of a step.
-    fn caption(&mut self, step: &NumberedStep<'_>, count: usize) {
-        let number = RichText::plain(&format!("{} / {count}", self.number));
-        let from = Point::new(self.area.x0, self.area.y0 + FIRST);
+    /// A numbered sentence in markup.
+    pub(super) fn numbered(&mut self, number: usize, sentence: &str, plan: Option<&Plan>) {
+        let number = RichText::plain(&format!("{number} / {}", self.count));
+        let from = Point::new(self.captions.x0, self.captions.y0 + FIRST);
         let after = from.x + number.width(SIZE) + 4.0;
         self.write(Pen::Heading, number, SIZE, from);
-        let caption = self.pieces(&self.scheme.teller().caption(step), step.plan, RichText::plain);
-        self.line(&caption, SIZE, Point::new(after, from.y), self.area.x1 - after);
+        let caption = self.pieces(sentence, plan, RichText::plain);
+        self.caption_end = self.line(&caption, SIZE, Point::new(after, from.y), self.captions.x1 - after);
     }
 
     /// Equation and values of a step.
-    fn details(&mut self, step: &NumberedStep<'_>) {
+    pub(super) fn details(&mut self, step: &NumberedStep<'_>) {
         let plan = step.plan;
         let from = Point::new(self.area.x0, self.area.y0 + SECOND);
         let kind = plan.map(|p| p.kind);
@@ -125,22 +240,17 @@ impl Writer<'_> {
         let action = &step.step.action;
         let end = match action {
             Action::Solve { equations, unknowns } => return self.solution(equations, unknowns, plan),
-            Action::Ray(ray) => {
-                let sign = match ray.relation {
-                    Relation::Perpendicular => "⊥",
-                    Relation::Parallel => "∥",
-                };
-                let along = format!("{sign} {}", self.scheme.teller().line_of(ray));
-                self.equation(&formula, plan, Some(&along), from)
-            }
+            Action::Ray(ray) => self.ray_equation(ray, &formula, plan, from),
             _ => self.equation(&formula, plan, None, from),
         };
         let ends = match action {
-            Action::LayOff(arrow) => Some([arrow.from.as_str(), arrow.to.as_str()]),
-            Action::Cross { point, .. } => kind.map(|kind| [kind.pole(), point.as_str()]),
+            Action::LayOff(arrow) => Some(arrow.ends()),
+            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                kind.map(|kind| [kind.pole(), point.as_str()])
+            }
             _ => None,
         };
-        let vector = ends.and_then(|[from, to]| plan?.segment(from, to));
+        let vector = ends.and_then(|[from, to]| plan?.shown_segment(from, to));
         let value = match (action, vector) {
             (Action::Measure { value, .. }, _) => self.size(*value, kind),
             (Action::MeasureLength { value, .. }, _) => self.size(*value, None),
@@ -158,17 +268,33 @@ impl Writer<'_> {
         self.line(&texts, EQUATION, Point::new(x, from.y), self.area.x1 - x);
     }
 
-    /// The equations of the step, two in a line, and their solution.
+    /// The equation behind a ray, with the ray's direction below; returns the right end.
+    pub(super) fn ray_equation(&mut self, ray: &Ray, formula: &Formula, plan: Option<&Plan>, from: Point) -> f64 {
+        let sign = match ray.relation {
+            Relation::Perpendicular => "⊥",
+            Relation::Parallel => "∥",
+            Relation::Angle => "",
+        };
+        let along = format!("{sign} {}", self.scheme.teller().line_of(ray));
+        self.equation(formula, plan, Some(along.trim_start()), from)
+    }
+
+    /// The equations of the step, at least two in a line, and their solution.
     fn solution(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
-        let half = 0.5 * self.area.width();
-        let lines = equations.len().div_ceil(2) as f64;
-        let step = (LAST - SECOND + 1.6) / lines.max(1.0);
-        for (index, equation) in equations.iter().enumerate() {
-            let (row, column) = ((index / 2) as f64, (index % 2) as f64);
-            let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND - 1.6 + step.min(6.0) * row);
-            let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
-            let equation = self.pieces(&self.scheme.teller().equation(kind, equation), plan, RichText::math);
-            self.line(&equation, EQUATION, from, half - 4.0);
+        let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
+        let set =
+            |equation: &LegEquation| self.pieces(&self.scheme.teller().equation(kind, equation), plan, RichText::math);
+        let written: Vec<Vec<RichText>> = equations.iter().map(set).collect();
+        let widest = written.iter().map(|pieces| width_of(pieces, EQUATION)).fold(0.0, f64::max);
+        let fitting = (self.area.width() / (widest + BETWEEN)) as usize;
+        let columns = fitting.clamp(2, written.len().max(2));
+        let (lines, column) = (written.len().div_ceil(columns) as f64, self.area.width() / columns as f64);
+        // Many equations are closer together.
+        let row_height = ((LAST - SECOND) / lines.max(1.0)).min(ROW);
+        for (index, equation) in written.iter().enumerate() {
+            let (row, place) = ((index / columns) as f64, (index % columns) as f64);
+            let from = Point::new(self.area.x0 + column * place, self.area.y0 + SECOND + row_height * row);
+            self.line(equation, EQUATION, from, column - 4.0);
         }
         let found = unknowns.iter().enumerate().flat_map(|(index, (name, value))| {
             let (symbol, unit) = self.rate(name);
@@ -176,7 +302,7 @@ impl Writer<'_> {
             [RichText::plain(if index > 0 { ",   " } else { "" }), RichText::math(&symbol), value]
         });
         let found: Vec<RichText> = found.collect();
-        let from = Point::new(self.area.x0, self.area.y0 + LAST);
+        let from = Point::new(self.area.x0, self.area.y0 + SECOND + row_height * lines);
         self.line(&found, EQUATION, from, self.area.width());
     }
 
@@ -246,7 +372,7 @@ impl Writer<'_> {
     }
 
     /// A size in a plan or on the mechanism, with its length on paper.
-    fn size(&self, value: f64, kind: Option<PlanKind>) -> String {
+    pub(super) fn size(&self, value: f64, kind: Option<PlanKind>) -> String {
         let kind = plan_panel::kind(kind);
         let unit = kind.unit(self.scheme.scene.units);
         let words = &self.scheme.words;

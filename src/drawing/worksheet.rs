@@ -1,7 +1,8 @@
 //! Additions of a work sheet to the panels: a table of the lengths that are measured, in the order of the construction,
 //! and a ruler by which the size of a print is checked.
 
-use super::layout::{Aside, Item, Layout};
+use super::dims::Dims;
+use super::layout::{Aside, Item, Layout, cut_off};
 use super::legend::symbol;
 use super::panel::Panel;
 use super::plan_panel;
@@ -16,9 +17,9 @@ use crate::quantity::Kind;
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 
-/// Length of the ruler, in mm.
+/// Length of the ruler, in mm of paper.
 const RULER: f64 = 50.0;
-/// Width and height of the ruler with its numbers and words, in mm.
+/// Width and height of the ruler with its numbers, and words above it, in mm.
 const RULER_ROOM: [f64; 2] = [64.0, 18.6];
 /// The same height, in rows of the table.
 const RULER_ROWS: usize = 3;
@@ -27,8 +28,21 @@ const RULER_ROWS: usize = 3;
 pub(super) struct Worksheet {
     pub table: Table<CELLS>,
     /// By row: the measured length, in units of its kind; empty on a sheet to be filled in.
-    pub lengths: Vec<(f64, Kind)>,
+    pub lengths: Vec<Option<(f64, Kind)>>,
     pub words: Wording,
+    pub dims: Dims,
+    pub place: TablePlace,
+}
+
+/// Where a work sheet's table stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum TablePlace {
+    /// Beside or below the panels, which make room for it.
+    Anywhere,
+    /// Beside or below the panels, where all its rows fit at their usual size.
+    Beside,
+    /// On a further sheet.
+    Apart,
 }
 
 /// Number of cells: name, millimetres, scale, value, unit.
@@ -47,11 +61,9 @@ impl Worksheet {
             let Some(panel) = panels.iter().find(|panel| panel.needs.kind == kind) else {
                 continue;
             };
-            // A panel is no larger than the page: the scale is at least this one, and the millimetres are no wider.
-            let size = panel.needs.extent.size();
-            let least = panel.needs.mu.unwrap_or((size.x / page[0]).max(size.y / page[1]));
+            let least = least(panel, page);
             let name = format!("{} {}", scheme.shown(from, plan), scheme.shown(to, plan));
-            lengths.push((value, kind));
+            lengths.push(Some((value, kind)));
             rows.push(Cells {
                 texts: [
                     RichText::math(&name),
@@ -66,26 +78,65 @@ impl Worksheet {
                 boxes: [false; CELLS],
             });
         }
-        Self { table: table(words.language.segment(), words.language.value(), rows), lengths, words }
+        for value in &scheme.values {
+            let is_drawn = matches!(value.kind, Kind::Length | Kind::Velocity | Kind::Acceleration);
+            let panel = panels.iter().find(|panel| panel.needs.kind == value.kind).filter(|_| is_drawn);
+            let least = panel.map(|panel| least(panel, page));
+            lengths.push(least.map(|_| (value.number, value.kind)));
+            let [number, unit] = value.written().map(RichText::plain);
+            let scale = least.map_or("", |_| symbol(value.kind));
+            let mm = least.map_or_else(|| RichText::plain(""), |least| millimetres(&words, value.number, least));
+            rows.push(Cells {
+                texts: [RichText::math(&value.symbol), mm, RichText::math(scale), number, unit],
+                id: Some(value.name.clone()),
+                since: value.since,
+                stands_out: false,
+                boxes: [false; CELLS],
+            });
+        }
+        let table = table(words.language.segment(), words.language.value(), rows);
+        Self { table, lengths, words, dims: scheme.dims, place: TablePlace::Anywhere }
+    }
+
+    /// The table with millimetres at a layout's scales.
+    fn at_scales(&self, layout: &Layout) -> Table<CELLS> {
+        let mut table = self.table.clone();
+        for (row, length) in table.rows.iter_mut().zip(&self.lengths) {
+            if let Some((value, mu)) = length.and_then(|(value, kind)| Some((value, layout.mu(kind)?))) {
+                row.texts[MILLIMETRES] = millimetres(&self.words, value, mu);
+            }
+        }
+        table
+    }
+
+    /// The same without room for a ruler.
+    pub(super) fn filled(&self, layout: &Layout) -> Table<CELLS> {
+        Table { foot: ([0.0; 2], 0), ..self.at_scales(layout) }
     }
 }
 
 impl Item for Worksheet {
     fn asides(&self, room: Rect) -> Vec<Aside> {
-        self.table.asides(room)
+        let mut asides = self.table.asides(room);
+        if self.place == TablePlace::Beside {
+            asides.retain(|aside| cut_off(room, *aside).1.is_some_and(|area| self.table.fits(area)));
+        }
+        asides
     }
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         let Some(area) = layout.aside else { return };
-        let mut table = self.table.clone();
-        for (row, (value, kind)) in table.rows.iter_mut().zip(&self.lengths) {
-            if let Some(mu) = layout.mu(*kind) {
-                row.texts[MILLIMETRES] = millimetres(&self.words, *value, mu);
-            }
-        }
-        let foot = table.draw_in(drawing, area);
-        ruler(drawing, foot + Vec2::new(2.0, -RULER_ROOM[1]), self.words.language.ruler());
+        let foot = self.at_scales(layout).draw_in(drawing, area);
+        let from = foot + Vec2::new(2.0, -RULER_ROOM[1]);
+        drawing.caption(RichText::plain(self.words.language.ruler()), from + Vec2::new(0.0, 4.2));
+        ruler(drawing, from + Vec2::new(0.0, 7.4), self.dims.unit);
     }
+}
+
+/// The least scale of a panel: it is no larger than the page, so millimetres at this scale are the widest.
+fn least(panel: &Panel<'_>, page: [f64; 2]) -> f64 {
+    let size = panel.needs.extent.size();
+    panel.needs.mu.unwrap_or((size.x / page[0]).max(size.y / page[1]))
 }
 
 /// A table with these headings over names and values, and room for the ruler.
@@ -116,10 +167,44 @@ fn measured<'a>(scheme: &'a Scheme<'_>) -> impl Iterator<Item = (u16, Option<&'a
     })
 }
 
-/// Draws a ruler with a line for each millimetre, below the words.
-fn ruler(drawing: &mut Drawing, from: Point, words: &str) {
-    drawing.caption(RichText::plain(words), from + Vec2::new(0.0, 4.2));
-    let at = |mm: f64| Point::new(from.x + mm, from.y + 7.4);
+/// A ruler at the right end of the area below the scales, for a sheet without the table; words before it.
+pub(super) struct Ruler {
+    words: RichText,
+    unit: f64,
+}
+
+/// White before the ruler's words and between them and the ruler, in mm.
+const BEFORE: f64 = 3.0;
+/// Room after the ruler for its last number with the unit, in mm.
+const AFTER: f64 = 12.0;
+
+impl Ruler {
+    pub(super) fn new(scheme: &Scheme<'_>) -> Self {
+        Self { words: RichText::plain(scheme.words.language.ruler()), unit: scheme.dims.unit }
+    }
+
+    /// Width of the area that is kept free, in mm.
+    pub(super) fn width(&self) -> f64 {
+        self.words.width(CAPTION) + 2.0 * BEFORE + RULER / self.unit + AFTER
+    }
+}
+
+impl Item for Ruler {
+    fn height(&self) -> f64 {
+        11.0
+    }
+
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let area = layout.below();
+        let from = Point::new(area.x1 - self.width() + BEFORE, area.y0 + 4.6);
+        drawing.caption(self.words.clone(), from);
+        ruler(drawing, from + Vec2::new(self.words.width(CAPTION) + BEFORE, -3.2), self.unit);
+    }
+}
+
+/// Draws a ruler with a line for each millimetre, to the right of its upper left end.
+fn ruler(drawing: &mut Drawing, from: Point, unit: f64) {
+    let at = |mm: f64| Point::new(from.x + mm / unit, from.y);
     let line = Shape::Line(at(0.0), at(RULER));
     drawing.draw_named("ruler", Pen::Ground, line);
     for mm in 0..=RULER as u32 {

@@ -5,7 +5,7 @@ use super::vary::{OnGuide, length_step, varied};
 use crate::construction::Construction;
 use crate::geometry::Random;
 use crate::quantity::Quantity;
-use crate::scene::{Figure, Page, PageSize, PanelName, SceneError};
+use crate::scene::{ConstructionShown, Figure, Page, PageSize, PanelName, SceneError};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -78,7 +78,7 @@ impl Exercises {
             panels: vec![PanelName::Scheme, PanelName::Velocity, PanelName::Acceleration],
             step: None,
             special_points: true,
-            construction: true,
+            construction: ConstructionShown::Whole,
             page: page.unwrap_or(figure.page),
             ..figure.clone()
         };

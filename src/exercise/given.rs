@@ -11,7 +11,7 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
     let file = serde_json::from_str(text).unwrap_or(Value::Null);
     let teller = Teller { scene, words };
     let mut all = teller.lengths();
-    all.extend(teller.drives());
+    all.extend(teller.drives(&file));
     all.extend(teller.motions(&file));
     let plans = [("μ_v", scales.velocity, Kind::Velocity), ("μ_a", scales.acceleration, Kind::Acceleration)];
     let scale = |(symbol, mu, kind): (&str, Option<f64>, Kind)| {
@@ -34,8 +34,9 @@ struct Teller<'a> {
 }
 
 impl Teller<'_> {
+    /// A number as people write it: more digits than six serve no drawing.
     fn number(&self, x: f64) -> String {
-        self.words.write(x, NumberStyle::shortest().on(Medium::Figure))
+        self.words.write(x, NumberStyle::significant(6).trimmed().on(Medium::Figure))
     }
 
     fn unit(&self, kind: Kind) -> String {
@@ -73,13 +74,17 @@ impl Teller<'_> {
         fixed.chain(lengths).collect()
     }
 
-    fn drives(&self) -> Vec<String> {
+    /// Drives in the units in which the file gives them.
+    fn drives(&self, file: &Value) -> Vec<String> {
         let mut told = Vec::new();
         for (name, link) in &self.scene.links {
             let angle = link.angle_deg.or(link.drive.and_then(|d| d.angle_deg));
             told.extend(angle.map(|x| self.value(&format!("φ_{{{name}}}"), x, Kind::Angle)));
             if let Some(drive) = &link.drive {
-                told.extend(self.turning(name, drive.omega, drive.alpha));
+                let [omega, alpha] = self.turning(name, drive.omega, drive.alpha);
+                let rpm = file["links"][name]["drive"]["rpm"].as_f64();
+                told.push(rpm.map_or(omega, |rpm| format!("n_{{{name}}} = {} rpm", self.number(rpm))));
+                told.push(alpha);
             }
         }
         for slider in &self.scene.sliders {

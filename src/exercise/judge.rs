@@ -8,7 +8,7 @@ use crate::mechanism::mechanism;
 use crate::motion::Order;
 use crate::position::pose;
 use crate::quantity::{Asked, Pencil, Quantity, Scales, What, pencil};
-use crate::scene::{Figure, Page, PageSize, Scene};
+use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
 
 /// Largest condition number of a group: near singular positions an error of a length is enlarged many times.
 const CONDITION: f64 = 40.0;
@@ -78,6 +78,8 @@ impl Exercise {
     pub(super) fn of(text: &str, page: Page, asked: Option<&Figure>) -> Result<Exercise, Refusal> {
         let mut scene = Scene::read(text).map_err(|_| Refusal::Numbers)?;
         scene.figure = asked.unwrap_or(&scene.figure).clone();
+        // A sheet for the hand has letters for the hand, in a style for the hall too.
+        scene.figure.sizes.get_or_insert_default();
         let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
         let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
         let mut solution = Solution::new(scene, mechanism, pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
@@ -98,6 +100,8 @@ impl Exercise {
         (figure.page, figure.worksheet) = (page, false);
         let figure = &mut solution.scene.figure;
         (figure.page, figure.worksheet) = (key_page(page), true);
+        // The key is the only sheet with plans; the accepted file says its scales, which then hold everywhere.
+        figure.scales = ScalesFor::Sheet;
         let wording = solution.wording();
         let mut scales = solution.scales();
         if solution.scene.figure.mu_l.is_none() {

@@ -1,14 +1,15 @@
 use crate::accuracy::{Bounds, bounds};
 use crate::construction::{Solution, coincident_name};
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::Motion;
 use crate::quantity::Kind;
 use crate::scene::{DecimalMark, Units};
 use crate::words::NumberStyle;
+use core::f64::consts::SQRT_2;
 
 impl Solution {
-    /// A table of every ω, α, velocity and acceleration with only its certain digits: name, value, unit, bound of the
+    /// A table of every ω, α, velocity and acceleration with only its certain digits, of vectors with size and direction: name, value, unit, bound of the
     /// error.
     ///
     /// The true value is within one unit of the last digit that is printed. Given values are printed in full, with
@@ -90,7 +91,17 @@ impl Table<'_> {
         self.lines.push(line);
     }
 
+    /// Size, direction and components of a vector, whose components are each off by at most `bound`.
     fn vector(&mut self, name: &str, vector: Vector, bound: f64, kind: Kind) {
+        let (size, off) = (vector.norm(), bound * SQRT_2);
+        let rounded = |value: f64| if value == 0.0 { 0.0 } else { 4.0 * UNIT_ROUNDOFF * value };
+        self.line(format!("{name}.size"), size, off + rounded(size), kind);
+        // The tip lies in a circle about that of the computed vector: seen from its start, asin(off/size) to either side.
+        // With this circle about the start there is no direction.
+        if off < size && (self.bounds.has_accelerations() || kind == Kind::Velocity) {
+            let turned = libm::asin(off / size).to_degrees() + rounded(180.0);
+            self.line(format!("{name}.angle"), degrees_of(vector), turned, Kind::Angle);
+        }
         self.line(format!("{name}.x"), vector.x, bound, kind);
         self.line(format!("{name}.y"), vector.y, bound, kind);
     }

@@ -1,12 +1,13 @@
 use super::number::number;
 use super::svg::{FONTS, Text, clean, escape, layers};
-use crate::drawing::{Drawing, Rect};
+use crate::drawing::{Drawing, ITALIC, Pen, REGULAR, Rect};
 use crate::words::Language;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use flate2::{Compression, GzBuilder};
-use indexmap::{IndexMap, IndexSet};
+use indexmap::IndexSet;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::io::Write;
 
 /// The template of the page, with `{{name}}` for its contents.
@@ -28,6 +29,8 @@ pub struct WebPage<'a> {
     pub quantity: &'a str,
     /// The figure's language.
     pub language: &'a Language,
+    /// Letters with the fonts that the page brings along, or outlines.
+    pub text: Text,
 }
 
 /// One self-contained HTML file: the figure with its steps, in all positions, to be shown, stepped through, moved and
@@ -41,7 +44,7 @@ pub fn html(page: &WebPage<'_>) -> String {
         return String::new();
     };
     let finished = first.after_step(first.steps.len() + 1);
-    let sheet: String = layers(&finished, Text::Letters).into_iter().map(|layer| layer.svg).collect();
+    let sheet: String = layers(&finished, page.text).into_iter().map(|layer| layer.svg).collect();
     let title = if first.title.is_empty() { "Kinegon" } else { &first.title };
     let words = page.language;
     let said = [
@@ -64,6 +67,7 @@ pub fn html(page: &WebPage<'_>) -> String {
         ("too_old", words.page_too_old()),
         ("language", words.code),
     ];
+    let hint = first.style.look(Pen::Hint, None).stroke;
     let contents = [
         ("title", escape(&clean(title))),
         ("width", number(first.width)),
@@ -74,7 +78,9 @@ pub fn html(page: &WebPage<'_>) -> String {
         ("class", (if first.style.is_dark() { "dark board" } else { "" }).to_owned()),
         ("quantity", escape(&clean(page.quantity))),
         ("sheet", sheet),
-        ("data", packed(&script_data(page, first))),
+        ("data", packed(script_data(page, first).to_string().as_bytes())),
+        ("font_data", if page.text == Text::Letters { packed(&font_data()) } else { String::new() }),
+        ("hint", hint.map(|colour| colour.to_string()).unwrap_or_default()),
     ];
     let said = said.map(|(name, text)| (name, escape(text)));
     let contents: Vec<(&str, String)> = contents.into_iter().chain(said).collect();
@@ -89,33 +95,26 @@ pub fn html(page: &WebPage<'_>) -> String {
     written
 }
 
+/// A layer's place in the pile: whether above, step, whether passing, until when.
+type LayerKey = (bool, u16, bool, Option<u16>);
+
 /// The data for the page's script.
 fn script_data(page: &WebPage<'_>, first: &Drawing) -> Value {
-    let last = first.steps.len() as u16 + 1;
     let said = page.language;
     let mut lines: IndexSet<String> = IndexSet::new();
-    // The layers of all frames, from the lowest to the highest: whether above, step, whether passing.
-    let mut pile: IndexMap<(bool, u16, bool), Vec<Vec<usize>>> = IndexMap::new();
-    for below in [true, false] {
-        for step in 0..=last {
-            for passing in [false, true] {
-                let nothing = vec![Vec::new(); page.frames.len()];
-                pile.insert((!below, step, passing), nothing);
-            }
-        }
-    }
+    // The layers of all frames, from the lowest to the highest: whether above, step, whether passing, until when.
+    let mut pile: BTreeMap<LayerKey, Vec<Vec<usize>>> = BTreeMap::new();
     for (frame, drawing) in page.frames.iter().enumerate() {
-        for layer in layers(drawing, Text::Letters) {
-            let here = (!layer.below, layer.step, layer.passing);
-            let Some(layers) = pile.get_mut(&here) else {
-                continue;
-            };
+        for layer in layers(drawing, page.text) {
+            let here = (!layer.below, layer.step, layer.passing, layer.until);
+            let layers = pile.entry(here).or_insert_with(|| vec![Vec::new(); page.frames.len()]);
             let written = layer.svg.lines().filter(|line| !line.is_empty());
             layers[frame] = written.map(|line| lines.insert_full(line.to_owned()).0).collect();
         }
     }
     pile.retain(|_, layers| layers.iter().any(|lines| !lines.is_empty()));
-    let layers = pile.keys().map(|(_, step, passing)| json!({ "step": step, "passing": passing }));
+    let layers =
+        pile.keys().map(|(_, step, passing, until)| json!({ "step": step, "passing": passing, "until": until }));
     let frames =
         (0..page.frames.len()).map(|frame| pile.values().map(|frames| frames[frame].clone()).collect::<Vec<_>>());
     let boxed = |r: Rect| [r.x0, r.y0, r.width(), r.height()];
@@ -140,10 +139,17 @@ fn script_data(page: &WebPage<'_>, first: &Drawing) -> Value {
     })
 }
 
-/// A value as compressed JSON in Base64; the same bytes on every platform.
-fn packed(value: &Value) -> String {
+/// The fonts of the letters, one after the other: the upright one, with its length in four bytes before it, lowest
+/// first, and the italic one. Without them letters would stand where those of other fonts should.
+fn font_data() -> Vec<u8> {
+    let length = REGULAR.len() as u32;
+    [&length.to_le_bytes()[..], REGULAR, ITALIC].concat()
+}
+
+/// Bytes compressed, in Base64; the same on every platform.
+fn packed(bytes: &[u8]) -> String {
     let mut encoder = GzBuilder::new().write(Vec::new(), Compression::best());
-    let written = encoder.write_all(value.to_string().as_bytes());
-    let bytes = written.and_then(|()| encoder.finish());
-    BASE64_STANDARD.encode(bytes.expect("memory can be written to"))
+    let written = encoder.write_all(bytes);
+    let packed = written.and_then(|()| encoder.finish());
+    BASE64_STANDARD.encode(packed.expect("memory can be written to"))
 }

@@ -1,5 +1,5 @@
 use crate::construction::{
-    Action, NumberedStep, Plan, PlanKind, Sheet, Solution, Teller, Tolerance, plain_text, shown_text,
+    Action, NOTHING, NumberedStep, Plan, PlanKind, Sheet, Solution, Teller, Tolerance, plain_text, shown_text,
 };
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::{Pencil, Unread};
@@ -189,6 +189,9 @@ impl StepList<'_> {
     /// A vector's size with its length on paper, and its direction.
     fn vector(&self, vector: Vector, kind: Option<PlanKind>) -> String {
         let size = self.measure(vector.norm(), kind);
+        if vector == Vector::zeros() {
+            return size;
+        }
         self.words.language.with_direction(&size, &self.degrees(degrees_of(vector)))
     }
 
@@ -212,10 +215,17 @@ impl StepList<'_> {
                 vec![format!("{equation} = {}{band}", self.measure(*value, None))]
             }
             Action::LayOff(arrow) => {
-                let Some(vector) = plan.and_then(|p| p.segment(&arrow.from, &arrow.to)) else {
+                let [from, to] = arrow.ends();
+                let Some(vector) = plan.and_then(|p| p.shown_segment(from, to)) else {
                     return Vec::new();
                 };
-                let drawn = segment(&arrow.from, &arrow.to, self.vector(vector, kind));
+                let drawn = format!(
+                    "{} {} = {}{}",
+                    shown(from),
+                    shown(to),
+                    self.vector(vector, kind),
+                    self.segment_band(kind, &arrow.from, &arrow.to)
+                );
                 [equation].into_iter().filter(|equation| !equation.is_empty()).chain([drawn]).collect()
             }
             Action::Ray(ray) => {
@@ -224,19 +234,28 @@ impl StepList<'_> {
             }
             Action::Cross { point, sine, .. } => {
                 let pole = plan.map_or("", |p| p.kind.pole());
-                let vector = plan.and_then(|p| p.segment(pole, point));
+                let vector = plan.and_then(|p| p.shown_segment(pole, point));
                 let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, kind)));
                 [self.crossing(*sine)].into_iter().chain(drawn).collect()
             }
+            Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                let pole = plan.map_or("", |p| p.kind.pole());
+                let vector = plan.and_then(|p| p.shown_segment(pole, point));
+                let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, kind)));
+                [equation].into_iter().filter(|equation| !equation.is_empty()).chain(drawn).collect()
+            }
             Action::Measure { from, to, value } => {
-                vec![segment(from, to, self.measure(*value, kind))]
+                let value = if plan.is_some_and(|plan| plan.is_nothing(*value)) { 0.0 } else { *value };
+                vec![segment(from, to, self.measure(value, kind))]
             }
             Action::Solve { equations, unknowns } => {
                 let of = kind.unwrap_or(PlanKind::Velocity);
                 let mut lines: Vec<String> =
                     equations.iter().map(|e| self.text(&self.teller.equation(of, e), plan)).collect();
                 let time = self.units.time.as_str();
+                let largest = unknowns.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
                 lines.extend(unknowns.iter().map(|(name, value)| {
+                    let value = if value.abs() <= NOTHING * largest { &0.0 } else { value };
                     let unit = match name.split('(').next() {
                         Some("omega") => format!("rad/{time}"),
                         Some("alpha") => format!("rad/{time}²"),

@@ -2,6 +2,7 @@ use super::drives::{link_angle_for_drive, places_from_drives, role};
 use super::grouping::group;
 use super::joint::{add_given, add_pins};
 use super::placing::placing;
+use super::radians::radians_warnings;
 use super::shape::local_points;
 use super::structure::{Edge, Structure, structure};
 use super::{Body, BodyId, Group, JointId, Mechanism, PointId, Role, StructureError};
@@ -21,6 +22,7 @@ pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
 pub(crate) fn mechanism_with(scene: &Scene, add: impl FnOnce(&mut Mechanism)) -> Result<Mechanism, StructureError> {
     let mut builder = Builder::new(scene);
     builder.add_bodies()?;
+    builder.mechanism.warnings.extend(radians_warnings(scene));
     let mut mechanism = builder.mechanism;
     add(&mut mechanism);
     let given_angle = link_angle_for_drive(scene)?;

@@ -56,7 +56,24 @@ impl StructureError {
             parts.push(format!("{} cannot move as driven ({surplus} too many)", names(over)));
             hints.push("take a drive or a joint away there".to_owned());
         }
+        parts.extend(mobility(scene, missing, surplus));
         let hint = Some(hints.join("; "));
         scene.error_at(&["links"], parts.join("; "), hint).into()
     }
+}
+
+/// The count of freedoms after Grübler, beside the number of drives; `None` where motions are given otherwise than by
+/// drives.
+fn mobility(scene: &Scene, missing: usize, surplus: usize) -> Option<String> {
+    if !scene.known.is_empty() || scene.links.values().any(|link| link.motion.is_some()) {
+        return None;
+    }
+    let turning = scene.links.values().filter(|link| link.drive.is_some()).count();
+    let drives = turning + scene.sliders.iter().filter(|slider| slider.drive.is_some()).count();
+    let links = scene.links.len();
+    // What the drives leave is the mobility without them.
+    let mobility = (drives + missing) as i64 - surplus as i64;
+    let constraints = 3 * links as i64 - mobility;
+    let drives = if drives == 1 { "1 drive".to_owned() } else { format!("{drives} drives") };
+    Some(format!("mobility 3·{links} − {constraints} = {mobility} with {drives}"))
 }

@@ -11,6 +11,7 @@ mod grouping;
 mod joint;
 mod loops;
 mod placing;
+mod radians;
 mod shape;
 mod structure;
 

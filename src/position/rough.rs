@@ -4,6 +4,9 @@ use crate::geometry::{Point, Turn, Vector, degrees_of, span, turn_of_degrees};
 use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::scene::Near;
 
+/// Distance of a point from its rough place, in parts of the mechanism's size, above which a person means another place.
+const FAR: f64 = 0.22;
+
 /// Rough places of points and angles of links, from the scene's `near`: the nearest assembly is chosen.
 pub(super) struct Rough {
     points: Vec<(PointId, Point)>,
@@ -74,18 +77,33 @@ impl Rough {
         let distances: Vec<f64> = ways.iter().map(|w| self.distance(mechanism, w)).collect();
         let by_distance = |a: &usize, b: &usize| distances[*a].total_cmp(&distances[*b]);
         let chosen = (0..ways.len()).min_by(by_distance).unwrap_or(0);
-        let size = span(places(mechanism, &ways[chosen].frames).0);
-        let far = distances[chosen] > 0.5 * size;
-        let remark = far.then(|| {
-            format!(
-                "`near` is {:.4} away (root mean square) from the closest of {} assembly modes, more than half the mechanism's size {:.4}: \
+        (chosen, self.remark(mechanism, ways, chosen, distances[chosen]))
+    }
+}
+
+impl Rough {
+    /// The warning that the chosen assembly is far from `near`: as a whole, or else in one of its places.
+    fn remark(&self, mechanism: &Mechanism, ways: &[Way], chosen: usize, distance: f64) -> Option<String> {
+        let (points, _) = places(mechanism, &ways[chosen].frames);
+        let size = span(points.iter().copied());
+        if distance > 0.5 * size {
+            return Some(format!(
+                "`near` is {distance:.4} away (root mean square) from the closest of {} assembly modes, more than half the mechanism's size {size:.4}: \
                  check its coordinates",
-                distances[chosen],
                 ways.len(),
-                size
+            ));
+        }
+        let off = |&(p, rough): &(PointId, Point)| (p, (points[p.0] - rough).norm());
+        let (point, off) = self.points.iter().map(off).max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (off > FAR * size).then(|| {
+            let (name, place) = (mechanism.point_name(point), points[point.0]);
+            format!(
+                "point {name} is at [{:.4}, {:.4}], {off:.4} away from its place in `near`, in the closest of {} assembly modes: check its coordinates",
+                place.x,
+                place.y,
+                ways.len(),
             )
-        });
-        (chosen, remark)
+        })
     }
 }
 

@@ -70,7 +70,8 @@ pub enum Unread {
 /// direction and a length are measured once more, with errors of their own.
 #[must_use]
 pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<Result<Reading, Unread>>) {
-    let writer = construction_writer(&solution.mechanism, &solution.pose, &solution.motion);
+    let writer =
+        construction_writer(&solution.mechanism, &solution.pose, &solution.motion, solution.construction.extent);
     let mut reader = Reader { steps: writer.construction.steps_of_quantities(), writer };
     let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
     let mut construction = reader.writer.construction;
@@ -271,6 +272,9 @@ impl Reader<'_> {
     /// The length of a segment of a plan: the one that the construction measures, else one measured for this reading.
     fn segment(&mut self, kind: PlanKind, from: &str, to: &str) -> Result<(NumberId, Sense), Unread> {
         let sheet = kind.sheet();
+        let construction = &self.writer.construction;
+        let [from, to] = [from, to].map(|name| construction.plan_name(sheet, name).to_owned());
+        let [from, to] = [from.as_str(), to.as_str()];
         let segment = NumberKind::Segment(sheet, [from, to].map(str::to_owned));
         if let Some(number) = self.measured(&segment) {
             return Ok((number, Sense::Magnitude));
@@ -342,15 +346,14 @@ impl Reader<'_> {
     fn part(&mut self, name: &str, part: Normality, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<Drawn, Unread> {
         let sheet = Sheet::Acceleration;
         if let Spot::Special(special) = a {
-            let normal = normal_name(b.name(), special);
-            let plan = self.writer.construction.acceleration.as_ref();
-            let laid = plan.and_then(|plan| plan.arrows().find(|arrow| arrow.to == normal));
-            let (from, to) = match part {
-                Normality::Normal => (laid.map(|arrow| arrow.from.as_str()), normal.as_str()),
-                Normality::Tangential => (laid.map(|_| normal.as_str()), &*image_name(special)),
-            };
-            if let Some(from) = from {
-                let place = |name: &str| self.writer.construction.place(sheet, name);
+            let construction = &self.writer.construction;
+            if let Some([start, end]) = construction.known_parts(&normal_name(b.name(), special)) {
+                let image = image_name(special);
+                let [from, to] = match part {
+                    Normality::Normal => [start, end],
+                    Normality::Tangential => [end, &image],
+                };
+                let place = |name: &str| construction.place(sheet, name);
                 let ends = place(from).zip(place(to)).ok_or(Unread::NoConstruction)?;
                 return Ok(Drawn::Segment([ends.0, ends.1]));
             }

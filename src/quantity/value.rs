@@ -168,13 +168,11 @@ impl<S: State> Reader<'_, S> {
     fn parts(&self, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<[Vector; 2], QuantityError> {
         let plan = self.construction.and_then(|c| c.acceleration.as_ref());
         if let (Spot::Special(special), Some(plan)) = (a, plan) {
-            let normal = normal_name(b.name(), special);
             // The normal part starts at the image of `b`, or at the end of the parts of driven sliders laid off from
-            // there.
-            let laid = plan.arrows().find(|arrow| arrow.to == normal);
-            let parts = laid
-                .and_then(|laid| plan.segment(&laid.from, &normal))
-                .zip(plan.segment(&normal, &image_name(special)));
+            // there; the Coriolis acceleration of the leg's slider, along the same line, counts with it.
+            let ends = self.construction.and_then(|c| c.known_parts(&normal_name(b.name(), special)));
+            let parts =
+                ends.and_then(|[start, end]| plan.segment(start, end).zip(plan.segment(end, &image_name(special))));
             if let Some((normal, tangential)) = parts {
                 return Ok([normal, tangential]);
             }
@@ -197,6 +195,7 @@ impl<S: State> Reader<'_, S> {
         let mut plans = construction.plans();
         let plan = plans.find(|plan| plan.kind == kind);
         let plan = plan.ok_or_else(|| self.none("there is no such plan"))?;
+        let [from, to] = [from, to].map(|name| construction.plan_name(kind.sheet(), name));
         for name in [from, to] {
             if !plan.points.contains_key(name) {
                 let known = plan.points.keys().map(String::as_str);

@@ -2,12 +2,17 @@
 
 use indexmap::IndexMap;
 use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer, de::Error};
+use serde::de::{Error, Unexpected, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
 
 use super::choice::choice;
 use super::schema::without_defaults;
+use super::sizes::Sizes;
 use super::text::LARGEST;
 use super::typed::HINT;
+use super::value::several_forms;
+use super::values::ValuesShown;
 use super::words::{number, shortened, suggestion};
 use super::write::{write_forms, write_keys};
 use super::wrong::Wrong;
@@ -30,7 +35,12 @@ pub struct Figure {
     /// Scale of the acceleration plan: units of acceleration per millimetre of paper.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub mu_a: Option<f64>,
-    /// The sheet: "a4", "a3" or "letter", with "-portrait" where it does not lie; left out: "a4".
+    /// For which plans scales are chosen that are not given; left out: "position".
+    #[schemars(with = "Option<ScalesFor>")]
+    pub scales: ScalesFor,
+    /// The panel that takes most of the sheet; a plan has the scheme as a small companion. Left out: the panels share the sheet.
+    pub focus: Option<PanelName>,
+    /// The sheet: "a4", "a3", "letter" or, for the projector, "16x9", with "-portrait" where it does not lie; left out: "a4".
     #[schemars(with = "Option<String>", extend("enum" = Page::NAMES))]
     pub page: Page,
     /// Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false.
@@ -51,21 +61,41 @@ pub struct Figure {
     pub labels: IndexMap<String, String>,
     /// Whether special points are shown; left out: true.
     pub special_points: bool,
-    /// Whether construction lines are shown; left out: true.
-    pub construction: bool,
+    /// Whether construction lines are shown; "paper": shown, and the plans end where the source paper's end; left out: true.
+    #[schemars(with = "Option<ConstructionShown>")]
+    pub construction: ConstructionShown,
+    /// Whether values stand at vectors and links, in which unit of length; left out: as the style says, "lecture" alone does.
+    pub values: Option<ValuesShown>,
     /// The step of the construction up to which the figure is drawn, from 1; left out: finished.
-    #[serde(deserialize_with = "step")]
+    #[serde(deserialize_with = "count")]
     #[schemars(with = "Option<u16>", range(min = 1))]
     pub step: Option<usize>,
+    /// Points of links whose paths over the whole cycle of the drive are drawn in the scheme.
+    #[schemars(extend("uniqueItems" = true))]
+    pub trace: Vec<String>,
+    /// Whether these paths go on, dashed, beyond limits of the drive, in the other assembly modes that the mechanism
+    /// reaches there if another link moves it; left out: false.
+    pub beyond_limits: bool,
+    /// Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none.
+    #[serde(deserialize_with = "count")]
+    #[schemars(with = "Option<u16>", range(min = 2, max = 72))]
+    pub ghosts: Option<usize>,
+    /// Sizes of letters and signs in place of those of `style`: of a style file, which is no part of the scene.
+    #[serde(skip)]
+    pub sizes: Option<Sizes>,
+    /// Whether a figure that does not say so has values, in place of what `style` says: of a style file likewise.
+    #[serde(skip)]
+    pub usual_values: Option<bool>,
 }
 
 write_keys!(Figure {
-    panels, mu_l, mu_v, mu_a, page, worksheet, style, notation, language, decimal, labels, special_points, construction, step
+    panels, mu_l, mu_v, mu_a, scales, focus, page, worksheet, style, notation, language, decimal, labels, special_points,
+    construction, values, step, trace, beyond_limits, ghosts; sizes, usual_values
 } unless Figure::default());
 
-/// Steps are read as `u16`: no construction has more, and messages can name the range.
-fn step<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<usize>, D::Error> {
-    Option::<u16>::deserialize(deserializer).map(|step| step.map(usize::from))
+/// Steps and positions are read as `u16`: there are never more, and messages can name the range.
+fn count<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<usize>, D::Error> {
+    Option::<u16>::deserialize(deserializer).map(|count| count.map(usize::from))
 }
 
 impl Default for Figure {
@@ -76,6 +106,8 @@ impl Default for Figure {
             mu_l: None,
             mu_v: None,
             mu_a: None,
+            scales: ScalesFor::default(),
+            focus: None,
             page: Page::default(),
             worksheet: false,
             style: StyleName::default(),
@@ -84,13 +116,29 @@ impl Default for Figure {
             decimal: DecimalMark::default(),
             labels: IndexMap::new(),
             special_points: true,
-            construction: true,
+            construction: ConstructionShown::default(),
+            values: None,
             step: None,
+            trace: Vec::new(),
+            beyond_limits: false,
+            ghosts: None,
+            sizes: None,
+            usual_values: None,
         }
     }
 }
 
 impl Figure {
+    /// The panels that are drawn, in order: with a focus the scheme and the plan in focus.
+    #[must_use]
+    pub fn shown_panels(&self) -> Vec<PanelName> {
+        match self.focus {
+            None => self.panels.clone(),
+            Some(PanelName::Scheme) => vec![PanelName::Scheme],
+            Some(plan) => vec![PanelName::Scheme, plan],
+        }
+    }
+
     /// The given scale of a panel, in units per millimetre of paper; `None` if the panel is to fit.
     #[must_use]
     pub fn mu(&self, panel: PanelName) -> Option<f64> {
@@ -161,6 +209,21 @@ choice! {
 }
 
 choice! {
+    /// The plans for which scales are chosen that the scene does not give.
+    #[derive(Default)]
+    #[schemars(rename = "scalesFor")]
+    ScalesFor {
+        /// The plans in the scene's own position.
+        #[default]
+        Position = "position",
+        /// Each sheet has the largest scales that fit it: those of a figure, its step sheets and its work sheet may differ.
+        Sheet = "sheet",
+        /// The largest plans over the range of the first drive: all sheets of the cycle then have one set of scales.
+        Cycle = "cycle",
+    }
+}
+
+choice! {
     /// A drawing style that comes with the program.
     #[derive(Default)]
     #[schemars(rename = "styleName")]
@@ -220,6 +283,58 @@ choice! {
     }
 }
 
+/// How much of the construction a figure shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ConstructionShown {
+    /// Images and vectors alone, without the lines that lead to them.
+    Hidden,
+    /// Everything: every point of every link has its image.
+    #[default]
+    Whole,
+    /// As in the source paper (Quintero et al., 2011): after the rates are known, the acceleration plan goes on to no
+    /// further joint, and neither plan to points that no joint needs.
+    Paper,
+}
+
+impl ConstructionShown {
+    /// Whether construction lines are shown.
+    #[must_use]
+    pub fn has_lines(self) -> bool {
+        self != ConstructionShown::Hidden
+    }
+}
+
+write_forms! { ConstructionShown {
+    ConstructionShown::Hidden => &false, ConstructionShown::Whole => &true, ConstructionShown::Paper => "paper"
+} }
+
+several_forms!(ConstructionShown, "construction", Shown, _generator => {
+    "description": "Whether construction lines are shown; \"paper\": shown, and the plans end where the source paper's end",
+    "anyOf": [{ "type": "boolean" }, { "const": "paper" }]
+});
+
+/// Reads [`ConstructionShown`].
+struct Shown;
+
+impl Visitor<'_> for Shown {
+    type Value = ConstructionShown;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("true, false or \"paper\"")
+    }
+
+    fn visit_bool<E: Error>(self, shown: bool) -> Result<ConstructionShown, E> {
+        Ok(if shown { ConstructionShown::Whole } else { ConstructionShown::Hidden })
+    }
+
+    fn visit_str<E: Error>(self, name: &str) -> Result<ConstructionShown, E> {
+        match name {
+            "paper" => Ok(ConstructionShown::Paper),
+            _ => Err(E::invalid_value(Unexpected::Str(name), &self)),
+        }
+    }
+}
+
 /// A sheet of paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Page {
@@ -238,6 +353,8 @@ choice! {
         A3 = "a3",
         /// 8.5 in × 11 in
         Letter = "letter",
+        /// 180 mm × 320 mm, in the proportions of a projector
+        Wide = "16x9",
     }
 }
 
@@ -250,7 +367,7 @@ impl Default for Page {
 
 impl Page {
     /// All names of pages in a scene file.
-    pub(super) const NAMES: [&str; 9] = [
+    pub const NAMES: [&str; 12] = [
         "a4",
         "a4-landscape",
         "a4-portrait",
@@ -260,10 +377,14 @@ impl Page {
         "letter",
         "letter-landscape",
         "letter-portrait",
+        "16x9",
+        "16x9-landscape",
+        "16x9-portrait",
     ];
 
     /// The page of this name; `None` if there is none. Without a suffix it is landscape.
-    pub(super) fn from_name(name: &str) -> Option<Page> {
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Page> {
         let (size, landscape) = match name.split_once('-') {
             None => (name, true),
             Some((size, "landscape")) => (size, true),
@@ -287,6 +408,7 @@ impl Page {
             PageSize::A4 => [210.0, 297.0],
             PageSize::A3 => [297.0, 420.0],
             PageSize::Letter => [215.9, 279.4],
+            PageSize::Wide => [180.0, 320.0],
         };
         if self.landscape { [long, short] } else { [short, long] }
     }

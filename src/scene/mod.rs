@@ -11,6 +11,7 @@
 //! whole list.
 
 mod error;
+mod hint;
 mod kind;
 mod words;
 mod wrong;
@@ -24,8 +25,10 @@ mod write;
 mod choice;
 mod figure;
 mod given_by;
+mod sizes;
 mod units;
 mod value;
+mod values;
 
 mod drive;
 mod motion;
@@ -40,6 +43,8 @@ mod slider;
 
 mod known;
 
+mod traced;
+
 mod read;
 
 mod build_parts;
@@ -50,17 +55,21 @@ pub use build::Builder;
 pub use build_parts::{Guide, NewLink, Push, Turn};
 pub use drive::{Drive, SliderDrive};
 pub use error::{Place, SceneError};
-pub use figure::{DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, StyleName};
+pub use figure::{
+    ConstructionShown, DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, ScalesFor, StyleName,
+};
 pub use given_by::GivenBy;
 pub use link::Link;
 pub use motion::{LinkMotion, PointMotion};
 pub use points::Near;
 pub use read::Scene;
 pub use shape::{Length, Shape};
+pub use sizes::{Measure, Sizes};
 pub use slider::{Along, On, Slider};
 pub use text::MAX_BYTES;
 pub use units::{LengthUnit, TimeUnit, Units};
 pub use value::{At, Direction, polar};
+pub use values::ValuesShown;
 
 pub(crate) use kind::FileKind;
 pub(crate) use schema::schema_of;

@@ -16,6 +16,7 @@ use super::place::Source;
 use super::points::{Ground, Near, check_points, ground, near};
 use super::schema::schema_of;
 use super::slider::{Slider, SliderFile, sliders};
+use super::traced::check_traced;
 use super::typed::read_as;
 use super::units::Units;
 use super::value::{Entries, NearValue, Vector};
@@ -159,6 +160,7 @@ fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
     check_motions(&names)?;
     let figure = file.figure.unwrap_or_default();
     figure.check().map_err(|wrong| wrong.inside(&["figure"]))?;
+    check_traced(given_by, &names, &sliders, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
     Ok(Scene {
         title: file.title,
         units: file.units,

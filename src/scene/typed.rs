@@ -5,6 +5,7 @@ use serde_json::Value as Json;
 use serde_path_to_error::Segment;
 
 use super::error::SceneError;
+use super::hint::{out_of_scope, type_hint};
 use super::kind::FileKind;
 use super::place::Source;
 use super::text;
@@ -122,7 +123,7 @@ fn in_plain_words(message: &str, path: &[&str], found: Option<&Json>) -> Wrong {
                 other => other,
             };
             let message = format!("expected {expected}, found {}", describe(found));
-            Wrong::value(path, message).maybe_hint(type_hint(expected, found))
+            Wrong::value(path, message).maybe_hint(type_hint(path, expected, found))
         }
         _ => match message.rsplit_once(HINT) {
             Some((message, hint)) => Wrong::value(path, message).hint(hint),
@@ -145,11 +146,8 @@ fn unknown<'a>(message: &'a str, start: &str) -> Option<(&'a str, Vec<&'a str>)>
 fn unknown_key(path: &[&str], word: &str, names: &[&str]) -> Wrong {
     let key = if path.last() == Some(&word) { &[][..] } else { &[word] };
     let names = names.iter().copied().filter(|name| !name.starts_with("kinegon")).chain(["note"]);
-    Wrong::key(&[path, key].concat(), format!("unknown key `{}`", shortened(word))).maybe_hint(suggestion(
-        word,
-        names,
-        "the keys here are",
-    ))
+    let hint = out_of_scope(word).or_else(|| suggestion(word, names, "the keys here are"));
+    Wrong::key(&[path, key].concat(), format!("unknown key `{}`", shortened(word))).maybe_hint(hint)
 }
 
 fn missing_hint(path: &[&str], key: &str) -> Option<String> {
@@ -164,29 +162,4 @@ fn missing_hint(path: &[&str], key: &str) -> Option<String> {
         _ => return None,
     };
     Some(example.to_owned())
-}
-
-fn type_hint(expected: &str, found: &Json) -> Option<String> {
-    match found {
-        Json::String(text) if expected.contains("number") => {
-            let text = text.trim();
-            let number = text.trim_end_matches(|c: char| !c.is_ascii_digit()).trim_end();
-            let pointed = text.replacen(',', ".", 1);
-            if text.parse::<f64>().is_ok_and(f64::is_finite) {
-                Some(format!("write {text} without quotes"))
-            } else if pointed.parse::<f64>().is_ok_and(f64::is_finite) {
-                Some(format!("write {pointed} without quotes and with a point"))
-            } else if !number.parse::<f64>().is_ok_and(f64::is_finite) {
-                None
-            } else if expected.contains(" mm") {
-                Some(format!("write {number} without quotes"))
-            } else {
-                Some(format!("write {number} without quotes; units stand in `units`, angles are in degrees"))
-            }
-        }
-        Json::Number(number) if expected.contains("text") || expected.contains("name") => {
-            Some(format!("write \"{number}\" in double quotes"))
-        }
-        _ => None,
-    }
 }

@@ -1,4 +1,5 @@
-//! The units of a scene: labels that are printed and never converted.
+//! The units of a scene. Numbers of a scene and of results are never converted; a figure may show values in another unit
+//! of length.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -32,6 +33,20 @@ choice! {
         In = "in",
         /// foot
         Ft = "ft",
+    }
+}
+
+impl LengthUnit {
+    /// Its length in metres.
+    #[must_use]
+    pub fn metres(self) -> f64 {
+        match self {
+            LengthUnit::M => 1.0,
+            LengthUnit::Mm => 1e-3,
+            LengthUnit::Cm => 1e-2,
+            LengthUnit::In => 0.0254,
+            LengthUnit::Ft => 0.3048,
+        }
     }
 }
 

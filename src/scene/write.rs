@@ -61,11 +61,11 @@ fn quoted(text: &str) -> String {
 /// Writes a type as an object with these keys in this order; after the first, keys with the value of `unless` are left
 /// out. A field that is missing in the list does not compile.
 macro_rules! write_keys {
-    ($part:ident { $($key:ident),* } $(unless $standard:expr)?) => {
+    ($part:ident { $($key:ident),* $(; $($hidden:ident),*)? } $(unless $standard:expr)?) => {
         impl super::write::Write for $part {
             fn written(&self) -> super::write::Written {
                 let entries = |part: &$part| {
-                    let $part { $($key),* } = part;
+                    let $part { $($key,)* $($($hidden: _),*)? } = part;
                     vec![$((stringify!($key).to_owned(), super::write::Write::written($key))),*]
                 };
                 super::write::Written::Object(entries(self))$(.without(&entries(&$standard)))?

@@ -59,6 +59,8 @@ mistakes! {
     coriolis_where_none(from, to, rate: symbol, length: symbol);
     /// The image of a link, mirrored; `other` is the image that fixes the side.
     mirrored_image(start, point, other);
+    /// The line between two images, divided from its wrong end.
+    wrong_ratio(from, to, point);
     /// A segment measured between the wrong plan points.
     wrong_segment(segment, from, to);
     /// A component of a segment in place of its length.

@@ -46,6 +46,26 @@ sentences! {
     /// The cut line of a leg with two sliders, on which all directions meet.
     line_at_infinity;
 
+    // Steps that are shown together.
+    /// Several special points.
+    join_special_points(points);
+    /// Several vectors, each by its ends.
+    join_lay_off(vectors);
+    /// A ray normal to a line, within `join_cross`.
+    join_normal(through, line);
+    /// A ray parallel to a line, likewise.
+    join_parallel(through, line);
+    /// A ray at an angle, likewise.
+    join_at_angle(through, angle);
+    /// Two rays and where they cross.
+    join_cross(first, second, point);
+    /// Several lengths or segments, each by its ends.
+    join_measure(lengths);
+    /// The rates that follow from measured segments.
+    join_rates(segments, unknowns);
+    /// Images of further points.
+    join_images(points);
+
     // Steps of the construction.
     /// The pole of a plan and its scale.
     choose_pole(pole, scale);
@@ -71,18 +91,20 @@ sentences! {
     ray_normal(through, line, image);
     /// A ray parallel to a line: the plan point on it, the line, the image that is sought.
     ray_parallel(through, line, image);
+    /// A ray at the angle that two lines of the mechanism make: the plan point on it, the angle, the image that is sought.
+    ray_at_angle(through, angle, image);
+    /// The image of a point on the line of two others: their images, the ratio of two lengths, the image.
+    divide(from, to, part, whole, image);
+    /// The image of a point of a link that does not turn: the link, the image, the image with which it coincides.
+    coincide(link, image, with);
     /// The crossing of two rays, which is the image.
     cross(image);
     /// The segment between two points of a plan.
     measure_segment(from, to);
     /// The normal part along a cut line, between two points of the acceleration plan.
-    lay_off_normal_part(line, from, to);
+    lay_off_normal_part(line, centre, from, to);
     /// The normal parts of both links of a leg, laid off as one.
     lay_off_normal_parts(line, from, to);
-    /// The normal and the Coriolis part of a leg, laid off as one.
-    lay_off_normal_and_coriolis(line, from, to);
-    /// The Coriolis part of a leg without a normal part.
-    lay_off_coriolis_part(line, from, to);
     /// The equations that give the rates of a group.
     solve(unknowns);
     /// For a group without a construction by two rays.
@@ -91,18 +113,22 @@ sentences! {
     no_construction_far(points);
     /// The velocity of a point of a link of known rotation, relative to another of its points.
     lay_off_relative(link, point, from, arm);
-    /// The sliding velocity of a driven slider, between two points of the plan.
+    /// The normal acceleration of one point of a link relative to another: the point, the other, their line.
+    lay_off_relative_normal(point, from, arm);
+    /// The tangential acceleration of one point of a link relative to another: the link, the point, the other, their line.
+    lay_off_relative_tangential(link, point, from, arm);
+    /// The sliding velocity of a slider, between two points of the plan.
     lay_off_sliding_velocity(slider, from, to);
-    /// The sliding velocity reversed, where the leg runs from the sliding link to the guide.
-    lay_off_sliding_velocity_reversed(slider, from, to);
-    /// The sliding acceleration of a driven slider, between two points of the plan.
+    /// The same backwards, with its head at a point that is there: the chain runs from the sliding link to the guide.
+    lay_off_sliding_velocity_backwards(slider, from, to);
+    /// The sliding acceleration of a slider, between two points of the plan.
     lay_off_sliding_acceleration(slider, from, to);
-    /// The sliding acceleration reversed, where the leg runs from the sliding link to the guide.
-    lay_off_sliding_acceleration_reversed(slider, from, to);
-    /// The Coriolis acceleration of a driven slider, between two points of the plan.
-    lay_off_coriolis(slider, from, to);
-    /// The Coriolis acceleration reversed, where the leg runs from the sliding link to the guide.
-    lay_off_coriolis_reversed(slider, from, to);
+    /// The same backwards.
+    lay_off_sliding_acceleration_backwards(slider, from, to);
+    /// The Coriolis acceleration of a slider, the link that carries its guide, two points of the plan.
+    lay_off_coriolis(slider, link, from, to);
+    /// The same backwards.
+    lay_off_coriolis_backwards(slider, link, from, to);
 
     // Words of equations.
     /// Behind a given vector.
@@ -111,8 +137,6 @@ sentences! {
     made_from;
     /// Before each further product.
     and;
-    /// Before a Coriolis product.
-    coriolis_word;
     /// Name of the normal part of an acceleration.
     normal;
     /// Name of the tangential part of an acceleration.
@@ -133,8 +157,20 @@ sentences! {
     acceleration_plan;
     /// Distance of a special point off the sheet from another point.
     far_away(point, distance, from);
+    /// Distance on paper of an image off the panel, in mm, at its line.
+    far_in_plan(point, distance);
+    /// In a panel whose content is larger.
+    cut_at_edge;
     /// Of a special point at infinity.
     at_infinity(point);
+    /// The paths of these points, and the step of the drive between their ticks.
+    paths(points, step, drive);
+    /// The same, with the time that the step takes.
+    paths_in_time(points, step, drive, time);
+    /// The path of a point as a chart.
+    path_of(point, unit);
+    /// What is drawn of a path on other branches of the motion.
+    paths_beyond;
     /// Relative difference of the rates from construction and loop equations, and the one that crossings allow.
     agreement(difference, allowed);
     /// Why rates come from the loop equations alone: a special point at infinity.
@@ -147,6 +183,8 @@ sentences! {
     segment;
     /// Heading of their values.
     value;
+    /// Heading of the table of values that have no place in the panels.
+    values;
     /// Caption of the ruler of 50 mm, which shows whether a sheet was printed at 100 %.
     ruler;
     /// Alternative text of the figure.

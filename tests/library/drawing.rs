@@ -267,7 +267,7 @@ fn long_names_of_links_are_set_apart_in_special_points() {
     let third = renamed(&text, &["crank", "rod", "plate", "arm", "leg"]);
     says(&third, "scheme", "Srod,arm");
     says(&third, "velocity", "srod,leg");
-    says(&third, "acceleration", "nb,rod,arm,nb,rod,leg");
+    says(&third, "acceleration", "nb,rod,arm,nb,rod,leg,nbC");
     let text = read("templates/fourth-class.json");
     let fourth = renamed(&text, &["crank", "left", "top", "right", "rod2"]);
     says(&fourth, "scheme", "Stop");
@@ -290,7 +290,7 @@ fn a_cylinder_shows_what_its_drive_adds() {
     // The arrow beside the block points the way it is pushed: from A to B, or back.
     let arrow = |drawing: &Drawing| {
         let found = drawing.marks.iter().find(|m| id(m) == "scheme-speed-3u2f2");
-        let Some(Shape::Arrow { from, to }) = found.map(|m| m.shape.clone()) else { panic!("no arrow") };
+        let Some(Shape::Arrow { from, to, .. }) = found.map(|m| m.shape.clone()) else { panic!("no arrow") };
         to - from
     };
     let (back, _) = drawn(&text.replace("\"speed\": 80", "\"speed\": -80")).expect("it can be drawn");

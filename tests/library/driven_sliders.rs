@@ -204,7 +204,9 @@ fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
                 let miss = cross(ray.direction, plan.points[&ray.to].vector - start);
                 assert!(!exceeds(miss.abs(), bound), "{name}: {ray:?} misses by {miss:e}");
             }
-            Action::Cross { point, .. } => reached.push(point),
+            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                reached.push(point);
+            }
             _ => {}
         }
     }

@@ -6,6 +6,7 @@
 use crate::support::faults::{MOST_BYTES, faults, id};
 use crate::support::files;
 use crate::support::stages::solved;
+use indexmap::IndexMap;
 use kinegon::construction::{Construction, Plan, PlanKind, PointRole};
 use kinegon::cycle::Animation;
 use kinegon::drawing::{Drawing, Shape, Style};
@@ -16,7 +17,7 @@ use std::path::PathBuf;
 const POSITIONS: usize = 12;
 
 /// Each figure with what it is called and what it shows.
-fn figures() -> Vec<(String, Drawing, Construction)> {
+fn figures() -> Vec<(String, Drawing, Construction, IndexMap<String, String>)> {
     let mut all = Vec::new();
     let examples = [1, 2].map(|number| {
         let name = format!("figure-{number}");
@@ -30,14 +31,15 @@ fn figures() -> Vec<(String, Drawing, Construction)> {
         let animation = Animation::new(&solution, None, POSITIONS).unwrap_or_else(|error| panic!("{name}: {error}"));
         let positions = animation.values.iter().zip(animation.positions);
         for (value, solution) in positions {
-            all.push((format!("{name} at {value:.1}"), solution.figure(), solution.construction));
+            let drawing = solution.figure();
+            all.push((format!("{name} at {value:.1}"), drawing, solution.construction, solution.scene.figure.labels));
         }
     }
     all
 }
 
 /// How many names a plan's points should show: no point of the ground under a slider, which is the pole, and no vanished normal part.
-fn names_of(plan: &Plan) -> usize {
+fn names_of(plan: &Plan, labels: &IndexMap<String, String>) -> usize {
     let is_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
     let vanished = |name: &str| {
         let own = &plan.points[name];
@@ -45,7 +47,8 @@ fn names_of(plan: &Plan) -> usize {
         own.role == PointRole::Normal && others.any(|p| p.role != PointRole::Normal && p.vector == own.vector)
     };
     let names = plan.points.keys();
-    names.filter(|name| !is_pole(name) && !vanished(name)).count()
+    let is_blank = |name: &str| labels.get(name).is_some_and(String::is_empty);
+    names.filter(|name| !is_pole(name) && !vanished(name) && !is_blank(name)).count()
 }
 
 /// How many names the labels of a panel show, alone or several in one.
@@ -64,7 +67,7 @@ fn figures_are_readable_in_every_position() {
     let figures = figures();
     assert!(figures.len() >= 300, "only {} figures", figures.len());
     let mut wrong = Vec::new();
-    for (name, drawing, construction) in &figures {
+    for (name, drawing, construction, labels) in &figures {
         let before = wrong.len();
         wrong.extend(faults(drawing).iter().map(|fault| format!("{name}: {fault}")));
         for plan in construction.plans() {
@@ -72,7 +75,7 @@ fn figures_are_readable_in_every_position() {
                 PlanKind::Velocity => "velocity",
                 PlanKind::Acceleration => "acceleration",
             };
-            let (shown, wanted) = (names_in(drawing, panel), names_of(plan));
+            let (shown, wanted) = (names_in(drawing, panel), names_of(plan, labels));
             if shown != wanted {
                 wrong.push(format!("{name}: {shown} of {wanted} names in the {panel} plan"));
             }

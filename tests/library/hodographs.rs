@@ -121,7 +121,7 @@ fn on_paper_both_directions_have_one_scale() {
             &found.unwrap_or_else(|| panic!("no {wanted}")).shape
         };
         let Shape::Circle { center: pole, .. } = *find("hodograph-a-pole") else { panic!("the pole is a circle") };
-        let Shape::Arrow { from, to } = *find("hodograph-a-own") else { panic!("the vector is an arrow") };
+        let Shape::Arrow { from, to, .. } = *find("hodograph-a-own") else { panic!("the vector is an arrow") };
         assert!((from - pole).hypot() < 1e-9);
         let radius = (to - from).hypot();
         // Counted to a round scale.

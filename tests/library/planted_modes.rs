@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 use crate::support::planted::{Planted, pattern};
 use crate::support::random::Random;
-use kinegon::construction::construct;
+use kinegon::construction::{Extent, construct};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Order, motion};
 use kinegon::position::{Pose, pose};
@@ -132,7 +132,7 @@ fn moves(planted: &Planted, mechanism: &Mechanism, pose: &Pose) -> Result<(), St
             return Err(format!("b{} turns with {omega} in place of {truth}", link + 2));
         }
     }
-    for agreement in construct(mechanism, pose, &motion).agreement.iter().flatten() {
+    for agreement in construct(mechanism, pose, &motion, Extent::Points).agreement.iter().flatten() {
         if agreement.difference > agreement.allowed {
             return Err(format!("the routes differ: {agreement:?}"));
         }

@@ -2,8 +2,8 @@
 
 use crate::support::files;
 use kinegon::scene::{
-    Builder, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink, NotationName, Page, PageSize,
-    PanelName, PointMotion, Push, Scene, StyleName, TimeUnit, Turn, polar,
+    Builder, ConstructionShown, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink,
+    NotationName, Page, PageSize, PanelName, PointMotion, Push, ScalesFor, Scene, StyleName, TimeUnit, Turn, polar,
 };
 
 /// The scene in a file of the repository.
@@ -108,7 +108,14 @@ fn platform_with_three_drives_and_long_names() {
 
 #[test]
 fn the_papers_mechanism_with_labels_of_its_own() {
-    let labels = [("ground", "6"), ("n_b3", "n_{s3b}"), ("n_g3", "n_{s3g}"), ("n_b5", "n_{s5b}"), ("n_g5", "n_{s5g}")];
+    let labels = [
+        ("ground", "6"),
+        ("k_b3", ""),
+        ("n_b3", "n_{s3b}"),
+        ("n_g3", "n_{s3g}"),
+        ("n_b5", "n_{s5b}"),
+        ("n_g5", "n_{s5g}"),
+    ];
     let link_4 = NewLink::points(["G", "D", "F"]).length("GD", 300.0).length("FG", 150.0).length("FD", 180.0);
     let builder = mm()
         .title("Quintero et al. (2011), Figure 2")
@@ -125,6 +132,8 @@ fn the_papers_mechanism_with_labels_of_its_own() {
         .near("F", [338.0, 136.0])
         .figure(Figure {
             labels: labels.map(|(name, label)| (name.to_owned(), label.to_owned())).into(),
+            construction: ConstructionShown::Paper,
+            scales: ScalesFor::Sheet,
             ..Figure::default()
         });
     is_the_same(&builder, &file("examples/figure-2.json"));
@@ -151,7 +160,8 @@ fn the_papers_group_as_drawn_with_motions_by_size_and_angle() {
         .link("3", NewLink::points(["C", "D"]))
         .link("4", NewLink::points(["E", "D", "F"]))
         .link("5", NewLink::points(["G", "F"]))
-        .link("6", NewLink::points(["E"]));
+        .link("6", NewLink::points(["E"]))
+        .figure(Figure { construction: ConstructionShown::Paper, ..Figure::default() });
     is_the_same(&builder, &file("examples/figure-1.json"));
 }
 
@@ -218,7 +228,7 @@ fn every_other_key() {
             decimal: DecimalMark::Comma,
             worksheet: true,
             special_points: false,
-            construction: false,
+            construction: ConstructionShown::Hidden,
             step: Some(7),
             ..Figure::default()
         })

@@ -53,7 +53,10 @@ fn the_lengths_form_is_read_in_file_order() {
     assert_eq!(scene.figure.panels, [PanelName::Velocity, PanelName::Scheme]);
     assert_eq!(scene.figure.page, Page { size: PageSize::A3, landscape: false });
     assert_eq!((scene.figure.mu_l, scene.figure.mu_v), (None, Some(2.5)));
-    assert_eq!((scene.figure.special_points, scene.figure.construction), (false, true));
+    assert_eq!(
+        (scene.figure.special_points, scene.figure.construction),
+        (false, kinegon::scene::ConstructionShown::Whole)
+    );
     assert_eq!(scene.figure.labels["B"], "B₁");
     assert_eq!(scene.want, Some(vec!["omega(2)".into()]));
 }

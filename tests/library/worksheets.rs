@@ -27,18 +27,19 @@ fn scenes() -> Vec<(String, String)> {
     all
 }
 
-fn worksheet(text: &str, keys: serde_json::Value) -> (Solution, Drawing) {
+/// The sheet with the panels, and the one with the table where it has no room there.
+fn worksheet(text: &str, keys: serde_json::Value) -> (Solution, Vec<Drawing>) {
     let mut keys = keys;
     keys["worksheet"] = true.into();
     let solution = solved(&with_figure(text, keys)).expect("a good scene");
-    let drawing = solution.figure();
-    (solution, drawing)
+    let sheets = solution.sheets();
+    (solution, sheets)
 }
 
 /// What the marks of an id say.
-fn said(drawing: &Drawing, id: &str) -> String {
+fn said(sheets: &[Drawing], id: &str) -> String {
     let found = |mark: &&Mark| mark.id.as_deref() == Some(id);
-    match drawing.marks.iter().find(found).map(|mark| &mark.shape) {
+    match sheets.iter().flat_map(|sheet| &sheet.marks).find(found).map(|mark| &mark.shape) {
         Some(Shape::Text(text)) => text.text.content(),
         _ => panic!("no text {id}"),
     }
@@ -60,11 +61,11 @@ fn printed_lengths_are_the_results() {
     let mut rows = 0;
     for (name, text) in scenes() {
         for decimal in ["point", "comma"] {
-            let (solution, drawing) = worksheet(&text, serde_json::json!({ "decimal": decimal }));
+            let (solution, sheets) = worksheet(&text, serde_json::json!({ "decimal": decimal }));
             let used = solution.scales();
             let names = measured_names(&solution.construction);
             for (index, asked) in names.iter().enumerate() {
-                let cell = |which: &str| said(&drawing, &format!("measured-{}-{which}", index + 1));
+                let cell = |which: &str| said(&sheets, &format!("measured-{}-{which}", index + 1));
                 let Ok(Quantity::Number(value)) = solution.quantity(asked) else {
                     panic!("{name}: {asked} has no value")
                 };
@@ -92,7 +93,7 @@ fn printed_lengths_are_the_results() {
                 rows += 1;
             }
             let beyond = format!("measured-{}-mm", names.len() + 1);
-            assert!(drawing.marks.iter().all(|mark| mark.id.as_deref() != Some(&beyond)));
+            assert!(sheets.iter().flat_map(|sheet| &sheet.marks).all(|mark| mark.id.as_deref() != Some(&beyond)));
         }
     }
     assert!(rows > 200, "{rows}");
@@ -101,25 +102,25 @@ fn printed_lengths_are_the_results() {
 #[test]
 fn names_follow_the_notation_and_hidden_points_have_no_rows() {
     let text = files::read("examples/figure-2.json");
-    let (_, drawing) = worksheet(&text, serde_json::json!({ "notation": "english" }));
-    let name = |index: usize| said(&drawing, &format!("measured-{index}-name"));
+    let (_, sheets) = worksheet(&text, serde_json::json!({ "notation": "english" }));
+    let name = |index: usize| said(&sheets, &format!("measured-{index}-name"));
     assert_eq!(name(1), "B S3");
     assert_eq!(name(5), "b s3");
     assert_eq!(name(9), "ns3bs′3");
-    let (_, drawing) = worksheet(&text, serde_json::json!({ "labels": { "S3": "Q" }, "panels": ["scheme"] }));
-    assert_eq!(said(&drawing, "measured-1-name"), "B Q");
-    assert!(!drawing.svg().contains("measured-5-"));
-    let (_, drawing) = worksheet(&text, serde_json::json!({ "special_points": false }));
-    assert!(!drawing.svg().contains("measured-1-"));
+    let (_, sheets) = worksheet(&text, serde_json::json!({ "labels": { "S3": "Q" }, "panels": ["scheme"] }));
+    assert_eq!(said(&sheets, "measured-1-name"), "B Q");
+    assert!(sheets.iter().all(|sheet| !sheet.svg().contains("measured-5-")));
+    let (_, sheets) = worksheet(&text, serde_json::json!({ "special_points": false }));
+    assert!(sheets.iter().all(|sheet| !sheet.svg().contains("measured-1-")));
 }
 
 #[test]
 fn the_ruler_has_fifty_millimetres() {
     for page in PAGES {
         let text = files::read("templates/four-bar.json");
-        let (_, drawing) = worksheet(&text, serde_json::json!({ "page": page }));
-        let file = drawing.svg();
-        let [width, height] = [drawing.width, drawing.height];
+        let (_, sheets) = worksheet(&text, serde_json::json!({ "page": page }));
+        let file = sheets[0].svg();
+        let [width, height] = [sheets[0].width, sheets[0].height];
         let root = &file[..file.find('>').expect("the root ends")];
         for size in [
             format!(" width=\"{width}mm\""),
@@ -165,18 +166,22 @@ fn nothing_overlaps_on_any_page() {
                     continue;
                 }
                 let keys = serde_json::json!({ "page": page, "language": language, "decimal": "comma" });
-                let (_, drawing) = worksheet(&text, keys);
-                let found = faults(&drawing);
-                wrong.extend(found.iter().map(|fault| format!("{name} on {page}: {fault}")));
-                // Panels, table, legend.
-                assert_eq!(panels(&drawing).len(), drawing.panels.len() + 2, "{name}");
+                let (_, sheets) = worksheet(&text, keys);
+                for (number, sheet) in sheets.iter().enumerate() {
+                    let found = faults(sheet);
+                    wrong.extend(found.iter().map(|fault| format!("{name} on {page}, sheet {number}: {fault}")));
+                    let has_table = number + 1 == sheets.len();
+                    let legend = usize::from(number == 0);
+                    assert_eq!(panels(sheet).len(), sheet.panels.len() + legend + usize::from(has_table), "{name}");
+                    assert_eq!(!sheet.panels.is_empty(), number == 0, "{name} on {page}");
+                }
             }
         }
     }
     assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// Four groups on one crank, with 48 measured lengths: the table stands in more columns, on small sheets in smaller letters, and keeps to itself.
+/// Four groups on one crank, with 48 measured lengths: the table stands in more columns, on as many sheets as it needs, in letters of the usual size, and keeps to itself.
 #[test]
 fn long_tables_stand_in_columns() {
     let mut scene: serde_json::Value = serde_json::from_str(&files::read("templates/third-class.json")).expect("JSON");
@@ -207,14 +212,46 @@ fn long_tables_stand_in_columns() {
         }
     }
     for page in PAGES {
-        let (solution, drawing) = worksheet(&scene.to_string(), serde_json::json!({ "page": page }));
+        let (solution, sheets) = worksheet(&scene.to_string(), serde_json::json!({ "page": page }));
         let rows = measured_names(&solution.construction).len();
         assert!(rows >= 40, "{rows}");
         // The mechanisms lie on each other, so only the table is looked at.
-        let wrong = faults(&drawing).into_iter();
-        let wrong = wrong.filter(|fault| fault.contains("measured"));
+        let wrong = sheets.iter().flat_map(faults).filter(|fault| fault.contains("measured"));
         let wrong: Vec<String> = wrong.collect();
         assert!(wrong.is_empty(), "{page}: {}", wrong.join("\n"));
-        said(&drawing, &format!("measured-{rows}-mm"));
+        said(&sheets, &format!("measured-{rows}-mm"));
+        let letters = |sheet: &Drawing| {
+            let cells =
+                sheet.marks.iter().filter(|mark| mark.id.as_deref().is_some_and(|id| id.starts_with("measured")));
+            cells
+                .filter_map(|mark| if let Shape::Text(text) = &mark.shape { Some(text.size) } else { None })
+                .collect::<Vec<_>>()
+        };
+        let sizes: Vec<f64> = sheets.iter().flat_map(letters).collect();
+        assert!(sizes.iter().all(|size| *size == sizes[0]), "{page}");
     }
+}
+
+/// A table never makes panels smaller: the sheet with the panels has the scales of the figure, also where the scene gives them.
+#[test]
+fn a_table_leaves_the_scales_as_they_are() {
+    let mut apart = 0;
+    // Figure 2 asks for scales of each sheet.
+    for (name, text) in scenes().into_iter().filter(|(_, text)| !text.contains("\"scales\"")) {
+        for page in PAGES {
+            let keys = serde_json::json!({ "page": page });
+            let alone = solved(&with_figure(&text, keys.clone())).expect("a good scene").scales();
+            let (solution, sheets) = worksheet(&text, keys);
+            let used = solution.scales();
+            assert_eq!(
+                [used.length, used.velocity, used.acceleration],
+                [alone.length, alone.velocity, alone.acceleration],
+                "{name} on {page}"
+            );
+            assert!(sheets[0].svg().contains("id=\"ruler\""), "{name} on {page}");
+            assert!(sheets.len() == 1 || !sheets[1].svg().contains("id=\"ruler\""), "{name} on {page}");
+            apart += usize::from(sheets.len() > 1);
+        }
+    }
+    assert!(apart > 10, "{apart} tables have a sheet of their own");
 }

@@ -62,6 +62,12 @@ fn truths(expect: &Value) -> Vec<(String, String)> {
                 for (axis, index) in [("x", 0), ("y", 1)] {
                     put(format!("{letter}({name}).{axis}"), &point[key][index]);
                 }
+                let parts = [0, 1].map(|index| point[key][index].as_str().and_then(|text| text.parse::<f64>().ok()));
+                if let [Some(x), Some(y)] = parts {
+                    // Rounded twice, which is less than the least bound.
+                    put(format!("{letter}({name}).size"), &format!("{:e}", libm::hypot(x, y)).into());
+                    put(format!("{letter}({name}).angle"), &format!("{:e}", libm::atan2(y, x).to_degrees()).into());
+                }
             }
         }
     }
@@ -85,6 +91,8 @@ fn check(set: &str, every: usize, least: usize) {
             seen += 1;
             let printed: f64 = value.parse().expect("a number");
             let error = minus(printed, &truth).abs();
+            // Directions are alike after a turn.
+            let error = if name.ends_with(".angle") { error.min((error - 360.0).abs()) } else { error };
             // Nothing is certain: the true value lies within the bound of zero. Else within a unit of the last digit.
             let allowed = match value.as_str() {
                 "0" => bound.parse().expect("a number"),
@@ -190,4 +198,19 @@ fn goes_with_modes_and_says_what_it_leaves_out_of_a_want() {
     // Only velocities were asked for.
     let text = String::from_utf8(output.stdout).expect("UTF-8");
     assert!(text.contains("v(D).x") && !text.contains("a(D)"), "{text}");
+}
+
+/// What a lecturer looks for first: sizes and directions, of relative vectors too.
+#[test]
+fn sizes_and_directions_stand_there() {
+    let table = table(&files::read("tests/lecture/shaper.json")).expect("it is not singular");
+    for name in ["v(D).size", "v(D).angle", "a(B).size", "a(B).angle", "a_c(2/3).size", "a_c(2/3).angle"] {
+        assert!(table.contains_key(name), "{name}");
+    }
+    // A point at rest has no direction.
+    assert_eq!(table["v(O).size"][0], "0");
+    assert!(!table.contains_key("v(O).angle"));
+    let [size, unit, _] = &table["v(A).size"];
+    let (size, truth) = (size.parse::<f64>().expect("a number"), 200.0 * std::f64::consts::PI);
+    assert!((size - truth).abs() < 1e-9 && unit == "mm/s", "{size}");
 }

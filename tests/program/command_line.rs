@@ -1,5 +1,6 @@
 //! The program from outside: results on stdout, one clear message on stderr, the right exit code, nothing half-written.
 
+use crate::support::files;
 use crate::support::program::{kinegon, scratch, stderr, with_scene};
 use std::path::Path;
 
@@ -213,6 +214,44 @@ fn near_far_from_every_mode_gives_a_warning() {
     assert!(calm.stderr.is_empty(), "{}", stderr(&calm));
 }
 
+/// The mean over all places hides one that is far off.
+#[test]
+fn one_point_far_from_its_rough_place_gives_a_warning() {
+    let moved = FIGURE_2.replace("\"E\": [406, 428]", "\"E\": [406, 228]");
+    assert_ne!(moved, FIGURE_2);
+    let message = stderr(&with_scene(&["solve", "-"], moved.as_bytes()));
+    assert!(message.contains("point E is at") && message.contains("away from its place in `near`"), "{message}");
+}
+
+#[test]
+fn angles_that_look_like_radians_give_a_warning() {
+    let shaper = files::read("tests/lecture/shaper.json");
+    for (angle, degrees) in [("1.0472", Some("60")), ("0.5236", Some("30")), ("1.5", None), ("60", None)] {
+        let scene = shaper.replace("\"angle\": 30", &format!("\"angle\": {angle}"));
+        let message = stderr(&with_scene(&["solve", "-"], scene.as_bytes()));
+        let warned = degrees.map(|degrees| format!("looks like radians: angles are in degrees, so {degrees} if"));
+        match warned {
+            Some(warned) => assert!(message.contains(&warned), "{angle}: {message}"),
+            None => assert!(!message.contains("radians"), "{angle}: {message}"),
+        }
+    }
+}
+
+/// A four-bar with a second coupler: Grübler counts 3·4 − 2·6 = 0.
+#[test]
+fn too_many_constraints_are_told_with_the_count_of_freedoms() {
+    let scene = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [160, 0] },
+        "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": 60, "omega": 10 } },
+                   "2": { "points": ["B", "C"], "lengths": { "BC": 140 } },
+                   "3": { "points": ["D", "C"], "lengths": { "CD": 110 } },
+                   "4": { "points": ["B", "D"], "lengths": { "BD": 150 } } } }"#;
+    let message = stderr(&with_scene(&["solve", "-"], scene.as_bytes()));
+    assert!(
+        message.contains("1 constraint too many") && message.contains("mobility 3·4 − 12 = 0 with 1 drive"),
+        "{message}"
+    );
+}
+
 #[test]
 fn without_near_the_modes_are_listed() {
     let at = FIGURE_2.find("\"near\"").expect("the example has it");
@@ -366,20 +405,20 @@ fn structure_is_written_as_a_formula() {
 
 #[test]
 fn a_cylinder_and_its_rod_are_one_link() {
-    let output = |task: &str| {
-        let output = with_scene(&[task, "-"], BOOM.as_bytes());
+    let output = |task: &str, more: &[&str]| {
+        let output = with_scene(&[&[task, "-"], more].concat(), BOOM.as_bytes());
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
         String::from_utf8(output.stdout).expect("UTF-8")
     };
-    let structure = output("structure");
+    let structure = output("structure", &[]);
     assert!(
         structure.starts_with("I(3/2) → II(2+3, 4; RRR)\ndegrees of freedom: 1, as many as drives\n"),
         "{structure}"
     );
-    let modes = output("modes");
+    let modes = output("modes", &[]);
     assert!(modes.starts_with("2 assembly modes"), "{modes}");
     // 2 ω_2 v_r and ω_2² L_AC, with ω_2 = 0.09740614212 and AC = 1350.
-    let steps = output("steps");
+    let steps = output("steps", &["--mu-v", "2", "--mu-a", "1"]);
     for line in [
         "Lay off the sliding velocity of 3/2 along its guide, from a to r_a3.",
         "a r_a3 = 80.00000 mm/s (40.00 mm on paper), direction 68.46°",
@@ -387,7 +426,7 @@ fn a_cylinder_and_its_rod_are_one_link() {
         "ω_3 L_CA = μ_v (r_a3 c)",
         "omega(4) = 0.1026143 rad/s",
         "a r_a3 = 30.00000 mm/s² (30.00 mm on paper), direction 68.46°",
-        "Lay off the Coriolis acceleration of 3/2, normal to its guide, from r_a3 to k_a3.",
+        "Lay off the Coriolis acceleration of 3/2, its sliding velocity turned by 90° in the sense of ω_2, from r_a3 to k_a3.",
         "r_a3 k_a3 = 15.58498 mm/s² (15.58 mm on paper), direction 158.46°",
         "k_a3 n_aC = 12.80874 mm/s² (12.81 mm on paper), direction -111.54°",
         "a_C = a_A + a_r(3/2) + a_c(3/2) + a^n_CA + a^t_CA; direction 158.46°",

@@ -174,7 +174,7 @@ fn the_empty_form_names_every_quantity_of_the_steps_and_is_seen_to_be_empty() {
     };
     let json = print(&["--template"]);
     let csv = print(&["--template", "csv"]);
-    let names = ["L(B,S3)", "vplan(p,b)", "vplan(b,s3)", "omega(4)", "aplan(b,n_b3)", "alpha(5)"];
+    let names = ["L(B,S3)", "vplan(p,b)", "vplan(b,s3)", "omega(4)", "aplan(b,k_b3)", "aplan(k_b3,n_b3)", "alpha(5)"];
     let mut last = [0, 0];
     for name in names {
         for (place, text) in last.iter_mut().zip([&json, &csv]) {

@@ -297,10 +297,10 @@ fn marks_follow_a_mistake_through() {
     assert_eq!(marks(r#", "follow_through": 0.5"#), [8.5, 15.0, 3.5]);
     assert_eq!(marks(""), [12.0, 15.0, 7.0]);
     assert_eq!(marks(r#", "follow_through": 0, "missing": 0.25"#), [5.25, 15.0, 0.0]);
-    // 14 quantities in the form; of the 7 given six are right, within, or follow.
-    assert_eq!(awarded(r#"{ "kinegon_marks": 1 }"#), [6.0, 14.0, 2.0]);
+    // 13 quantities in the form, p c and d c being the same; of the 7 given six are right, within, or follow.
+    assert_eq!(awarded(r#"{ "kinegon_marks": 1 }"#), [6.0, 13.0, 2.0]);
     let both = r#"{ "kinegon_marks": 1, "each": 0.5, "values": { "omega(2)": 3 } }"#;
-    assert_eq!(awarded(both), [5.5, 9.5, 1.0]);
+    assert_eq!(awarded(both), [5.5, 9.0, 1.0]);
 }
 
 /// B and C of the four-bar linkage: AB = 60 at 60°, BC = 140, CD = 110, D 160 to the right of A.

@@ -1,7 +1,7 @@
 //! Sheets asked for on the command line: size, way and scales in place of the scene's, work sheets, hodographs.
 
 use crate::support::files;
-use crate::support::program::{kinegon, stderr};
+use crate::support::program::{kinegon, scratch, stderr};
 
 const FIGURE_2: &str = "examples/figure-2.json";
 
@@ -68,6 +68,32 @@ fn scales_are_those_asked_for() {
     assert!(text.contains("b s3 = 59.40765 mm/s (14.85 mm on paper)"), "{text}");
 }
 
+/// A table without room beside the panels is on a second sheet of the same format; on stdout is the first alone, and a note says so.
+#[test]
+fn a_table_has_a_sheet_of_its_own() {
+    let folder = scratch("work-sheets");
+    let scene = files::path("templates/four-bar.json");
+    let draw = |arguments: &[&str]| {
+        let mut all = vec!["draw", scene.to_str().expect("a plain path"), "--worksheet"];
+        all.extend(arguments);
+        let output = kinegon().args(&all).current_dir(&folder).output().expect("the program runs");
+        assert!(output.status.success(), "{}", stderr(&output));
+        output
+    };
+    let text = |name: &str| std::fs::read_to_string(folder.join(name)).expect(name);
+    draw(&["-o", "sheets/", "--format", "svg,tikz"]);
+    for [first, second] in [["four-bar.svg", "four-bar-2.svg"], ["four-bar.tex", "four-bar-2.tex"]] {
+        assert!(text(&format!("sheets/{first}")).contains("50 mm/s"), "{first}");
+        assert!(!text(&format!("sheets/{second}")).contains("50 mm/s"), "{second}");
+    }
+    draw(&["-o", "own.name.svg"]);
+    assert!(!text("own.name.svg").contains("measured-1-mm"));
+    assert!(text("own.name-2.svg").contains("measured-1-mm"));
+    let output = draw(&["-o", "-"]);
+    assert!(String::from_utf8_lossy(&output.stdout).contains("id=\"ruler\""));
+    assert!(stderr(&output).contains("the table is on a second sheet"), "{}", stderr(&output));
+}
+
 #[test]
 fn wrong_paper_is_refused() {
     for (option, value, words) in [
@@ -77,7 +103,7 @@ fn wrong_paper_is_refused() {
         ("--mu-a", "1e101", "numbers are at most 1e100"),
         ("--mu-a", "inf", "numbers are at most 1e100"),
         ("--mu-l", "two", "not a number"),
-        ("--page", "a5", "[possible values: a4, a3, letter]"),
+        ("--page", "a5", "[possible values: a4, a4-landscape, a4-portrait, a3,"),
         ("--orientation", "upright", "[possible values: landscape, portrait]"),
     ] {
         let scene = files::path(FIGURE_2);

@@ -389,3 +389,20 @@ fn sheets_are_large_enough() {
     let exercise = exercises.expect("varies").next().expect("found");
     assert_eq!([exercise.sheet.width, exercise.sheet.height], [297.0, 420.0]);
 }
+
+/// A drive given in turns per minute is told so, and no number has more digits than a person writes.
+#[test]
+fn given_numbers_are_told_as_a_person_writes_them() {
+    let text = files::read("tests/lecture/shaper.json");
+    let exercise = exercise(&text, 1);
+    let scene: Value = serde_json::from_str(&exercise.text).expect("JSON");
+    let rpm = scene["links"]["1"]["drive"]["rpm"].as_f64().expect("still in turns per minute");
+    let texts = exercise.sheet.marks.iter().filter_map(|mark| match &mark.shape {
+        Shape::Text(text) => Some(text.text.content()),
+        _ => None,
+    });
+    let said: String = texts.collect::<Vec<_>>().join(" ");
+    assert!(said.contains(&format!("{rpm}\u{a0}rpm")) || said.contains(&format!("{rpm} rpm")), "{said}");
+    let long = said.split(|c: char| !c.is_ascii_digit() && c != '.').find(|number| number.len() > 8);
+    assert_eq!(long, None, "{said}");
+}

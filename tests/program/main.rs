@@ -9,6 +9,7 @@ mod command_line;
 mod command_line_check;
 mod command_line_class;
 mod command_line_paper;
+mod command_line_paths;
 mod command_line_pencil;
 mod command_line_sweep;
 mod exercises;

@@ -155,7 +155,7 @@ fn a_turned_ray_ends_where_geometry_says() {
     // The line from b to it is drawn to scale, as far as the panel reaches.
     let marks = &sheets[0].marks;
     let own_lines = marks.iter().filter_map(|mark| match mark.shape {
-        Shape::Line(p, q) | Shape::Arrow { from: p, to: q } if mark.pen == Pen::Student => {
+        Shape::Line(p, q) | Shape::Arrow { from: p, to: q, .. } if mark.pen == Pen::Student => {
             id(mark).starts_with("velocity-").then_some((p, q))
         }
         _ => None,
@@ -253,7 +253,7 @@ fn a_measured_component_is_drawn_and_slips_of_writing_are_not() {
         panic!("a line");
     };
     assert!(((q - p).hypot() - (s3.x - b.x).abs() / 5.0).abs() < 1e-9);
-    for (panel, step) in [("scheme", 2), ("velocity", 8), ("acceleration", 40)] {
+    for (panel, step) in [("scheme", 2), ("velocity", 8), ("acceleration", 41)] {
         let name = format!("{panel}-label-step-{step}");
         assert_eq!(text(&sheets[0], &name), format!("Step {step}"));
     }

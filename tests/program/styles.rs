@@ -30,9 +30,10 @@ fn looks(name: StyleName) -> Vec<(Pen, Look)> {
     let drawn = [1, 2].into_iter().flat_map(|number| example(number).marks);
     let marks = drawn.map(|mark| (mark.pen, mark.number));
     let curves = (0..12).flat_map(|i| [Pen::Curve, Pen::Dead].map(|pen| (pen, Some(i))));
+    let traces = (0..6).flat_map(|i| [Pen::Trace, Pen::Beyond, Pen::Ghost].map(|pen| (pen, Some(i))));
     let others = [Pen::Grid, Pen::Zero, Pen::Limit, Pen::Change, Pen::Stand].map(|pen| (pen, None));
     let student = [Pen::Student, Pen::StudentPoint].map(|pen| (pen, None));
-    let all = marks.chain(curves).chain(others).chain(student);
+    let all = marks.chain(curves).chain(traces).chain(others).chain(student);
     all.map(|(pen, number)| (pen, style.look(pen, number))).collect()
 }
 
@@ -46,7 +47,10 @@ fn every_style_draws_the_same_marks() {
             let text = with_style(&text, name);
             let drawing = solved(&text).expect("a good scene").figure();
             assert_eq!(drawing.style, Style::named(name));
-            assert_eq!(drawing.marks, paper.marks);
+            // A style with other sizes is another layout.
+            if drawing.style.sizes() == paper.style.sizes() {
+                assert_eq!(drawing.marks, paper.marks);
+            }
             let svg = drawing.svg();
             let ground = format!("<rect fill=\"{}\"", drawing.style.background());
             assert!(svg.contains(&ground), "{}", name.as_str());
@@ -84,7 +88,7 @@ fn print_is_black_and_grey() {
             assert!(red == green && green == blue, "{pen:?}: {colour}");
         }
         // A photocopier loses thin grey lines; grid and frame carry no meaning.
-        let helper = matches!(pen, Pen::Frame | Pen::Leader | Pen::Grid | Pen::Stand);
+        let helper = matches!(pen, Pen::Frame | Pen::Leader | Pen::Grid | Pen::Stand | Pen::Ghost);
         assert!(helper || look.stroke.is_none_or(|c| c.red == 0), "{pen:?}");
         assert!(look.stroke.is_none() || look.width >= 0.18, "{pen:?}");
     }
@@ -157,7 +161,7 @@ fn letters_stand_out_from_what_they_stand_on() {
             let least = match pen {
                 Pen::Curve | Pen::Dead | Pen::StudentPoint => 4.5,
                 // The eye need not find them.
-                Pen::Leader | Pen::Grid => 1.0,
+                Pen::Leader | Pen::Grid | Pen::Ghost => 1.0,
                 _ => 3.0,
             };
             let stroke = look.stroke.unwrap_or(look.ink);
@@ -193,6 +197,22 @@ fn difference(a: Colour, b: Colour, seen: [[f64; 3]; 3]) -> f64 {
     let [a, b] = [a, b].map(|colour| lab(colour, seen));
     let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
     squares.sum::<f64>().sqrt()
+}
+
+/// What is new in a step is not taken for a ray, nor a Coriolis acceleration for another vector.
+#[test]
+fn accent_and_coriolis_have_hues_of_their_own() {
+    for name in [StyleName::Paper, StyleName::Lecture, StyleName::Board] {
+        let style = Style::named(name);
+        let stroke = |pen| style.look(pen, None).stroke.expect("a line");
+        let accent = style.accent();
+        let apart = difference(accent, stroke(Pen::Ray), SAME);
+        assert!(apart > 40.0, "{}: accent and rays: {apart}", name.as_str());
+        for pen in [Pen::Velocity, Pen::Acceleration, Pen::Normal, Pen::Vector, Pen::Ray] {
+            let apart = difference(stroke(Pen::Coriolis), stroke(pen), SAME);
+            assert!(apart > 20.0, "{}: Coriolis and {pen:?}: {apart}", name.as_str());
+        }
+    }
 }
 
 #[test]

@@ -93,21 +93,21 @@ const ENGLISH: &str = "the of and or to on by in is are it its where from throug
 const SPANISH: &str =
     "el la los las del de polo escala plano velocidad velocidades aceleraciones eslabón trazar medir marcar recta";
 
-/// The words of a list that a line has, apart from names of quantities such as `angle(2)`.
+/// The words of a list that a line has, apart from names of quantities such as `angle(2)` and of lengths such as DE.
 fn words_of<'a>(list: &'a str, line: &str) -> Vec<&'a str> {
-    let line = line.to_lowercase();
-    let mut own: Vec<&str> = Vec::new();
+    let is_length = |word: &str| word.len() == 2 && word.chars().all(|c| c.is_ascii_uppercase());
+    let mut own: Vec<String> = Vec::new();
     let is_letter = |c: char| c.is_alphanumeric() || c == '_';
-    let mut rest = line.as_str();
+    let mut rest = line;
     while let Some(start) = rest.find(is_letter) {
         rest = &rest[start..];
         let end = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
-        if !rest[end..].starts_with('(') {
-            own.push(&rest[..end]);
+        if !rest[end..].starts_with('(') && !is_length(&rest[..end]) {
+            own.push(rest[..end].to_lowercase());
         }
         rest = &rest[end..];
     }
-    list.split_whitespace().filter(|word| own.contains(word)).collect()
+    list.split_whitespace().filter(|word| own.iter().any(|own| own == word)).collect()
 }
 
 #[test]
@@ -252,15 +252,15 @@ fn notations_write_what_their_schools_write() {
     for (notation, has, has_not) in [
         (
             "paper",
-            &["the pole p and", "the pole π and", "π b = ", "b n_b3 = ", "a^t_S3G", "a^c_S3B"][..],
+            &["the pole p and", "the pole π and", "π b = ", "b k_b3 = ", "a^t_S3G", "a_c(3/2)"][..],
             &["′", "P_v", "τ"][..],
         ),
         (
             "english",
-            &["the pole o and", "the pole o′ and", "o b = ", "o′ b′ = ", "b′ n_b3 = ", "o′ s′3 = ", "a^t_S3G"][..],
+            &["the pole o and", "the pole o′ and", "o b = ", "o′ b′ = ", "b′ k_b3 = ", "o′ s′3 = ", "a^t_S3G"][..],
             &["π", "P_v"][..],
         ),
-        ("russian", &["the pole p and", "the pole π and", "a^τ_S3G", "a^k_S3B", "a^n_S3G"][..], &["a^t", "a^c"][..]),
+        ("russian", &["the pole p and", "the pole π and", "a^τ_S3G", "a_k(3/2)", "a^n_S3G"][..], &["a^t", "a_c"][..]),
         ("german", &["the pole P_v and", "the pole P_a and", "P_v b = ", "P_a s3 = ", "a^t_S3G"][..], &["π", "′"][..]),
     ] {
         let text = figure_2_in(notation);

@@ -31,6 +31,8 @@ pub enum Mistake {
     CoriolisWhereNone,
     /// The image of a link mirrored.
     MirroredImage,
+    /// The line between two images divided from its wrong end.
+    WrongRatio,
     /// A segment measured from the wrong point.
     WrongSegment,
     /// A component taken for a length.

@@ -3,6 +3,7 @@
 
 mod candidate;
 mod copying;
+mod images;
 mod lengths;
 mod mistake;
 mod rates;
@@ -36,7 +37,7 @@ macro_rules! listed {
 }
 
 /// The catalogue. The percentages decide only where the values alone do not.
-pub(super) const CATALOGUE: [Listed; 30] = listed! {
+pub(super) const CATALOGUE: [Listed; 31] = listed! {
     TurnedRay "turned-ray" 6.0 rays::turned => turned_ray,
     TurnedCutLine "turned-cut-line" 4.0 rays::turned_cut_line => turned_cut_line,
     RayFromWrongPoint "ray-from-wrong-point" 5.0 rays::from_wrong_point => ray_from_wrong_point,
@@ -51,7 +52,8 @@ pub(super) const CATALOGUE: [Listed; 30] = listed! {
     CoriolisWithoutTwo "coriolis-without-2" 4.0 vectors::coriolis_without_two => coriolis_without_two,
     CoriolisTurned "coriolis-turned" 5.0 vectors::coriolis_turned => coriolis_turned,
     CoriolisWhereNone "coriolis-where-none" 2.0 vectors::coriolis_where_none => coriolis_where_none,
-    MirroredImage "mirrored-image" 3.0 vectors::mirrored => mirrored_image,
+    MirroredImage "mirrored-image" 3.0 images::mirrored => mirrored_image,
+    WrongRatio "wrong-ratio" 3.0 images::wrong_ratio => wrong_ratio,
     WrongSegment "wrong-segment" 4.0 lengths::wrong_segment => wrong_segment,
     Component "component" 4.0 lengths::component => component,
     WrongLength "wrong-length" 4.0 lengths::wrong_length => wrong_length,

@@ -4,10 +4,7 @@ use super::candidate::Candidate;
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
-use crate::construction::{
-    Along, NumberId, NumberKind, OperationKind, PlaceId, Product, ProductKind, Reference, Sheet, image_name,
-};
-use crate::geometry::Vector;
+use crate::construction::{NumberId, NumberKind, OperationKind, Plan, Product, ProductKind, image_name};
 
 pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
     let laid = site.operations().filter_map(|(index, operation)| {
@@ -19,7 +16,10 @@ pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
             return None;
         }
         let edit = Edit::Instead(OperationKind::LayOff { place, from, size, along: along.turned(2) });
-        Some(site.candidate(Mistake::ReversedVector, index, edit, &[start, end]))
+        let arrows = || site.key.solution.construction.plan_on(operation.sheet).into_iter().flat_map(Plan::arrows);
+        let laid = arrows().find(|arrow| (arrow.from.as_str(), arrow.to.as_str()) == (start, end));
+        let ends = laid.map_or([start, end], |arrow| arrow.ends());
+        Some(site.candidate(Mistake::ReversedVector, index, edit, &ends))
     });
     laid.collect()
 }
@@ -116,47 +116,4 @@ pub(super) fn coriolis_turned(site: &Site<'_>) -> Vec<Candidate> {
 /// three times as large.
 pub(super) fn coriolis_where_none(site: &Site<'_>) -> Vec<Candidate> {
     products(site, Mistake::CoriolisWhereNone, ProductKind::Normal, |p| Some(p.times(3.0)))
-}
-
-/// The image of a link with three points mirrored: one of its sides laid off on the wrong side of another.
-pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
-    // Vectors of the plans that are normal to lines of the mechanism: operation, ends, size, direction of the line.
-    let mut laid: Vec<(usize, [PlaceId; 2], NumberId, Vector)> = Vec::new();
-    for (index, operation) in site.operations().filter(|(_, operation)| operation.sheet != Sheet::Scheme) {
-        let OperationKind::LayOff {
-            place,
-            from,
-            size,
-            along: Along { reference: Reference::Line(line), quarter_turns: 1 },
-        } = operation.kind
-        else {
-            continue;
-        };
-        let joined = site.operations().find_map(|(_, other)| match other.kind {
-            OperationKind::Join { line: own, from, towards } if own == line => Some([from, towards]),
-            _ => None,
-        });
-        let Some([a, b]) = joined.map(|ends| ends.map(|end| site.model.exact.place(end))) else { continue };
-        if !site.place_name(place).is_empty()
-            && let Some(along) = crate::geometry::unit(b - a)
-        {
-            laid.push((index, [from, place], size, along));
-        }
-    }
-    let mut found = Vec::new();
-    for &(index, [from, place], size, along) in &laid {
-        let before = laid.iter().take_while(|(other, ..)| *other < index);
-        for &(other, [from_other, place_other], _, axis) in before {
-            let is_same_sheet = site.operation(other).sheet == site.operation(index).sheet;
-            if site.place_name(from_other) != site.place_name(from) || !is_same_sheet {
-                continue;
-            }
-            let mirrored = axis * (2.0 * along.dot(&axis)) - along;
-            let edit =
-                Edit::Instead(OperationKind::LayOff { place, from, size, along: Along::given(mirrored).turned(1) });
-            let blanks = [from, place, place_other].map(|place| site.place_name(place));
-            found.push(site.candidate(Mistake::MirroredImage, index, edit, &blanks));
-        }
-    }
-    found
 }

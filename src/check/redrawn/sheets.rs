@@ -95,14 +95,15 @@ impl<'a> Sheets<'a> {
             let origin = Vector::from(points.places[pole]);
             let from_pole = |place: &[f64; 2]| (Vector::from(*place) - origin) * mu;
             let pair = |(name, place): (&String, &[f64; 2])| {
-                let id = self.own.construction.place(sheet, name)?;
+                let construction = &self.own.construction;
+                let id = construction.place(sheet, construction.plan_name(sheet, name))?;
                 Some((from_pole(place), self.values.place(id)))
             };
             let pairs: Vec<(Vector, Vector)> = points.places.iter().filter_map(pair).collect();
             let degrees = best_turn(&pairs, SEEN * mu);
             for (name, place) in &points.places {
                 let is_pole = name == pole;
-                let name = if is_pole { points.kind.pole() } else { name };
+                let name = if is_pole { points.kind.pole() } else { self.own.construction.plan_name(sheet, name) };
                 let place: Vector = turn_of_degrees(degrees).transform_vector(&from_pole(place));
                 self.given.insert((sheet, name.to_owned()), place);
             }
@@ -118,7 +119,9 @@ impl<'a> Sheets<'a> {
             let sheet = self.own.construction.operations[index].sheet;
             let is_changed = self.instead.iter().any(|(operation, _)| *operation == index);
             match *self.done(index) {
-                OperationKind::Plot { place, .. } if self.is_elsewhere(sheet, place) => {
+                OperationKind::Plot { place, .. } | OperationKind::Divide { place, .. }
+                    if self.is_elsewhere(sheet, place) =>
+                {
                     self.mark(sheet, place);
                 }
                 OperationKind::LayOff { place, from, .. } => {

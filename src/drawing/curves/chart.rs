@@ -6,6 +6,7 @@ use super::error::{CurvesError, MOST_CURVES};
 use super::graph::{self, BESIDE, Graph};
 use super::looks::looks;
 use crate::cycle::{Curve, Curves};
+use crate::drawing::dims::Dims;
 use crate::drawing::labels::{LabelRequest, Obstacles, place};
 use crate::drawing::layout::{HEADING, MARGIN, Placed, TITLE};
 use crate::drawing::shape::Shape;
@@ -37,25 +38,26 @@ const BEYOND: f64 = 0.02;
 /// There are too many panels for a sheet, or too many curves in one panel.
 pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     let Curves { path, range, events, curves: all } = curves;
-    let course = Course { scene, words: Wording::of(&scene.figure), path, range: *range, events };
+    let course =
+        Course { scene, dims: Dims::of(&scene.figure), words: Wording::of(&scene.figure), path, range: *range, events };
     let graphs = graphs(&course, curves)?;
     let numbers = graphs.iter().map(Graph::widest_number).fold(0.0, f64::max);
-    let [width, _] = scene.figure.page.size_mm();
+    let [width, _] = course.dims.page;
     let across = [MARGIN + numbers + BESIDE, width - MARGIN - 0.5];
     let drive = drive_axis(&course, across);
     let mut drawing = course.titled(across[1]);
     for (index, graph) in graphs.iter().enumerate() {
         let frame = Rect::new(across[0], graph.rows[1], across[1], graph.rows[2]);
         // A graph has different scales in x and y, in its own axes.
-        let placed = Placed { kind: graph.kind, frame, area: frame, mu: f64::NAN };
-        graph.panel(index, &course, &drive).draw(&mut drawing, &placed, &scene.figure.labels);
+        let placed = Placed { kind: graph.kind, frame, area: frame, mu: f64::NAN, unit: course.dims.unit };
+        graph.panel(index, &course, &drive).draw(&mut drawing, &placed, &scene.figure.labels, &course.dims);
     }
     if let (Some(first), Some(last)) = (graphs.first(), graphs.last()) {
         name_verticals(&mut drawing, &course, first.rows[1], &drive);
         foot(&mut drawing, &course, all, last.rows[2], &drive);
     }
     drawing.description = description(&course, &graphs);
-    Ok(drawing)
+    Ok(drawing.enlarged(course.dims.unit))
 }
 
 /// A graph for each kind of quantity, with its place on the sheet.
@@ -70,7 +72,7 @@ fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>,
     if let Some((_, members)) = kinds.iter().find(|(_, members)| members.len() > MOST_CURVES) {
         return Err(CurvesError::Crowd { wanted: members.len() });
     }
-    let [width, height] = course.scene.figure.page.size_mm();
+    let [width, height] = course.dims.page;
     let top = MARGIN + TITLE + BAND;
     let bottom = height - MARGIN - FOOT;
     let room = ((bottom - top + GAP) / (HEADING + LOWEST + GAP)) as usize;

@@ -1,6 +1,7 @@
 use super::axis::significant;
 use crate::cycle::{Event, Happening, Path};
 use crate::drawing::compose::{TITLE_LINE, TITLE_SIZE, titled};
+use crate::drawing::dims::Dims;
 use crate::drawing::layout::MARGIN;
 use crate::drawing::line::Line;
 use crate::drawing::sheet::{Drawing, Pen};
@@ -14,6 +15,7 @@ use kurbo::Point;
 /// A range of a motion with its events, and the words for them.
 pub(super) struct Course<'a> {
     pub scene: &'a Scene,
+    pub dims: Dims,
     pub words: Wording,
     pub path: &'a Path<'a>,
     /// Lowest and highest value of the drive.
@@ -25,7 +27,7 @@ impl Course<'_> {
     /// A sheet with its title and, if there is room up to `right`, the rates of the drives.
     pub fn titled(&self, right: f64) -> Drawing {
         let title = self.scene.title.as_deref().unwrap_or(self.words.language.curves());
-        let mut drawing = titled(self.scene, &self.words, title.to_owned());
+        let mut drawing = titled(self.scene, &self.dims, &self.words, title.to_owned());
         let free = right - RichText::verbatim(title).width(TITLE_SIZE) - MARGIN - 6.0;
         let speeds = self.speeds();
         if speeds.width(CAPTION) <= free {

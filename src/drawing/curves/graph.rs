@@ -1,11 +1,11 @@
 use super::axis::Axis;
 use super::course::Course;
-use super::lines::{clipped_chain, simplified};
 use super::names::{CLEARANCE, Surroundings, name_place};
 use crate::cycle::Curve;
 use crate::drawing::canvas::{Canvas, Wanted};
+use crate::drawing::chain::{clipped_chain, simplified};
 use crate::drawing::labels::LabelRequest;
-use crate::drawing::layout::Needs;
+use crate::drawing::layout::{Needs, WHITE};
 use crate::drawing::line::Line;
 use crate::drawing::panel::{Frame, Panel, numbered};
 use crate::drawing::shape::Shape;
@@ -94,6 +94,7 @@ impl<'a> Graph<'a> {
         let heading = numbered(index, &language.in_unit(name, &unit));
         let frame = Frame {
             heading: Line::new(vec![RichText::plain(&heading)]),
+            short: None,
             pen: Pen::Heading,
             at: Vec2::new(0.0, self.rows[0] + 5.2 - self.rows[1]),
         };
@@ -103,7 +104,17 @@ impl<'a> Graph<'a> {
         Panel {
             name: name.to_owned(),
             prefix: self.prefix(),
-            needs: Needs { kind: self.kind, extent: Extent::of([corner(0), corner(1)]), heading: 0.0, mu: None },
+            needs: Needs {
+                above: 0.0,
+                kind: self.kind,
+                extent: Extent::of([corner(0), corner(1)]),
+                heading: 0.0,
+                mu: None,
+                white: WHITE,
+                weight: 1.0,
+            },
+            cut: String::new(),
+            content: None,
             layers: vec![Box::new(grid), Box::new(frame), Box::new(content)],
         }
     }
@@ -200,7 +211,16 @@ impl<'a> Graph<'a> {
             taken.push(Rect::from_center_size(request.anchor + middle, size));
             let word = if greatest { "greatest" } else { "least" };
             let name = format!("{word}-{}", curve.asked[0].name());
-            canvas.request_label(Wanted { request, name, pen: Pen::Curve, number: Some(*look), optional: true });
+            canvas.request_label(Wanted {
+                request,
+                name,
+                pen: Pen::Curve,
+                number: Some(*look),
+                optional: true,
+                last: false,
+                short: None,
+                before: Vec::new(),
+            });
         }
     }
 

@@ -9,10 +9,12 @@ mod course;
 mod error;
 mod graph;
 mod hodograph;
-mod lines;
 mod looks;
 mod names;
+mod path;
+mod way;
 
 pub use chart::curves;
 pub use error::CurvesError;
 pub use hodograph::hodographs;
+pub use path::paths;

@@ -1,4 +1,4 @@
-use super::lines::distance;
+use crate::drawing::chain::distance;
 use crate::drawing::clip::clipped_segment;
 use kurbo::{Point, Rect, Size, Vec2};
 

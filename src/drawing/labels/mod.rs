@@ -30,6 +30,7 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
     search.choose_first(requests);
     search.make_room();
     search.improve();
+    search.free_struck();
     search.search_panel();
     let found: Vec<Option<Place>> =
         search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen])).collect();
@@ -39,9 +40,22 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
         let ink = request.text.ink_box(request.size);
         let origin = Point::ORIGIN + (place.ink.origin() - ink.origin());
         let text = PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle);
-        PlacedLabel { text, leader: place.leader, crowded: crowded && !request.text.is_empty() }
+        let struck = search.struck(place.ink);
+        PlacedLabel { text, leader: place.leader, struck, crowded: crowded && !request.text.is_empty() }
     });
     placed.collect()
+}
+
+/// The best place near its anchor for one more label; `None` where nothing is free there. Other labels do not move for
+/// it.
+pub(super) fn place_near(request: &LabelRequest, obstacles: &Obstacles) -> Option<PlacedLabel> {
+    let mut search = Search::new(std::slice::from_ref(request), obstacles);
+    let count = search.labels[0].places.len();
+    let cheapest = (0..count).map(|place| (search.cost(0, place), place)).min_by(|a, b| a.0.total_cmp(&b.0));
+    let place = search.labels[0].places[cheapest?.1];
+    let origin = Point::ORIGIN + (place.ink.origin() - request.text.ink_box(request.size).origin());
+    let text = PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle);
+    Some(PlacedLabel { text, leader: place.leader, struck: search.struck(place.ink), crowded: false })
 }
 
 #[cfg(test)]

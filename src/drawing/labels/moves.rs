@@ -16,6 +16,10 @@ const ROUNDS: usize = 8;
 const PUSHES: usize = 3;
 /// Most tries of one label, which bounds the time for overfull panels.
 const TRIES: usize = 1_000;
+/// Cost of a place, as where a line strikes through the label, above which one with a leader may be better.
+const STRUCK: f64 = 5.0;
+/// By how much such a place may cost more.
+const APART: f64 = 4.0;
 /// Cost of a leader that crosses another label or its leader, in mm of distance.
 const CROSSED: f64 = 30.0;
 /// Grid of the last search over the whole panel, in mm.
@@ -46,6 +50,27 @@ impl Search<'_> {
             if self.labels[index].chosen.is_none() {
                 let mut tries = TRIES;
                 self.push(index, PUSHES, &mut Vec::new(), &mut tries);
+            }
+        }
+    }
+
+    /// Gives labels that lines strike through a place with a leader, where that is better.
+    pub(super) fn free_struck(&mut self) {
+        for index in 0..self.labels.len() {
+            let Some(chosen) = self.labels[index].chosen else { continue };
+            let cost = self.cost(index, chosen);
+            if cost > STRUCK {
+                self.add_far_places(index);
+                let places = 0..self.labels[index].places.len();
+                let is_clear = |place: &usize| {
+                    self.struck(self.labels[index].places[*place].ink) == 0.0 && self.blockers(index, *place, 0).1 == 0
+                };
+                let clear: Vec<usize> = places.filter(is_clear).collect();
+                let costs = clear.into_iter().map(|place| (self.cost(index, place), place));
+                let best = costs.min_by(|a, b| a.0.total_cmp(&b.0));
+                if let Some((_, place)) = best.filter(|(least, _)| *least < cost + APART) {
+                    self.labels[index].chosen = Some(place);
+                }
             }
         }
     }

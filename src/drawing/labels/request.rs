@@ -38,6 +38,8 @@ pub struct PlacedLabel {
     pub text: PlacedText,
     /// A thin line from near the anchor to near the text, where the text had to stand apart.
     pub leader: Option<(Point, Point)>,
+    /// Length of the lines that cross the ink's box, in mm.
+    pub struck: f64,
     /// Whether the panel holds no free place, so that this label touches something.
     pub crowded: bool,
 }

@@ -94,6 +94,11 @@ impl<'a> Search<'a> {
         self.add_places(index, &FAR);
     }
 
+    /// Length of the lines inside a box, in mm.
+    pub(super) fn struck(&self, ink: Rect) -> f64 {
+        self.lines.iter().map(|line| line.share_inside(ink) * line.length).sum()
+    }
+
     /// The whole cost of a place if it is less than `limit`.
     pub(super) fn cost_below(&mut self, index: usize, place: usize, limit: f64) -> Option<f64> {
         let label = &mut self.labels[index];

@@ -88,7 +88,7 @@ impl<'a> OwnLayer<'a> {
             return;
         };
         let (pen, shape) = match line.kind {
-            OwnKind::Vector if holds(room, to) => (Pen::Student, Shape::Arrow { from: a, to }),
+            OwnKind::Vector if holds(room, to) => (Pen::Student, canvas.arrow(a, to)),
             OwnKind::Line | OwnKind::Vector => (Pen::Student, Shape::Line(a, b)),
             OwnKind::Helper => (Pen::Construction, Shape::Line(a, b)),
         };
@@ -128,7 +128,7 @@ impl<'a> OwnLayer<'a> {
         });
         let Some(mark) = largest else { return };
         let (anchor, clearance, prefer) = match &mark.shape {
-            Shape::Line(a, b) | Shape::Arrow { from: a, to: b } => {
+            Shape::Line(a, b) | Shape::Arrow { from: a, to: b, .. } => {
                 let (anchor, prefer) = beside(canvas, *a, *b);
                 (anchor, 1.6, prefer)
             }
@@ -160,7 +160,7 @@ impl<'a> OwnLayer<'a> {
         let tail = edge - way * ARROW;
         let name = format!("student-{}", point.name);
         if seen.is_none() {
-            let shape = Shape::Arrow { from: tail, to: edge };
+            let shape = canvas.arrow(tail, edge);
             canvas.draw_named(&name, Pen::StudentPoint, shape);
         }
         let words = self.scheme.words;

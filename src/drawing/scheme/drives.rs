@@ -9,6 +9,9 @@ use crate::mechanism::{BodyId, GROUND, PointId, Role, SliderId};
 use kurbo::{Point, Vec2};
 use std::f64::consts::PI;
 
+/// Radius of the arrow of a solved rate, in mm.
+pub(super) const RATE_RADIUS: f64 = 5.0;
+
 impl Scheme<'_> {
     pub(super) fn rotation_arrows(&self, canvas: &mut Canvas<'_>, view: &View) {
         for (link, body) in self.mechanism.links() {
@@ -26,30 +29,51 @@ impl Scheme<'_> {
         }
     }
 
-    /// Draws the senses of the angular rates that a step yields: a curved arrow around the centre of each link.
+    /// Draws the senses of the angular rates that a step yields, unless they are there with their values: a curved arrow
+    /// around the centre of each link.
     pub(super) fn rate_arrows(&self, canvas: &mut Canvas<'_>, view: &View, step: u16, unknowns: &[(String, f64)]) {
-        const RADIUS: f64 = 5.0;
-        const SWEEP: f64 = 4.2;
-        for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0) {
+        for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0 && self.values.is_empty()) {
             let link = name.split_once('(').map(|(_, link)| link.trim_end_matches(')'));
             let link = link.and_then(|link| self.mechanism.link(link));
             let Some(link) = link.filter(|_| !name.contains("_r(")) else {
                 continue;
             };
-            let places = &self.mechanism.body(link).points;
-            let sum = places.iter().fold(Vec2::ZERO, |sum, &point| sum + self.at(view, point).to_vec2());
-            if places.is_empty() {
-                continue;
+            if let Some(shape) = self.rate_arrow(view, link, RATE_RADIUS, *value) {
+                canvas.draw_in_step(step, Pen::Turning, shape).number = self.number(link);
             }
-            let sense = -value.signum();
-            let shape = Shape::ArcArrow {
-                center: (sum / places.len() as f64).to_point(),
-                radius: RADIUS,
-                start: -0.5 * PI - 0.5 * sense * SWEEP,
-                sweep: sense * SWEEP,
-            };
-            canvas.draw_in_step(step, Pen::Turning, shape).number = self.number(link);
         }
+    }
+
+    /// A curved arrow in the sense of a rate around the centre of a link; none for a link without points.
+    pub(super) fn rate_arrow(&self, view: &View, link: BodyId, radius: f64, rate: f64) -> Option<Shape> {
+        const SWEEP: f64 = 4.2;
+        let places: Vec<Point> = self.mechanism.body(link).points.iter().map(|&point| self.at(view, point)).collect();
+        let center = match places.as_slice() {
+            [] => return None,
+            // Off the link's name.
+            [a, b] if (*b - *a).hypot() > 8.0 * radius => a.lerp(*b, 0.35),
+            _ => (places.iter().fold(Vec2::ZERO, |sum, place| sum + place.to_vec2()) / places.len() as f64).to_point(),
+        };
+        let sense = -rate.signum();
+        Some(Shape::ArcArrow {
+            center,
+            radius,
+            start: -0.5 * PI - 0.5 * sense * SWEEP,
+            sweep: sense * SWEEP,
+            head: self.dims.head,
+        })
+    }
+
+    /// The arm of a driven link from its pivot: to another point, else to a block on it, else along its axis.
+    fn arm_of(&self, view: &View, link: BodyId, pivot: PointId) -> Vec2 {
+        const LONG: f64 = 10.0;
+        let center = self.at(view, pivot);
+        let points = self.mechanism.body(link).points.iter().copied();
+        let blocks = self.mechanism.sliders.iter().filter(|slider| slider.on == link).map(|slider| slider.at);
+        let mut arms = points.chain(blocks).map(|point| self.at(view, point) - center);
+        let far = arms.find(|arm| arm.hypot() >= 1.0);
+        let axis = || self.pose.axes[link.0].map_or(Vec2::new(1.0, 0.0), on_sheet).normalize() * LONG;
+        far.unwrap_or_else(axis)
     }
 
     /// Draws the sense of rotation of a driven link.
@@ -58,21 +82,20 @@ impl Scheme<'_> {
         const SWEEP: f64 = 1.5;
         let body = self.mechanism.body(link);
         let name = body.name.as_str();
-        let Some(&tip) = body.points.iter().find(|&&p| p != pivot) else {
-            return;
-        };
         let center = self.at(view, pivot);
-        let arm = self.at(view, tip) - center;
-        if omega == 0.0 || arm.hypot() < 1.0 {
+        let arm = self.arm_of(view, link, pivot);
+        if omega == 0.0 {
             return;
         }
         // Counter-clockwise is negative in the angles of the sheet.
         let sense = -omega.signum();
+        let head = canvas.dims().head;
         let arc = |radius: f64, lead: f64| Shape::ArcArrow {
             center,
             radius,
             start: libm::atan2(arm.y, arm.x) + sense * lead,
             sweep: sense * SWEEP,
+            head,
         };
         // Within the panel and, if possible, off the pivot's hatching: ahead of the link, behind it, or smaller.
         let (bounds, foot) = (canvas.bounds(), self.pivot_box(view, pivot));
@@ -97,6 +120,9 @@ impl Scheme<'_> {
         let name = format!("omega({name})");
         let label = canvas.label(&name, &label, anchor, 0.8, Some(direction), 2);
         label.number = self.number(link);
+        if let Some(value) = self.drive_value(link) {
+            label.short = Some(std::mem::replace(&mut label.request.text, value.text()));
+        }
     }
 
     /// Draws the sense in which a driven slider moves along its guide, relative to the guide's body.
@@ -128,13 +154,13 @@ impl Scheme<'_> {
             (side, middle - arm, middle + arm)
         });
         let cost = |&(_, from, to): &(Vec2, Point, Point)| {
-            let drawn = Shape::Arrow { from, to }.drawn_box();
+            let drawn = canvas.arrow(from, to).drawn_box();
             (drawn.union(bounds) != bounds, canvas.crossings_with(from, to))
         };
         let best = arrows.min_by_key(cost);
         let (side, from, to) = best.expect("there are six places to choose from");
         let name = self.mechanism.push_name(id);
-        let shape = Shape::Arrow { from, to };
+        let shape = canvas.arrow(from, to);
         let arrow = canvas.draw_named(&format!("speed-{name}"), Pen::Turning, shape);
         arrow.number = self.number(slider.link);
         let label = format!("v_{{{}}}", canvas.shown(&name, &name));

@@ -5,7 +5,7 @@ use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::View;
 use super::Scheme;
-use crate::mechanism::{Body, BodyId, PointId};
+use crate::mechanism::{Body, BodyId, GROUND, PointId};
 use kurbo::{Point, Rect, Vec2};
 
 /// Height of a pivot's triangle, and half the length of the ground line under it, in mm.
@@ -19,6 +19,10 @@ impl Scheme<'_> {
     pub(super) fn pivot(&self, canvas: &mut Canvas<'_>, view: &View, point: PointId) {
         const HALF: f64 = 2.3;
         let apex = self.at(view, point);
+        if !self.is_pin(point) {
+            self.fixed_point(canvas, apex);
+            return;
+        }
         let down = self.down(view, point);
         let base = apex + down * PIVOT;
         let across = Vec2::new(1.0, 0.0);
@@ -28,6 +32,21 @@ impl Scheme<'_> {
         canvas.draw(Pen::Ground, Shape::Line(a, b));
         hatch(canvas, a, b, down);
         canvas.keep_off(self.pivot_box(view, point));
+    }
+
+    /// White that supports above their pivots need between a panel's heading and the mechanism, in mm.
+    pub(in crate::drawing) fn above(&self) -> f64 {
+        let view = View::new(1.0, &self.extent(), Rect::ZERO);
+        let mut fixed = self.mechanism.body(GROUND).points.iter();
+        if fixed.any(|&point| self.is_pin(point) && self.down(&view, point).y < 0.0) { 2.0 } else { 0.0 }
+    }
+
+    /// Draws a fixed point without a link: a piece of the ground with the point on it.
+    fn fixed_point(&self, canvas: &mut Canvas<'_>, at: Point) {
+        let across = Vec2::new(PIVOT_HALF, 0.0);
+        canvas.draw(Pen::Ground, Shape::Line(at - across, at + across));
+        hatch(canvas, at - across, at + across, Vec2::new(0.0, 1.0));
+        canvas.keep_off(Rect::from_points(at - across, at + across + Vec2::new(0.0, HATCH)));
     }
 
     /// The box around the ground line under a pivot and its hatching.

@@ -6,11 +6,18 @@ use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
 use super::Scheme;
 use crate::geometry::{self, cross, span};
-use crate::mechanism::{BodyId, PointId, SliderId};
+use crate::mechanism::{BodyId, Mark, Mechanism, PointId, SliderId};
+use crate::position::Pose;
 use kurbo::{Line, ParamCurveNearest, Point, Vec2};
 
 /// A point closer than this to a line, in mm, counts as on the line.
 pub(super) const ON_LINE: f64 = 0.3;
+
+/// A mechanism in one position.
+pub(super) struct Posed<'a> {
+    pub mechanism: &'a Mechanism,
+    pub pose: &'a Pose,
+}
 
 /// Shape of a link.
 pub(super) enum LinkShape {
@@ -36,11 +43,11 @@ impl LinkShape {
     }
 }
 
-impl Scheme<'_> {
+impl Posed<'_> {
     /// The shape of a link.
     pub(super) fn shape(&self, view: &View, link: BodyId) -> LinkShape {
         let points = &self.mechanism.body(link).points;
-        let outline = self.outline(points);
+        let outline = outline(points.iter().map(|&p| self.pose.point(p)).collect());
         if let [_, _, _, ..] = outline.as_slice()
             && let Some(bars) = self.yoke(view, link)
         {
@@ -86,35 +93,21 @@ impl Scheme<'_> {
         Some(bars)
     }
 
-    /// Corners of a link in order around it; two for a straight one.
-    fn outline(&self, points: &[PointId]) -> Vec<geometry::Point> {
-        let mut places: Vec<geometry::Point> = points.iter().map(|&p| self.pose.point(p)).collect();
-        if places.len() < 3 {
-            return places;
-        }
-        // The convex hull by Andrew's monotone chain.
-        places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-        let size = span(places.iter().copied());
-        let mut hull: Vec<geometry::Point> = Vec::new();
-        for pass in 0..2 {
-            let base = hull.len();
-            for &p in &places {
-                while hull.len() >= base + 2 {
-                    let (a, b) = (hull[hull.len() - 2], hull[hull.len() - 1]);
-                    // A corner flatter than a thousandth of the link counts as straight.
-                    if cross(b - a, p - b) > 1e-3 * size * (p - a).norm() {
-                        break;
-                    }
-                    hull.pop();
-                }
-                hull.push(p);
-            }
-            hull.pop();
-            if pass == 0 {
-                places.reverse();
-            }
-        }
-        hull
+    /// Whether a point is a pin.
+    pub(super) fn is_pin(&self, point: PointId) -> bool {
+        let marks = self.mechanism.joints.iter().flat_map(|joint| &joint.marks);
+        marks.into_iter().any(|mark| matches!(mark, Mark::Circle { center, .. } if *center == point))
+    }
+
+    fn at(&self, view: &View, point: PointId) -> Point {
+        view.at(self.pose.point(point))
+    }
+}
+
+impl Scheme<'_> {
+    /// The shape of a link.
+    pub(super) fn shape(&self, view: &View, link: BodyId) -> LinkShape {
+        self.posed(self.pose).shape(view, link)
     }
 
     pub(super) fn link_areas(&self, canvas: &mut Canvas<'_>, view: &View) {
@@ -214,4 +207,34 @@ impl Scheme<'_> {
 pub(super) fn is_on([a, b]: [Point; 2], point: Point) -> bool {
     let nearest = Line::new(a, b).nearest(point, 0.1 * ON_LINE);
     nearest.distance_sq <= ON_LINE * ON_LINE
+}
+
+/// Corners of a link, or of its image, in order around it; two for a straight one.
+pub(in crate::drawing) fn outline(mut places: Vec<geometry::Point>) -> Vec<geometry::Point> {
+    if places.len() < 3 {
+        return places;
+    }
+    // The convex hull by Andrew's monotone chain.
+    places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    let size = span(places.iter().copied());
+    let mut hull: Vec<geometry::Point> = Vec::new();
+    for pass in 0..2 {
+        let base = hull.len();
+        for &p in &places {
+            while hull.len() >= base + 2 {
+                let (a, b) = (hull[hull.len() - 2], hull[hull.len() - 1]);
+                // A corner flatter than a thousandth of the link counts as straight.
+                if cross(b - a, p - b) > 1e-3 * size * (p - a).norm() {
+                    break;
+                }
+                hull.pop();
+            }
+            hull.push(p);
+        }
+        hull.pop();
+        if pass == 0 {
+            places.reverse();
+        }
+    }
+    hull
 }

@@ -1,4 +1,4 @@
-//! The scheme of the mechanism. From back to front: areas, cut lines, guides, the ground, links, blocks with the links
+//! The scheme of the mechanism. From back to front: ghosts, areas, paths of points, cut lines, guides, the ground, links, blocks with the links
 //! on their pins, joints, special points, labels.
 
 mod drives;
@@ -7,24 +7,30 @@ mod links;
 mod names;
 mod sliders;
 mod special;
+mod traces;
+mod values;
 
+pub(super) use links::outline;
+
+use self::links::Posed;
 use super::canvas::Canvas;
+use super::dims::Dims;
 use super::names::Names;
 use super::shape::Shape;
 use super::sheet::Pen;
 use super::stages::Stages;
+use super::values::{Value, values};
 use super::view::{Extent, View};
-use crate::construction::{Action, Construction, NumberedStep, Plan, Ray, Solution, Teller};
+use crate::construction::{Action, Construction, NumberedStep, Plan, Ray, RayOf, Solution, Teller};
+use crate::cycle::Traces;
 use crate::geometry;
 use crate::mechanism::{BodyId, GROUND, Mark, Mechanism, PointId, Role};
 use crate::position::Pose;
-use crate::scene::{Figure, PanelName, Scene};
+use crate::scene::{Figure, PageSize, PanelName, Scene};
 use crate::words::Wording;
 use kurbo::Point;
 use std::f64::consts::PI;
-
-/// Radius of a joint's circle in mm.
-const JOINT: f64 = 1.15;
+use std::sync::Arc;
 
 /// The solved scene for the scheme, with names and steps.
 pub(super) struct Scheme<'a> {
@@ -36,17 +42,28 @@ pub(super) struct Scheme<'a> {
     pub construction: &'a Construction,
     pub names: Names,
     pub stages: Stages,
-    /// Whether crowded points of plans have an enlarged detail: not in an animation, where details would appear and
-    /// vanish.
-    pub insets: bool,
+    /// The paths and ghosts that the figure asks for.
+    pub traces: Arc<Traces>,
     pub words: Wording,
+    pub dims: Dims,
+    /// The scales of the panels, in units per mm of paper: the scene's, or those chosen for all of its sheets.
+    pub mu: [Option<f64>; PanelName::ALL.len()],
+    /// The layer of values; empty in a figure without it.
+    pub values: Vec<Value>,
+    /// Whether the sheet is one that a student measures.
+    pub is_for_pencil: bool,
 }
 
 impl<'a> Scheme<'a> {
     /// The scheme of a solved scene.
     pub(super) fn new(solution: &'a Solution) -> Self {
+        Self::with(solution, Arc::new(Traces::of(solution)))
+    }
+
+    /// The scheme of a solved scene, with these paths and ghosts.
+    pub(super) fn with(solution: &'a Solution, traces: Arc<Traces>) -> Self {
         let Solution { scene, mechanism, pose, construction, .. } = solution;
-        Self {
+        let scheme = Self {
             solution,
             scene,
             figure: &scene.figure,
@@ -55,9 +72,29 @@ impl<'a> Scheme<'a> {
             construction,
             names: Names::new(mechanism, construction),
             stages: Stages::new(construction),
-            insets: true,
+            traces,
             words: solution.wording(),
-        }
+            dims: Dims::of(&scene.figure),
+            mu: PanelName::ALL.map(|panel| scene.figure.mu(panel)),
+            values: Vec::new(),
+            is_for_pencil: false,
+        };
+        Self { values: values(&scheme), ..scheme }
+    }
+
+    /// The scheme on an exercise's sheets and on the corrected drawing.
+    pub(super) fn for_pencil(self) -> Self {
+        Self { is_for_pencil: true, ..self }
+    }
+
+    /// The same without the layer of values: on a student's sheet it would tell the results.
+    pub(super) fn without_values(self) -> Self {
+        Self { values: Vec::new(), ..self }
+    }
+
+    /// Whether the sheet is for a projector: wide, or with large letters.
+    pub(super) fn is_projected(&self) -> bool {
+        self.figure.page.size == PageSize::Wide || self.dims.unit > 1.0
     }
 
     /// The writer of captions in the figure's language.
@@ -65,11 +102,10 @@ impl<'a> Scheme<'a> {
         Teller::new(self.solution, &self.words)
     }
 
-    /// The extent of all points and of the special points that are not too far away.
+    /// The extent of all points, of paths and ghosts, and of the special points, or of the arrows to those too far away.
     pub(super) fn extent(&self) -> Extent {
-        let near = self.special().filter(|s| self.is_near(s));
-        let special = near.filter_map(|s| s.place.finite());
-        Extent::of(self.places().chain(special))
+        let special = self.special().filter_map(|special| self.reached(special));
+        Extent::of(self.places().chain(special).chain(self.places_of_traces()))
     }
 
     /// The extent without special points.
@@ -104,7 +140,7 @@ impl<'a> Scheme<'a> {
             let (center, rim) = (self.pose.point(center), geometry::Vector::new(radius, 0.0));
             let (center, rim) = (view.at(center), view.at(center + rim));
             let radius = (rim - center).hypot();
-            if radius <= JOINT {
+            if radius <= self.dims.joint {
                 continue;
             }
             // Two half circles: unlike a full circle they leave the inside free for a label.
@@ -116,7 +152,9 @@ impl<'a> Scheme<'a> {
 
     /// Draws the mechanism.
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
+        self.ghosts(canvas, view);
         self.link_areas(canvas, view);
+        self.paths(canvas, view);
         for special in self.special() {
             canvas.set_step(self.stages.special(&special.name));
             self.cuts(canvas, view, special);
@@ -140,6 +178,7 @@ impl<'a> Scheme<'a> {
             }
         }
         self.rotation_arrows(canvas, view);
+        self.values(canvas, view);
         self.joints(canvas, view);
         for special in self.special() {
             canvas.set_step(self.stages.special(&special.name));
@@ -174,8 +213,13 @@ impl<'a> Scheme<'a> {
 
     /// The segment of the cut line to which a ray is normal, from its joint to the special point.
     fn line_of(&self, ray: &Ray) -> Option<(geometry::Point, geometry::Point)> {
-        let special = self.construction.special(ray.special);
-        Some((self.pose.point(special.cuts[ray.side].start()?), special.place.finite()?))
+        match ray.of {
+            RayOf::Leg(special, side) => {
+                let special = self.construction.special(special);
+                Some((self.pose.point(special.cuts[side].start()?), special.place.finite()?))
+            }
+            RayOf::Arm { from, to, .. } => Some((self.pose.point(from), self.pose.point(to))),
+        }
     }
 
     /// The markup of a point's name, on the mechanism or within a plan: the scene's own, or else that of the figure's
@@ -203,6 +247,11 @@ impl<'a> Scheme<'a> {
     /// Number of a link, by which a style picks its colour; none for the ground and for blocks without name.
     pub(super) fn number(&self, link: BodyId) -> Option<usize> {
         self.mechanism.links().position(|(id, _)| id == link)
+    }
+
+    /// The mechanism in a position.
+    fn posed<'p>(&'p self, pose: &'p Pose) -> Posed<'p> {
+        Posed { mechanism: self.mechanism, pose }
     }
 
     fn at(&self, view: &View, point: PointId) -> Point {

@@ -4,9 +4,9 @@ use super::super::canvas::Canvas;
 use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::{Extent, View, on_sheet, towards};
+use super::Scheme;
 use super::links::LinkShape;
 use super::sliders::BLOCK;
-use super::{JOINT, Scheme};
 use crate::construction::display;
 use crate::mechanism::{BodyId, GROUND, PointId, Role, Slider, SliderId};
 use kurbo::{Point, Vec2};
@@ -22,13 +22,13 @@ impl Scheme<'_> {
             let name = self.mechanism.point_name(point);
             let id = format!("point-{name}");
             if pin {
-                let radius = JOINT;
+                let radius = self.dims.joint;
                 canvas.draw_named(&id, Pen::Joint, Shape::Circle { center, radius });
             } else {
-                let radius = 0.5;
+                let radius = self.dims.dot * (0.5 / 0.45);
                 canvas.draw_named(&id, Pen::ImagePoint, Shape::Circle { center, radius });
             }
-            let clearance = if slides { BLOCK.y + 0.8 } else { JOINT + 0.9 };
+            let clearance = if slides { BLOCK.y + 0.8 } else { self.dims.joint + 0.9 };
             // Of two coincident points the second has the lower priority.
             let twin = named.iter().any(|p| (*p - center).hypot() < 0.3);
             let priority = if twin { 1 } else { 2 };
@@ -39,7 +39,7 @@ impl Scheme<'_> {
 
     /// Whether a point is a pin.
     pub(super) fn is_pin(&self, point: PointId) -> bool {
-        self.circles().any(|(center, _)| center == point)
+        self.posed(self.pose).is_pin(point)
     }
 
     /// Unit vector from the centre of the mechanism; none within 5 mm of it.

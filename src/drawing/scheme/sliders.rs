@@ -5,15 +5,19 @@ use super::super::clip::clipped_segment;
 use super::super::shape::{Shape, corners};
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
+use super::Scheme;
 use super::ground::{HATCH, hatch, strokes};
 use super::links::{ON_LINE, is_on};
-use super::{JOINT, Scheme};
 use crate::geometry::{self, span};
 use crate::mechanism::{GROUND, Mark, SliderId};
 use kurbo::{Point, Rect, Vec2};
+use std::f64::consts::PI;
 
 /// Half length and half width of a slider block, in mm.
 pub(super) const BLOCK: Vec2 = Vec2::new(3.9, 2.2);
+
+/// Half the width of a slot in mm: narrower than a block.
+const SLOT: f64 = 1.25;
 
 impl Scheme<'_> {
     /// Points that extend the scheme for guides on the ground.
@@ -44,7 +48,7 @@ impl Scheme<'_> {
     pub(super) fn half(&self, id: SliderId) -> Vec2 {
         const BEHIND: f64 = 1.5;
         if self.mechanism.body(self.mechanism.slider(id).link).block {
-            return Vec2::new(2.2 * BLOCK.x, JOINT + 0.2);
+            return Vec2::new(2.2 * BLOCK.x, self.dims.joint + 0.2);
         }
         let at = |id: SliderId| self.mechanism.slider(id).at;
         let later = self.sliders().into_iter().skip_while(|other| *other != id);
@@ -72,7 +76,7 @@ impl Scheme<'_> {
         if towards > CLEARLY { -side } else { side }
     }
 
-    /// Draws a guide without its line between points of its body: a line about the block, connected with these points;
+    /// Draws a guide without its line between points of its body: a slot about the block, connected with these points;
     /// likewise a guide that extends beyond them. It stays on the panel: an arm whose foot would be far off goes to the
     /// guide's end.
     pub(super) fn guide(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId) {
@@ -106,6 +110,9 @@ impl Scheme<'_> {
         if places.len() >= 2 && places.iter().any(|&x| x < 0.0) && places.iter().any(|&x| x > 0.0) {
             return;
         }
+        // The slot begins at the point of its body that is next to the block, where there is one on that side.
+        let next = |sign: f64| places.iter().map(|x| sign * x).filter(|x| *x > 0.0).reduce(f64::min);
+        let slot = [next(-1.0).map_or(low, |x| -x), next(1.0).unwrap_or(high)];
         for place in places {
             (low, high) = (low.min(place), high.max(place));
         }
@@ -114,8 +121,8 @@ impl Scheme<'_> {
             let arm = Shape::Line(at + offset, foot);
             canvas.draw(Pen::Link, arm).number = self.number(slider.on);
         }
-        let (a, b) = (at + along * low, at + along * high);
-        canvas.draw(Pen::Guide, Shape::Line(a, b)).number = self.number(slider.on);
+        let ends = slot.map(|x| at + along * x);
+        canvas.draw(Pen::Guide, Shape::Polyline(slot_outline(ends))).number = self.number(slider.on);
     }
 
     /// Draws a block or a slot, and over it the links on its pin.
@@ -142,4 +149,19 @@ impl Scheme<'_> {
             }
         }
     }
+}
+
+/// The closed outline of a slot with round ends about this line.
+fn slot_outline([a, b]: [Point; 2]) -> Vec<Point> {
+    const PARTS: usize = 6;
+    let along = (b - a).normalize();
+    let across = Vec2::new(-along.y, along.x);
+    let round = |end: Point, out: Vec2, side: Vec2| {
+        (0..=PARTS).map(move |k| {
+            let turn = PI * k as f64 / PARTS as f64;
+            end + (side * libm::cos(turn) + out * libm::sin(turn)) * SLOT
+        })
+    };
+    let first = b - across * SLOT;
+    round(b, along, -across).chain(round(a, -along, across)).chain([first]).collect()
 }

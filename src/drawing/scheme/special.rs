@@ -5,15 +5,21 @@ use super::super::clip::clipped_segment;
 use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet, towards};
-use super::{JOINT, Scheme};
+use super::Scheme;
 use crate::construction::Special;
-use crate::geometry::{Place, span};
+use crate::geometry::{Place, Point as Point2, span};
+use crate::scene::ConstructionShown;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
 /// Largest size of the scheme with a special point over that without it; more distant points are not drawn at their
-/// places.
-const REACH: f64 = 2.5;
+/// places: they would make the mechanism small.
+const REACH: f64 = 1.4;
+/// The same on sheets where the student finds the point, and in figures as in the source paper.
+const REACH_OF_PENCIL: f64 = 2.5;
+
+/// Room for the arrow towards a distant one, in parts of the mechanism's size.
+const ARROW: f64 = 0.12;
 
 /// Number style of the distances of these.
 const DISTANCE: NumberStyle = NumberStyle::significant(4).in_full(-3, 6).on(Medium::Figure);
@@ -27,15 +33,34 @@ impl Scheme<'_> {
     /// Whether a special point is near enough to be drawn at its place.
     pub(in super::super) fn is_near(&self, special: &Special) -> bool {
         let size = span(self.pose.points.iter().copied());
+        let reach = if self.has_far_points() { REACH_OF_PENCIL } else { REACH };
         special.place.finite().is_some_and(|place| {
             let points = self.pose.points.iter().copied();
-            span(points.chain([place])) <= REACH * size
+            span(points.chain([place])) <= reach * size
         })
+    }
+
+    /// Whether special points far from the mechanism are at their places.
+    fn has_far_points(&self) -> bool {
+        self.is_for_pencil || self.figure.construction == ConstructionShown::Paper
+    }
+
+    /// A place that the extent of the scheme reaches for a special point: its own or, of a distant one, the end of its
+    /// arrow.
+    pub(super) fn reached(&self, special: &Special) -> Option<Point2> {
+        let place = special.place.finite()?;
+        if self.is_near(special) {
+            return Some(place);
+        }
+        let start = special.cuts.iter().find_map(|cut| cut.start()).filter(|_| !self.has_far_points())?;
+        let start = self.pose.point(start);
+        let size = span(self.pose.points.iter().copied());
+        Some(start + (place - start).normalize() * (ARROW * size))
     }
 
     /// The cut lines of a special point, from their joints to it.
     pub(super) fn cuts(&self, canvas: &mut Canvas<'_>, view: &View, special: &Special) {
-        if !self.figure.construction {
+        if !self.figure.construction.has_lines() {
             return;
         }
         let bounds = canvas.room();
@@ -79,9 +104,9 @@ impl Scheme<'_> {
             };
             let center = view.at(place);
             let name = format!("point-{}", special.name);
-            let shape = Shape::Circle { center, radius: JOINT };
+            let shape = Shape::Circle { center, radius: self.dims.joint };
             canvas.draw_named(&name, Pen::Special, shape);
-            canvas.label(&special.name, &label, center, JOINT + 0.7, None, 3);
+            canvas.label(&special.name, &label, center, self.dims.joint + 0.7, None, 3);
             return;
         }
         // The arrow is on the first cut line with a direction.
@@ -110,7 +135,7 @@ impl Scheme<'_> {
             Place::AtInfinity(_) => self.words.language.at_infinity(&label),
         };
         let name = format!("point-{}", special.name);
-        canvas.draw_named(&name, Pen::Special, Shape::Arrow { from: tail, to: edge });
+        canvas.draw_named(&name, Pen::Special, canvas.arrow(tail, edge));
         canvas.words(&special.name, &distance, tail);
     }
 }

@@ -3,7 +3,7 @@
 use super::super::look::{Cap, Colour, Dash};
 use super::super::pen::Pen;
 use super::paint::{DashList, Dashes, Millimetres, Paint};
-use crate::scene::StyleName;
+use crate::scene::{Measure, Sizes, StyleName};
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Error, IntoDeserializer, Visitor};
@@ -40,10 +40,42 @@ pub(super) struct StyleFile {
     pub curves: Option<Vec<Colour>>,
     /// Dashes of the curves: all colours with the first, then all with the second, and so on.
     pub curve_dashes: Option<Vec<DashList>>,
+    /// Sizes of letters and signs; everything else on a sheet is in proportion to its letters.
+    #[serde(default)]
+    #[schemars(with = "Option<SizesFile>")]
+    pub sizes: SizesFile,
+    /// Whether figures show values where the scene does not say so; left out: as the style that this one is based on.
+    pub values: Option<bool>,
     /// How each kind of mark looks.
     #[schemars(schema_with = "pens")]
     #[serde(default)]
     pub pens: IndexMap<PenName, PenFile>,
+}
+
+/// Sizes of letters and signs on a sheet: in mm, or as "3.6 %" of the sheet's shorter side.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = r#"sizes as { "letters": 6, "arrowheads": 3.5 }"#)]
+#[schemars(rename = "sizes")]
+pub(super) struct SizesFile {
+    /// Size of letters, one em; subscripts are smaller.
+    pub letters: Option<Measure>,
+    /// Length of the arrowheads of long vectors.
+    pub arrowheads: Option<Measure>,
+    /// Diameter of the dots in plans.
+    pub points: Option<Measure>,
+    /// Diameter of the circles of joints.
+    pub joints: Option<Measure>,
+}
+
+impl SizesFile {
+    fn over(self, sizes: Sizes) -> Sizes {
+        Sizes {
+            letters: self.letters.unwrap_or(sizes.letters),
+            arrowheads: self.arrowheads.unwrap_or(sizes.arrowheads),
+            points: self.points.unwrap_or(sizes.points),
+            joints: self.joints.unwrap_or(sizes.joints),
+        }
+    }
 }
 
 /// A pen as a key, read as a text first: a message about its value can then name it.
@@ -114,6 +146,8 @@ impl StyleFile {
         if let Some(dashes) = self.curve_dashes {
             table.curve_dashes = dashes.into_iter().map(|DashList(dash)| dash).collect();
         }
+        table.sizes = self.sizes.over(table.sizes);
+        table.values = self.values.unwrap_or(table.values);
         table.pens.resize(Pen::COUNT, PenFile::default());
         for (PenName(pen), own) in self.pens {
             let place = &mut table.pens[pen as usize];
@@ -133,6 +167,8 @@ pub(super) struct Table {
     pub tints: Vec<Colour>,
     pub curves: Vec<Colour>,
     pub curve_dashes: Vec<Dash>,
+    pub sizes: Sizes,
+    pub values: bool,
     /// By pen.
     pub pens: Vec<PenFile>,
 }

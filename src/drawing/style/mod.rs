@@ -7,10 +7,13 @@ mod paint;
 
 use super::look::{Colour, Dash, Look};
 use super::pen::Pen;
-use crate::scene::{FileKind, SceneError, StyleName, read_as, schema_of};
+use crate::scene::{FileKind, SceneError, Sizes, StyleName, read_as, schema_of};
 use file::{StyleFile, Table};
 use paint::{Dashes, Paint};
 use std::sync::{Arc, LazyLock};
+
+/// Share of the background's colour in pale shades of links.
+const PALE: f64 = 0.6;
 
 const STYLE: FileKind = FileKind { what: "style", key: "kinegon_style", version: 1 };
 
@@ -83,6 +86,19 @@ impl Style {
         }
     }
 
+    /// Sizes of letters and signs, for [`Figure::sizes`](crate::scene::Figure::sizes): they must be known before a sheet
+    /// is laid out.
+    #[must_use]
+    pub fn sizes(&self) -> Sizes {
+        self.0.sizes
+    }
+
+    /// Whether figures show values where the scene does not say so.
+    #[must_use]
+    pub fn shows_values(&self) -> bool {
+        self.0.values
+    }
+
     /// Colour of the paper, and of the halos of letters.
     #[must_use]
     pub fn background(&self) -> Colour {
@@ -121,6 +137,7 @@ impl Style {
             Paint::Background => Some(table.background),
             Paint::Link => of(&table.links).or(Some(table.ink)),
             Paint::Tint => of(&table.tints),
+            Paint::Pale => Some(of(&table.links).unwrap_or(table.ink).towards(table.background, PALE)),
             Paint::Curve => of(&table.curves).or(Some(table.ink)),
         }
     }

@@ -1,6 +1,7 @@
 //! The values of a style file: colours, lengths, dashes. Messages about a wrong value list the permitted forms.
 
 use super::super::look::{Colour, Dash};
+use crate::scene::Measure;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Error, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -22,6 +23,8 @@ pub(super) enum Paint {
     Link,
     /// The tint of its link.
     Tint,
+    /// A pale shade of the colour of its link.
+    Pale,
     /// The colour of its curve.
     Curve,
 }
@@ -96,11 +99,11 @@ impl<'de> Deserialize<'de> for Paint {
             "background" => Some(Paint::Background),
             "link" => Some(Paint::Link),
             "tint" => Some(Paint::Tint),
+            "pale" => Some(Paint::Pale),
             "curve" => Some(Paint::Curve),
             _ => colour(text).map(Paint::Of),
         };
-        let expecting =
-            "a colour as \"#b5361c\", or one of \"none\", \"ink\", \"background\", \"link\", \"tint\", \"curve\"";
+        let expecting = "a colour as \"#b5361c\", or one of \"none\", \"ink\", \"background\", \"link\", \"tint\", \"pale\", \"curve\"";
         deserializer.deserialize_str(Word { value, expecting })
     }
 }
@@ -134,6 +137,53 @@ impl Visitor<'_> for Length {
 impl<'de> Deserialize<'de> for Millimetres {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_f64(Length)
+    }
+}
+
+/// Reads a size on a sheet.
+struct SizeForms;
+
+impl SizeForms {
+    /// Smallest and largest size in mm; others are taken for mistakes.
+    const MM: [f64; 2] = [0.1, 40.0];
+    /// The same as a part of the sheet, in per cent.
+    const PERCENT: [f64; 2] = [0.1, 20.0];
+}
+
+impl Visitor<'_> for SizeForms {
+    type Value = Measure;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number of mm from 0.1 to 40, or a part of the sheet's shorter side from 0.1 to 20 as \"3.6 %\"")
+    }
+
+    fn visit_f64<E: Error>(self, mm: f64) -> Result<Measure, E> {
+        let [least, most] = SizeForms::MM;
+        match (least..=most).contains(&mm) {
+            true => Ok(Measure::Millimetres(mm)),
+            false => Err(E::invalid_value(Unexpected::Float(mm), &self)),
+        }
+    }
+
+    fn visit_i64<E: Error>(self, mm: i64) -> Result<Measure, E> {
+        self.visit_f64(mm as f64)
+    }
+
+    fn visit_u64<E: Error>(self, mm: u64) -> Result<Measure, E> {
+        self.visit_f64(mm as f64)
+    }
+
+    fn visit_str<E: Error>(self, text: &str) -> Result<Measure, E> {
+        let [least, most] = SizeForms::PERCENT;
+        let part = text.strip_suffix('%').and_then(|number| number.trim().parse::<f64>().ok());
+        let part = part.filter(|part| (least..=most).contains(part));
+        part.map(Measure::Percent).ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
+    }
+}
+
+impl<'de> Deserialize<'de> for Measure {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(SizeForms)
     }
 }
 
@@ -212,15 +262,22 @@ schema_of!(Colour, "colour", _generator => json_schema!({
 }));
 
 schema_of!(Paint, "paint", generator => json_schema!({
-    "description": "A colour; or the style's ink, the background, the colour or the tint of the mark's link, the colour of its curve",
+    "description": "A colour; or the style's ink, the background, the colour, the tint or a pale shade of the mark's link, the colour of its curve",
     "anyOf": [
         generator.subschema_for::<Colour>(),
-        { "enum": ["none", "ink", "background", "link", "tint", "curve"] },
+        { "enum": ["none", "ink", "background", "link", "tint", "pale", "curve"] },
     ]
 }));
 
 schema_of!(Millimetres, "millimetres", _generator => json_schema!({
     "type": "number", "minimum": 0, "maximum": Millimetres::MOST
+}));
+
+schema_of!(Measure, "measure", _generator => json_schema!({
+    "anyOf": [
+        { "description": "In mm", "type": "number", "minimum": SizeForms::MM[0], "maximum": SizeForms::MM[1] },
+        { "description": "Of the sheet's shorter side", "type": "string", "pattern": "^[0-9]+([.][0-9]+)? ?%$" },
+    ]
 }));
 
 schema_of!(DashList, "dash", _generator => json_schema!({

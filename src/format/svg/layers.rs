@@ -2,6 +2,7 @@
 
 use super::{Drawn, Text, attribute, clean, drawn, escape, write_marks};
 use crate::drawing::{Drawing, Mark, Pen};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// Marks that come and go together.
@@ -10,6 +11,8 @@ pub(in crate::format) struct Layer {
     pub step: u16,
     /// Whether they are shown in that step only.
     pub passing: bool,
+    /// The step from which later marks stand in their place.
+    pub until: Option<u16>,
     /// Whether they lie below all marks of other layers: areas and construction lines.
     pub below: bool,
     /// The marks as SVG, one per line.
@@ -18,27 +21,21 @@ pub(in crate::format) struct Layer {
 
 /// The layers from the lowest to the highest, without empty ones.
 pub(in crate::format) fn layers(drawing: &Drawing, text: Text) -> Vec<Layer> {
-    let all = drawn(drawing);
-    let last = drawing.marks.iter().map(|mark| mark.since).max();
-    let mut layers = Vec::new();
-    for below in [true, false] {
-        for step in 0..=last.unwrap_or_default() {
-            for passing in [false, true] {
-                let here =
-                    |(mark, _): &&Drawn<'_>| (mark.since, mark.passing, lies_below(mark)) == (step, passing, below);
-                let marks: Vec<Drawn<'_>> = all.iter().filter(here).copied().collect();
-                if !marks.is_empty() {
-                    let mut svg = String::new();
-                    write_marks(&mut svg, drawing, text, &marks);
-                    layers.push(Layer { step, passing, below, svg });
-                }
-            }
-        }
+    let mut piles: BTreeMap<(bool, u16, bool, Option<u16>), Vec<Drawn<'_>>> = BTreeMap::new();
+    for one in drawn(drawing) {
+        let mark = one.0;
+        piles.entry((!lies_below(mark), mark.since, mark.passing, mark.until)).or_default().push(one);
     }
-    layers
+    let layer = |((above, step, passing, until), marks): ((bool, u16, bool, Option<u16>), Vec<Drawn<'_>>)| {
+        let mut svg = String::new();
+        write_marks(&mut svg, drawing, text, &marks);
+        Layer { step, passing, until, below: !above, svg }
+    };
+    piles.into_iter().map(layer).collect()
 }
 
-/// The marks with a group for each layer; passing layers are left out.
+/// The marks with a group for each layer; passing layers are left out. Groups `step-03-until-07` with what later marks
+/// replace are hidden: all groups together are the finished figure.
 pub(super) fn groups(drawing: &Drawing, text: Text) -> String {
     let digits = drawing.steps.len().to_string().len().max(2);
     let mut written = String::new();
@@ -49,10 +46,14 @@ pub(super) fn groups(drawing: &Drawing, text: Text) -> String {
         }
         let suffix = if layer.below { "-under" } else { "" };
         written.push_str("<g");
-        attribute(&mut written, "id", &format!("step-{:0digits$}{suffix}", layer.step));
+        let until = layer.until.map_or_else(String::new, |until| format!("-until-{until:0digits$}"));
+        attribute(&mut written, "id", &format!("step-{:0digits$}{until}{suffix}", layer.step));
+        if layer.until.is_some() {
+            attribute(&mut written, "visibility", "hidden");
+        }
         written.push_str(">\n");
         let words = drawing.steps.get(usize::from(layer.step) - 1);
-        if let (false, Some(words)) = (layer.below, words) {
+        if let (false, None, Some(words)) = (layer.below, layer.until, words) {
             let _ = writeln!(written, "<title>{}</title>", escape(&clean(words)));
         }
         written.push_str(&layer.svg);

@@ -377,7 +377,7 @@ mod tests {
         drawing.draw_named(
             "vector-v",
             Pen::Velocity,
-            Shape::Arrow { from: Point::new(0.0, 10.0), to: Point::new(20.0, 10.0) },
+            Shape::Arrow { from: Point::new(0.0, 10.0), to: Point::new(20.0, 10.0), head: 2.6 },
         );
         let file = drawing.svg();
         let arrow = "<g id=\"vector-v\"><path d=\"M0 10L18.18 10\"/><path fill=\"#0b4f8a\" stroke=\"none\" \

@@ -93,6 +93,8 @@ fn pen_name(pen: Pen) -> &'static str {
         Pen::Guide => "guide",
         Pen::Joint => "joint",
         Pen::Trace => "trace",
+        Pen::Beyond => "beyond",
+        Pen::Ghost => "ghost",
         Pen::Construction => "construction",
         Pen::Ray => "ray",
         Pen::Vector => "vector",

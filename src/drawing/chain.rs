@@ -1,11 +1,13 @@
-use crate::drawing::clip::clipped_segment;
+//! Chains of lines: cut off at a border, and with no more points than the eye needs.
+
+use super::clip::clipped_segment;
 use kurbo::{Point, Rect};
 
 /// Largest distance of the drawn line from the samples, in mm.
 const TOLERANCE: f64 = 0.012;
 
 /// The parts of a chain of lines within an area.
-pub(super) fn clipped_chain(area: Rect, points: &[Point]) -> Vec<Vec<Point>> {
+pub(in crate::drawing) fn clipped_chain(area: Rect, points: &[Point]) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for ends in points.windows(2) {
         let whole = area.contains(ends[0]) && area.contains(ends[1]);
@@ -19,9 +21,14 @@ pub(super) fn clipped_chain(area: Rect, points: &[Point]) -> Vec<Vec<Point>> {
     parts
 }
 
-/// The chain with fewer points, within [`TOLERANCE`] of all points left out (Douglas and Peucker, "Algorithms for the
+/// The chain with fewer points, within [`TOLERANCE`] of all points left out.
+pub(in crate::drawing) fn simplified(points: &[Point]) -> Vec<Point> {
+    simplified_to(TOLERANCE, points)
+}
+
+/// The chain with fewer points, all points left out within a `tolerance` in mm of it (Douglas and Peucker, "Algorithms for the
 /// Reduction of the Number of Points Required to Represent a Digitized Line", 1973).
-pub(super) fn simplified(points: &[Point]) -> Vec<Point> {
+pub(in crate::drawing) fn simplified_to(tolerance: f64, points: &[Point]) -> Vec<Point> {
     let Some(last) = points.len().checked_sub(1).filter(|last| *last > 0) else {
         return points.to_vec();
     };
@@ -32,7 +39,7 @@ pub(super) fn simplified(points: &[Point]) -> Vec<Point> {
         let (a, b) = (points[from], points[to]);
         let away = |index: &usize| distance(points[*index], a, b);
         let furthest = (from + 1..to).max_by(|i, j| away(i).total_cmp(&away(j)));
-        if let Some(middle) = furthest.filter(|i| away(i) > TOLERANCE) {
+        if let Some(middle) = furthest.filter(|i| away(i) > tolerance) {
             keep[middle] = true;
             open.extend([(from, middle), (middle, to)]);
         }
@@ -41,7 +48,7 @@ pub(super) fn simplified(points: &[Point]) -> Vec<Point> {
 }
 
 /// The distance of a point from the straight segment between two others.
-pub(super) fn distance(p: Point, a: Point, b: Point) -> f64 {
+pub(in crate::drawing) fn distance(p: Point, a: Point, b: Point) -> f64 {
     let along = b - a;
     let size = along.hypot2();
     let share = if size > 0.0 { ((p - a).dot(along) / size).clamp(0.0, 1.0) } else { 0.0 };

@@ -1,0 +1,347 @@
+//! The layer of values: symbols with numbers and units at vectors, links and lengths where there is room; the results
+//! stand in a list, too, beside the panels.
+
+use super::canvas::{Canvas, Wanted, ascii};
+use super::labels::LabelRequest;
+use super::layout::{Aside, Item, Layout, MARGIN};
+use super::plan_panel;
+use super::scheme::Scheme;
+use super::shape::{Shape, corners};
+use super::sheet::{Drawing, Mark, Pen};
+use super::style::Style;
+use super::text::{CAPTION, LABEL, PlacedText, RichText};
+use crate::construction::{ArrowKind, NOTHING, PlanKind, PlanVector, rate_symbol};
+use crate::mechanism::{BodyId, PointId, Role};
+use crate::motion::BodyMotion;
+use crate::quantity::Kind;
+use crate::scene::{PanelName, Shape as Given, Units, ValuesShown};
+use crate::words::{Medium, NumberStyle};
+use kurbo::{Point, Rect, Vec2};
+
+/// Number style of values.
+const VALUE: NumberStyle = NumberStyle::significant(3).in_full(-3, 6).on(Medium::Figure);
+/// Number style of given lengths.
+const GIVEN: NumberStyle = NumberStyle::shortest().on(Medium::Figure);
+/// Largest part of a sheet's height for a list that the figure's style alone asks for.
+const MOST: f64 = 0.2;
+/// Height of a line of listed values, in mm.
+const LINE: f64 = 6.6;
+/// White inside the frame of listed values, in mm.
+const PAD: f64 = 3.0;
+/// White between two listed values in a line, in mm.
+const BETWEEN: f64 = 6.0;
+
+/// A value to be shown.
+#[derive(Clone, Debug)]
+pub(super) struct Value {
+    /// Where its label belongs.
+    pub panel: PanelName,
+    /// Its label's id without the panel.
+    pub name: String,
+    /// Its symbol in markup; several with signs of equality where they have the same value.
+    pub symbol: String,
+    pub number: f64,
+    pub kind: Kind,
+    /// The number as written.
+    written: String,
+    unit: String,
+    /// The step that finds it.
+    pub since: u16,
+    pub of: ValueOf,
+}
+
+/// What a value belongs to.
+#[derive(Clone, Debug)]
+pub(super) enum ValueOf {
+    /// A vector of the panel's plan.
+    Vector(PlanVector),
+    /// The angular velocity or acceleration of a link.
+    Rate(BodyId),
+    /// A given length of a link.
+    Length([PointId; 2]),
+}
+
+impl Value {
+    /// Symbol, number and unit.
+    pub(super) fn text(&self) -> RichText {
+        RichText::math(&self.symbol).followed_by(&self.equals())
+    }
+
+    /// Whether it is a result that is listed; relative motions of two points of a link and given lengths are not.
+    fn is_listed(&self) -> bool {
+        match &self.of {
+            ValueOf::Rate(_) => true,
+            ValueOf::Vector(vector) => {
+                matches!(vector.kind, ArrowKind::Whole | ArrowKind::Sliding | ArrowKind::Coriolis)
+            }
+            ValueOf::Length(_) => false,
+        }
+    }
+
+    /// The number as written, and its unit.
+    pub(super) fn written(&self) -> [&str; 2] {
+        [&self.written, &self.unit]
+    }
+
+    fn equals(&self) -> RichText {
+        RichText::plain(format!("= {} {}", self.written, self.unit).trim_end())
+    }
+}
+
+/// All values of a figure, in the order of the panels; none where it shows none.
+pub(super) fn values(scheme: &Scheme<'_>) -> Vec<Value> {
+    let figure = scheme.figure;
+    let usual = || match figure.usual_values.unwrap_or_else(|| Style::named(figure.style).shows_values()) {
+        true => ValuesShown::Shown(None),
+        false => ValuesShown::Hidden,
+    };
+    let ValuesShown::Shown(unit) = figure.values.unwrap_or_else(usual) else {
+        return Vec::new();
+    };
+    let own = scheme.scene.units;
+    let length = unit.unwrap_or(own.length);
+    let list = List { scheme, units: Units { length, ..own }, factor: own.length.metres() / length.metres() };
+    let of_panel = |&panel: &PanelName| match panel {
+        PanelName::Scheme => list.of_scheme(),
+        plan => list.of_plan(plan),
+    };
+    figure.shown_panels().iter().flat_map(of_panel).collect()
+}
+
+/// Makes the list of values.
+struct List<'a> {
+    scheme: &'a Scheme<'a>,
+    /// The units of velocities and accelerations.
+    units: Units,
+    /// The scene's unit of length in theirs.
+    factor: f64,
+}
+
+impl List<'_> {
+    fn value(&self, panel: PanelName, symbol: String, number: f64, kind: Kind, since: u16, of: ValueOf) -> Value {
+        let words = &self.scheme.words;
+        let (written, unit) = match kind {
+            Kind::Length => (words.write(number, GIVEN), kind.unit(self.scheme.scene.units)),
+            Kind::Velocity | Kind::Acceleration => (words.write(number * self.factor, VALUE), kind.unit(self.units)),
+            _ => (words.write(number, VALUE), kind.unit(self.units)),
+        };
+        let name = format!("value-{}", symbol.replace(['{', '}'], ""));
+        Value { panel, name, symbol, number, kind, written, unit, since, of }
+    }
+
+    /// Rates of links and given lengths.
+    fn of_scheme(&self) -> Vec<Value> {
+        let mut values = self.rates(PlanKind::Velocity);
+        // Angular accelerations belong to the acceleration plan.
+        let has_plan = self.scheme.figure.shown_panels().contains(&PanelName::Acceleration);
+        if has_plan && self.scheme.construction.acceleration.is_some() {
+            values.extend(self.rates(PlanKind::Acceleration));
+        }
+        let mechanism = self.scheme.mechanism;
+        for (_, body) in mechanism.links() {
+            let Some(Given::Lengths(lengths)) = self.scheme.scene.links.get(&body.name).map(|link| &link.shape) else {
+                continue;
+            };
+            for length in lengths {
+                if let (Some(a), Some(b)) = (mechanism.point(&length.from), mechanism.point(&length.to)) {
+                    let symbol = length.key.replace('-', " ");
+                    let of = ValueOf::Length([a, b]);
+                    values.push(self.value(PanelName::Scheme, symbol, length.value, Kind::Length, 0, of));
+                }
+            }
+        }
+        values
+    }
+
+    /// Angular velocities or accelerations of the links; links that turn together share a value.
+    fn rates(&self, plan: PlanKind) -> Vec<Value> {
+        let Scheme { mechanism, solution, .. } = self.scheme;
+        type Rate = (&'static str, Kind, fn(&BodyMotion) -> f64);
+        let (name, kind, rate): Rate = match plan {
+            PlanKind::Velocity => ("omega", Kind::AngularVelocity, |motion| motion.omega),
+            PlanKind::Acceleration => ("alpha", Kind::AngularAcceleration, |motion| motion.alpha),
+        };
+        let all = || mechanism.links().map(|(link, body)| (link, body, rate(solution.motion.body(link))));
+        let largest = all().map(|(.., value)| value.abs()).fold(0.0, f64::max);
+        let mut values: Vec<Value> = Vec::new();
+        for (link, body, value) in all().filter(|(.., value)| *value != 0.0) {
+            let symbol = rate_symbol(&format!("{name}({})", body.name));
+            let number = if value.abs() < NOTHING * largest { 0.0 } else { value };
+            if let Some(same) = values.iter_mut().find(|other| other.number == number && number != 0.0) {
+                same.symbol = format!("{} = {symbol}", same.symbol);
+                continue;
+            }
+            let since = self.scheme.stages.rate(plan, &format!("{name}({})", body.name));
+            let since = if mechanism.is_known(link) { 0 } else { since };
+            values.push(self.value(PanelName::Scheme, symbol, number, kind, since, ValueOf::Rate(link)));
+        }
+        values
+    }
+
+    /// Sizes of a plan's vectors; equal vectors share a value.
+    fn of_plan(&self, panel: PanelName) -> Vec<Value> {
+        let Some(plan) = self.scheme.plan(panel) else {
+            return Vec::new();
+        };
+        let kind = plan_panel::kind(Some(plan.kind));
+        let largest = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
+        let stages = self.scheme.stages.plan(plan.kind);
+        let is_hidden = |name: &String| plan_panel::is_hidden(self.scheme.figure, plan, name);
+        let mut values: Vec<Value> = Vec::new();
+        for vector in self.scheme.teller().vectors(plan) {
+            let Some(segment) = plan.segment(&vector.ends[0], &vector.ends[1]) else { continue };
+            let is_whole = vector.ends[0] == plan.kind.pole();
+            let is_nothing = segment.norm() <= NOTHING * largest;
+            if vector.ends.iter().any(is_hidden) || (is_nothing && !is_whole) {
+                continue;
+            }
+            let same = |value: &&mut Value| {
+                let ValueOf::Vector(other) = &value.of else { return false };
+                let places = |vector: &PlanVector| vector.ends.clone().map(|name| plan.points[&name].vector);
+                let [[a, b], [c, d]] = [places(other), places(&vector)];
+                (a - c).norm().max((b - d).norm()) <= NOTHING * largest
+            };
+            if let Some(same) = values.iter_mut().find(same) {
+                // A motion relative to a point at rest needs no second symbol.
+                if is_whole {
+                    same.symbol = format!("{} = {}", same.symbol, vector.symbol);
+                }
+                continue;
+            }
+            // The motion along a guide is drawn at every point that passes it.
+            if values.iter().any(|value| value.symbol == vector.symbol) {
+                continue;
+            }
+            let number = if is_nothing { 0.0 } else { segment.norm() };
+            let since = stages.point(&vector.made);
+            values.push(self.value(panel, vector.symbol.clone(), number, kind, since, ValueOf::Vector(vector)));
+        }
+        values
+    }
+}
+
+impl Scheme<'_> {
+    /// The values of a panel.
+    pub(super) fn values_of(&self, panel: PanelName) -> impl Iterator<Item = &Value> {
+        self.values.iter().filter(move |value| value.panel == panel)
+    }
+
+    /// The list of the results: rates of links, motions of points, and motions along guides; none in a figure without
+    /// values, or where its style asks for values and the list would be long. On a stepwise sheet it stands below the panels, after the last step.
+    pub(super) fn value_list(&self, after: Option<u16>) -> Option<ValueList> {
+        let entry =
+            |value: &Value| Entry { text: value.text(), id: format!("{}-{}", value.panel.as_str(), value.name) };
+        let entries: Vec<Entry> = self.values.iter().filter(|value| value.is_listed()).map(entry).collect();
+        let page = self.dims.page;
+        let list = ValueList { entries, after, page };
+        // Values that nobody has asked for must not take the panels' room.
+        let most = if self.figure.values.is_some() { f64::INFINITY } else { MOST * page[1] };
+        let fits = list.height_in(page[0] - 2.0 * MARGIN) <= most;
+        (!list.entries.is_empty() && fits).then_some(list)
+    }
+
+    /// Requests the label of a value beside `anchor`; it is left out where there is no room.
+    pub(super) fn label_value(&self, canvas: &mut Canvas<'_>, value: &Value, anchor: Point, prefer: Option<Vec2>) {
+        let number = match &value.of {
+            ValueOf::Rate(link) => self.number(*link),
+            ValueOf::Vector(_) | ValueOf::Length(..) => None,
+        };
+        let request = LabelRequest { text: value.text(), size: LABEL, anchor, clearance: 0.9, prefer, priority: 0 };
+        canvas.set_step(value.since);
+        canvas.request_label(Wanted {
+            request,
+            name: value.name.clone(),
+            pen: Pen::Label,
+            number,
+            optional: true,
+            last: true,
+            short: None,
+            before: Vec::new(),
+        });
+    }
+
+    /// Whether a value has its label at the arrow of a drive.
+    pub(super) fn is_at_drive(&self, value: &Value, link: BodyId) -> bool {
+        self.drive_value(link).is_some_and(|own| own.name == value.name)
+    }
+
+    /// The value of a driven link's angular velocity, for the label at its arrow.
+    pub(super) fn drive_value(&self, link: BodyId) -> Option<&Value> {
+        let is_driven = matches!(self.mechanism.body(link).role, Role::Driver { .. });
+        let is_its = |value: &&Value| {
+            value.kind == Kind::AngularVelocity && matches!(value.of, ValueOf::Rate(own) if own == link)
+        };
+        self.values.iter().find(is_its).filter(|_| is_driven)
+    }
+}
+
+/// Values one after another in lines, in a frame between the panels and the scales or beside the panels.
+pub(super) struct ValueList {
+    entries: Vec<Entry>,
+    /// The step after the last one, on a stepwise sheet.
+    after: Option<u16>,
+    page: [f64; 2],
+}
+
+struct Entry {
+    text: RichText,
+    id: String,
+}
+
+impl ValueList {
+    /// By entry: its column's left end and its line, for lines of this width; in columns of one width.
+    fn places(&self, width: f64) -> Vec<(f64, usize)> {
+        let column = self.widest() + BETWEEN;
+        let columns = ((width - 2.0 * PAD + BETWEEN) / column).max(1.0) as usize;
+        (0..self.entries.len()).map(|index| (PAD + column * (index % columns) as f64, index / columns)).collect()
+    }
+
+    fn widest(&self) -> f64 {
+        self.entries.iter().map(|entry| entry.text.width(CAPTION)).fold(0.0, f64::max)
+    }
+
+    fn height_in(&self, width: f64) -> f64 {
+        let lines = self.places(width).last().map_or(0, |(_, line)| line + 1);
+        LINE * lines as f64 + 2.0
+    }
+}
+
+impl Item for ValueList {
+    fn height(&self) -> f64 {
+        if self.after.is_some() { self.height_in(self.page[0] - 2.0 * MARGIN) } else { 0.0 }
+    }
+
+    fn asides(&self, room: Rect) -> Vec<Aside> {
+        if self.after.is_some() {
+            return Vec::new();
+        }
+        let mut asides = vec![Aside::Below(self.height_in(room.width()))];
+        let beside = self.widest() + 2.0 * PAD;
+        if self.height_in(beside) <= room.height() {
+            asides.push(Aside::Right(beside));
+        }
+        asides
+    }
+
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let area = match (self.after, layout.aside) {
+            (Some(_), _) => layout.below(),
+            (None, Some(area)) => {
+                drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
+                area
+            }
+            (None, None) => return,
+        };
+        for (entry, (x, line)) in self.entries.iter().zip(self.places(area.width())) {
+            let from = Point::new(area.x0 + x, area.y0 + 5.0 + LINE * line as f64);
+            let text = PlacedText::new(entry.text.clone(), CAPTION, from);
+            let mark = Mark::new(Pen::Caption, Shape::Text(text));
+            drawing.add(Mark {
+                id: Some(format!("listed-{}", ascii(&entry.id))),
+                since: self.after.unwrap_or_default(),
+                passing: self.after.is_some(),
+                ..mark
+            });
+        }
+    }
+}

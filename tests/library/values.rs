@@ -1,0 +1,130 @@
+//! The layer of values: each number beside a vector or a link is that of the result, in the unit asked for.
+
+use crate::support::faults::{faults, id};
+use crate::support::files::{read, scenes};
+use kinegon::drawing::{Drawing, Shape};
+use kinegon::scene::{LengthUnit, ValuesShown};
+use kinegon::{Scene, Solution, solve};
+
+/// The scene, drawn with values in this unit.
+fn with_values(text: &str, unit: Option<LengthUnit>) -> Option<(Solution, Drawing)> {
+    let mut scene = Scene::read(text).ok()?;
+    scene.figure.values = Some(ValuesShown::Shown(unit));
+    let solution = solve(&scene).ok()?;
+    let drawing = solution.figure();
+    Some((solution, drawing))
+}
+
+/// The texts of a drawing whose ids begin with this.
+fn texts<'a>(drawing: &'a Drawing, begin: &'a str) -> impl Iterator<Item = String> + 'a {
+    let marks = drawing.marks.iter().filter(move |mark| id(mark).contains(begin));
+    marks.filter_map(|mark| match &mark.shape {
+        Shape::Text(text) => Some(text.text.content()),
+        _ => None,
+    })
+}
+
+/// The number and the unit behind the sign of equality.
+fn number_and_unit(text: &str) -> (f64, &str) {
+    let behind = text.rsplit('=').next().expect("a value");
+    let letters = behind.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(behind.len());
+    let (number, unit) = behind.split_at(letters);
+    let number = number.trim().replace('−', "-");
+    let (digits, power) = number.split_once("·10").unwrap_or((&number, "0"));
+    let number: f64 = digits.parse().unwrap_or_else(|_| panic!("{text}"));
+    (number * libm::pow(10.0, power.parse().unwrap_or_else(|_| panic!("{text}"))), unit)
+}
+
+/// By the id of a listed value: its result, if it is that of one point or link.
+fn truth(result: &serde_json::Value, id: &str) -> Option<f64> {
+    let size = |name: &str, key: &str| {
+        let [x, y] = [0, 1].map(|k| result["points"][name][key][k].as_f64());
+        Some(libm::hypot(x?, y?))
+    };
+    if let Some(name) = id.strip_prefix("listed-velocity-value-v_") {
+        return size(name, "velocity");
+    }
+    if let Some(name) = id.strip_prefix("listed-acceleration-value-a_") {
+        return size(name, "acceleration");
+    }
+    let rate = |name: &str, key: &str| result["links"][name][key].as_f64();
+    if let Some(name) = id.strip_prefix("listed-scheme-value-u3c9_") {
+        return rate(name, "omega");
+    }
+    id.strip_prefix("listed-scheme-value-u3b1_").and_then(|name| rate(name, "alpha"))
+}
+
+#[test]
+fn listed_values_are_those_of_the_result() {
+    let mut seen = 0;
+    for (name, text) in scenes("templates").into_iter().chain(scenes("tests/lecture")) {
+        for (unit, per_metre) in [(None, None), (Some(LengthUnit::M), Some(1.0)), (Some(LengthUnit::In), Some(0.0254))]
+        {
+            let Some((solution, drawing)) = with_values(&text, unit) else { continue };
+            let own = match solution.scene.units.length {
+                LengthUnit::M => 1.0,
+                LengthUnit::Mm => 1e-3,
+                LengthUnit::Cm => 1e-2,
+                LengthUnit::In => 0.0254,
+                LengthUnit::Ft => 0.3048,
+            };
+            let result = serde_json::to_value(solution.result()).expect("JSON");
+            for mark in drawing.marks.iter().filter(|mark| id(mark).starts_with("listed-")) {
+                let Shape::Text(placed) = &mark.shape else { panic!("{mark:?}") };
+                let Some(truth) = truth(&result, id(mark)) else { continue };
+                let text = placed.text.content();
+                let (shown, written) = number_and_unit(&text);
+                let of_vector = !id(mark).contains("scheme");
+                let factor = if of_vector { per_metre.map_or(1.0, |metre| own / metre) } else { 1.0 };
+                let off = (shown - truth * factor).abs();
+                assert!(off <= 0.0051 * (truth * factor).abs() + 1e-9, "{name}: {} is {shown}, not {truth}", id(mark));
+                if let (Some(unit), true) = (unit, of_vector) {
+                    assert!(written.starts_with(unit.as_str()), "{name}: {written}");
+                }
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 500, "{seen}");
+}
+
+#[test]
+fn nothing_covers_a_value() {
+    let mut wrong = Vec::new();
+    let mut labels = 0;
+    for (name, text) in scenes("templates").into_iter().chain(scenes("tests/lecture")) {
+        let Some((_, drawing)) = with_values(&text, None) else { continue };
+        labels += drawing.marks.iter().filter(|mark| id(mark).contains("-value-")).count();
+        wrong.extend(faults(&drawing).into_iter().map(|fault| format!("{name}: {fault}")));
+    }
+    assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
+    assert!(labels > 300, "{labels}");
+}
+
+/// Without being asked for, values stand on sheets for a lecture alone.
+#[test]
+fn values_are_usual_in_a_lecture_alone() {
+    let text = read("templates/four-bar.json");
+    let drawn = |style: &str| {
+        let mut scene = Scene::read(&text).expect("a template");
+        scene.figure.style = kinegon::scene::StyleName::ALL.into_iter().find(|s| s.as_str() == style).expect("a style");
+        solve(&scene).expect("it moves").figure()
+    };
+    assert_eq!(texts(&drawn("paper"), "value-").count(), 0);
+    assert!(texts(&drawn("lecture"), "value-").count() > 8);
+}
+
+/// A relative vector has its head where its symbol says: that of v_CB is at c.
+#[test]
+fn relative_vectors_have_heads() {
+    let (_, drawing) = with_values(&read("templates/four-bar.json"), None).expect("it moves");
+    let place =
+        |name: &str| drawing.marks.iter().find(|mark| id(mark) == name).expect("a point").shape.bounds().center();
+    for (vector, head) in
+        [("velocity-vector-b-c", "velocity-point-c"), ("acceleration-vector-n_bC-c", "acceleration-point-c")]
+    {
+        let mark = drawing.marks.iter().find(|mark| id(mark) == vector).unwrap_or_else(|| panic!("no {vector}"));
+        let Shape::Arrow { to, .. } = mark.shape else { panic!("{mark:?}") };
+        assert!((to - place(head)).hypot() < 1e-6, "{vector}");
+    }
+}
