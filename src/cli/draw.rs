@@ -106,7 +106,12 @@ impl Draw {
             note_limits(&traces, &solution.scene.figure);
             show_warnings(&solution);
             solution.overflow_warnings().iter().for_each(|text| warn(text));
+            let first = drawings.len();
             self.sheets(name, &solution, steps, &mut drawings)?;
+            if self.values.is_some() && steps.is_none() {
+                let sheets = drawings[first..].iter().flat_map(|(_, sheets)| sheets.first());
+                sheets.take(1).for_each(|sheet| note_values(&solution, sheet));
+            }
             solved.push((source, solution));
         }
         style.put_on(drawings.iter_mut().flat_map(|(_, sheets)| sheets));
@@ -236,6 +241,15 @@ fn values() -> impl TypedValueParser<Value = ValuesShown> {
         "none" => ValuesShown::Hidden,
         unit => ValuesShown::Shown(LengthUnit::ALL.into_iter().find(|known| known.as_str() == unit)),
     })
+}
+
+/// Names the values that found no room on a sheet.
+fn note_values(solution: &Solution, sheet: &Drawing) {
+    let missing = solution.values_without_room(sheet);
+    if !missing.is_empty() && !solution.scene.figure.worksheet {
+        let names = missing.join(", ");
+        note(&format!("no room for the values of {names}; they are in the table of a work sheet (--worksheet)"));
+    }
 }
 
 /// Says where paths end, unless they go on.

@@ -10,7 +10,7 @@ use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
 use super::style::Style;
 use super::text::{CAPTION, LABEL, PlacedText, RichText};
-use crate::construction::{ArrowKind, NOTHING, PlanKind, PlanVector, rate_symbol};
+use crate::construction::{ArrowKind, NOTHING, PlanKind, PlanVector, Solution, plain_text, rate_symbol};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::motion::BodyMotion;
 use crate::quantity::Kind;
@@ -217,6 +217,22 @@ impl List<'_> {
             values.push(self.value(panel, vector.symbol.clone(), number, kind, since, ValueOf::Vector(vector)));
         }
         values
+    }
+}
+
+impl Solution {
+    /// The symbols of the values that a figure asks for and that stand nowhere on its drawing: their labels found no
+    /// room, and the list of results does not have them.
+    #[must_use]
+    pub fn values_without_room(&self, drawing: &Drawing) -> Vec<String> {
+        let has = |value: &Value| {
+            let label = format!("{}-{}", value.panel.as_str(), ascii(&value.name));
+            drawing.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.ends_with(&label)))
+        };
+        let scheme = Scheme::new(self);
+        let listed = scheme.value_list(None).is_some();
+        let missing = scheme.values.iter().filter(|value| !has(value) && !(listed && value.is_listed()));
+        missing.map(|value| plain_text(&value.symbol)).collect()
     }
 }
 

@@ -1,0 +1,47 @@
+//! Values asked for on the command line: their unit, those without room, and what is refused.
+
+use crate::support::files;
+use crate::support::program::{kinegon, stderr};
+
+fn run(arguments: &[&str]) -> std::process::Output {
+    kinegon().args(arguments).current_dir(files::path(".")).output().expect("the program runs")
+}
+
+#[test]
+fn values_have_the_unit_asked_for() {
+    let svg = |values: &str| {
+        let output = run(&["draw", "tests/lecture/shaper.json", values, "-o", "-"]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        String::from_utf8(output.stdout).expect("SVG is text")
+    };
+    assert!(svg("--values").contains("mm/s"));
+    // The scales keep the scene's unit.
+    assert!(svg("--values=m").matches(" m/s").count() > 4);
+    assert!(!svg("--values=none").contains("-value-"));
+}
+
+/// What stands nowhere is named, once and with what helps.
+#[test]
+fn values_without_room_are_named() {
+    let output = run(&["draw", "tests/lecture/valve.json", "--values", "-o", "-"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let said = stderr(&output);
+    let notes: Vec<&str> = said.lines().filter(|line| line.contains("no room for the values of")).collect();
+    assert_eq!(notes.len(), 1, "{said}");
+    assert!(notes[0].contains("--worksheet"), "{said}");
+    let svg = String::from_utf8(output.stdout).expect("SVG is text");
+    // The results have a place in any case.
+    assert!(svg.contains("listed-velocity-value-v_C"));
+    let names = notes[0].split("of ").nth(1).and_then(|rest| rest.split(';').next()).expect("names");
+    for name in names.split(", ").filter(|name| name.starts_with("v_")) {
+        assert!(!svg.contains(&format!("id=\"velocity-value-{name}\"")), "{name}");
+    }
+    assert!(!stderr(&run(&["draw", "tests/lecture/valve.json", "-o", "-"])).contains("no room"));
+}
+
+#[test]
+fn a_unit_that_is_none_is_refused() {
+    let output = run(&["draw", "tests/lecture/valve.json", "--values=furlong", "-o", "-"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("furlong"), "{}", stderr(&output));
+}
