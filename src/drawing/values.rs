@@ -231,7 +231,7 @@ impl Solution {
         };
         let scheme = Scheme::new(self);
         let listed = scheme.value_list(None).is_some();
-        let missing = scheme.values.iter().filter(|value| !has(value) && !(listed && value.is_listed()));
+        let missing = scheme.values.iter().filter(|value| !(has(value) || listed && value.is_listed()));
         missing.map(|value| plain_text(&value.symbol)).collect()
     }
 }
