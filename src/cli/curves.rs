@@ -1,7 +1,7 @@
 use super::figures::{Figures, stem};
 use super::message::Failure;
 use super::paper::Paper;
-use super::sweep::{Range, split_names};
+use super::sweep::{Range, refuse_nothing, split_names};
 use super::wording::Words;
 use crate::cycle::{Curves, Hodographs, PointPaths};
 use crate::drawing::{curves, hodographs, paths};
@@ -52,6 +52,9 @@ impl CurvesCommand {
         let scene = &self.range.scene;
         let vectors: Vec<String> = self.hodograph.iter().flat_map(|text| split_names(text)).collect();
         let points: Vec<String> = self.path.iter().flat_map(|text| split_names(text)).collect();
+        for (option, given, names) in [("--path", &self.path, &points), ("--hodograph", &self.hodograph, &vectors)] {
+            refuse_nothing(option, given, names)?;
+        }
         let (kind, drawing) = if !points.is_empty() {
             let traced = driven.scene.check_traced(&points, None);
             traced.map_err(|error| Failure::Misuse(format!("--path: {}", error.message), error.hint))?;

@@ -2,7 +2,7 @@ use super::figures::{Figures, GivenStyle, stem};
 use super::files::{self, Source};
 use super::message::{Failure, note, warn};
 use super::paper::{GivenScales, Paper};
-use super::sweep::split_names;
+use super::sweep::{refuse_nothing, split_names};
 use super::wording::{Words, one_of};
 use super::work::{Mode, show_warnings, solve};
 use crate::construction::{NumberedStep, PlanKind, Solution};
@@ -161,6 +161,7 @@ impl Draw {
     /// Refuses options `--trace` and `--ghosts` that the scene cannot follow.
     fn check_traced(&self, scene: &Scene) -> Result<(), Failure> {
         let figure = &scene.figure;
+        refuse_nothing("--trace", &self.trace, &figure.trace)?;
         scene.check_traced(&figure.trace, figure.ghosts).map_err(|error| {
             let option = if error.path.starts_with("trace") { "--trace" } else { "--ghosts" };
             Failure::Misuse(format!("{option}: {}", error.message), error.hint)

@@ -156,6 +156,17 @@ pub(super) fn split_names(text: &str) -> Vec<String> {
     names.map(|n| n.trim().to_owned()).filter(|n| !n.is_empty()).collect()
 }
 
+/// Refuses an option that is given and names nothing, as `--path ","`.
+pub(super) fn refuse_nothing(option: &str, given: &[String], names: &[String]) -> Result<(), Failure> {
+    match names.is_empty() && !given.is_empty() {
+        true => Err(Failure::Misuse(
+            format!("{option} names nothing"),
+            Some("leave it out, or write names as \"B, C\"".into()),
+        )),
+        false => Ok(()),
+    }
+}
+
 impl SweepCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let format = self.table_format()?;

@@ -16,6 +16,16 @@ fn svg(arguments: &[&str]) -> String {
 }
 
 #[test]
+fn an_option_that_names_nothing_is_refused() {
+    for arguments in [["draw", LEG, "--trace", ","], ["curves", LEG, "--path", ""], ["curves", LEG, "--hodograph", " "]]
+    {
+        let output = run(&[&arguments[..], &["-o", "-"]].concat());
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(stderr(&output).contains(&format!("{} names nothing", arguments[2])), "{}", stderr(&output));
+    }
+}
+
+#[test]
 fn options_and_keys_of_the_scene_draw_the_same() {
     let by_option = svg(&["draw", LEG, "--trace", "F, E", "--ghosts", "6"]);
     for id in ["scheme-path-F", "scheme-path-E", "scheme-tick-F-12", "scheme-ghost-5-link-7"] {

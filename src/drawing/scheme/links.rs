@@ -8,7 +8,7 @@ use super::Scheme;
 use crate::geometry::{self, cross, span};
 use crate::mechanism::{BodyId, Mark, Mechanism, PointId, SliderId};
 use crate::position::Pose;
-use kurbo::{Line, ParamCurveNearest, Point, Vec2};
+use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
 
 /// A point closer than this to a line, in mm, counts as on the line.
 pub(super) const ON_LINE: f64 = 0.3;
@@ -147,8 +147,8 @@ impl Scheme<'_> {
         /// Cosine of the smallest angle, 40°, between a piece and another line from its point.
         const CLEAR: f64 = 0.766;
         let outward = self.outward(view, from).unwrap_or(Vec2::new(-1.0, 0.0));
-        // Outwards, or in the nearest direction that keeps the piece on the panel and clear of the links and guides at
-        // its point.
+        // Outwards, or in the nearest direction that keeps the piece on the panel, off its heading, and clear of the
+        // links and guides at its point.
         let turned = |degrees: f64| {
             let turn = geometry::direction_of_degrees(degrees);
             Vec2::new(turn.x * outward.x - turn.y * outward.y, turn.y * outward.x + turn.x * outward.y)
@@ -158,7 +158,8 @@ impl Scheme<'_> {
         let fits = |away: &Vec2| {
             let tip = from + *away * (LENGTH + 1.2);
             let across = Vec2::new(-away.y, away.x) * HALF_WAVE;
-            bounds.contains(tip - across) && bounds.contains(tip + across)
+            let outer = Rect::from_points(tip - across, tip + across).union_pt(from.lerp(tip, 0.5));
+            bounds.contains(tip - across) && bounds.contains(tip + across) && !canvas.is_taken(outer)
         };
         let taken = self.directions(view, point);
         let clear = |away: &Vec2| taken.iter().all(|other| away.dot(*other) < CLEAR);
