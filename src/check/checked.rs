@@ -1,12 +1,15 @@
 use super::answer_key::AnswerKey;
-use super::diagnosis::diagnose;
-use super::entry::entries;
+use super::entry::{Entry, entries};
 use super::explanation::Diagnosis;
-use super::model::Model;
+use super::hand::{Hand, SLIP};
+use super::mistakes::Site;
+use super::model::{COMPUTING, Model};
 use super::points::is_mirrored;
+use super::score::Scorer;
+use super::search::{Search, other_modes};
 use super::sheet::{CheckError, Measured};
 use super::verdict::{Judged, Verdict};
-use crate::construction::PlanKind;
+use crate::construction::{PlanKind, Tolerance};
 
 /// All values with their verdicts, and the mistakes that explain those that are off.
 #[derive(Clone, Debug)]
@@ -15,6 +18,8 @@ pub struct Checked {
     pub values: Vec<Judged>,
     /// The mistakes that explain them.
     pub diagnosis: Diagnosis,
+    /// How accurate the drawing is, as its own values show; `None` where none of them is drawn.
+    pub accuracy: Option<Accuracy>,
     /// Plans whose places on paper are the mirror image of the right ones; lengths alone do not show it.
     pub mirrored: Vec<PlanKind>,
 }
@@ -31,13 +36,72 @@ impl Checked {
 /// whole drawing of dozens of values passes as surely, each may be off by two bands, 4.2 standard deviations.
 pub const BANDS: f64 = 2.0;
 
+/// How many times as large as usual an honest hand's errors may be where nobody has said how accurate it should be: up to
+/// 1 mm and 1° with the usual tolerance.
+pub const LATITUDE: f64 = 10.0 / 3.0;
+
+/// How accurate somebody draws and computes, found from the scatter of all values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accuracy {
+    /// Limit of the errors in lengths and places, in mm of paper.
+    pub mm: f64,
+    /// Limit of the errors in directions, in degrees.
+    pub degrees: f64,
+    /// Limit of the relative errors of computed numbers, in per cent; 0 where no slips are seen.
+    pub percent: f64,
+}
+
+impl Accuracy {
+    fn of(hand: &Hand, key: &AnswerKey<'_>) -> Accuracy {
+        let size = hand.worst();
+        let Tolerance { mm, degrees } = key.tolerance;
+        Accuracy { mm: size * mm, degrees: size * degrees, percent: SLIP * hand.errors[COMPUTING] }
+    }
+}
+
 /// The verdicts on the values that somebody has read from a drawing, and the mistakes that explain the values.
+///
+/// Where the scatter of all values shows that the hand is worse than the tolerance supposes, the tolerance follows it as
+/// far as the key's latitude.
 ///
 /// # Errors
 /// A value is not understood.
 pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckError> {
     let entries = entries(measured, key)?;
     let model = Model::new(key, key.solution, measured.mu, &entries)?;
+    let mut values = judged(&entries, &model, key);
+    let mut models = vec![model];
+    let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
+    if has_off(&values) {
+        models.extend(other_modes(key, measured.mu, &entries));
+    }
+    let scorer = Scorer::new(&models, &entries, key.tolerance);
+    let none = scorer.compare(&[], None).filter(|_| !scorer.data.is_empty());
+    let mut accuracy = none.as_ref().map(|fit| Accuracy::of(&fit.hand, key));
+    let diagnosis = match none {
+        Some(none) if has_off(&values) => {
+            let site = Site { model: &models[0], key, entries: &entries, other_modes: models.len() - 1 };
+            let mut search = Search::new(site.candidates(), &scorer);
+            let off: Vec<bool> = scorer.data.iter().map(|d| values[d.entry].verdict == Verdict::Off).collect();
+            let tried = search.run(none, &off, key.depth);
+            if let Some(best) = tried.first() {
+                accuracy = Some(Accuracy::of(&best.fit.hand, key));
+                widen(&mut values, &scorer, &best.fit.hand, key);
+            }
+            if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) }
+        }
+        _ => Diagnosis::none(&values),
+    };
+    let plans = key.solution.construction.plans();
+    let mirrored = plans.filter(|plan| {
+        let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
+        places.any(|points| is_mirrored(points, plan))
+    });
+    Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.kind).collect() })
+}
+
+/// The verdicts at the key's tolerance.
+fn judged(entries: &[Entry], model: &Model, key: &AnswerKey<'_>) -> Vec<Judged> {
     let bands = model.bands(&key.tolerance);
     let judged = entries.iter().zip(&bands).zip(&model.readings);
     let judged = judged.map(|((entry, band), reading)| {
@@ -71,12 +135,27 @@ pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckE
             is_rough: band.is_some_and(|band| band.is_rough),
         }
     });
-    let values: Vec<Judged> = judged.collect();
-    let diagnosis = diagnose(key, measured.mu, &model, &values);
-    let plans = key.solution.construction.plans();
-    let mirrored = plans.filter(|plan| {
-        let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
-        places.any(|points| is_mirrored(points, plan))
-    });
-    Ok(Checked { values, diagnosis, mirrored: mirrored.map(|plan| plan.kind).collect() })
+    judged.collect()
 }
+
+/// Lets the tolerances follow a hand that is worse than they suppose, as far as the key allows.
+fn widen(values: &mut [Judged], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKey<'_>) {
+    let mut allowed = *hand;
+    allowed.errors.iter_mut().for_each(|size| *size = size.min(key.latitude));
+    if key.latitude <= 1.0 || !hand.is_by_hand() {
+        return;
+    }
+    for (place, datum) in scorer.data.iter().enumerate() {
+        let value = &mut values[datum.entry];
+        let tolerance = BANDS * BAND * scorer.spread(place, &allowed) + value.entry.rounding;
+        if value.tolerance.is_some_and(|usual| usual < tolerance) {
+            value.tolerance = Some(tolerance);
+            if value.verdict == Verdict::Off && value.difference.abs() <= tolerance {
+                value.verdict = Verdict::WithinTolerance;
+            }
+        }
+    }
+}
+
+/// Half a band, in standard deviations: 95 of 100 values are within.
+const BAND: f64 = 1.96;
