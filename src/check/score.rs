@@ -31,12 +31,11 @@ pub(super) struct Scorer<'a> {
     kinds: [Vec<f64>; GROUPS],
     /// By datum: its value in a right drawing.
     right: Vec<f64>,
-    /// By datum: the name of its quantity.
-    names: Vec<String>,
+    entries: &'a [Entry],
 }
 
 impl<'a> Scorer<'a> {
-    pub fn new(models: &'a [Model], entries: &[Entry], tolerance: Tolerance) -> Scorer<'a> {
+    pub fn new(models: &'a [Model], entries: &'a [Entry], tolerance: Tolerance) -> Scorer<'a> {
         let model = &models[0];
         let span = |kind: Kind| {
             let same = entries.iter().filter(|e| e.asked.kind() == kind);
@@ -78,9 +77,8 @@ impl<'a> Scorer<'a> {
             quick: Vec::new(),
             kinds: core::array::from_fn(|_| Vec::new()),
             right: Vec::new(),
-            names: Vec::new(),
+            entries,
         };
-        scorer.names = scorer.data.iter().map(|d| entries[d.entry].asked.name().to_owned()).collect();
         scorer.without = scorer.data.iter().map(Datum::without).collect();
         let nominal = scorer.covariances(&[]);
         let count = scorer.data.len();
@@ -175,15 +173,9 @@ impl<'a> Scorer<'a> {
         parts.sum::<f64>().sqrt()
     }
 
-    /// The name of a datum's quantity.
-    pub fn name(&self, datum: usize) -> &str {
-        &self.names[datum]
-    }
-
-    /// The name of an entry's quantity; `None` where it is not read.
-    pub fn name_of(&self, entry: usize) -> Option<&str> {
-        let datum = self.data.iter().position(|datum| datum.entry == entry)?;
-        Some(self.name(datum))
+    /// The written value behind a datum.
+    pub fn entry(&self, datum: usize) -> &'a Entry {
+        &self.entries[self.data[datum].entry]
     }
 
     /// The data that a candidate changes when it is the only mistake; one of unknown amount may change any.

@@ -158,6 +158,13 @@ impl<'a> Search<'a> {
                 break;
             }
         }
+        if std::env::var_os("KINEGON_DEBUG").is_some() {
+            for t in tried.iter().take(12) {
+                let names: Vec<String> = self.set(&t.set).iter().map(|c| format!("{}{:?}{:?}", c.mistake.id(), c.blanks, c.edits.first().map(|e| e.0))).collect();
+                let out: Vec<&str> = (0..off.len()).filter(|&i| t.fit.outside[i]).map(|i| self.scorer.entry(i).asked.name()).collect();
+                eprintln!("{:.1} fit {:.1} hand {:?} {:?} {:?} out {out:?}", t.cost, t.fit.cost, t.fit.hand.errors, t.fit.hand.habit, names);
+            }
+        }
         tried
     }
 

@@ -4,24 +4,79 @@ use super::candidate::Candidate;
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
-use crate::construction::{NumberId, NumberKind, OperationKind, Plan, Product, ProductKind, image_name};
+use crate::construction::{
+    Along, NumberId, NumberKind, OperationKind, Plan, Product, ProductKind, Rate, Sheet, image_name,
+};
+use crate::geometry::quarter_turn;
 
+/// The reversed vectors that have no name of their own: a normal part alone is laid off outward, a Coriolis
+/// acceleration alone is turned the wrong way, and the velocity of a crank has the wrong sense of its ω.
 pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
-    let laid = site.operations().filter_map(|(index, operation)| {
-        let OperationKind::LayOff { place, from, size, along } = operation.kind else {
-            return None;
-        };
-        let (start, end) = (site.place_name(from), site.place_name(place));
-        if end.is_empty() {
-            return None;
-        }
-        let edit = Edit::Instead(OperationKind::LayOff { place, from, size, along: along.turned(2) });
-        let arrows = || site.key.solution.construction.plan_on(operation.sheet).into_iter().flat_map(Plan::arrows);
+    let vectors = site.vectors().into_iter().filter(|vector| {
+        let of_crank = || vector.sum.iter().all(|product| product.of.first().is_some_and(|&rate| site.is_given(rate)));
+        let is_crank = vector.is_only(ProductKind::Turning) && vector.sheet == Sheet::Velocity && of_crank();
+        !(vector.is_only(ProductKind::Normal) || vector.is_only(ProductKind::Coriolis) || is_crank)
+    });
+    let laid = vectors.map(|vector| {
+        let edit = vector.turned(vector.along.turned(2));
+        let [start, end] = vector.ends;
+        let arrows = || site.key.solution.construction.plan_on(vector.sheet).into_iter().flat_map(Plan::arrows);
         let laid = arrows().find(|arrow| (arrow.from.as_str(), arrow.to.as_str()) == (start, end));
         let ends = laid.map_or([start, end], |arrow| arrow.ends());
-        Some(site.candidate(Mistake::ReversedVector, index, edit, &ends))
+        site.candidate(Mistake::ReversedVector, vector.operation, edit, &ends)
     });
     laid.collect()
+}
+
+/// A product in the sum that gives a vector's size.
+pub(super) struct Term<'s> {
+    /// The operation that computes the sum.
+    operation: usize,
+    number: NumberId,
+    sum: &'s [Product],
+    /// Its place in the sum.
+    at: usize,
+    /// The names of the vector's ends.
+    ends: [&'s str; 2],
+}
+
+impl<'s> Term<'s> {
+    pub fn product(&self) -> &'s Product {
+        &self.sum[self.at]
+    }
+
+    /// The sum with this product in place of the term, or without it.
+    pub fn instead(&self, product: Option<Product>) -> (usize, Edit) {
+        let mut sum = self.sum.to_vec();
+        match product {
+            Some(changed) => sum[self.at] = changed,
+            None => drop(sum.remove(self.at)),
+        }
+        (self.operation, Edit::Instead(OperationKind::Compute { number: self.number, sum }))
+    }
+
+    /// The names of the vector's ends and of the first and the last factor.
+    pub fn blanks(&self, site: &'s Site<'_>) -> [&'s str; 4] {
+        let [from, to] = self.ends;
+        let name = |number: Option<&NumberId>| number.map_or("", |&n| site.number_name(n));
+        [from, to, name(self.product().of.first()), name(self.product().of.last())]
+    }
+
+    /// A candidate that takes this product in place of the term.
+    pub fn candidate(&self, site: &Site<'_>, mistake: Mistake, product: Option<Product>, more: &[&str]) -> Candidate {
+        let (operation, edit) = self.instead(product);
+        let blanks: Vec<&str> = self.blanks(site).into_iter().chain(more.iter().copied()).collect();
+        site.candidate(mistake, operation, edit, &blanks)
+    }
+}
+
+/// The products of a kind in the sizes of vectors.
+pub(super) fn terms<'s>(site: &'s Site<'_>, kind: ProductKind) -> Vec<Term<'s>> {
+    let sums = site.sums().into_iter();
+    let all = sums.flat_map(move |(operation, number, sum, ends)| {
+        (0..sum.len()).map(move |at| Term { operation, number, sum, at, ends })
+    });
+    all.filter(|term| term.product().kind == kind).collect()
 }
 
 /// One candidate for each product of a kind; `change` gives the product that replaces it, or `None` where it is left
@@ -32,45 +87,84 @@ fn products(
     kind: ProductKind,
     change: impl Fn(&Product) -> Option<Product>,
 ) -> Vec<Candidate> {
-    let mut found = Vec::new();
-    for (operation, number, sum, [from, to]) in site.sums() {
-        for (place, product) in sum.iter().enumerate().filter(|(_, p)| p.kind == kind) {
-            let mut sum = sum.to_vec();
-            match change(product) {
-                Some(changed) => sum[place] = changed,
-                None => drop(sum.remove(place)),
-            }
-            let name = |number: Option<&NumberId>| number.map_or("", |&n| site.number_name(n));
-            let blanks = [from, to, name(product.of.first()), name(product.of.last())];
-            found.push(site.candidate(
-                mistake,
-                operation,
-                Edit::Instead(OperationKind::Compute { number, sum }),
-                &blanks,
-            ));
-        }
+    let terms = terms(site, kind);
+    terms.iter().map(|term| term.candidate(site, mistake, change(term.product()), &[])).collect()
+}
+
+/// Normal parts one by one, and as a habit: those of all links that are solved for, and with `also_crank` those of the
+/// crank besides.
+fn normals(
+    site: &Site<'_>,
+    mistake: Mistake,
+    also_crank: bool,
+    change: impl Fn(&Product) -> Option<Product>,
+) -> Vec<Candidate> {
+    let terms = terms(site, ProductKind::Normal);
+    let mut found: Vec<Candidate> =
+        terms.iter().map(|term| term.candidate(site, mistake, change(term.product()), &[])).collect();
+    let of_crank = |term: &&Term<'_>| term.product().of.first().is_some_and(|&omega| site.is_given(omega));
+    let links: Vec<&Term<'_>> = terms.iter().filter(|term| !of_crank(term)).collect();
+    found.extend(all_of(site, mistake, &links, &change));
+    if also_crank && links.len() < terms.len() {
+        let all: Vec<&Term<'_>> = terms.iter().collect();
+        found.extend(all_of(site, mistake, &all, &change));
     }
     found
 }
 
+/// One candidate for several products together; none for fewer than two. Its blanks are empty but for the second,
+/// which lists the vectors.
+fn all_of(
+    site: &Site<'_>,
+    mistake: Mistake,
+    terms: &[&Term<'_>],
+    change: &impl Fn(&Product) -> Option<Product>,
+) -> Option<Candidate> {
+    let [first, _, ..] = terms else { return None };
+    let mut edits: Vec<(usize, Edit)> = Vec::new();
+    let mut names: Vec<String> = Vec::new();
+    for term in terms {
+        names.push(format!("{} – {}", term.ends[0], term.ends[1]));
+        if edits.iter().any(|(operation, _)| *operation == term.operation) {
+            continue;
+        }
+        let own = |at: usize| terms.iter().any(|t| (t.operation, t.at) == (term.operation, at));
+        let sum = term.sum.iter().enumerate().filter_map(|(at, product)| match own(at) {
+            true => change(product),
+            false => Some(product.clone()),
+        });
+        let kind = OperationKind::Compute { number: term.number, sum: sum.collect() };
+        edits.push((term.operation, Edit::Instead(kind)));
+    }
+    names.dedup();
+    let (operation, edit) = edits.remove(0);
+    let mut candidate = site.candidate(mistake, operation, edit, &["", &names.join(", ")]);
+    candidate.edits.extend(edits);
+    candidate.step = site.model.steps[first.operation];
+    Some(candidate)
+}
+
 pub(super) fn outward(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::NormalOutward, ProductKind::Normal, |p| Some(p.times(-1.0)))
+    normals(site, Mistake::NormalOutward, true, |p| Some(p.times(-1.0)))
 }
 
 pub(super) fn not_squared(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::OmegaNotSquared, ProductKind::Normal, |p| {
+    normals(site, Mistake::OmegaNotSquared, true, |p| {
         // The normal part still points inward.
         let omega = site.model.exact.number(p.of[0]);
         Some(Product::new(p.kind, p.factor * omega.signum(), &p.of[1..]))
     })
 }
 
-pub(super) fn diameter(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::Diameter, ProductKind::Normal, |p| Some(p.times(2.0)))
+pub(super) fn normal_forgotten(site: &Site<'_>) -> Vec<Candidate> {
+    normals(site, Mistake::NormalForgotten, false, |_| None)
 }
 
-pub(super) fn normal_forgotten(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::NormalForgotten, ProductKind::Normal, |_| None)
+/// The normal part alone with the diameter. (Throughout: `crank::diameter`.)
+pub(super) fn diameter(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = products(site, Mistake::Diameter, ProductKind::Normal, |p| Some(p.times(2.0)));
+    found.extend(super::crank::diameter(site));
+    found
 }
 
 /// v²/L with the absolute velocity of the end in place of that relative to the start.
@@ -100,6 +194,31 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
+/// The ω of another link in a normal part, or in a Coriolis acceleration.
+pub(super) fn omega_of_another(site: &Site<'_>) -> Vec<Candidate> {
+    let mistake = Mistake::OmegaOfAnotherLink;
+    let mut found = Vec::new();
+    for term in terms(site, ProductKind::Normal).into_iter().chain(terms(site, ProductKind::Coriolis)) {
+        let product = term.product();
+        let right = product.of[0];
+        // Nobody takes another ω for the crank's.
+        if site.is_given(right) && product.kind == ProductKind::Normal {
+            continue;
+        }
+        let exact = |number: NumberId| site.model.exact.number(number);
+        for (wrong, kind) in site.numbers_before(term.operation) {
+            let is_omega = matches!(kind, NumberKind::Rate(Rate::Omega(_)));
+            if !is_omega || wrong == right || (exact(wrong) - exact(right)).abs() < 1e-9 * exact(right).abs() {
+                continue;
+            }
+            let mut product = product.clone();
+            product.of.iter_mut().filter(|number| **number == right).for_each(|number| *number = wrong);
+            found.push(term.candidate(site, mistake, Some(product), &[site.number_name(wrong)]));
+        }
+    }
+    found
+}
+
 pub(super) fn coriolis_forgotten(site: &Site<'_>) -> Vec<Candidate> {
     products(site, Mistake::CoriolisForgotten, ProductKind::Coriolis, |_| None)
 }
@@ -116,4 +235,68 @@ pub(super) fn coriolis_turned(site: &Site<'_>) -> Vec<Candidate> {
 /// three times as large.
 pub(super) fn coriolis_where_none(site: &Site<'_>) -> Vec<Candidate> {
     products(site, Mistake::CoriolisWhereNone, ProductKind::Normal, |p| Some(p.times(3.0)))
+}
+
+/// A vector laid off across its direction: the crank's velocity along the crank, a normal part across its link.
+pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for vector in site.vectors().iter().filter(|vector| !vector.is_only(ProductKind::Coriolis)) {
+        for quarter_turns in [1, 3] {
+            let edit = vector.turned(vector.along.turned(quarter_turns));
+            found.push(site.candidate(Mistake::TurnedVector, vector.operation, edit, &vector.ends));
+        }
+    }
+    found.extend(super::crank::turned(site));
+    found
+}
+
+/// A Coriolis acceleration laid off along its guide.
+pub(super) fn coriolis_along(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for vector in site.vectors().iter().filter(|vector| vector.is_only(ProductKind::Coriolis)) {
+        for quarter_turns in [1, 3] {
+            let edit = vector.turned(vector.along.turned(quarter_turns));
+            let [from, to] = vector.ends;
+            let [rate, velocity] = [0, 1].map(|factor| vector.sum[0].of.get(factor));
+            let [rate, velocity] = [rate, velocity].map(|number| number.map_or("", |&n| site.number_name(n)));
+            let blanks = [from, to, rate, velocity];
+            found.push(site.candidate(Mistake::CoriolisAlong, vector.operation, edit, &blanks));
+        }
+    }
+    found
+}
+
+/// A tangential part ω r laid off besides the normal part of a crank that turns evenly, either way.
+pub(super) fn tangential_where_none(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    let vectors = site.vectors();
+    let is_even = |rate: NumberId| {
+        let NumberKind::Rate(Rate::Omega(link)) = site.number_kind(rate) else { return false };
+        let mut kinds = site.model.construction.numbers.iter();
+        site.is_given(rate) && !kinds.any(|kind| *kind == NumberKind::Rate(Rate::Alpha(*link)))
+    };
+    for vector in vectors.iter().filter(|vector| vector.is_only(ProductKind::Normal)) {
+        let [omega, .., length] = vector.sum[0].of.as_slice() else { continue };
+        if !is_even(*omega) {
+            continue;
+        }
+        let [omega_value, length_value] = [*omega, *length].map(|number| site.model.exact.number(number).abs());
+        let direction = vector.direction(site);
+        let normal = direction * (omega_value * omega_value * length_value);
+        for side in [1.0, -1.0] {
+            let whole = normal + quarter_turn(direction) * (side * omega_value * length_value);
+            let size = whole.norm() / normal.norm();
+            let towards = whole / whole.norm() * site.model.exact.number(vector.size).signum();
+            if !size.is_finite() {
+                continue;
+            }
+            let [from, to] = vector.ends;
+            let blanks = [from, to, site.number_name(*omega), site.number_name(*length)];
+            let edit = vector.turned(Along::given(towards));
+            let mut candidate = site.candidate(Mistake::TangentialWhereNone, vector.operation, edit, &blanks);
+            candidate.edits.insert(0, (vector.maker, Edit::Times(vector.size, size)));
+            found.push(candidate);
+        }
+    }
+    found
 }
