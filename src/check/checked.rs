@@ -52,16 +52,18 @@ pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckE
         }
         let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
         let is_given = reading.is_err_and(|why| why.is_given());
+        let has_no_sense = entry.is_magnitude && entry.value != 0.0;
         let off = difference.abs();
         // The factor 1.001 lets a last digit be rounded either way where the next is a five.
-        let verdict = if off <= 1.001 * entry.rounding {
-            Verdict::Right
-        } else {
-            match tolerance {
-                Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
-                None if !is_given => Verdict::Unjudged,
-                _ => Verdict::Off,
-            }
+        let verdict = match tolerance {
+            _ if off <= 1.001 * entry.rounding => Verdict::Right,
+            Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
+            None if !is_given => Verdict::Unjudged,
+            _ => Verdict::Off,
+        };
+        let verdict = match verdict {
+            Verdict::Right | Verdict::WithinTolerance if has_no_sense => Verdict::SenseMissing,
+            judged => judged,
         };
         Judged {
             entry: entry.clone(),

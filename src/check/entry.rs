@@ -22,7 +22,7 @@ pub struct Entry {
     pub rounding: f64,
     /// How finely values of its kind are written.
     pub precision: Precision,
-    /// Whether it was written without a sign, so that only its magnitude counts.
+    /// Whether it is a rate without a sign in a form that does not say which sense is positive: only its size is known.
     pub is_magnitude: bool,
     /// `value` over the written number: unit, scale on paper and sense of rotation.
     pub factor: f64,
@@ -147,7 +147,7 @@ impl Reader<'_> {
             value: number * factor,
             rounding: precision.rounding(&given.text) * factor.abs(),
             precision,
-            is_magnitude: asked.is_rate() && !signed && !(turns && self.measured.positive.is_some()),
+            is_magnitude: asked.is_rate() && !signed && self.measured.positive.is_none(),
             factor,
             factor_without_unit: if flips { -factor_without_unit } else { factor_without_unit },
             unit: given.unit.clone(),

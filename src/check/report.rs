@@ -20,6 +20,7 @@ pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String
     lines.push(String::new());
     lines.extend(report.table());
     lines.push(String::new());
+    lines.extend(report.senses());
     lines.extend(report.diagnosis());
     lines.join("\n") + "\n"
 }
@@ -59,8 +60,21 @@ impl<'a> ReportText<'a> {
 impl ReportText<'_> {
     /// The sentence that counts the values that are right, within the tolerance, and off.
     pub(super) fn counts(&self) -> String {
-        let count = |verdict| self.checked.values.iter().filter(|v| v.verdict == verdict).count().to_string();
-        self.own.check_counts(&count(Verdict::Right), &count(Verdict::WithinTolerance), &count(Verdict::Off))
+        let count = |verdict| self.count(verdict).to_string();
+        let [right, within, off] = [Verdict::Right, Verdict::WithinTolerance, Verdict::Off].map(count);
+        match self.count(Verdict::SenseMissing) {
+            0 => self.own.check_counts(&right, &within, &off),
+            missing => self.own.check_counts_and_senses(&right, &within, &missing.to_string(), &off),
+        }
+    }
+
+    fn count(&self, verdict: Verdict) -> usize {
+        self.checked.values.iter().filter(|v| v.verdict == verdict).count()
+    }
+
+    /// The sentence about rates without a sense, if there are any.
+    fn senses(&self) -> Option<String> {
+        (self.count(Verdict::SenseMissing) > 0).then(|| self.own.check_senses().to_owned())
     }
 
     fn table(&self) -> Vec<String> {
@@ -105,6 +119,7 @@ impl ReportText<'_> {
         let verdict = match value.verdict {
             Verdict::Right => self.own.check_right(),
             Verdict::WithinTolerance => self.own.check_within(),
+            Verdict::SenseMissing => self.own.check_sense_missing(),
             Verdict::Off => self.own.check_off(),
             Verdict::Unjudged => self.own.check_unjudged(),
         };
@@ -124,6 +139,7 @@ impl ReportText<'_> {
     pub(super) fn heading(&self) -> &'static str {
         let diagnosis = &self.checked.diagnosis;
         match diagnosis.best.findings.len() {
+            0 if self.has_nothing_to_explain() && self.count(Verdict::SenseMissing) > 0 => self.own.check_nothing_off(),
             0 if self.has_nothing_to_explain() => self.own.check_nothing(),
             0 if diagnosis.unexplained.is_empty() => self.own.check_probably(),
             0 => self.own.check_none(),

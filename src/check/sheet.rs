@@ -10,7 +10,8 @@ pub struct Measured {
     pub exercise: Option<String>,
     /// The scales of the student's scheme, velocity plan and acceleration plan, in units of the scene per millimetre.
     pub mu: [Option<f64>; 3],
-    /// Which sense of rotation counts as positive; if `None`, a number without a sign is a magnitude.
+    /// Which sense of rotation counts as positive; a slide is positive along its guide. If `None`, a rate without a sign
+    /// is a size without a sense.
     pub positive: Option<Positive>,
     /// Whether all lengths and segments are in millimetres of paper.
     pub in_mm: bool,

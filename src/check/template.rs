@@ -7,7 +7,8 @@ use serde::Serialize;
 
 /// The names of the quantities of the steps, once each: those that a form asks for.
 ///
-/// A segment may have several names, as p a₃ and o a₃ where o is fixed: the one that is measured stands there.
+/// A segment may have several names, as p a₃ and o a₃ where o is fixed: the one that is measured stands there. Of links
+/// that turn together, as a block and its lever, the one with more points is asked for.
 #[must_use]
 pub fn form_names(construction: &Construction) -> Vec<String> {
     rows(construction).into_iter().map(|row| row.name).collect()
@@ -16,6 +17,7 @@ pub fn form_names(construction: &Construction) -> Vec<String> {
 /// The name by which a form asks for a quantity; of one that it does not ask for its own name.
 #[must_use]
 pub fn form_name(construction: &Construction, name: &str) -> String {
+    let name = construction.same_rates.get(name).map_or(name, String::as_str);
     let segment = Segment::of(construction, name);
     let found = rows(construction).into_iter().find(|row| row.is(name, segment));
     found.map_or_else(|| name.to_owned(), |row| row.name)
@@ -60,6 +62,7 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
     for step in construction.numbered_steps() {
         let is_measured = step.step.action.is_measured();
         for name in step.names() {
+            let name = construction.same_rates.get(&name).cloned().unwrap_or(name);
             let segment = Segment::of(construction, &name);
             match rows.iter().position(|row| row.is(&name, segment)) {
                 Some(row) if is_measured && !rows[row].is_measured => drop(rows.remove(row)),
@@ -83,6 +86,10 @@ pub struct EmptyForm<'a> {
     pub exercise: Option<&'a str>,
 }
 
+/// The sense of rotation that counts as positive in every form, as in scenes and results; a slide is positive along its
+/// guide.
+const POSITIVE: &str = "counter-clockwise";
+
 /// The form as JSON: values are to be written between the quotes, or as numbers in place of them.
 #[derive(Debug, Serialize)]
 struct FormFile<'a> {
@@ -96,6 +103,7 @@ struct FormFile<'a> {
     mu_v: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mu_a: Option<f64>,
+    positive: &'static str,
     values: IndexMap<String, &'static str>,
 }
 
@@ -110,6 +118,7 @@ impl EmptyForm<'_> {
             mu_l: self.scales.length,
             mu_v: self.scales.velocity,
             mu_a: self.scales.acceleration,
+            positive: POSITIVE,
             values: self.names().into_iter().map(|name| (name, "")).collect(),
         })
     }
@@ -127,6 +136,7 @@ impl EmptyForm<'_> {
                 text.push_str(&format!("{name},{scale},\n"));
             }
         }
+        text.push_str(&format!("positive,{POSITIVE},\n"));
         for name in self.names() {
             text.push_str(&format!("{},,\n", quoted(&name)));
         }

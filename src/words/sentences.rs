@@ -317,10 +317,16 @@ sentences! {
     // The report on a student's values.
     /// Heading: numbers of values that are right, within tolerance, off.
     check_counts(right, within, off);
+    /// The same where rates have no sense: their number before that of the values that are off.
+    check_counts_and_senses(right, within, missing, off);
     /// Verdict: right.
     check_right;
     /// Verdict: within tolerance.
     check_within;
+    /// Verdict: a rate of the right size without a sense.
+    check_sense_missing;
+    /// What to do about rates without a sense.
+    check_senses;
     /// Verdict: off.
     check_off;
     /// Verdict: not judged.
@@ -347,6 +353,8 @@ sentences! {
     check_probably;
     /// In place of an explanation: no value is off.
     check_nothing;
+    /// The same where rates have no sense.
+    check_nothing_off;
     /// Where several mistakes together explain the values.
     check_no_single;
     /// Where no mistake of the catalogue explains the values.
