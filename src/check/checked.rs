@@ -5,6 +5,7 @@ use super::explanation::Diagnosis;
 use super::model::Model;
 use super::points::is_mirrored;
 use super::sheet::{CheckError, Measured};
+use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
 use crate::construction::PlanKind;
 
@@ -36,6 +37,7 @@ pub const BANDS: f64 = 2.0;
 /// # Errors
 /// A value is not understood.
 pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckError> {
+    let measured = &with_usual_points(measured, key);
     let entries = entries(measured, key)?;
     let model = Model::new(key, key.solution, measured.mu, &entries)?;
     let bands = model.bands(&key.tolerance);
@@ -81,4 +83,15 @@ pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckE
         places.any(|points| is_mirrored(points, plan))
     });
     Ok(Checked { values, diagnosis, mirrored: mirrored.map(|plan| plan.kind).collect() })
+}
+
+/// The same with the usual names of plan points, which may be written in any notation.
+fn with_usual_points(measured: &Measured, key: &AnswerKey<'_>) -> Measured {
+    let shown = ShownNames::of(key.solution);
+    let mut measured = measured.clone();
+    for points in &mut measured.points {
+        let sheet = points.kind.sheet();
+        points.places = points.places.iter().map(|(name, at)| (shown.usual_point(sheet, name), *at)).collect();
+    }
+    measured
 }

@@ -33,6 +33,7 @@ mod result;
 mod score;
 mod search;
 mod sheet;
+mod shown;
 mod student;
 mod table;
 mod template;
@@ -50,7 +51,6 @@ pub use mistakes::{Candidate, Mistake};
 pub use precision::Precision;
 pub use redrawn::redrawn;
 pub use report::report;
-pub(crate) use report::significant;
 pub use result::{CheckResult, check_result, check_schema};
 
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};

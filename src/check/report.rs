@@ -4,6 +4,7 @@ use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::explanation::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
+use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
 use crate::construction::Teller;
 use crate::construction::{PlanKind, shown_text};
@@ -44,6 +45,7 @@ pub(super) struct ReportText<'a> {
     words: &'a Wording,
     pub own: &'static Language,
     medium: Medium,
+    shown: ShownNames<'a>,
 }
 
 impl<'a> ReportText<'a> {
@@ -53,7 +55,7 @@ impl<'a> ReportText<'a> {
         words: &'a Wording,
         medium: Medium,
     ) -> ReportText<'a> {
-        ReportText { checked, key, words, own: words.language, medium }
+        ReportText { checked, key, words, own: words.language, medium, shown: ShownNames::of(key.solution) }
     }
 }
 
@@ -124,7 +126,7 @@ impl ReportText<'_> {
             Verdict::Unjudged => self.own.check_unjudged(),
         };
         [
-            entry.asked.name().to_owned(),
+            self.shown.quantity(&entry.asked),
             self.number(entry.value, 7),
             format!("{} {unit}", self.number(expected, 7)),
             self.number(value.difference, 3),
@@ -186,7 +188,7 @@ impl ReportText<'_> {
                 let told: Vec<String> = new
                     .map(|f| {
                         let [done, _] = sentences(&f.candidate, self.words);
-                        format!("{}: {done}", self.step(f))
+                        format!("{}: {}", self.step(f), self.shown.text(&done))
                     })
                     .collect();
                 let end = if other.is_alike { self.own.check_alike().to_owned() } else { self.sure(other) };
@@ -229,7 +231,7 @@ impl ReportText<'_> {
     /// The sentences about a mistake.
     pub(super) fn told(&self, finding: &Finding) -> Told {
         let Finding { candidate, follows, .. } = finding;
-        let [done, should] = sentences(candidate, self.words);
+        let [done, should] = sentences(candidate, self.words).map(|sentence| self.shown.text(&sentence));
         let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // This mistake is in every value.
@@ -249,7 +251,8 @@ impl ReportText<'_> {
     }
 
     fn names(&self, values: &[usize]) -> String {
-        let names: Vec<&str> = values.iter().map(|&i| self.checked.values[i].entry.asked.name()).collect();
+        let names: Vec<String> =
+            values.iter().map(|&i| self.shown.quantity(&self.checked.values[i].entry.asked)).collect();
         names.join(", ")
     }
 }
@@ -260,7 +263,7 @@ pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
 }
 
 /// The style of values in a report.
-pub(crate) const fn significant(digits: usize) -> NumberStyle {
+pub(super) const fn significant(digits: usize) -> NumberStyle {
     NumberStyle::significant(digits).trimmed().in_full(-5, 12)
 }
 

@@ -1,5 +1,6 @@
 //! Empty forms: every quantity of the steps, in the order of the construction.
 
+use super::shown::ShownNames;
 use crate::construction::{Construction, PlaceId, Sheet, Solution};
 use crate::quantity::Scales;
 use indexmap::IndexMap;
@@ -143,9 +144,10 @@ impl EmptyForm<'_> {
         text
     }
 
-    /// The names of the quantities.
+    /// The names of the quantities, in the notation of the figure.
     fn names(&self) -> Vec<String> {
-        form_names(&self.solution.construction)
+        let shown = ShownNames::of(self.solution);
+        form_names(&self.solution.construction).iter().map(|name| shown.in_form(name)).collect()
     }
 }
 

@@ -85,7 +85,7 @@ impl Check {
                 Some("leave out -o: the report is printed".into()),
             ));
         }
-        let text = files::read_text("form", path)?;
+        let text = files::read_form(path)?;
         let measured = read(path, &text)?;
         let checked = check::check(&measured, &key).map_err(|error| misuse(&text, &error))?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
