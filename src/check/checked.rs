@@ -8,6 +8,7 @@ use super::points::is_mirrored;
 use super::score::Scorer;
 use super::search::{Search, other_modes};
 use super::sheet::{CheckError, Measured};
+use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
 use crate::construction::{PlanKind, Tolerance};
 
@@ -67,6 +68,7 @@ impl Accuracy {
 /// # Errors
 /// A value is not understood.
 pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckError> {
+    let measured = &with_usual_points(measured, key);
     let entries = entries(measured, key)?;
     let model = Model::new(key, key.solution, measured.mu, &entries)?;
     let mut values = judged(&entries, &model, key);
@@ -116,16 +118,18 @@ fn judged(entries: &[Entry], model: &Model, key: &AnswerKey<'_>) -> Vec<Judged> 
         }
         let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
         let is_given = reading.is_err_and(|why| why.is_given());
+        let has_no_sense = entry.is_magnitude && entry.value != 0.0;
         let off = difference.abs();
         // The factor 1.001 lets a last digit be rounded either way where the next is a five.
-        let verdict = if off <= 1.001 * entry.rounding {
-            Verdict::Right
-        } else {
-            match tolerance {
-                Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
-                None if !is_given => Verdict::Unjudged,
-                _ => Verdict::Off,
-            }
+        let verdict = match tolerance {
+            _ if off <= 1.001 * entry.rounding => Verdict::Right,
+            Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
+            None if !is_given => Verdict::Unjudged,
+            _ => Verdict::Off,
+        };
+        let verdict = match verdict {
+            Verdict::Right | Verdict::WithinTolerance if has_no_sense => Verdict::SenseMissing,
+            judged => judged,
         };
         Judged {
             entry: entry.clone(),
@@ -159,3 +163,14 @@ fn widen(values: &mut [Judged], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKe
 
 /// Half a band, in standard deviations: 95 of 100 values are within.
 const BAND: f64 = 1.96;
+
+/// The same with the usual names of plan points, which may be written in any notation.
+fn with_usual_points(measured: &Measured, key: &AnswerKey<'_>) -> Measured {
+    let shown = ShownNames::of(key.solution);
+    let mut measured = measured.clone();
+    for points in &mut measured.points {
+        let sheet = points.kind.sheet();
+        points.places = points.places.iter().map(|(name, at)| (shown.usual_point(sheet, name), *at)).collect();
+    }
+    measured
+}

@@ -1,6 +1,7 @@
 //! The form of measured values as a JSON file.
 
 use super::sheet::{Given, Measured, PointsOf, Positive};
+use super::table::with_point;
 use crate::construction::PlanKind;
 use crate::scene::{FileKind, SceneError, read_as};
 use indexmap::IndexMap;
@@ -18,6 +19,7 @@ struct MeasuredFile {
     #[serde(rename = "$schema")]
     _schema: Option<String>,
     name: Option<String>,
+    exercise: Option<String>,
     mu_l: Option<f64>,
     mu_v: Option<f64>,
     mu_a: Option<f64>,
@@ -116,7 +118,7 @@ impl Measured {
         let filled = file.values.into_iter().filter(|(_, value)| !value.text.trim().is_empty());
         let given = filled.map(|(name, value)| Given {
             place: format!("values.{name}"),
-            text: value.text.trim().replace('−', "-"),
+            text: with_point(value.text.trim()),
             unit: value.unit,
             name,
         });
@@ -125,11 +127,13 @@ impl Measured {
         let points = kinds.into_iter().zip(points.into_iter().flatten());
         Ok(Measured {
             name: file.name,
+            exercise: file.exercise.map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()),
             mu: [file.mu_l, file.mu_v, file.mu_a],
             positive: file.positive.map(|sense| match sense {
                 Sense::CounterClockwise => Positive::CounterClockwise,
                 Sense::Clockwise => Positive::Clockwise,
             }),
+            faults: Vec::new(),
             in_mm: matches!(file.written_in, Some(Paper::Mm)),
             values: given.collect(),
             points: points

@@ -4,6 +4,7 @@ use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::explanation::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
+use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
 use crate::construction::Teller;
 use crate::construction::{PlanKind, shown_text};
@@ -20,6 +21,7 @@ pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String
     lines.push(String::new());
     lines.extend(report.table());
     lines.push(String::new());
+    lines.extend(report.senses());
     lines.extend(report.diagnosis());
     lines.join("\n") + "\n"
 }
@@ -43,6 +45,7 @@ pub(super) struct ReportText<'a> {
     words: &'a Wording,
     pub own: &'static Language,
     medium: Medium,
+    shown: ShownNames<'a>,
 }
 
 impl<'a> ReportText<'a> {
@@ -52,15 +55,28 @@ impl<'a> ReportText<'a> {
         words: &'a Wording,
         medium: Medium,
     ) -> ReportText<'a> {
-        ReportText { checked, key, words, own: words.language, medium }
+        ReportText { checked, key, words, own: words.language, medium, shown: ShownNames::of(key.solution) }
     }
 }
 
 impl ReportText<'_> {
     /// The sentence that counts the values that are right, within the tolerance, and off.
     pub(super) fn counts(&self) -> String {
-        let count = |verdict| self.checked.values.iter().filter(|v| v.verdict == verdict).count().to_string();
-        self.own.check_counts(&count(Verdict::Right), &count(Verdict::WithinTolerance), &count(Verdict::Off))
+        let count = |verdict| self.count(verdict).to_string();
+        let [right, within, off] = [Verdict::Right, Verdict::WithinTolerance, Verdict::Off].map(count);
+        match self.count(Verdict::SenseMissing) {
+            0 => self.own.check_counts(&right, &within, &off),
+            missing => self.own.check_counts_and_senses(&right, &within, &missing.to_string(), &off),
+        }
+    }
+
+    fn count(&self, verdict: Verdict) -> usize {
+        self.checked.values.iter().filter(|v| v.verdict == verdict).count()
+    }
+
+    /// The sentence about rates without a sense, if there are any.
+    fn senses(&self) -> Option<String> {
+        (self.count(Verdict::SenseMissing) > 0).then(|| self.own.check_senses().to_owned())
     }
 
     fn table(&self) -> Vec<String> {
@@ -105,11 +121,12 @@ impl ReportText<'_> {
         let verdict = match value.verdict {
             Verdict::Right => self.own.check_right(),
             Verdict::WithinTolerance => self.own.check_within(),
+            Verdict::SenseMissing => self.own.check_sense_missing(),
             Verdict::Off => self.own.check_off(),
             Verdict::Unjudged => self.own.check_unjudged(),
         };
         [
-            entry.asked.name().to_owned(),
+            self.shown.quantity(&entry.asked),
             self.number(entry.value, 7),
             format!("{} {unit}", self.number(expected, 7)),
             self.number(value.difference, 3),
@@ -124,6 +141,7 @@ impl ReportText<'_> {
     pub(super) fn heading(&self) -> &'static str {
         let diagnosis = &self.checked.diagnosis;
         match diagnosis.best.findings.len() {
+            0 if self.has_nothing_to_explain() && self.count(Verdict::SenseMissing) > 0 => self.own.check_nothing_off(),
             0 if self.has_nothing_to_explain() => self.own.check_nothing(),
             0 if diagnosis.unexplained.is_empty() => self.own.check_probably(),
             0 => self.own.check_none(),
@@ -170,7 +188,7 @@ impl ReportText<'_> {
                 let told: Vec<String> = new
                     .map(|f| {
                         let [done, _] = sentences(&f.candidate, self.words);
-                        format!("{}: {done}", self.step(f))
+                        format!("{}: {}", self.step(f), self.shown.text(&done))
                     })
                     .collect();
                 let end = if other.is_alike { self.own.check_alike().to_owned() } else { self.sure(other) };
@@ -213,7 +231,7 @@ impl ReportText<'_> {
     /// The sentences about a mistake.
     pub(super) fn told(&self, finding: &Finding) -> Told {
         let Finding { candidate, follows, .. } = finding;
-        let [done, should] = sentences(candidate, self.words);
+        let [done, should] = sentences(candidate, self.words).map(|sentence| self.shown.text(&sentence));
         let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // This mistake is in every value.
@@ -233,7 +251,8 @@ impl ReportText<'_> {
     }
 
     fn names(&self, values: &[usize]) -> String {
-        let names: Vec<&str> = values.iter().map(|&i| self.checked.values[i].entry.asked.name()).collect();
+        let names: Vec<String> =
+            values.iter().map(|&i| self.shown.quantity(&self.checked.values[i].entry.asked)).collect();
         names.join(", ")
     }
 }
@@ -244,7 +263,7 @@ pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
 }
 
 /// The style of values in a report.
-pub(crate) const fn significant(digits: usize) -> NumberStyle {
+pub(super) const fn significant(digits: usize) -> NumberStyle {
     NumberStyle::significant(digits).trimmed().in_full(-5, 12)
 }
 

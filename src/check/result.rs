@@ -61,7 +61,7 @@ pub struct ValueResult {
     /// Largest difference of a value drawn within the tolerance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed: Option<f64>,
-    /// "right", "within-tolerance", "off" or "unjudged".
+    /// "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off" or "unjudged".
     pub verdict: &'static str,
 }
 
@@ -120,6 +120,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
             verdict: match value.verdict {
                 Verdict::Right => "right",
                 Verdict::WithinTolerance => "within-tolerance",
+                Verdict::SenseMissing => "sense-missing",
                 Verdict::Off => "off",
                 Verdict::Unjudged => "unjudged",
             },

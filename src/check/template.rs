@@ -1,13 +1,15 @@
 //! Empty forms: every quantity of the steps, in the order of the construction.
 
-use crate::construction::{Construction, PlaceId, Sheet};
+use super::shown::ShownNames;
+use crate::construction::{Construction, PlaceId, Sheet, Solution};
 use crate::quantity::Scales;
 use indexmap::IndexMap;
 use serde::Serialize;
 
 /// The names of the quantities of the steps, once each: those that a form asks for.
 ///
-/// A segment may have several names, as p a₃ and o a₃ where o is fixed: the one that is measured stands there.
+/// A segment may have several names, as p a₃ and o a₃ where o is fixed: the one that is measured stands there. Of links
+/// that turn together, as a block and its lever, the one with more points is asked for.
 #[must_use]
 pub fn form_names(construction: &Construction) -> Vec<String> {
     rows(construction).into_iter().map(|row| row.name).collect()
@@ -16,6 +18,7 @@ pub fn form_names(construction: &Construction) -> Vec<String> {
 /// The name by which a form asks for a quantity; of one that it does not ask for its own name.
 #[must_use]
 pub fn form_name(construction: &Construction, name: &str) -> String {
+    let name = construction.same_rates.get(name).map_or(name, String::as_str);
     let segment = Segment::of(construction, name);
     let found = rows(construction).into_iter().find(|row| row.is(name, segment));
     found.map_or_else(|| name.to_owned(), |row| row.name)
@@ -60,6 +63,7 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
     for step in construction.numbered_steps() {
         let is_measured = step.step.action.is_measured();
         for name in step.names() {
+            let name = construction.same_rates.get(&name).cloned().unwrap_or(name);
             let segment = Segment::of(construction, &name);
             match rows.iter().position(|row| row.is(&name, segment)) {
                 Some(row) if is_measured && !rows[row].is_measured => drop(rows.remove(row)),
@@ -72,47 +76,82 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
     rows
 }
 
+/// A form without values.
+#[derive(Clone, Copy, Debug)]
+pub struct EmptyForm<'a> {
+    /// The scene whose quantities are asked for.
+    pub solution: &'a Solution,
+    /// The scales that stand in it.
+    pub scales: Scales,
+    /// The name of the exercise that it belongs to.
+    pub exercise: Option<&'a str>,
+}
+
+/// The sense of rotation that counts as positive in every form, as in scenes and results; a slide is positive along its
+/// guide.
+const POSITIVE: &str = "counter-clockwise";
+
 /// The form as JSON: values are to be written between the quotes, or as numbers in place of them.
 #[derive(Debug, Serialize)]
-struct Form {
+struct FormFile<'a> {
     kinegon_measured: u64,
-    name: String,
+    name: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exercise: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mu_l: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mu_v: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mu_a: Option<f64>,
-    values: IndexMap<String, String>,
+    positive: &'static str,
+    values: IndexMap<String, &'static str>,
 }
 
-/// An empty form as JSON, at the figure's scales.
-#[must_use]
-pub fn template_json(construction: &Construction, scales: &Scales) -> String {
-    let values = form_names(construction).into_iter();
-    let form = Form {
-        kinegon_measured: 1,
-        name: String::new(),
-        mu_l: scales.length,
-        mu_v: scales.velocity,
-        mu_a: scales.acceleration,
-        values: values.map(|name| (name, String::new())).collect(),
-    };
-    crate::format::json(&form)
-}
+impl EmptyForm<'_> {
+    /// The form as JSON.
+    #[must_use]
+    pub fn json(&self) -> String {
+        crate::format::json(&FormFile {
+            kinegon_measured: 1,
+            name: "",
+            exercise: self.exercise,
+            mu_l: self.scales.length,
+            mu_v: self.scales.velocity,
+            mu_a: self.scales.acceleration,
+            positive: POSITIVE,
+            values: self.names().into_iter().map(|name| (name, "")).collect(),
+        })
+    }
 
-/// An empty form as a table, at the figure's scales.
-#[must_use]
-pub fn template_csv(construction: &Construction, scales: &Scales) -> String {
-    let mut text = String::from("quantity,value,unit\nname,,\n");
-    let given = [("mu_l", scales.length), ("mu_v", scales.velocity), ("mu_a", scales.acceleration)];
-    for (name, scale) in given {
-        if let Some(scale) = scale {
-            text.push_str(&format!("{name},{scale},\n"));
+    /// The form as a table.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let mut text = String::from("quantity,value,unit\nname,,\n");
+        if let Some(exercise) = self.exercise {
+            text.push_str(&format!("exercise,{},\n", quoted(exercise)));
         }
+        let given = [("mu_l", self.scales.length), ("mu_v", self.scales.velocity), ("mu_a", self.scales.acceleration)];
+        for (name, scale) in given {
+            if let Some(scale) = scale {
+                text.push_str(&format!("{name},{scale},\n"));
+            }
+        }
+        text.push_str(&format!("positive,{POSITIVE},\n"));
+        for name in self.names() {
+            text.push_str(&format!("{},,\n", quoted(&name)));
+        }
+        text
     }
-    for name in form_names(construction) {
-        text.push_str(&format!("\"{name}\",,\n"));
+
+    /// The names of the quantities, in the notation of the figure.
+    fn names(&self) -> Vec<String> {
+        let shown = ShownNames::of(self.solution);
+        form_names(&self.solution.construction).iter().map(|name| shown.in_form(name)).collect()
     }
-    text
+}
+
+/// The text of a cell, in quotes.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
 }

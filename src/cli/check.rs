@@ -5,7 +5,7 @@ use super::message::Failure;
 use super::pencil::Hand;
 use super::wording::Words;
 use super::work::{Mode, show_warnings, solve};
-use crate::check::{self, AnswerKey, CheckError, MarkScheme, Marks, Measured};
+use crate::check::{self, AnswerKey, CheckError, EmptyForm, MarkScheme, Marks, Measured};
 use crate::construction::Solution;
 use crate::format;
 use crate::motion::Order;
@@ -85,7 +85,7 @@ impl Check {
                 Some("leave out -o: the report is printed".into()),
             ));
         }
-        let text = files::read_text("form", path)?;
+        let text = files::read_form(path)?;
         let measured = read(path, &text)?;
         let checked = check::check(&measured, &key).map_err(|error| misuse(&text, &error))?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
@@ -141,10 +141,10 @@ impl Check {
     }
 
     fn print_template(&self, solution: &Solution) -> Result<(), Failure> {
-        let scales = solution.scales();
+        let form = EmptyForm { solution, scales: solution.scales(), exercise: None };
         let text = match self.template.unwrap_or(TemplateFormat::Json) {
-            TemplateFormat::Json => check::template_json(&solution.construction, &scales),
-            TemplateFormat::Csv => check::template_csv(&solution.construction, &scales),
+            TemplateFormat::Json => form.json(),
+            TemplateFormat::Csv => form.csv(),
         };
         files::print(text.as_bytes())
     }

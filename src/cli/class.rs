@@ -174,7 +174,7 @@ impl Class<'_> {
             let what = if found.is_dir() { "a folder" } else { "special" };
             return ClassRow::broken(file, &format!("it is {what}, no file with values"));
         }
-        let measured = match files::read_text("form", path).and_then(|text| read(path, &text)) {
+        let measured = match files::read_form(path).and_then(|text| read(path, &text)) {
             Ok(measured) => measured,
             Err(failure) => return broken(failure),
         };
