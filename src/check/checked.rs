@@ -19,7 +19,7 @@ pub struct Checked {
     pub values: Vec<Judged>,
     /// The mistakes that explain them.
     pub diagnosis: Diagnosis,
-    /// How accurate the drawing is, as its own values show; `None` where none of them is drawn.
+    /// How accurate the drawing is, as the scatter of its values shows; `None` where too few are drawn.
     pub accuracy: Option<Accuracy>,
     /// Plans whose places on paper are the mirror image of the right ones; lengths alone do not show it.
     pub mirrored: Vec<PlanKind>,
@@ -99,6 +99,7 @@ pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckE
         let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
         places.any(|points| is_mirrored(points, plan))
     });
+    let accuracy = accuracy.filter(|_| scorer.data.len() >= ENOUGH);
     Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.kind).collect() })
 }
 
@@ -160,6 +161,9 @@ fn widen(values: &mut [Judged], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKe
         }
     }
 }
+
+/// Least number of drawn values whose scatter shows how accurate a hand is.
+const ENOUGH: usize = 8;
 
 /// Half a band, in standard deviations: 95 of 100 values are within.
 const BAND: f64 = 1.96;

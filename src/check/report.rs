@@ -15,9 +15,7 @@ use crate::words::{Language, Medium, NumberStyle, Wording};
 pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String {
     let report = ReportText::new(checked, key, words, Medium::Text);
     let mut lines = vec![report.counts()];
-    let tolerance = &key.tolerance;
-    let [mm, degrees] = [tolerance.mm, tolerance.degrees].map(|x| words.write(x, NumberStyle::shortest()));
-    lines.push(report.own.check_tolerance(&mm, &degrees));
+    lines.extend(report.accuracy());
     lines.push(String::new());
     lines.extend(report.table());
     lines.push(String::new());
@@ -137,16 +135,48 @@ impl ReportText<'_> {
         ]
     }
 
-    /// The heading of the mistakes that were found, or the sentence that there are none.
-    pub(super) fn heading(&self) -> &'static str {
+    /// How much is allowed, and how accurate the drawing is.
+    fn accuracy(&self) -> Vec<String> {
+        let number = |x: f64| self.words.write(x, NumberStyle::shortest());
+        let asked = &self.key.tolerance;
+        let [mm, degrees] = [asked.mm, asked.degrees].map(number);
+        let mut lines = vec![self.own.check_tolerance(&mm, &degrees)];
+        // A drawing program is more exact than a tenth of a millimetre.
+        let Some(found) = self.checked.accuracy.filter(|found| found.mm >= SEEN) else {
+            return lines;
+        };
+        let tenth = |x: f64| self.words.write(x.max(0.1), NumberStyle::decimals(1));
+        let mut own = self.own.check_accuracy(&tenth(found.mm), &tenth(found.degrees));
+        if found.percent > 0.0 {
+            own = format!("{own} {}", self.own.check_slips(&number(found.percent)));
+        }
+        let size = found.mm / asked.mm;
+        if size > 1.0 && self.key.latitude > 1.0 {
+            own = format!("{own} {}", self.own.check_wider(&mm, &degrees));
+        }
+        let most = self.key.latitude.max(1.0);
+        if size > 1.001 * most {
+            let [mm, degrees] = [most * asked.mm, most * asked.degrees].map(tenth);
+            own = format!("{own} {}", self.own.check_too_coarse(&mm, &degrees));
+        }
+        lines.push(own);
+        lines
+    }
+
+    /// The heading of the mistakes that were found, or the sentence that there are none, or that none can be told.
+    pub(super) fn heading(&self) -> String {
         let diagnosis = &self.checked.diagnosis;
-        match diagnosis.best.findings.len() {
-            0 if self.has_nothing_to_explain() && self.count(Verdict::SenseMissing) > 0 => self.own.check_nothing_off(),
-            0 if self.has_nothing_to_explain() => self.own.check_nothing(),
-            0 if diagnosis.unexplained.is_empty() => self.own.check_probably(),
-            0 => self.own.check_none(),
-            1 => self.own.check_probably(),
-            _ => self.own.check_no_single(),
+        match (diagnosis.best.findings.len(), diagnosis.unexplained.first()) {
+            (0, _) if self.has_nothing_to_explain() && self.count(Verdict::SenseMissing) > 0 => {
+                self.own.check_nothing_off().to_owned()
+            }
+            (0, _) if self.has_nothing_to_explain() => self.own.check_nothing().to_owned(),
+            (0, Some(&first)) => {
+                let entry = &self.checked.values[first].entry;
+                self.own.check_none(&entry.step.to_string(), &self.shown.quantity(&entry.asked))
+            }
+            (0 | 1, _) => self.own.check_probably().to_owned(),
+            _ => self.own.check_no_single().to_owned(),
         }
     }
 
@@ -158,7 +188,7 @@ impl ReportText<'_> {
 
     fn diagnosis(&self) -> Vec<String> {
         let diagnosis = &self.checked.diagnosis;
-        let mut lines = vec![self.heading().to_owned()];
+        let mut lines = vec![self.heading()];
         if self.has_nothing_to_explain() {
             return lines;
         }
@@ -256,6 +286,9 @@ impl ReportText<'_> {
         names.join(", ")
     }
 }
+
+/// Accuracy of a drawing from which on it is said, in mm.
+const SEEN: f64 = 0.05;
 
 /// What was probably done, and what should have been; numbers with the figure's decimal mark.
 pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {

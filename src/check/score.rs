@@ -217,7 +217,7 @@ impl<'a> Scorer<'a> {
             let edits = candidate.edits.iter().rev().zip(candidate.free.iter().rev());
             let amounts = edits.filter_map(|((_, edit), free)| match edit {
                 Edit::Error(_, amount) | Edit::Becomes(_, amount) => Some((*free, *amount)),
-                Edit::Instead(_) | Edit::Times(..) => None,
+                _ => None,
             });
             amounts.collect()
         };

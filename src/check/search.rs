@@ -13,7 +13,7 @@ use crate::cores::on_all_cores;
 use crate::position::poses;
 
 /// Explanations of one level that are compared completely: the best at a first look.
-const COMPARED: usize = 32;
+const COMPARED: usize = 20;
 
 /// Explanations of one level that are tried with a further mistake (the width of the beam search).
 const EXTENDED: usize = 5;

@@ -45,6 +45,8 @@ mistakes! {
     turned_vector(from, to);
     /// A crank's vectors in both plans, turned by an angle.
     turned_vectors(from, to, degrees: number);
+    /// A vector laid off from the wrong plan point.
+    vector_from_wrong_point(end, wrong, right);
     /// A normal part between two plan points, of opposite sense.
     normal_outward(from, to, rate: symbol, length: symbol);
     /// Several normal parts of opposite sense.
@@ -61,8 +63,8 @@ mistakes! {
     diameter_throughout(length: symbol);
     /// All products of a crank of half the size.
     half_the_radius(from, to, rate, length: symbol);
-    /// A normal part from the absolute velocity.
-    normal_from_absolute(from, to, rate: symbol, length: symbol);
+    /// A normal part from an absolute velocity, or that of another link, given by its segment.
+    normal_from_absolute(from, to, rate: symbol, length: symbol, velocity);
     /// A missing normal part.
     normal_forgotten(from, to, rate: symbol, length: symbol);
     /// Several missing normal parts.
@@ -77,12 +79,22 @@ mistakes! {
     coriolis_turned(from, to, rate: symbol, velocity: symbol);
     /// A Coriolis part along the guide.
     coriolis_along(from, to, rate: symbol, velocity: symbol);
+    /// A Coriolis part with another velocity, given by its segment.
+    coriolis_velocity(from, to, rate: symbol, velocity: symbol, wrong);
     /// A Coriolis part where nothing slides.
     coriolis_where_none(from, to, rate: symbol, length: symbol);
+    /// A Coriolis part of a slider on a guide at rest.
+    coriolis_at_rest(from, to, rate: symbol, velocity: symbol);
     /// The image of a link, mirrored; `other` is the image that fixes the side.
     mirrored_image(start, point, other);
+    /// The image of a point on a line of its link, on the wrong side of an end.
+    beyond_end(start, point, other);
     /// The line between two images, divided from its wrong end.
     wrong_ratio(from, to, point);
+    /// The triangle on two images with its distances from both exchanged.
+    distances_exchanged(from, to, point);
+    /// The same on the wrong side besides.
+    distances_exchanged_and_mirrored(from, to, point);
     /// A segment measured between the wrong plan points.
     wrong_segment(segment, from, to);
     /// A component of a segment in place of its length.
@@ -107,6 +119,8 @@ mistakes! {
     senses_reversed();
     /// A rate in revolutions per minute in place of radians per second, or the other way round.
     revolutions_for_radians(rate: symbol);
+    /// A given rate taken in another unit.
+    rate_in_other_unit(rate: symbol, number: number, given, taken);
     /// The same in revolutions per second.
     revolutions_per_second(rate: symbol);
     /// A rate in degrees in place of radians, or the other way round.
@@ -117,6 +131,8 @@ mistakes! {
     scale_forgotten(segment: segments, scale);
     /// The mechanism in another assembly mode.
     other_mode();
+    /// The mechanism with its crank at another angle.
+    crank_angle(link, wrong: number, right: number);
     /// Two quantities in each other's place.
     swapped(first, second);
     /// Two digits of a number in each other's place.
@@ -161,8 +177,14 @@ fn variant(mistake: MistakeWords, blanks: &[String]) -> (MistakeWords, Vec<&str>
         (M::omega_not_squared, &["", vectors]) => (M::omegas_not_squared, vec![vectors]),
         (M::normal_forgotten, &["", vectors]) => (M::normals_forgotten, vec![vectors]),
         (M::diameter, &["", "", _, length]) => (M::diameter_throughout, vec![length]),
+        (M::mirrored_image, [_, _, _, "end"]) => (M::beyond_end, blanks),
+        (M::wrong_ratio, [_, _, _, "triangle"]) => (M::distances_exchanged, blanks),
+        (M::wrong_ratio, [_, _, _, "mirrored"]) => (M::distances_exchanged_and_mirrored, blanks),
         (M::wrong_length, [_, _, _, _]) => (M::wrong_length_throughout, blanks),
         (M::omega_from_wrong_length, [_, _, _, _, _]) => (M::omega_and_normal_from_wrong_length, blanks),
+        (M::revolutions_for_radians | M::revolutions_per_second | M::degrees_for_radians, [_, _, _, _]) => {
+            (M::rate_in_other_unit, blanks)
+        }
         (M::wrong_sense, [_, _, _]) => (M::wrong_sense_given, blanks),
         _ => (mistake, blanks),
     }

@@ -349,6 +349,14 @@ sentences! {
     check_column_verdict;
     /// The limits of a hand's errors.
     check_tolerance(mm, degrees);
+    /// How accurate the drawing is.
+    check_accuracy(mm, degrees);
+    /// How accurate computed numbers are.
+    check_slips(percent);
+    /// More is allowed than to a careful hand.
+    check_wider(mm, degrees);
+    /// The hand is worse than was asked for.
+    check_too_coarse(mm, degrees);
     /// Heading of the explanation.
     check_probably;
     /// In place of an explanation: no value is off.
@@ -357,8 +365,8 @@ sentences! {
     check_nothing_off;
     /// Where several mistakes together explain the values.
     check_no_single;
-    /// Where no mistake of the catalogue explains the values.
-    check_none;
+    /// Where no cause can be told: the step and the first value that is off.
+    check_none(number, value);
     /// The step of a mistake.
     check_step(number);
     /// In place of a step: the whole drawing.

@@ -13,6 +13,8 @@ pub enum Mistake {
     ReversedVector,
     /// A vector laid off in another direction: across, or off by an angle as from a misread protractor.
     TurnedVector,
+    /// A normal part or a Coriolis acceleration laid off from the wrong point.
+    VectorFromWrongPoint,
     /// A normal acceleration that points outward.
     NormalOutward,
     /// A normal part with ω in place of ω².
@@ -23,7 +25,7 @@ pub enum Mistake {
     Diameter,
     /// All products of a crank with half its radius.
     HalfTheRadius,
-    /// A normal part from the absolute velocity.
+    /// A normal part from an absolute velocity, or from that of another link.
     NormalFromAbsolute,
     /// A normal part forgotten.
     NormalForgotten,
@@ -37,8 +39,12 @@ pub enum Mistake {
     CoriolisTurned,
     /// The Coriolis part laid off along the guide.
     CoriolisAlong,
+    /// The Coriolis part with another velocity than the sliding one.
+    CoriolisVelocity,
     /// A Coriolis part where nothing slides.
     CoriolisWhereNone,
+    /// A Coriolis part at a guide that is at rest.
+    CoriolisAtRest,
     /// The image of a link mirrored.
     MirroredImage,
     /// The line between two images divided from its wrong end.
@@ -69,6 +75,8 @@ pub enum Mistake {
     WrongScale,
     /// The other assembly mode.
     OtherMode,
+    /// The mechanism drawn at another angle of its crank.
+    CrankAngle,
     /// Two numbers swapped.
     Swapped,
     /// Digits transposed.

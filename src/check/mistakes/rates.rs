@@ -8,7 +8,7 @@ use super::vectors::{Term, terms};
 use crate::check::model::Edit;
 use crate::construction::{NumberId, NumberKind, OperationKind, ProductKind, Rate, Sheet};
 use crate::quantity::{Kind, What};
-use crate::scene::LengthUnit;
+use crate::scene::{LengthUnit, TimeUnit};
 
 /// Rates that are solved for or given: the operation that gives each, its number, which rate it is.
 fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)> {
@@ -173,7 +173,12 @@ fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -
         if matches!(rate, Rate::Omega(_)) || also_alpha && matches!(rate, Rate::Alpha(_)) {
             for factor in [factor, 1.0 / factor] {
                 let edit = Edit::Times(number, factor);
-                found.push(site.candidate(mistake, operation, edit, &[site.number_name(number)]));
+                let mut candidate = site.candidate(mistake, operation, edit, &[site.number_name(number)]);
+                if site.is_given(number) {
+                    candidate.blanks.extend(taken_as(site, mistake, number, factor).into_iter().flatten());
+                }
+                found.push(candidate);
+                found.extend(in_normal_part(site, mistake, number, factor));
             }
         }
     }
@@ -187,6 +192,38 @@ fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -
         }
     }
     found
+}
+
+/// A rate that is written right, but enters its normal part `factor` times as large.
+fn in_normal_part(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64) -> Option<Candidate> {
+    let normals = terms(site, ProductKind::Normal);
+    let own = |term: &&Term<'_>| !site.is_given(rate) && term.product().of.first() == Some(&rate);
+    let term = normals.iter().find(own)?;
+    let (operation, edit) = term.instead(Some(term.product().times(factor * factor)));
+    Some(site.candidate(mistake, operation, edit, &[site.number_name(rate)]))
+}
+
+/// A given rate taken in another unit: its number, its own unit, the unit in which it was taken; `None` where somebody
+/// must have converted it to a unit that was not asked for.
+fn taken_as(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64) -> Option<[String; 3]> {
+    if site.key.solution.scene.units.time != TimeUnit::S {
+        return None;
+    }
+    let (other, in_other) = match mistake {
+        Mistake::RevolutionsForRadians => ("rpm", 30.0 / core::f64::consts::PI),
+        Mistake::RevolutionsPerSecond => ("rev/s", 0.5 / core::f64::consts::PI),
+        _ => ("deg/s", 180.0 / core::f64::consts::PI),
+    };
+    let exact = site.model.exact.number(rate).abs();
+    // A scene may give revolutions per minute: then these are the round number.
+    let is_round = |x: f64| (x * 1000.0 - libm::round(x * 1000.0)).abs() < 1e-6;
+    let is_other = other == "rpm" && is_round(exact * in_other) && !is_round(exact);
+    let (number, own, taken, by) = match is_other {
+        true => (exact * in_other, other, "rad/s", in_other),
+        false => (exact, "rad/s", other, 1.0 / in_other),
+    };
+    let is_taken = (factor / by - 1.0).abs() < 1e-9;
+    is_taken.then(|| [(libm::round(number * 1000.0) / 1000.0).to_string(), own.to_owned(), taken.to_owned()])
 }
 
 pub(super) fn revolutions(site: &Site<'_>) -> Vec<Candidate> {

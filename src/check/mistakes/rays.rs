@@ -178,18 +178,3 @@ fn line_name(site: &Site<'_>, line: LineId) -> String {
         _ => String::new(),
     }
 }
-
-/// The whole drawing made in another assembly mode.
-pub(super) fn other_mode(site: &Site<'_>) -> Vec<Candidate> {
-    let in_mode = |mode| Candidate {
-        mistake: Mistake::OtherMode,
-        step: 0,
-        blanks: Vec::new(),
-        edits: Vec::new(),
-        reinterpreted: Vec::new(),
-        goes_on: Vec::new(),
-        free: Vec::new(),
-        mode,
-    };
-    (1..=site.other_modes).map(in_mode).collect()
-}

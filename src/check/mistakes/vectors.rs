@@ -2,10 +2,10 @@
 
 use super::candidate::Candidate;
 use super::mistake::Mistake;
-use super::site::Site;
+use super::site::{Laid, Site};
 use crate::check::model::Edit;
 use crate::construction::{
-    Along, NumberId, NumberKind, OperationKind, Plan, Product, ProductKind, Rate, Sheet, image_name,
+    Along, NumberId, NumberKind, OperationKind, PlaceId, Plan, Product, ProductKind, Rate, Sheet, image_name,
 };
 use crate::geometry::quarter_turn;
 
@@ -41,6 +41,11 @@ pub(super) struct Term<'s> {
 }
 
 impl<'s> Term<'s> {
+    /// The operation that computes the sum.
+    pub fn operation(&self) -> usize {
+        self.operation
+    }
+
     pub fn product(&self) -> &'s Product {
         &self.sum[self.at]
     }
@@ -81,7 +86,7 @@ pub(super) fn terms<'s>(site: &'s Site<'_>, kind: ProductKind) -> Vec<Term<'s>> 
 
 /// One candidate for each product of a kind; `change` gives the product that replaces it, or `None` where it is left
 /// out.
-fn products(
+pub(super) fn products(
     site: &Site<'_>,
     mistake: Mistake,
     kind: ProductKind,
@@ -167,30 +172,61 @@ pub(super) fn diameter(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// v²/L with the absolute velocity of the end in place of that relative to the start.
+/// v²/L with an absolute velocity, or with the relative velocity of another link, in place of that of the link's ends.
 pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
+    let mistake = Mistake::NormalFromAbsolute;
     let solution = site.key.solution;
-    let absolute = |product: &Product| -> Option<f64> {
-        let length = *product.of.last()?;
-        let NumberKind::Length([_, end]) = site.number_kind(length) else {
-            return None;
+    let exact = |number: NumberId| site.model.exact.number(number);
+    let mut found = Vec::new();
+    for term in terms(site, ProductKind::Normal) {
+        let product = term.product();
+        let (omega, Some(&length)) = (product.of[0], product.of.last()) else { continue };
+        let right = (exact(omega) * exact(length)).abs();
+        // A crank has no relative velocity, and without a length there is no quotient.
+        let is_other = |velocity: f64| (velocity - right).abs() > 1e-6 * right;
+        if site.is_given(omega) || exact(length) == 0.0 {
+            continue;
+        }
+        let factor = product.factor / exact(length);
+        let end = match site.number_kind(length) {
+            NumberKind::Length([_, end]) => image_name(solution.construction.end_name(&solution.mechanism, *end)),
+            _ => continue,
         };
-        let end = solution.construction.end_name(&solution.mechanism, *end);
-        let velocity = solution.construction.velocity.points.get(&image_name(end))?.vector.norm();
-        let length = site.model.exact.number(length);
-        (length != 0.0).then(|| velocity * velocity / length)
-    };
-    let mut found = products(site, Mistake::NormalFromAbsolute, ProductKind::Normal, |p| {
-        let size = absolute(p).unwrap_or(f64::NAN);
-        Some(Product::new(p.kind, p.factor * size, &[]))
+        let absolute = solution.construction.velocity.points.get(&end).map(|point| point.vector.norm());
+        let segments = velocities(site, term.operation);
+        let is_there = |velocity: f64| segments.iter().any(|(number, _)| !differ(exact(*number).abs(), velocity));
+        if let Some(velocity) = absolute.filter(|v| is_other(*v) && !is_there(*v)) {
+            let size = Product::new(product.kind, factor * velocity * velocity, &[]);
+            found.push(term.candidate(site, mistake, Some(size), &[&format!("p – {end}")]));
+        }
+        for (number, name) in segments.iter().filter(|(number, _)| is_other(exact(*number).abs())) {
+            let size = Product::new(product.kind, factor, &[*number, *number]);
+            found.push(term.candidate(site, mistake, Some(size), &[name]));
+        }
+    }
+    found
+}
+
+/// Whether two sizes differ by more than rounding.
+fn differ(a: f64, b: f64) -> bool {
+    (a - b).abs() > 1e-6 * b.abs()
+}
+
+/// The velocities that are laid off or measured before an operation, each size once, with the ends of their segments.
+pub(super) fn velocities(site: &Site<'_>, before: usize) -> Vec<(NumberId, String)> {
+    let mut found: Vec<(NumberId, String)> = Vec::new();
+    let exact = |number: NumberId| site.model.exact.number(number).abs();
+    let vectors = site.vectors().into_iter().filter(|v| v.sheet == Sheet::Velocity && v.operation < before);
+    let laid = vectors.map(|vector| (vector.size, vector.ends.join(" – ")));
+    let measured = site.numbers_before(before).filter_map(|(number, kind)| match kind {
+        NumberKind::Segment(Sheet::Velocity, ends) => Some((number, ends.join(" – "))),
+        _ => None,
     });
-    // Where the plan has no such velocity, the mistake cannot be made.
-    found.retain(|candidate| {
-        candidate.edits.iter().all(|(_, edit)| match edit {
-            Edit::Instead(OperationKind::Compute { sum, .. }) => sum.iter().all(|p| p.factor.is_finite()),
-            _ => true,
-        })
-    });
+    for (number, name) in laid.chain(measured) {
+        if exact(number) > 0.0 && found.iter().all(|(other, _)| differ(exact(*other), exact(number))) {
+            found.push((number, name));
+        }
+    }
     found
 }
 
@@ -219,22 +255,49 @@ pub(super) fn omega_of_another(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-pub(super) fn coriolis_forgotten(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisForgotten, ProductKind::Coriolis, |_| None)
+/// A normal part or a Coriolis acceleration laid off from the pole, or from the start of a vector beside it.
+pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
+    let vectors = site.vectors();
+    let mut found = Vec::new();
+    for (at, vector) in vectors.iter().enumerate() {
+        let is_part = vector.is_only(ProductKind::Normal) || vector.is_only(ProductKind::Coriolis);
+        let is_named = !site.place_name(vector.from).is_empty() && !site.place_name(vector.place).is_empty();
+        if !(is_part && is_named && vector.sheet == Sheet::Acceleration) {
+            continue;
+        }
+        let pole = site.operations().find_map(|(_, operation)| match operation.kind {
+            OperationKind::Pole { place, .. } if operation.sheet == vector.sheet => Some(place),
+            _ => None,
+        });
+        let (before, after) = (at.checked_sub(1).map(|before| &vectors[before]), vectors.get(at + 1));
+        let beside = [before.map(|v| v.from), before.map(|v| v.place), after.map(|v| v.from)];
+        let mut starts: Vec<PlaceId> = Vec::new();
+        for start in pole.into_iter().chain(beside.into_iter().flatten()) {
+            let is_there = site.model.places_before(vector.sheet, vector.operation).contains(&start);
+            if is_there && start != vector.from && !starts.contains(&start) {
+                starts.push(start);
+            }
+        }
+        found.extend(starts.into_iter().map(|start| laid_off_from(site, vector, start)));
+    }
+    found
 }
 
-pub(super) fn coriolis_without_two(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisWithoutTwo, ProductKind::Coriolis, |p| Some(p.times(0.5)))
-}
-
-pub(super) fn coriolis_turned(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisTurned, ProductKind::Coriolis, |p| Some(p.times(-1.0)))
-}
-
-/// A Coriolis part 2 ω v added to a link between pins, with v = ω L: it lies along the normal part ω² L and makes it
-/// three times as large.
-pub(super) fn coriolis_where_none(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisWhereNone, ProductKind::Normal, |p| Some(p.times(3.0)))
+/// A vector laid off from another place; its size is read from there.
+fn laid_off_from(site: &Site<'_>, vector: &Laid<'_>, start: PlaceId) -> Candidate {
+    let &Laid { place, from, size, along, .. } = vector;
+    let edit = Edit::Instead(OperationKind::LayOff { place, from: start, size, along });
+    let blanks = [site.place_name(place), site.place_name(start), site.place_name(from)];
+    let mut candidate = site.candidate(Mistake::VectorFromWrongPoint, vector.operation, edit, &blanks);
+    for (index, operation) in site.operations() {
+        if let OperationKind::Measure { number, from: own, to, how } = operation.kind
+            && (own, to) == (from, place)
+        {
+            let kind = OperationKind::Measure { number, from: start, to, how };
+            candidate.edits.push((index, Edit::Instead(kind)));
+        }
+    }
+    candidate
 }
 
 /// A vector laid off across its direction: the crank's velocity along the crank, a normal part across its link.
@@ -247,22 +310,6 @@ pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
         }
     }
     found.extend(super::crank::turned(site));
-    found
-}
-
-/// A Coriolis acceleration laid off along its guide.
-pub(super) fn coriolis_along(site: &Site<'_>) -> Vec<Candidate> {
-    let mut found = Vec::new();
-    for vector in site.vectors().iter().filter(|vector| vector.is_only(ProductKind::Coriolis)) {
-        for quarter_turns in [1, 3] {
-            let edit = vector.turned(vector.along.turned(quarter_turns));
-            let [from, to] = vector.ends;
-            let [rate, velocity] = [0, 1].map(|factor| vector.sum[0].of.get(factor));
-            let [rate, velocity] = [rate, velocity].map(|number| number.map_or("", |&n| site.number_name(n)));
-            let blanks = [from, to, rate, velocity];
-            found.push(site.candidate(Mistake::CoriolisAlong, vector.operation, edit, &blanks));
-        }
-    }
     found
 }
 
