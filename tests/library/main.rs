@@ -36,6 +36,7 @@ mod reference;
 mod scene_build;
 mod scene_read;
 mod step_names;
+mod students;
 mod templates;
 mod values;
 mod worked;
