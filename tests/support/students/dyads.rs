@@ -170,7 +170,8 @@ impl Sheet<'_> {
         }
         let rest = format!("{image}_ground");
         let guides = [&moving, &fixed].map(|slider| self.scheme.guide(slider).direction);
-        let rays = [self.ray(plan, &moving, [&start, &image], guides[0]), self.ray(plan, &fixed, [&rest, &image], guides[1])];
+        let rays =
+            [self.ray(plan, &moving, [&start, &image], guides[0]), self.ray(plan, &fixed, [&rest, &image], guides[1])];
         self.cross(plan, &image, rays[0], rays[1]);
         self.slide(plan, &moving, [&start, &image], guides[0]);
         self.slide(plan, &fixed, [&rest, &image], guides[1]);
@@ -182,7 +183,8 @@ impl Sheet<'_> {
         let (slot, fixed) = (format!("{block}/{yoke}"), format!("{yoke}/ground"));
         let guides = [&fixed, &slot].map(|slider| self.scheme.guide(slider).direction);
         let rest = format!("{own}_ground");
-        let rays = [self.ray(plan, &fixed, [&rest, &image], guides[0]), self.ray(plan, &slot, [&own, &image], guides[1])];
+        let rays =
+            [self.ray(plan, &fixed, [&rest, &image], guides[0]), self.ray(plan, &slot, [&own, &image], guides[1])];
         self.cross(plan, &image, rays[0], rays[1]);
         self.slide(plan, &fixed, [&rest, &image], guides[0]);
         self.slide(plan, &slot, [&own, &image], guides[1] + 2.0 * QUARTER);

@@ -82,7 +82,8 @@ impl Sheet<'_> {
                 let other = self.rate_for(2, &central, &what);
                 let rest = self.length_for(2, &special.link, [joint, &special.name], &what);
                 let first = Act::new(Doing::Size, 2, link, pivot, joint).by(Formula::Normal).of(&what);
-                let second = Act::new(Doing::Size, 2, &special.link, joint, &special.name).by(Formula::Normal).of(&what);
+                let second =
+                    Act::new(Doing::Size, 2, &special.link, joint, &special.name).by(Formula::Normal).of(&what);
                 let parts = [self.number(first, own * own * length), self.number(second, other * other * rest)];
                 let inwards = self.scheme.along(joint, pivot);
                 self.lay(2, [&from, &end], (Formula::Normal, link), parts[0] + sense * parts[1], inwards);
@@ -115,7 +116,8 @@ impl Sheet<'_> {
                 let sense = self.sense_along(pivot, joint, &special.name);
                 let own = self.length_for(plan, link, [pivot, joint], &what);
                 let rest = self.length_for(plan, &special.link, [joint, &special.name], &what);
-                let sense = self.number(Act::new(Doing::Sense, plan, &special.link, joint, &special.name).of(&what), sense);
+                let sense =
+                    self.number(Act::new(Doing::Sense, plan, &special.link, joint, &special.name).of(&what), sense);
                 vec![(name(link), own), (name(&special.link), sense * rest)]
             }
             Leg::Guided(pivot, slider, link) => {

@@ -17,7 +17,6 @@ pub struct Given {
 #[derive(Clone, Debug)]
 pub struct Guide {
     pub name: String,
-    pub at: String,
     pub direction: f64,
     /// Speed and acceleration of a driven slider.
     pub drive: Option<[f64; 2]>,
@@ -99,7 +98,7 @@ impl Scheme {
             let drive = &slider["drive"];
             let number = |key: &str| drive[key].as_f64().unwrap_or(0.0);
             let drive = drive.is_object().then(|| [number("speed"), number("acceleration")]);
-            self.guides.push(Guide { name, at: text("at"), direction, drive });
+            self.guides.push(Guide { name, direction, drive });
         }
     }
 
@@ -138,10 +137,6 @@ impl Scheme {
 
     pub fn guide(&self, name: &str) -> &Guide {
         self.guides.iter().find(|guide| guide.name == name).unwrap_or_else(|| panic!("there is no slider {name}"))
-    }
-
-    pub fn distance(&self, a: &str, b: &str) -> f64 {
-        size(self.at(b) - self.at(a))
     }
 }
 

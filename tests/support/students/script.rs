@@ -1,8 +1,9 @@
 //! What is drawn for each kind of mechanism, in the order of a textbook.
 
+use super::act::Change;
 use super::groups::{Leg, Special};
 use super::hand::Hand;
-use super::act::Change;
+use super::plane::{Place, QUARTER, unit};
 use super::scheme::Scheme;
 use super::sheet::Sheet;
 
@@ -21,7 +22,10 @@ const SCRIPTS: [(&str, &str); 19] = [
     ("dyad-rpr", "known D ; known B ; slot D B 2 3 ; image D B_3 C 3"),
     ("dyad-prp", "under 1 A C ; blocks C 2 1 3 ; known A ; image A C_1 B 1"),
     ("dyad-rpp", "known B ; yoke B 2 3"),
-    ("hydraulic-boom", "cylinder A C O 2 3 4 ; rates A B 2 v ; rates C D 3 v ; rates A D_2 2 a ; rates C D 3 a ; image A D_2 B 2 a ; image O C E 4"),
+    (
+        "hydraulic-boom",
+        "cylinder A C O 2 3 4 ; rates A B 2 v ; rates C D 3 v ; rates A D_2 2 a ; rates C D 3 a ; image A D_2 B 2 a ; image O C E 4",
+    ),
     (
         "third-class",
         "crank 1 A B ; special S24 3 pinned B C 2 pinned F D 4 ; special S25 3 pinned B C 2 pinned G E 5 ; solve \
@@ -76,6 +80,19 @@ pub fn place_specials(kind: &str, scheme: &mut Scheme) {
         let place = special.place(scheme);
         scheme.places.insert(special.name, place);
     }
+}
+
+/// A joint that can lie on two sides of a line, a place of that line and its direction as a vector.
+pub fn joints(kind: &str, scheme: &Scheme) -> Option<(String, Place, Place)> {
+    let verb = verbs(kind).into_iter().find(|verb| ["pins", "guided"].contains(&verb[0]))?;
+    let from = scheme.at(verb[1]);
+    Some(match verb[0] {
+        "pins" => (verb[3].to_owned(), from, scheme.at(verb[2]) - from),
+        _ => {
+            let guide = scheme.guide(&format!("{}/ground", verb[4])).direction;
+            (verb[2].to_owned(), from, unit(guide + QUARTER))
+        }
+    })
 }
 
 /// Draws both plans.

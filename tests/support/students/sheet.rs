@@ -158,7 +158,14 @@ impl<'a> Sheet<'a> {
 
     /// Lays off a vector: its signed size in a direction. The written length of a vector that was computed is the one
     /// that was laid off.
-    pub fn lay(&mut self, plan: usize, [from, to]: [&str; 2], (formula, link): (Formula, &str), value: f64, towards: f64) {
+    pub fn lay(
+        &mut self,
+        plan: usize,
+        [from, to]: [&str; 2],
+        (formula, link): (Formula, &str),
+        value: f64,
+        towards: f64,
+    ) {
         let of = self.asked(plan, from, to).unwrap_or_default();
         let act = |doing| Act::new(doing, plan, link, from, to).by(formula).of(&of);
         let computed = match formula {
@@ -227,6 +234,14 @@ impl<'a> Sheet<'a> {
         };
         let value = self.hand.computed(value);
         Some(self.number(Act::new(Doing::Written, 0, "", "", "").of(quantity), value))
+    }
+
+    /// A value of the form as it stands, read without writing it.
+    pub fn quiet(&mut self, quantity: &str) -> f64 {
+        match ends_of(quantity) {
+            Some((plan, from, to)) => self.read(plan, from, to),
+            None => self.rates.get(quantity).copied().unwrap_or_default(),
+        }
     }
 
     /// Notes that a vector was left out, so that nobody can measure it.
