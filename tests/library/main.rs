@@ -32,6 +32,7 @@ mod planted_modes;
 mod point_paths;
 mod properties;
 mod published_numbers;
+mod published_sets;
 mod reference;
 mod scene_build;
 mod scene_read;

@@ -12,7 +12,10 @@ fn another_hand_agrees_with_the_keys() {
         return;
     };
     let hand = files::path("tests/students/hand.py");
-    let said = run(&python, [QUIET.as_ref(), hand.as_os_str(), "--self-test".as_ref(), env!("CARGO_BIN_EXE_kinegon").as_ref()]);
+    let said = run(
+        &python,
+        [QUIET.as_ref(), hand.as_os_str(), "--self-test".as_ref(), env!("CARGO_BIN_EXE_kinegon").as_ref()],
+    );
     let said = String::from_utf8(said).expect("text");
     assert_eq!(said.lines().count(), 10, "{said}");
     assert!(!said.contains("DISAGREES"), "{said}");
@@ -24,7 +27,18 @@ fn classical_mistakes_on_exact_sheets_are_named() {
         return;
     };
     let judge = files::path("tests/students/judge.py");
-    let words = ["--only", "normal part left out", "--hand", "exact", "--seeds", "1", "--limit-wrong", "0", "--least-named", "100"];
+    let words = [
+        "--only",
+        "normal part left out",
+        "--hand",
+        "exact",
+        "--seeds",
+        "1",
+        "--limit-wrong",
+        "0",
+        "--least-named",
+        "100",
+    ];
     let program = [QUIET.as_ref(), judge.as_os_str(), env!("CARGO_BIN_EXE_kinegon").as_ref()];
     let said = run(&python, program.into_iter().chain(words.map(AsRef::as_ref)));
     let said = String::from_utf8(said).expect("text");

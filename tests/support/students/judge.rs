@@ -1,5 +1,6 @@
 //! Whether the check names what a student did wrong.
 
+use super::mistake::Name;
 use super::task::{Cause, Planned};
 use kinegon::check::CheckResult;
 
@@ -80,9 +81,14 @@ pub const CLASSES: [(Class, &str); 6] = [
 
 /// Whether a told mistake is one of the names of a cause.
 fn is_named(told: &Told, cause: &Cause) -> bool {
-    let sentence = format!("{} ", told.sentence);
+    is_among(told, &cause.names)
+}
+
+/// Whether a told mistake is one of these; a word ends where a comma, a colon or the sentence does.
+fn is_among(told: &Told, names: &[Name]) -> bool {
+    let sentence = format!("{} ", told.sentence).replace(", ", " ").replace(": ", " ");
     let fits = |words: &[String]| words.is_empty() || words.iter().any(|word| sentence.contains(word));
-    cause.names.iter().any(|(id, words)| *id == told.id && fits(words))
+    names.iter().any(|(id, words)| *id == told.id && fits(words))
 }
 
 /// Whether the first value that a told mistake touches is where a cause begins.
@@ -106,7 +112,10 @@ fn class_of(explanation: &Explanation, said: &Said, planned: &Planned) -> Class 
             false => Class::Honest,
         };
     }
-    let is_right = |told: &Told| causes.iter().any(|cause| is_named(told, cause) || begins_at(told, cause));
+    let is_right = |told: &Told| {
+        let is_true = |cause: &Cause| is_named(told, cause) || begins_at(told, cause) || is_among(told, &cause.beside);
+        causes.iter().any(is_true)
+    };
     if told.iter().all(is_right) {
         let all = causes.iter().all(|cause| told.iter().any(|told| is_named(told, cause)));
         return if all { Class::Named } else { Class::Located };
@@ -119,9 +128,10 @@ pub fn is_right(said: &Said, planned: Option<&Planned>) -> bool {
     let Some(planned) = planned else {
         return false;
     };
-    let is_true = |told: &Told| {
-        let mut causes = planned.causes.iter();
-        causes.any(|cause| is_named(told, cause) || (told.id == "unknown" && begins_at(told, cause)))
-    };
-    said.explanations.iter().any(|explanation| !explanation.told.is_empty() && explanation.told.iter().all(is_true))
+    let is_placed =
+        |told: &Told, cause: &Cause| is_named(told, cause) || (told.id == "unknown" && begins_at(told, cause));
+    let names_one = |told: &Told| planned.causes.iter().any(|cause| is_placed(told, cause));
+    let is_true = |told: &Told| names_one(told) || planned.causes.iter().any(|cause| is_among(told, &cause.beside));
+    let mut explanations = said.explanations.iter();
+    explanations.any(|explanation| explanation.told.iter().any(names_one) && explanation.told.iter().all(is_true))
 }

@@ -20,6 +20,8 @@ pub struct Mistake {
     pub scheme: Option<Wrong>,
     /// The names under which it may be told.
     pub names: Vec<Name>,
+    /// What may be told beside these, as it is true, too, but does not name it.
+    pub beside: Vec<Name>,
     /// Where it begins, if that is said by the mistake itself; else the first value that it changes.
     pub begins: Vec<String>,
 }
@@ -41,6 +43,7 @@ impl Mistake {
             changes: vec![(act.key(), change)],
             scheme: None,
             names,
+            beside: Vec::new(),
             begins: match act.doing {
                 Doing::Found | Doing::Written => vec![act.quantity.clone()],
                 Doing::Sense | Doing::Length if act.quantity.ends_with(')') => vec![act.quantity.clone()],
@@ -96,9 +99,15 @@ pub fn symbol(rate: &str) -> String {
     }
 }
 
-/// How sentences name the ends of a vector or ray.
-pub fn from_to(act: &Act) -> String {
-    format!("from {} to {}", act.ends[0], act.ends[1])
+/// How sentences name the ends of a vector or ray; what is at rest has its image in the pole.
+pub fn from_to(id: &'static str, act: &Act) -> Name {
+    let [from, to] = &act.ends;
+    (id, [from.as_str(), pole(act.plan)].map(|from| format!("from {from} to {to} ")).to_vec())
+}
+
+/// The name of a plan's pole.
+pub fn pole(plan: usize) -> &'static str {
+    ["", "p", "π"][plan]
 }
 
 /// A name with one text that its sentence must hold.
@@ -113,8 +122,13 @@ pub fn anywhere(id: &'static str) -> Name {
 
 /// How sentences say that another length was taken for the one of an act.
 pub fn length_for_length(act: &Act, [from, to]: [&str; 2]) -> Name {
-    let own = [[0, 1], [1, 0]].map(|[a, b]| format!("L_{}{}", act.ends[a], act.ends[b]));
-    let ends = [[from, to], [to, from]].map(|[a, b]| format!("the length from {a} to {b}"));
+    // The point of a link under a joint has the joint's place.
+    let ways = |[a, b]: [&str; 2]| {
+        let [c, d] = [a, b].map(|name| name.split('_').next().unwrap_or_default().to_owned());
+        [[a.to_owned(), b.to_owned()], [b.to_owned(), a.to_owned()], [c.clone(), d.clone()], [d, c]]
+    };
+    let own = ways([&act.ends[0], &act.ends[1]]).map(|[a, b]| format!("L_{a}{b}"));
+    let ends = ways([from, to]).map(|[a, b]| format!("the length from {a} to {b}"));
     let all = own.iter().flat_map(|own| ends.iter().map(move |ends| format!("for {own} {ends}")));
     ("wrong-length", all.collect())
 }

@@ -1,6 +1,6 @@
 //! What a sheet gives to a student: places, lengths, drives, guides, scales, and the names that the form asks for.
 
-use super::plane::{DEGREE, Place, direction, size, unit};
+use super::plane::{DEGREE, Place, direction, unit};
 use kinegon::check::form_names;
 use kinegon::{Scene, Solution};
 use serde_json::Value;

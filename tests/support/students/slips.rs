@@ -6,10 +6,10 @@ use super::plane::{DEGREE, Place, unit};
 use super::scheme::Scheme;
 use crate::support::random::Random;
 
-/// From ½ to 2, but not nearly 1.
+/// Between ½ and 2, which a diameter would be, but not nearly 1.
 fn factor(random: &mut Random) -> f64 {
     loop {
-        let factor = libm::pow(2.0, random.within(1.0));
+        let factor = libm::pow(2.0, random.within(0.9));
         if !(0.9..=1.1).contains(&factor) {
             return factor;
         }
@@ -53,7 +53,10 @@ fn slip_names(act: &Act) -> Vec<super::mistake::Name> {
 fn direction(random: &mut Random, acts: &[Act]) -> Option<Mistake> {
     let act = act_by_lot(random, acts, |act| [Doing::Heading, Doing::Ray].contains(&act.doing))?;
     let angle = angle(random);
-    Some(Mistake::new(&format!("turned by {:.0}°", angle / DEGREE), act, turned(angle), Vec::new()))
+    let mut mistake = Mistake::new(&format!("turned by {:.0}°", angle / DEGREE), act, turned(angle), Vec::new());
+    // Along a link nobody can say in which sense a segment turns it.
+    mistake.beside = vec![anywhere("wrong-sense")];
+    Some(mistake)
 }
 
 /// A vector or ray that begins somewhere else.

@@ -37,6 +37,7 @@ pub struct Cause {
     pub text: String,
     pub is_classical: bool,
     pub names: Vec<Name>,
+    pub beside: Vec<Name>,
     /// The quantity at which it first shows, or several that show the same.
     pub begins: Vec<String>,
 }
@@ -84,8 +85,8 @@ impl Task {
             }
             planned.changes.extend(mistake.changes);
             planned.scheme = scheme.or(planned.scheme);
-            let Mistake { text, is_classical, names, .. } = mistake;
-            planned.causes.push(Cause { text, is_classical, names, begins });
+            let Mistake { text, is_classical, names, beside, .. } = mistake;
+            planned.causes.push(Cause { text, is_classical, names, beside, begins });
         }
         // Both together must stay on the sheet, too.
         let (values, _, extent) = self.exact(planned.scheme.as_ref().unwrap_or(&self.scheme), &planned.changes);
