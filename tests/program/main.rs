@@ -18,5 +18,6 @@ mod exercises;
 mod guide;
 mod overlays;
 mod step_sheets;
+mod students;
 mod styles;
 mod wording;
