@@ -189,5 +189,9 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
         let begins = |g: &Group<'_>| g.findings.iter().any(|f| f.first() == Some(first));
         (sum(&begins) >= TOLD).then(|| finding.of_unknown_cause(values[first].entry.asked.name()))
     });
-    told.collect()
+    // Behind a value that is wrong for no known reason no other such value is told: where to look first is enough.
+    let mut told: Vec<Finding> = told.collect();
+    let mut is_first = true;
+    told.retain(|finding| finding.candidate.mistake != Mistake::Unknown || core::mem::take(&mut is_first));
+    told
 }

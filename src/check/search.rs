@@ -24,6 +24,9 @@ const HOPELESS: f64 = 30.0;
 /// Least gain of a further mistake, in −2 ln of the likelihood: ten times likelier.
 const MARGIN: f64 = 4.6;
 
+/// Cost of each mistake beside the first: most people make one.
+const FURTHER: f64 = 3.0;
+
 /// Cost of each amount that is fitted to the values, at a first look.
 const FITTED: f64 = 7.0;
 
@@ -134,7 +137,8 @@ impl<'a> Search<'a> {
     }
 
     fn cost(&self, indices: &[usize]) -> f64 {
-        indices.iter().map(|&i| self.costs[i]).sum()
+        let further = FURTHER * indices.len().saturating_sub(1) as f64;
+        indices.iter().map(|&i| self.costs[i]).sum::<f64>() + further
     }
 
     /// All explanations that were compared completely, the best first. `none`: how well values fit without a mistake.
@@ -255,7 +259,7 @@ impl<'a> Search<'a> {
             set.push(candidate);
             let meant = self.scorer.meant(&set);
             let look = self.scorer.look(&parent.metrics, &meant, &self.scorer.predicted(&set));
-            look + self.costs[index] + FITTED * candidate.free.len() as f64
+            look + self.costs[index] + FURTHER + FITTED * candidate.free.len() as f64
         };
         if candidate.free.is_empty() {
             return vec![(look(candidate), New::Listed(index))];

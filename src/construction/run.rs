@@ -52,8 +52,9 @@ pub enum Change<'a> {
     Times(NumberId, f64),
     /// A number that the operation makes is replaced by this value in later operations.
     Written(NumberId, f64),
-    /// A line that the operation draws is displaced to its left by this distance, in units of the sheet.
-    Aside(LineId, f64),
+    /// A line that the operation draws is displaced to its left by a product of numbers made before, in units of the
+    /// sheet.
+    Aside(LineId, &'a Product),
 }
 
 /// A number type in which a construction can be carried out.
@@ -140,7 +141,7 @@ impl Values {
                     Change::Written(number, value) => self.numbers[number.0] = *value,
                     Change::Aside(line, by) => {
                         let (place, along) = self.lines[line.0];
-                        self.lines[line.0].0 = place + along.quarter_turn() * *by;
+                        self.lines[line.0].0 = place + along.quarter_turn() * self.product(by);
                     }
                     Change::Error(..) | Change::Instead(_) => {}
                 }

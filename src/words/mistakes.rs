@@ -91,6 +91,8 @@ mistakes! {
     beyond_end(start, point, other);
     /// The line between two images, divided from its wrong end.
     wrong_ratio(from, to, point);
+    /// The line between two images, divided in the inverse ratio.
+    inverse_ratio(from, to, point);
     /// The triangle on two images with its distances from both exchanged.
     distances_exchanged(from, to, point);
     /// The same on the wrong side besides.
@@ -178,6 +180,7 @@ fn variant(mistake: MistakeWords, blanks: &[String]) -> (MistakeWords, Vec<&str>
         (M::normal_forgotten, &["", vectors]) => (M::normals_forgotten, vec![vectors]),
         (M::diameter, &["", "", _, length]) => (M::diameter_throughout, vec![length]),
         (M::mirrored_image, [_, _, _, "end"]) => (M::beyond_end, blanks),
+        (M::wrong_ratio, [_, _, _, "inverse"]) => (M::inverse_ratio, blanks),
         (M::wrong_ratio, [_, _, _, "triangle"]) => (M::distances_exchanged, blanks),
         (M::wrong_ratio, [_, _, _, "mirrored"]) => (M::distances_exchanged_and_mirrored, blanks),
         (M::wrong_length, [_, _, _, _]) => (M::wrong_length_throughout, blanks),

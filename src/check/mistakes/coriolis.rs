@@ -85,10 +85,9 @@ pub(super) fn at_rest(site: &Site<'_>) -> Vec<Candidate> {
         for (omega, _) in
             site.numbers_before(index).filter(|(_, kind)| matches!(kind, NumberKind::Rate(Rate::Omega(_))))
         {
-            let size = 2.0 * site.model.exact.number(omega) * site.model.exact.number(velocity);
             let blanks = [ray.through.as_str(), &ray.to, site.number_name(omega), site.number_name(velocity)];
-            for side in [size, -size] {
-                let edit = Edit::Aside(line, side);
+            for factor in [2.0, -2.0] {
+                let edit = Edit::Aside(line, Product::new(ProductKind::Coriolis, factor, &[omega, velocity]));
                 found.push(site.candidate(Mistake::CoriolisAtRest, index, edit, &blanks));
             }
         }

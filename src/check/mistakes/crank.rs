@@ -17,15 +17,15 @@ fn is_of_crank(site: &Site<'_>, product: &Product) -> bool {
 fn crank_lengths<'s>(site: &'s Site<'_>) -> Vec<Length<'s>> {
     let sums = site.sums();
     let products = || sums.iter().flat_map(|(_, _, sum, _)| sum.iter()).filter(|product| is_of_crank(site, product));
-    let is_its = |length: &Length<'_>| products().any(|product| product.of.last() == Some(&length.number));
-    lengths(site).into_iter().filter(is_its).collect()
+    let is_its = |length: &Length<'_>| products().any(|product| product.of.last().copied() == length.number);
+    lengths(site).into_iter().filter(|length| length.number.is_some()).filter(is_its).collect()
 }
 
 /// A crank's length taken `factor` times as long in all its products.
 fn of_other_length(site: &Site<'_>, mistake: Mistake, factor: f64) -> Vec<Candidate> {
     let lengths = crank_lengths(site).into_iter();
     let all = lengths.filter_map(|length| {
-        let name = site.number_name(length.number);
+        let name = site.number_name(length.number?);
         length.throughout(site, mistake, factor, &["", "", "", name])
     });
     all.collect()

@@ -20,13 +20,23 @@ pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
 pub(super) fn wrong_ratio(site: &Site<'_>) -> Vec<Candidate> {
     let divided = site.operations().filter_map(|(index, operation)| match operation.kind {
         OperationKind::Divide { place, ends, like: [first, second, point] } => {
-            let edit = Edit::Instead(OperationKind::Divide { place, ends, like: [second, first, point] });
-            let blanks = [ends[0], ends[1], place].map(|place| site.place_name(place));
-            Some(site.candidate(Mistake::WrongRatio, index, edit, &blanks))
+            let divided = |like, ends: [PlaceId; 2]| {
+                let edit = Edit::Instead(OperationKind::Divide { place, ends, like });
+                let blanks = [ends[0], ends[1], place].map(|place| site.place_name(place));
+                site.candidate(Mistake::WrongRatio, index, edit, &blanks)
+            };
+            let mut found = vec![divided([second, first, point], ends)];
+            // The inverse ratio from either end: the point is taken for the other end.
+            for (like, ends) in [([first, point, second], ends), ([second, point, first], [ends[1], ends[0]])] {
+                let mut inverse = divided(like, ends);
+                inverse.blanks.push("inverse".to_owned());
+                found.push(inverse);
+            }
+            Some(found)
         }
         _ => None,
     });
-    let mut found: Vec<Candidate> = divided.collect();
+    let mut found: Vec<Candidate> = divided.flatten().collect();
     for triangle in triangles(site) {
         for mirrored in [false, true] {
             found.push(triangle.drawn(site, Mistake::WrongRatio, Shape { exchanged: true, mirrored }));

@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
-use crate::construction::{Disturbance, End, MeasuredAs, NumberId, NumberKind, OperationKind, PlaceId, Product, Sheet};
+use crate::construction::{Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, PlaceId, Sheet};
 
 /// The candidate, with the right sign of the number measured: people take the sign from the sheets, not from the
 /// measurement.
@@ -68,51 +68,64 @@ fn ends_elsewhere(site: &Site<'_>, mistake: Mistake, is_meant: fn(Sheet) -> bool
     found
 }
 
-/// A length of the scheme.
+/// A length of the scheme, or one of a link that the construction does without.
 #[derive(Clone, Copy)]
 pub(super) struct Length<'s> {
-    pub number: NumberId,
-    /// The operation that gives it.
-    maker: usize,
-    ends: [End; 2],
+    /// Its number, where the construction uses it.
+    pub number: Option<NumberId>,
+    /// Its size.
+    pub exact: f64,
     /// The names of its ends.
     pub names: [&'s str; 2],
 }
 
-/// Most lengths of a construction among which any is taken for any other; of more only neighbours are.
+/// Most lengths among which any is taken for any other; of more only neighbours are.
 const FEW: usize = 4;
 
-/// The lengths of the scheme.
+/// The lengths of the scheme, then the links' other lengths.
 pub(super) fn lengths<'s>(site: &'s Site<'_>) -> Vec<Length<'s>> {
     let solution = site.key.solution;
     let numbers = site.numbers_before(usize::MAX);
-    let all = numbers.filter_map(|(number, kind)| match kind {
+    let used = numbers.filter_map(|(number, kind)| match kind {
         NumberKind::Length(ends) => {
             let names = ends.map(|end| solution.construction.end_name(&solution.mechanism, end));
-            Some(Length { number, maker: site.model.makers[number.0]?, ends: *ends, names })
+            Some(Length { number: Some(number), exact: site.model.exact.number(number).abs(), names })
         }
         _ => None,
     });
-    all.collect()
+    let mut found: Vec<Length<'_>> = used.collect();
+    for (_, link) in solution.mechanism.links() {
+        for (at, &from) in link.points.iter().enumerate() {
+            for &to in &link.points[at + 1..] {
+                let names = [from, to].map(|point| solution.mechanism.point_name(point));
+                let is_there = found.iter().any(|length| names.iter().all(|name| length.names.contains(name)));
+                let exact = solution.pose.arm(from, to).norm();
+                if !is_there && exact > 0.0 {
+                    found.push(Length { number: None, exact, names });
+                }
+            }
+        }
+    }
+    found
 }
 
 impl<'s> Length<'s> {
-    pub fn exact(&self, site: &Site<'_>) -> f64 {
-        site.model.exact.number(self.number)
-    }
-
-    /// The lengths that somebody takes for this one: those that share an end with it, and any where there are few.
-    pub fn mistakable<'l>(&'l self, all: &'l [Length<'s>]) -> impl Iterator<Item = &'l Length<'s>> {
-        let is_near = |other: &Length<'_>| all.len() <= FEW || other.ends.iter().any(|end| self.ends.contains(end));
-        all.iter().filter(move |other| other.number != self.number && is_near(other))
+    /// The lengths that somebody takes for this one, with their ratios to it: those that share an end with it, and any
+    /// where there are few.
+    pub fn mistakable<'l>(&'l self, all: &'l [Length<'s>]) -> impl Iterator<Item = (&'l Length<'s>, f64)> {
+        let is_near = |other: &Length<'_>| all.len() <= FEW || other.names.iter().any(|end| self.names.contains(end));
+        let others = all.iter().filter(move |other| other.names != self.names && is_near(other));
+        let ratios = others.map(|other| (other, other.exact / self.exact));
+        ratios.filter(|(_, ratio)| ratio.is_finite() && *ratio > 0.0 && (ratio - 1.0).abs() > 1e-6)
     }
 
     /// The length taken `factor` times as large wherever it is used, from the first step that uses it on; `None` if it
     /// is measured, or never used.
     pub fn throughout(&self, site: &Site<'_>, mistake: Mistake, factor: f64, blanks: &[&str]) -> Option<Candidate> {
-        let is_given = matches!(site.operation(self.maker).kind, OperationKind::Take { .. });
-        let first = self.uses(site).next().filter(|_| is_given && factor.is_finite())?;
-        let mut candidate = site.candidate(mistake, self.maker, Edit::Times(self.number, factor), blanks);
+        let number = self.number.filter(|&number| site.is_given(number))?;
+        let first = self.uses(site).next()?;
+        let maker = site.model.makers[number.0]?;
+        let mut candidate = site.candidate(mistake, maker, Edit::Times(number, factor), blanks);
         candidate.step = site.model.steps[first];
         Some(candidate)
     }
@@ -121,21 +134,11 @@ impl<'s> Length<'s> {
     fn uses(&self, site: &Site<'_>) -> impl Iterator<Item = usize> {
         let uses = |kind: &OperationKind| {
             let mut found = false;
-            kind.each_number_read(|number| found |= number == self.number);
+            kind.each_number_read(|number| found |= Some(number) == self.number);
             found
         };
         site.operations().filter(move |(_, operation)| uses(&operation.kind)).map(|(index, _)| index)
     }
-}
-
-/// The product with another length in place of its last factor. The sign comes from the scheme, not from the length.
-pub(super) fn with_length(site: &Site<'_>, product: &Product, wrong: NumberId) -> Product {
-    let mut product = product.clone();
-    if let Some(last) = product.of.last_mut() {
-        product.factor *= (site.model.exact.number(*last) * site.model.exact.number(wrong)).signum();
-        *last = wrong;
-    }
-    product
 }
 
 /// A neighbouring length measured, or used in a vector's size, or used wherever the right one should be.
@@ -143,26 +146,26 @@ pub(super) fn wrong_length(site: &Site<'_>) -> Vec<Candidate> {
     let mistake = Mistake::WrongLength;
     let mut found = ends_elsewhere(site, mistake, |sheet| sheet == Sheet::Scheme);
     let lengths = lengths(site);
+    let used = || lengths.iter().filter_map(|length| Some((length, length.number?)));
     for (operation, number, sum, _) in site.sums() {
         for (at, product) in sum.iter().enumerate() {
-            let Some(right) = lengths.iter().find(|length| product.of.last() == Some(&length.number)) else {
+            let Some((right, own)) = used().find(|(_, own)| product.of.last() == Some(own)) else {
                 continue;
             };
-            for wrong in right.mistakable(&lengths).filter(|wrong| wrong.maker < operation) {
+            for (wrong, ratio) in right.mistakable(&lengths) {
                 let mut sum = sum.to_vec();
-                sum[at] = with_length(site, product, wrong.number);
+                sum[at] = product.times(ratio);
                 let edit = Edit::Instead(OperationKind::Compute { number, sum });
                 let [a, b] = wrong.names;
-                found.push(site.candidate(mistake, operation, edit, &[site.number_name(right.number), a, b]));
+                found.push(site.candidate(mistake, operation, edit, &[site.number_name(own), a, b]));
             }
         }
     }
-    for right in lengths.iter().filter(|length| length.uses(site).count() > 1) {
-        for wrong in right.mistakable(&lengths) {
+    for (right, own) in used().filter(|(length, _)| length.uses(site).count() > 1) {
+        for (wrong, ratio) in right.mistakable(&lengths) {
             let [a, b] = wrong.names;
-            let factor = (wrong.exact(site) / right.exact(site)).abs();
-            let blanks = [site.number_name(right.number), a, b, "throughout"];
-            found.extend(right.throughout(site, mistake, factor, &blanks));
+            let blanks = [site.number_name(own), a, b, "throughout"];
+            found.extend(right.throughout(site, mistake, ratio, &blanks));
         }
     }
     found

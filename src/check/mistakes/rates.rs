@@ -1,7 +1,7 @@
 //! Mistakes with rates and scales.
 
 use super::candidate::{Candidate, Reinterpretation};
-use super::lengths::{Length, lengths, with_length};
+use super::lengths::{Length, lengths};
 use super::mistake::Mistake;
 use super::site::{Laid, Site};
 use super::vectors::{Term, terms};
@@ -95,7 +95,7 @@ fn divided<'s>(site: &'s Site<'_>, all: &[Length<'s>]) -> Vec<Divided<'s>> {
         let OperationKind::Solve { unknowns, equations } = kind else { continue };
         for equation in equations {
             let [(unknown, product)] = equation.left.as_slice() else { continue };
-            let length = all.iter().find(|length| product.of.as_slice() == [length.number]);
+            let length = all.iter().find(|length| length.number.is_some_and(|own| product.of.as_slice() == [own]));
             let rate = unknowns[*unknown];
             let is_omega = match site.number_kind(rate) {
                 NumberKind::Rate(Rate::Omega(_)) => true,
@@ -116,23 +116,19 @@ fn from_wrong_length(site: &Site<'_>, mistake: Mistake, is_omega: bool) -> Vec<C
     for Divided { operation, rate, length, .. } in
         divided(site, &lengths).into_iter().filter(|divided| divided.is_omega == is_omega)
     {
-        for wrong in length.mistakable(&lengths) {
-            let ratio = (length.exact(site) / wrong.exact(site)).abs();
-            // A length of nothing divides nothing.
-            if !ratio.is_finite() || (ratio - 1.0).abs() < 1e-6 {
-                continue;
-            }
+        let Some(own_length) = length.number else { continue };
+        for (wrong, ratio) in length.mistakable(&lengths) {
             let [a, b] = wrong.names;
-            let blanks = [site.number_name(rate), a, b, site.number_name(length.number)];
-            let alone = site.candidate(mistake, operation, Edit::Times(rate, ratio), &blanks);
+            let blanks = [site.number_name(rate), a, b, site.number_name(own_length)];
+            let alone = site.candidate(mistake, operation, Edit::Times(rate, 1.0 / ratio), &blanks);
             let own = |term: &&Term<'_>| {
                 let product = term.product();
-                product.of.first() == Some(&rate) && product.of.last() == Some(&length.number)
+                product.of.first() == Some(&rate) && product.of.last() == Some(&own_length)
             };
             if let Some(normal) = normals.iter().find(own) {
                 let mut both = alone.clone();
                 both.blanks.push(normal.blanks(site)[1].to_owned());
-                both.edits.push(normal.instead(Some(with_length(site, normal.product(), wrong.number))));
+                both.edits.push(normal.instead(Some(normal.product().times(ratio))));
                 found.push(both);
             }
             found.push(alone);
@@ -157,8 +153,8 @@ pub(super) fn not_divided(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for Divided { operation, rate, length, .. } in divided(site, &lengths(site)) {
         for divisor in &divisors {
-            let edit = Edit::Times(rate, length.exact(site).abs() / divisor);
-            let blanks = [site.number_name(rate), site.number_name(length.number)];
+            let edit = Edit::Times(rate, length.exact / divisor);
+            let blanks = [site.number_name(rate), length.number.map_or("", |own| site.number_name(own))];
             found.push(site.candidate(Mistake::NotDividedByLength, operation, edit, &blanks));
         }
     }
