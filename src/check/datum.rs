@@ -36,6 +36,11 @@ impl Datum {
         if (reversed - expected).abs() < (off - expected).abs() { reversed } else { off }
     }
 
+    /// By how much two predictions differ as far as such a value shows it.
+    pub fn seen_apart(&self, predicted: f64, other: f64) -> f64 {
+        if self.is_magnitude { predicted.abs() - other.abs() } else { self.turned(predicted - other) }
+    }
+
     /// A difference of two such values; of angles the shorter way round.
     pub fn turned(&self, difference: f64) -> f64 {
         if self.is_angle { difference - 360.0 * libm::round(difference / 360.0) } else { difference }

@@ -10,6 +10,9 @@ const GRID: f64 = 15.0;
 /// Sizes of amounts that are tried first, in parts of their range.
 const SIZES: [f64; 12] = [-8.0, -4.0, -2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0, 8.0];
 
+/// Values among which the first is that an amount is fitted to.
+const NEAR: usize = 3;
+
 /// Most iterations for a root.
 const ITERATIONS: usize = 40;
 
@@ -37,10 +40,12 @@ impl<'a> Settling<'a> {
     /// expected without it. There may be several ways.
     pub fn settled(&self) -> Vec<Candidate> {
         let moved = self.moved();
-        let Some(&first) = moved.first().filter(|&&first| self.parent.outside[first]) else {
+        // Values before the first that is wrong may happen to be near.
+        let Some(at) = moved.iter().take(NEAR).position(|&datum| self.parent.outside[datum]) else {
             return Vec::new();
         };
-        let roots = match (self.none.len(), moved.get(1)) {
+        let first = moved[at];
+        let roots = match (self.none.len(), moved.get(at + 1)) {
             (1, _) => self.roots(first),
             (_, Some(&second)) => self.points([first, second]),
             _ => Vec::new(),
@@ -77,8 +82,9 @@ impl<'a> Settling<'a> {
             amounts[which] += 0.5 * free.range;
             let predicted = self.predicted(&amounts);
             for (index, moved) in moved.iter_mut().enumerate() {
-                let by = self.scorer.data[index].turned(predicted[index] - self.parent.predicted[index]);
-                *moved |= by.abs() > 1e-3 * self.scorer.data[index].span;
+                let datum = &self.scorer.data[index];
+                let by = datum.seen_apart(predicted[index], self.parent.predicted[index]);
+                *moved |= by.abs() > 1e-3 * datum.span;
             }
         }
         (0..moved.len()).filter(|&index| moved[index]).collect()
@@ -94,7 +100,7 @@ impl<'a> Settling<'a> {
     fn roots(&self, datum: usize) -> Vec<Vec<f64>> {
         let free = &self.template.free[0];
         let at = |amount: f64| self.apart(datum, self.predicted(&[amount])[datum]);
-        let is_angle = matches!(free.what, Amount::Error(0)) && free.range == 60.0;
+        let is_angle = free.is_angle;
         let grid: Vec<f64> = if is_angle {
             (-12..=12).map(|i| f64::from(i) * GRID).collect()
         } else {

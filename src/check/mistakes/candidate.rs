@@ -43,6 +43,8 @@ pub(in crate::check) struct Free {
     pub operation: usize,
     /// What of it is wrong.
     pub what: Amount,
+    /// Whether it is an angle in degrees.
+    pub is_angle: bool,
     /// Standard deviation of the amounts that occur: mm, degrees, or the unit of the number.
     pub range: f64,
 }

@@ -17,19 +17,21 @@ pub(super) fn everywhere(site: &Site<'_>) -> Vec<Candidate> {
     for (index, operation) in site.operations() {
         for amounts in amounts(site, operation) {
             let free = |&what: &Amount| {
-                let range = match (what, &operation.kind) {
-                    (Amount::Number(number), _) => number_range(site, number),
-                    (Amount::Error(0), OperationKind::Draw { .. } | OperationKind::LayOff { .. }) => TURN,
-                    _ => extents[operation.sheet as usize],
+                let turns = matches!(operation.kind, OperationKind::Draw { .. } | OperationKind::LayOff { .. });
+                let is_angle = turns && matches!(what, Amount::Error(0));
+                let range = match what {
+                    Amount::Number(number) => number_range(site, number),
+                    Amount::Error(_) if is_angle => TURN,
+                    Amount::Error(_) => extents[operation.sheet as usize],
                 };
-                Free { operation: index, what, range }
+                Free { operation: index, what, is_angle, range }
             };
             let free: Vec<Free> = amounts.iter().map(free).collect();
             found.push(Candidate {
                 mistake: Mistake::Unknown,
                 step: site.model.steps[index],
                 // The name of the first value that is wrong follows; until then each place has a name of its own.
-                blanks: vec![format!("{index} {:?}", free[0].what)],
+                blanks: vec![format!("{index} {:?}", free.iter().map(|f| f.what).collect::<Vec<_>>())],
                 edits: Vec::new(),
                 reinterpreted: Vec::new(),
                 goes_on: Vec::new(),
@@ -52,8 +54,11 @@ fn amounts(site: &Site<'_>, operation: &Operation) -> SmallVec<[SmallVec<[Amount
         OperationKind::LayOff { size, .. } => {
             let is_computed = site.model.sizes.iter().any(|(number, _)| number == size);
             let direction = smallvec![Amount::Error(0)];
+            // Both amounts: the vector ends anywhere.
+            let both = smallvec![Amount::Error(0), Amount::Error(1)];
             // The computation has the wrong size otherwise.
-            if is_computed { smallvec![direction] } else { smallvec![direction, smallvec![Amount::Error(1)]] }
+            let size = smallvec![Amount::Error(1)];
+            if is_computed { smallvec![direction, both] } else { smallvec![direction, both, size] }
         }
         OperationKind::Measure { .. } | OperationKind::Compute { .. } | OperationKind::Solve { .. } => {
             let numbers = operation.kind.numbers().iter().filter(is_used);
