@@ -243,7 +243,8 @@ fn a_rate_without_a_sense_is_never_right() {
 /// A form as a spreadsheet saves it, in whatever encoding and with whatever separators.
 #[test]
 fn spreadsheets_may_save_a_form_as_they_like() {
-    let lines = ["quantity;value;unit", "name;Zoë;", "aplan(π,s3);67,84;", "omega(4);−0,4747;rad/s", "alpha(4);-0,4485;"];
+    let lines =
+        ["quantity;value;unit", "name;Zoë;", "aplan(π,s3);67,84;", "omega(4);−0,4747;rad/s", "alpha(4);-0,4485;"];
     let plain = lines.join("\r\n");
     let without_greek = plain.replace('π', "pi").replace('−', "-");
     let utf16 = |text: &str, bytes: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(bytes).collect::<Vec<u8>>();
@@ -262,8 +263,10 @@ fn spreadsheets_may_save_a_form_as_they_like() {
         ("commas.csv", plain.replace(',', ".").replace(';', ",").replace("aplan(π.s3)", "aplan(π,s3)").into_bytes()),
         (
             "comma.json",
-            form(r#""name": "Zoë", "values": { "aplan(pi,s3)": "67,84", "omega(4)": "-0,4747", "alpha(4)": "-0.4485" }"#)
-                .into_bytes(),
+            form(
+                r#""name": "Zoë", "values": { "aplan(pi,s3)": "67,84", "omega(4)": "-0,4747", "alpha(4)": "-0.4485" }"#,
+            )
+            .into_bytes(),
         ),
     ] {
         let file = scratch(&format!("check-{name}")).join(name);
@@ -289,7 +292,8 @@ fn all_faults_of_a_form_are_told_together() {
     let csv = "quantity;value\naplan(?,s3);67,8\nmu_v;two\nomga(4);1\nomega(4);fast\nalpha(4);-0,448\n";
     let said = refused("faults.csv", csv);
     let parts = ["4 things", "line 2: the letter π was lost in `aplan(?,s3)`: save as CSV UTF-8, or write pi"];
-    for part in parts.into_iter().chain(["line 3: mu_v is `two`", "line 4: `omga(4)` is no quantity", "line 5: `fast`"]) {
+    for part in parts.into_iter().chain(["line 3: mu_v is `two`", "line 4: `omga(4)` is no quantity", "line 5: `fast`"])
+    {
         assert!(said.contains(part), "{said}");
     }
     let said = refused("faults.json", &form(r#""mu_v": 0, "values": { "omga(4)": 1, "omega(4)": "fast" }"#));
@@ -314,7 +318,8 @@ fn forms_and_sheets_have_the_same_names() {
     assert!(template("german").contains(&"vplan(P_v,b)".to_owned()));
     for notation in ["paper", "english", "russian", "german"] {
         // p b of the crank: 600 mm/s, and 6000 mm/s².
-        for [v, a] in [["vplan(o,b)", "aplan(o′,b′)"], ["vplan(p,b)", "aplan(pi,b)"], ["vplan(P_v,b)", "aplan(P_a,b)"]] {
+        for [v, a] in [["vplan(o,b)", "aplan(o′,b′)"], ["vplan(p,b)", "aplan(pi,b)"], ["vplan(P_v,b)", "aplan(P_a,b)"]]
+        {
             let text = form(&format!(r#""values": {{ "{v}": 600, "{a}": 6000 }}"#));
             let file = scratch("check-notation").join("form.json");
             std::fs::write(&file, text).expect("written");
@@ -327,7 +332,8 @@ fn forms_and_sheets_have_the_same_names() {
         }
     }
     // What a person reads has the names of the sheet, also in sentences.
-    let points = form(r#""mu_v": 1, "points": { "velocity": { "o": [10, 20], "b": [44.2, 114.0], "s3": [4.5, 158.1] } }"#);
+    let points =
+        form(r#""mu_v": 1, "points": { "velocity": { "o": [10, 20], "b": [44.2, 114.0], "s3": [4.5, 158.1] } }"#);
     let output = check("points-english.json", &points, &["--notation", "english"]);
     let said = String::from_utf8(output.stdout).expect("text");
     assert!(said.contains("o b ") && !said.contains("vplan"), "{said}");
