@@ -137,9 +137,7 @@ impl<'a> ShownNames<'a> {
     /// The plan point with that name in some other notation.
     fn other_notation(&self, plan: &Plan, name: &str) -> Option<String> {
         let is_pole = |notation: &&Notation| plain(plan.kind.pole_in(notation)).replace('′', "'") == name;
-        if Notation::ALL.iter().any(|notation| is_pole(notation))
-            || (plan.kind.sheet() == Sheet::Acceleration && name == "pi")
-        {
+        if Notation::ALL.iter().any(is_pole) || (plan.kind.sheet() == Sheet::Acceleration && name == "pi") {
             return Some(plan.kind.pole().to_owned());
         }
         // Images in an acceleration plan may bear a prime.
