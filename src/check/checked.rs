@@ -6,7 +6,7 @@ use super::mistakes::Site;
 use super::model::{COMPUTING, Model};
 use super::points::is_mirrored;
 use super::score::Scorer;
-use super::search::{Search, other_modes};
+use super::search::{Search, hand, other_modes};
 use super::sheet::{CheckError, Measured};
 use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
@@ -86,9 +86,9 @@ pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckE
             let mut search = Search::new(site.candidates(), &scorer);
             let off: Vec<bool> = scorer.data.iter().map(|d| values[d.entry].verdict == Verdict::Off).collect();
             let tried = search.run(none, &off, key.depth);
-            if let Some(best) = tried.first() {
-                accuracy = Some(Accuracy::of(&best.fit.hand, key));
-                widen(&mut values, &scorer, &best.fit.hand, key);
+            if let Some(hand) = hand(&tried) {
+                accuracy = Some(Accuracy::of(&hand, key));
+                widen(&mut values, &scorer, &hand, key);
             }
             if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) }
         }

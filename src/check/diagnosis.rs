@@ -24,7 +24,7 @@ const NEGLIGIBLE: f64 = 1e-5;
 const OUTSIDE: f64 = 0.07;
 
 /// The same for each further mistake.
-const FURTHER_OUTSIDE: f64 = 0.2;
+const FURTHER_OUTSIDE: f64 = 0.12;
 
 /// Explanations that are told in the same words.
 struct Group<'t> {
@@ -50,12 +50,16 @@ impl Search<'_> {
         let Some(first) = groups.first() else {
             return Diagnosis::none(values);
         };
-        let told = told(&groups, values);
+        let mut told = told(&groups, values);
         let probability = |findings: &[Finding]| {
             let holds = |g: &&Group<'_>| findings.iter().all(|f| g.is_alike || has_cause(g, f));
             let all: f64 = groups.iter().filter(holds).map(|g| g.probability).sum();
             all.min(1.0) * honest(findings)
         };
+        // Together they must be probable, too: the later ones are left out first.
+        while told.len() > 1 && probability(&told) < TOLD {
+            told.pop();
+        }
         let others = groups.iter().skip(1).filter_map(|group| {
             let is_new = group.findings.iter().any(|f| !told.iter().any(|t| t.candidate.is_told_like(&f.candidate)));
             let is_told = group.is_alike && told.len() == first.findings.len();

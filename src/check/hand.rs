@@ -9,7 +9,7 @@ pub(super) const SIZES: [f64; 13] = [4.0, 2.8, 2.0, 1.4, 1.0, 0.7, 0.5, 0.2, 0.0
 pub(super) const CAREFUL: usize = 4;
 
 /// Sizes of slips in computed numbers that are tried, in parts of [`SLIP`].
-pub(super) const SLIPS: [f64; 4] = [0.0, 0.3, 1.0, 3.0];
+pub(super) const SLIPS: [f64; 3] = [0.0, 0.3, 1.0];
 
 /// Limit of the relative errors of numbers computed carelessly, in per cent.
 pub(super) const SLIP: f64 = 1.0;

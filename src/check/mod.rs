@@ -3,8 +3,8 @@
 //! explain the values best: the construction is replayed with one mistake, then with more, and every replay is compared
 //! with all values, right and wrong ones.
 //!
-//! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry`
-//! finds the quantity of each value, `precision` how finely it is written, `points` the distances between given places;
+//! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form, `shown` has the
+//! names of the sheets; `entry` finds the quantity of each value, `precision` how finely it is written, `points` the distances between given places;
 //! `checked` gives each value its `verdict`.
 //! `model` predicts all values together with their common errors, `together` the errors that a drawing program makes;
 //! `datum`, `covariance`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the catalogue,

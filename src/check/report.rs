@@ -73,7 +73,7 @@ impl ReportText<'_> {
     }
 
     /// The sentence about rates without a sense, if there are any.
-    fn senses(&self) -> Option<String> {
+    pub(super) fn senses(&self) -> Option<String> {
         (self.count(Verdict::SenseMissing) > 0).then(|| self.own.check_senses().to_owned())
     }
 

@@ -30,6 +30,9 @@ const FURTHER: f64 = 5.0;
 /// Cost of each amount that is fitted to the values, at a first look.
 const FITTED: f64 = 7.0;
 
+/// Difference in −2 ln of the probability from which on an explanation is clearly likelier: twenty times.
+const CLEARLY: f64 = 6.0;
+
 /// An explanation that was compared completely.
 pub(super) struct Tried {
     /// Indices of its candidates in the pool.
@@ -283,6 +286,15 @@ impl<'a> Search<'a> {
             operations && values && positions
         })
     }
+}
+
+/// The hand of the likeliest explanation. A sheet without mistakes by a bad hand must be clearly likelier than one with
+/// a mistake by a better hand to be taken for that.
+pub(super) fn hand(tried: &[Tried]) -> Option<Hand> {
+    let best = tried.first()?;
+    let better = tried.iter().find(|t| !t.set.is_empty() && t.fit.hand.worst() < best.fit.hand.worst());
+    let is_near = |t: &&Tried| t.cost < best.cost + CLEARLY;
+    Some(better.filter(is_near).unwrap_or(best).fit.hand)
 }
 
 /// The cost above which explanations are not tried with a further mistake.

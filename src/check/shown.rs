@@ -71,9 +71,9 @@ impl<'a> ShownNames<'a> {
         let mut rest = text;
         while let Some(open) = rest.find('(') {
             let before = &rest[..open];
-            let start = before.rfind(|c: char| !(c.is_ascii_alphabetic() || c == '_')).map_or(0, |at| {
-                at + before[at..].chars().next().map_or(1, char::len_utf8)
-            });
+            let start = before
+                .rfind(|c: char| !(c.is_ascii_alphabetic() || c == '_'))
+                .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
             let end = rest[open..].find(')').map(|at| open + at + 1);
             let Some(end) = end.filter(|_| start < open) else {
                 told.push_str(&rest[..=open]);
@@ -107,7 +107,8 @@ impl<'a> ShownNames<'a> {
 
     /// The usual name of a quantity written by the names of any notation; what is not known stays as it is.
     pub fn usual(&self, written: &str) -> String {
-        let Some((parts, sheet)) = Parts::of(written).and_then(|parts| parts.sheet().map(|sheet| (parts, sheet))) else {
+        let Some((parts, sheet)) = Parts::of(written).and_then(|parts| parts.sheet().map(|sheet| (parts, sheet)))
+        else {
             return written.to_owned();
         };
         let ends = parts.ends.iter().map(|end| self.usual_point(sheet, end));
@@ -136,7 +137,7 @@ impl<'a> ShownNames<'a> {
     /// The plan point with that name in some other notation.
     fn other_notation(&self, plan: &Plan, name: &str) -> Option<String> {
         let is_pole = |notation: &&Notation| plain(plan.kind.pole_in(notation)).replace('′', "'") == name;
-        if Notation::ALL.iter().any(|notation| is_pole(notation)) || (plan.kind.sheet() == Sheet::Acceleration && name == "pi") {
+        if Notation::ALL.iter().any(is_pole) || (plan.kind.sheet() == Sheet::Acceleration && name == "pi") {
             return Some(plan.kind.pole().to_owned());
         }
         // Images in an acceleration plan may bear a prime.
@@ -159,7 +160,14 @@ impl<'a> ShownNames<'a> {
 
     /// A name of the scene with its label.
     fn label(&self, name: &str) -> String {
-        self.solution.scene.figure.labels.get(name).filter(|label| !label.is_empty()).map_or(name, String::as_str).to_owned()
+        self.solution
+            .scene
+            .figure
+            .labels
+            .get(name)
+            .filter(|label| !label.is_empty())
+            .map_or(name, String::as_str)
+            .to_owned()
     }
 
     /// The names of the points of the scheme.

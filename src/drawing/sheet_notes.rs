@@ -48,7 +48,8 @@ impl Scheme<'_> {
         let ends = ["n", "k", "r"].map(|letter| {
             let mut points: Vec<String> = Vec::new();
             for plan in self.construction.plans() {
-                let own = |name: &str| name.split_once('_').is_some_and(|(own, _)| own.trim_end_matches('\'') == letter);
+                let own =
+                    |name: &str| name.split_once('_').is_some_and(|(own, _)| own.trim_end_matches('\'') == letter);
                 for arrow in plan.arrows().filter(|arrow| own(&arrow.to) && is_named(plan, &arrow.to)) {
                     let shown = self.shown(&arrow.to, Some(plan));
                     if !points.contains(&shown) {

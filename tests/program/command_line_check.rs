@@ -198,7 +198,143 @@ fn the_paper_as_a_student() {
     let diagnosis = &said[start..];
     let expected = include_str!("../files/paper-as-student.txt");
     assert_eq!(diagnosis.trim(), expected.trim(), "\n{diagnosis}");
-    let off: Vec<&str> =
-        said.lines().filter(|l| l.ends_with("OFF")).filter_map(|l| l.split_whitespace().next()).collect();
-    assert_eq!(off, ["L(B,S3)", "v(B/A).size", "a_r(3/2)"]);
+    let off: Vec<&str> = said.lines().filter(|l| l.ends_with("OFF")).filter_map(|l| l.split("  ").next()).collect();
+    assert_eq!(off, ["B S3", "|v_BA|", "a_r(3/2)"]);
+}
+
+/// The verdicts of a check as JSON.
+fn verdicts(name: &str, text: &str) -> (Option<i32>, Vec<String>) {
+    let output = check(name, text, &["--json", "--depth", "1"]);
+    let result: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let values = result["values"].as_array().expect("a list").iter();
+    (output.status.code(), values.filter_map(|v| v["verdict"].as_str()).map(str::to_owned).collect())
+}
+
+/// ω₄ = −0.4747 rad/s and a_r = −58.41 mm/s²: a number without a sign is a positive one where the form says which sense
+/// is, and has no sense where it does not.
+#[test]
+fn a_rate_without_a_sense_is_never_right() {
+    let asks = r#""positive": "counter-clockwise", "#;
+    for (values, asked, verdict, code) in [
+        (r#""omega(4)": 0.4747"#, false, "sense-missing", 0),
+        (r#""omega(4)": 0.48"#, false, "sense-missing", 0),
+        (r#""omega(4)": 0.9"#, false, "off", 1),
+        (r#""omega(4)": "+0.4747""#, false, "off", 1),
+        (r#""omega(4)": -0.4747"#, false, "right", 0),
+        (r#""omega(4)": 0.4747"#, true, "off", 1),
+        (r#""omega(4)": "-0.4747""#, true, "right", 0),
+        (r#""a_r(3/2)": 58.4"#, false, "sense-missing", 0),
+        (r#""a_r(3/2)": 58.4"#, true, "off", 1),
+        (r#""a_r(3/2)": -58.4"#, true, "right", 0),
+        // Segments have no sense.
+        (r#""vplan(b,s3)": 59.41"#, false, "right", 0),
+    ] {
+        let text = form(&format!(r#"{}"values": {{ {values} }}"#, if asked { asks } else { "" }));
+        let told = verdicts("senses.json", &text);
+        assert_eq!(told, (Some(code), vec![verdict.to_owned()]), "{text}");
+    }
+    let said = check("senses.json", &form(r#""values": { "omega(4)": 0.4747 }"#), &[]).stdout;
+    let said = String::from_utf8(said).expect("text");
+    for part in ["1 without a sense", "sense missing", "Write + or − before it", "Nothing is off."] {
+        assert!(said.contains(part), "{said}");
+    }
+}
+
+/// A form as a spreadsheet saves it, in whatever encoding and with whatever separators.
+#[test]
+fn spreadsheets_may_save_a_form_as_they_like() {
+    let lines =
+        ["quantity;value;unit", "name;Zoë;", "aplan(π,s3);67,84;", "omega(4);−0,4747;rad/s", "alpha(4);-0,4485;"];
+    let plain = lines.join("\r\n");
+    let without_greek = plain.replace('π', "pi").replace('−', "-");
+    let utf16 = |text: &str, bytes: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(bytes).collect::<Vec<u8>>();
+    let marked = format!("\u{feff}{plain}");
+    let latin: Vec<u8> = without_greek.chars().map(|c| u8::try_from(u32::from(c)).expect("Latin-1")).collect();
+    for (name, bytes) in [
+        ("utf-8.csv", plain.clone().into_bytes()),
+        ("utf-8-bom.csv", marked.clone().into_bytes()),
+        ("utf-16-le.csv", utf16(&marked, u16::to_le_bytes)),
+        ("utf-16-be.csv", utf16(&marked, u16::to_be_bytes)),
+        ("utf-16-no-mark.csv", utf16(&without_greek, u16::to_le_bytes)),
+        ("windows-1252.csv", latin),
+        ("mac.csv", plain.replace("\r\n", "\r").into_bytes()),
+        ("tabs.csv", plain.replace(';', "\t").into_bytes()),
+        ("separator.csv", format!("sep=;\r\n{plain}").into_bytes()),
+        ("commas.csv", plain.replace(',', ".").replace(';', ",").replace("aplan(π.s3)", "aplan(π,s3)").into_bytes()),
+        (
+            "comma.json",
+            form(
+                r#""name": "Zoë", "values": { "aplan(pi,s3)": "67,84", "omega(4)": "-0,4747", "alpha(4)": "-0.4485" }"#,
+            )
+            .into_bytes(),
+        ),
+    ] {
+        let file = scratch(&format!("check-{name}")).join(name);
+        std::fs::write(&file, bytes).expect("it can be written");
+        let output = kinegon().args(["check", SCENE, "--json"]).arg(&file).output().expect("the program starts");
+        let result: serde_json::Value =
+            serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{name}: {}", stderr(&output)));
+        assert_eq!(result["name"], "Zoë", "{name}");
+        let values: Vec<f64> =
+            result["values"].as_array().expect("a list").iter().filter_map(|v| v["value"].as_f64()).collect();
+        assert_eq!(values, [-0.4747, 67.84, -0.4485], "{name}");
+    }
+    let file = scratch("check-binary").join("binary.csv");
+    std::fs::write(&file, [0x50, 0x4b, 3, 4, 20, 0, 6, 0]).expect("written");
+    let output = kinegon().args(["check", SCENE]).arg(&file).output().expect("the program starts");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("is no text"), "{}", stderr(&output));
+}
+
+/// All that is wrong with a form is told at once, each with its line and what to try.
+#[test]
+fn all_faults_of_a_form_are_told_together() {
+    let csv = "quantity;value\naplan(?,s3);67,8\nmu_v;two\nomga(4);1\nomega(4);fast\nalpha(4);-0,448\n";
+    let said = refused("faults.csv", csv);
+    let parts = ["4 things", "line 2: the letter π was lost in `aplan(?,s3)`: save as CSV UTF-8, or write pi"];
+    for part in parts.into_iter().chain(["line 3: mu_v is `two`", "line 4: `omga(4)` is no quantity", "line 5: `fast`"])
+    {
+        assert!(said.contains(part), "{said}");
+    }
+    let said = refused("faults.json", &form(r#""mu_v": 0, "values": { "omga(4)": 1, "omega(4)": "fast" }"#));
+    for part in ["3 things", "mu_v is no scale", "values.omga(4)", "values.omega(4): `fast` is no number"] {
+        assert!(said.contains(part), "{said}");
+    }
+}
+
+/// A form has the names of the sheet in any notation, and a check takes those of all notations.
+#[test]
+fn forms_and_sheets_have_the_same_names() {
+    let template = |notation: &str| {
+        let arguments = ["check", "templates/four-bar.json", "--template", "--notation", notation];
+        let output = kinegon().args(arguments).output().expect("the program starts");
+        let form: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!(form["positive"], "counter-clockwise");
+        let names: Vec<String> = form["values"].as_object().expect("values").keys().cloned().collect();
+        names
+    };
+    assert!(template("paper").contains(&"aplan(π,b)".to_owned()));
+    assert!(template("english").contains(&"aplan(o',b')".to_owned()));
+    assert!(template("german").contains(&"vplan(P_v,b)".to_owned()));
+    for notation in ["paper", "english", "russian", "german"] {
+        // p b of the crank: 600 mm/s, and 6000 mm/s².
+        for [v, a] in [["vplan(o,b)", "aplan(o′,b′)"], ["vplan(p,b)", "aplan(pi,b)"], ["vplan(P_v,b)", "aplan(P_a,b)"]]
+        {
+            let text = form(&format!(r#""values": {{ "{v}": 600, "{a}": 6000 }}"#));
+            let file = scratch("check-notation").join("form.json");
+            std::fs::write(&file, text).expect("written");
+            let arguments = ["check", "templates/four-bar.json", "--json", "--notation", notation];
+            let output = kinegon().args(arguments).arg(&file).output().expect("the program starts");
+            let result: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+            assert_eq!(result["passed"], true, "{v} {notation}: {}", stderr(&output));
+            assert_eq!(result["values"][0]["quantity"], "vplan(p,b)");
+            assert_eq!(result["values"][1]["quantity"], "aplan(π,b)");
+        }
+    }
+    // What a person reads has the names of the sheet, also in sentences.
+    let points =
+        form(r#""mu_v": 1, "points": { "velocity": { "o": [10, 20], "b": [44.2, 114.0], "s3": [4.5, 158.1] } }"#);
+    let output = check("points-english.json", &points, &["--notation", "english"]);
+    let said = String::from_utf8(output.stdout).expect("text");
+    assert!(said.contains("o b ") && !said.contains("vplan"), "{said}");
 }

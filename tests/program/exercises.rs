@@ -3,15 +3,16 @@
 use crate::support::files;
 use crate::support::program::{self, kinegon, scratch, stderr};
 use crate::support::random::Random;
-use crate::support::survey::tried;
 use crate::support::stages::{answer_key, solved};
+use crate::support::survey::tried;
 use kinegon::Solution;
-use kinegon::check::{AnswerKey, Given, Measured, Student, Verdict, check};
+use kinegon::check::{AnswerKey, Given, Marks, Measured, Student, Verdict, check};
 use kinegon::construction::{Action, PlanKind};
-use kinegon::drawing::Shape;
+use kinegon::drawing::{Drawing, Pen, Rect, Shape};
 use kinegon::exercise::{Exercise, ExerciseError, Exercises, Refusal};
 use kinegon::geometry::{Point, Vector};
-use kinegon::scene::{Figure, Page, PageSize};
+use kinegon::quantity::Quantity;
+use kinegon::scene::{Figure, LanguageName, Page, PageSize};
 use serde_json::Value;
 use std::path::Path;
 
@@ -222,6 +223,126 @@ fn no_key_cuts_a_plan() {
         }
     }
     assert!(wrong.is_empty(), "{} of {keys} keys\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// What a sheet says.
+fn said(sheet: &Drawing) -> String {
+    let texts = sheet.marks.iter().filter_map(|mark| match &mark.shape {
+        Shape::Text(text) => Some(text.text.content()),
+        _ => None,
+    });
+    texts.collect::<Vec<_>>().join(" ").replace('\u{a0}', " ")
+}
+
+/// Words outside the scheme that leave the sheet or lie on each other.
+fn words_in_the_way(sheet: &Drawing) -> Vec<String> {
+    let paper = Rect::new(0.0, 0.0, sheet.width, sheet.height);
+    let words = sheet.marks.iter().filter(|mark| matches!(mark.pen, Pen::Caption | Pen::Heading));
+    let words: Vec<(String, Rect)> = words
+        .filter_map(|mark| match &mark.shape {
+            Shape::Text(text) => Some((text.text.content(), mark.shape.bounds())),
+            _ => None,
+        })
+        .collect();
+    assert!(words.len() > 10, "{words:?}");
+    let mut wrong = Vec::new();
+    for (index, (text, ink)) in words.iter().enumerate() {
+        if paper.union(*ink) != paper {
+            wrong.push(format!("{text} leaves the sheet"));
+        }
+        let other = words[..index].iter().find(|(_, other)| ink.intersect(*other).area() > 0.0);
+        wrong.extend(other.map(|(other, _)| format!("{text} lies on {other}")));
+    }
+    wrong
+}
+
+/// A sheet says what a student needs besides the numbers; nothing on it lies on anything else, in either language.
+#[test]
+fn sheets_say_what_is_positive_and_what_paper_is_needed() {
+    let text = files::read("templates/slotted-lever.json");
+    let lever = exercise(&text, 7);
+    let sheet = said(&lever.sheet);
+    for part in [
+        "Name:",
+        "Date:",
+        "counter-clockwise is +",
+        "along the arrow marked +",
+        "guide of 2 along DC",
+        "draw each on A",
+    ] {
+        assert!(sheet.contains(part), "no {part} in {sheet}");
+    }
+    assert!(sheet.contains("end of a normal part") && sheet.contains("end of a Coriolis part"), "{sheet}");
+    // The arrow has the guide's direction: from D to C.
+    let arrow = lever.sheet.marks.iter().find(|mark| mark.id.as_deref().is_some_and(|id| id.contains("-sense-")));
+    let Some(Shape::Arrow { from, to, .. }) = arrow.map(|mark| &mark.shape) else { panic!("{arrow:?}") };
+    let [c, d] = ["C", "D"].map(|name| {
+        let point = lever.solution.mechanism.point(name).expect("it is there");
+        lever.solution.pose.point(point)
+    });
+    let (along, way) = ((c - d).normalize(), *to - *from);
+    assert!((along.x * way.x - along.y * way.y) / way.hypot() > 1.0 - 1e-9, "{way:?}");
+    let slider = exercise(&files::read("templates/slider-crank.json"), 7);
+    assert!(said(&slider.sheet).contains("guide of 3 through"), "{}", said(&slider.sheet));
+    let mut wrong = Vec::new();
+    for (kind, text) in kinds() {
+        for language in [LanguageName::English, LanguageName::Spanish] {
+            let base = solved(&text).expect("a good scene");
+            let figure = Figure { language, ..base.scene.figure.clone() };
+            let exercises = Exercises::new(&text, &figure, None, &base.construction, 3);
+            let sheet = exercises.expect("varies").next().expect("found").sheet;
+            wrong.extend(words_in_the_way(&sheet).into_iter().map(|fault| format!("{kind}: {fault}")));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A key has a row for every quantity of the form, with its value, and the paper that a sheet names holds the plans.
+#[test]
+fn keys_have_all_quantities() {
+    for (kind, text) in kinds() {
+        let found = exercise(&text, 5);
+        let (key, sheet) = (found.key(), found.key_sheet());
+        let rows = sheet.marks.iter().filter_map(|mark| mark.id.as_deref());
+        let rows = rows.filter(|id| id.starts_with("key-") && id.ends_with("-value")).count();
+        assert_eq!(rows, key.values.len(), "{kind}");
+        // Segments are asked for once: no two rows name one segment of a plan.
+        let rates: Vec<f64> = key.values.iter().filter(|(n, _)| n.starts_with("omega")).map(|(_, v)| v.value).collect();
+        for (index, rate) in rates.iter().enumerate() {
+            assert!(!rates[..index].contains(rate) || *rate == 0.0, "{kind}: {rates:?}");
+        }
+    }
+}
+
+/// Forms of an older kind ask for the rates of a block and of its lever, and marks may be given for both.
+#[test]
+fn rows_that_are_no_longer_asked_for_still_count() {
+    let text = files::read("templates/slotted-lever.json");
+    let lever = solved(&text).expect("a good scene");
+    let answers = answer_key(&lever, 1);
+    let omega = match lever.quantity("omega(3)") {
+        Ok(Quantity::Number(omega)) => omega,
+        other => panic!("{other:?}"),
+    };
+    let given = |name: &str| Given { name: name.into(), text: format!("{omega:+.4}"), unit: None, place: name.into() };
+    let award = |marks: &str, names: &[&str]| {
+        let scheme = Marks::read(marks).expect("a scheme").of(&answers).expect("of this scene");
+        let measured = Measured { values: names.iter().map(|name| given(name)).collect(), ..Measured::default() };
+        let checked = check(&measured, &answers).expect("understood");
+        assert!(checked.is_passed());
+        scheme.award(&checked).earned
+    };
+    for both in [r#""omega(2)": 1, "omega(3)": 2"#, r#""omega(3)": 2, "omega(2)": 1"#] {
+        let marks = format!(r#"{{ "kinegon_marks": 1, "values": {{ {both} }} }}"#);
+        assert_eq!(award(&marks, &["omega(2)", "omega(3)"]), 3.0);
+        assert_eq!(award(&marks, &["omega(3)"]), 3.0);
+    }
+    let pole = r#"{ "kinegon_marks": 1, "values": { "aplan(pi,b)": 1, "omega(3)": 1 } }"#;
+    assert_eq!(award(pole, &["omega(3)"]), 1.0);
+    let each = r#"{ "kinegon_marks": 1, "each": 1 }"#;
+    assert_eq!(award(each, &["omega(2)"]), 1.0);
+    assert_eq!(award(each, &["omega(3)"]), 1.0);
+    assert_eq!(award(each, &["omega(2)", "omega(3)"]), 1.0);
 }
 
 /// Where a starting scene has a block on the line between two points of its guide, so have the exercises.

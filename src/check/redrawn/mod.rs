@@ -93,6 +93,7 @@ fn said(text: &ReportText<'_>, turns: &[(Sheet, f64)], words: &Wording) -> Vec<S
         let sentences: Vec<String> = [told.done].into_iter().chain(should).chain(follows).collect();
         said.push(format!("{number}. {}", sentences.join(" ")));
     }
+    said.extend(text.senses());
     said.extend(text.unexplained());
     said.extend(text.mirrored());
     for &(sheet, degrees) in turns {

@@ -27,10 +27,22 @@ impl Scheme<'_> {
             match self.mechanism.slider(slider).drive {
                 Some(drive) if drive.speed != 0.0 => {
                     let label = format!("v_{{{}}}", canvas.shown(&name, &name));
-                    self.slide_arrow(canvas, view, slider, drive.speed, [&format!("speed-{name}"), &format!("speed({name})"), &label]);
+                    self.slide_arrow(
+                        canvas,
+                        view,
+                        slider,
+                        drive.speed,
+                        [&format!("speed-{name}"), &format!("speed({name})"), &label],
+                    );
                 }
                 None if self.shows_senses => {
-                    self.slide_arrow(canvas, view, slider, 1.0, [&format!("sense-{name}"), &format!("sense({name})"), "+"]);
+                    self.slide_arrow(
+                        canvas,
+                        view,
+                        slider,
+                        1.0,
+                        [&format!("sense-{name}"), &format!("sense({name})"), "+"],
+                    );
                 }
                 _ => {}
             }
