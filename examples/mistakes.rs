@@ -398,7 +398,7 @@ student fills in the whole form: lengths to 0.1 mm of paper, rates to four digit
 errors up to 0.3 mm or 0.3° equally likely.
 
 A mistake counts as named where the check puts it first, at the right place; or where the given values alone cannot tell it from the first one, which the report then says: these are \
-the same by nature, as a normal part that is the only one of its vector, laid off outward, and that vector reversed, or one segment taken by a scale ten times too large and a \
+the same by nature, as a crank's velocity laid off along the crank and both rays drawn along their links, or one segment taken by a scale ten times too large and a \
 slipped decimal. The columns `not told apart` count these apart. Cutting off in place of rounding moves no value beyond its tolerance; a pencil hides it, an exact drawing shows it. \
 Under `unknown` a value is simply wrong, and gone on with: no classical mistake, but with the noise of a pencil any number is near one that some classical mistake gives.
 ";

@@ -81,6 +81,8 @@ mistakes! {
     coriolis_along(from, to, rate: symbol, velocity: symbol);
     /// A Coriolis part with another velocity, given by its segment.
     coriolis_velocity(from, to, rate: symbol, velocity: symbol, wrong);
+    /// The same with another ω besides.
+    coriolis_velocity_and_omega(from, to, rate: symbol, velocity: symbol, wrong, omega: symbol);
     /// A Coriolis part where nothing slides.
     coriolis_where_none(from, to, rate: symbol, length: symbol);
     /// A Coriolis part of a slider on a guide at rest.
@@ -188,6 +190,7 @@ fn variant(mistake: MistakeWords, blanks: &[String]) -> (MistakeWords, Vec<&str>
         (M::revolutions_for_radians | M::revolutions_per_second | M::degrees_for_radians, [_, _, _, _]) => {
             (M::rate_in_other_unit, blanks)
         }
+        (M::coriolis_velocity, [_, _, _, _, _, _]) => (M::coriolis_velocity_and_omega, blanks),
         (M::wrong_sense, [_, _, _]) => (M::wrong_sense_given, blanks),
         _ => (mistake, blanks),
     }

@@ -4,6 +4,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod catalogue;
 mod certain_digits;
 mod command_line;
 mod command_line_check;

@@ -95,7 +95,7 @@ fn no_name_lies_on_another() {
         ("four-bar", Mistake::TurnedRay, 0),
         ("four-bar", Mistake::TurnedRay, 2),
         ("four-bar", Mistake::OtherMode, 0),
-        ("slider-crank", Mistake::ReversedVector, 0),
+        ("slider-crank", Mistake::TurnedVector, 0),
         ("third-class", Mistake::RayFromWrongPoint, 0),
         ("third-class", Mistake::WrongLines, 0),
         ("third-class", Mistake::OtherMode, 0),

@@ -57,6 +57,14 @@ pub(super) fn of_wrong_velocity(site: &Site<'_>) -> Vec<Candidate> {
             let factor = product.factor * (exact(wrong) * exact(*right)).signum();
             let size = Product::new(product.kind, factor, &[*omega, wrong]);
             found.push(term.candidate(site, Mistake::CoriolisVelocity, Some(size), &[&name]));
+            // With a crank's ω besides, as of somebody who takes the pin's motion for that in the slot.
+            let given = site.numbers_before(term.operation()).filter(|(number, _)| site.is_given(*number));
+            let cranks = given.filter(|(_, kind)| matches!(kind, NumberKind::Rate(Rate::Omega(_))));
+            for (crank, _) in cranks.filter(|(crank, _)| crank != omega) {
+                let size = Product::new(product.kind, factor, &[crank, wrong]);
+                let more = [&name, site.number_name(crank)];
+                found.push(term.candidate(site, Mistake::CoriolisVelocity, Some(size), &more));
+            }
         }
     }
     found

@@ -190,8 +190,12 @@ fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -
     found
 }
 
-/// A rate that is written right, but enters its normal part `factor` times as large.
+/// A rate that is written right, but enters its normal part `factor` times as large. With a rate much too small the
+/// part would be nearly nothing, as if it were forgotten: nobody takes that for a size.
 fn in_normal_part(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64) -> Option<Candidate> {
+    if factor < 1.0 {
+        return None;
+    }
     let normals = terms(site, ProductKind::Normal);
     let own = |term: &&Term<'_>| !site.is_given(rate) && term.product().of.first() == Some(&rate);
     let term = normals.iter().find(own)?;
