@@ -116,8 +116,7 @@ fn blamed(checked: &Checked, wrong: Option<usize>) -> Option<String> {
     let best = &checked.diagnosis.best;
     let other = best.findings.iter().find(|finding| {
         let touched = if finding.written.is_empty() { &finding.follows } else { &finding.written };
-        !touched.first().is_some_and(|first| Some(*first) == wrong)
-            && !finding.written.iter().any(|k| Some(*k) == wrong)
+        touched.first().is_none_or(|first| Some(*first) != wrong) && !finding.written.iter().any(|k| Some(*k) == wrong)
     })?;
     Some(format!("{:.0} %: {} {:?}", 100.0 * best.probability, other.candidate.mistake.id(), other.candidate.blanks))
 }
