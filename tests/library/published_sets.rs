@@ -111,55 +111,78 @@ fn wrong(text: &str, change: Change) -> Option<String> {
     (changed != text).then_some(changed)
 }
 
-/// What is told besides what concerns a number, and how sure.
-fn blamed(checked: &Checked, index: usize) -> Option<String> {
+/// What is told besides what concerns a number, if one is wrong, and how sure.
+fn blamed(checked: &Checked, wrong: Option<usize>) -> Option<String> {
     let best = &checked.diagnosis.best;
     let other = best.findings.iter().find(|finding| {
         let touched = if finding.written.is_empty() { &finding.follows } else { &finding.written };
-        !finding.written.contains(&index) && touched.first() != Some(&index)
+        touched.first().is_none_or(|first| Some(*first) != wrong) && !finding.written.iter().any(|k| Some(*k) == wrong)
     })?;
     Some(format!("{:.0} %: {} {:?}", 100.0 * best.probability, other.candidate.mistake.id(), other.candidate.blanks))
 }
 
+/// What came of the sets.
+#[derive(Default)]
+struct Found {
+    tries: usize,
+    /// Wrong numbers that are not off.
+    unseen: Vec<String>,
+    /// Sets of which something false is told.
+    falsely: Vec<String>,
+}
+
+impl Found {
+    /// A set with one number wrong.
+    fn try_wrong(&mut self, set: &Set, index: usize, change: Change) {
+        let mut given = set.given.clone();
+        let Some(text) = wrong(&given[index].text, change) else {
+            return;
+        };
+        let right = checked(&set.solution, &given[index..=index]).expect("it was read before");
+        given[index].text = text.clone();
+        let Some(checked) = checked(&set.solution, &given) else {
+            return;
+        };
+        let name = given[index].name.replace(' ', "");
+        // A vector's name stands for its size.
+        let mut values = checked.values.iter();
+        let place = values.position(|value| value.entry.asked.name().trim_end_matches(".size") == name);
+        let place = place.expect("it is judged");
+        let judged = &checked.values[place];
+        // What a pencil may be off by at the scales of the figure is no wrong number.
+        if judged.difference.abs() <= 3.0 * right.values[0].tolerance.unwrap_or_default() {
+            return;
+        }
+        self.tries += 1;
+        let what = format!("{} {name}: {text} for {}", set.id, set.given[index].text);
+        self.falsely.extend(blamed(&checked, Some(place)).map(|blamed| format!("{what}: {blamed}")));
+        if judged.verdict != Verdict::Off {
+            self.unseen.push(what);
+        }
+    }
+}
+
 #[test]
 fn a_wrong_number_is_off_and_nothing_else_is_blamed() {
-    let mut tries = 0;
-    let mut unseen = Vec::new();
-    let mut falsely = Vec::new();
+    let mut found = Found::default();
     for set in sets() {
-        for index in (0..set.given.len()).step_by(tried(4, 1)) {
+        // Where something is told of the set as it stands, that is told of the others, too.
+        found.tries += 1;
+        let right = checked(&set.solution, &set.given).expect("it is understood");
+        if let Some(blamed) = blamed(&right, None) {
+            found.falsely.push(format!("{} as it is printed: {blamed}", set.id));
+            continue;
+        }
+        let step = tried(set.given.len().div_ceil(2), 1);
+        for index in (0..set.given.len()).step_by(step) {
             for change in CHANGES.into_iter().step_by(tried(3, 1)) {
-                let Some(text) = wrong(&set.given[index].text, change) else {
-                    continue;
-                };
-                let mut given = set.given.clone();
-                given[index].text = text.clone();
-                let right =
-                    checked(&set.solution, core::slice::from_ref(&set.given[index])).expect("it was read before");
-                let Some(checked) = checked(&set.solution, &given) else {
-                    continue;
-                };
-                let name = set.given[index].name.replace(' ', "");
-                // A vector's name stands for its size.
-                let mut values = checked.values.iter();
-                let place = values.position(|value| value.entry.asked.name().trim_end_matches(".size") == name);
-                let place = place.expect("it is judged");
-                let judged = &checked.values[place];
-                // What a pencil may be off by at the scales of the figure is no wrong number.
-                if judged.difference.abs() <= 3.0 * right.values[0].tolerance.unwrap_or_default() {
-                    continue;
-                }
-                tries += 1;
-                let what = format!("{} {name}: {text} for {}", set.id, set.given[index].text);
-                if judged.verdict != Verdict::Off {
-                    unseen.push(what.clone());
-                }
-                falsely.extend(blamed(&checked, place).map(|blamed| format!("{what}: {blamed}")));
+                found.try_wrong(&set, index, change);
             }
         }
     }
-    println!("{} of {tries} blame something else\n{}", falsely.len(), falsely.join("\n"));
-    assert!(tries >= tried(30, 600), "only {tries} sets");
+    let Found { tries, unseen, falsely } = found;
+    println!("of {} in {tries} something else is blamed\n{}", falsely.len(), falsely.join("\n"));
+    assert!(tries >= tried(30, 500), "only {tries} sets");
     assert!(unseen.is_empty(), "not off:\n{}", unseen.join("\n"));
     assert!(100 * falsely.len() <= BLAMED * tries, "{} of {tries} blame something else", falsely.len());
 }

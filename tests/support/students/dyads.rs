@@ -195,7 +195,7 @@ impl Sheet<'_> {
     /// Where the form asks for the parts of its acceleration, it is found from them.
     pub fn image(&mut self, plan: usize, [p, c, e]: [&str; 3], link: &str) {
         if plan == 2 && self.start_of(e).is_some_and(|start| [p, c].contains(&start.as_str())) {
-            return self.from_rates(plan, [p, e], link);
+            return self.by_rates(plan, [p, e], link);
         }
         let arms = [e, c].map(|point| self.scheme.at(point) - self.scheme.at(p));
         let ratio = self.place(Act::new(Doing::Ratio, plan, link, p, e), arms[0] / arms[1]);
@@ -216,7 +216,7 @@ impl Sheet<'_> {
     }
 
     /// The image of c from that of another point of its link, whose rates are known.
-    pub fn from_rates(&mut self, plan: usize, [p, c]: [&str; 2], link: &str) {
+    pub fn by_rates(&mut self, plan: usize, [p, c]: [&str; 2], link: &str) {
         let start = self.start_of(c).filter(|_| plan == 2).unwrap_or_else(|| p.to_owned());
         let p = start.as_str();
         let (mut from, image) = (image_of(p), image_of(c));

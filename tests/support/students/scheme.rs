@@ -110,12 +110,11 @@ impl Scheme {
 
     /// The two points of a name like `AB` or `A1-B1`.
     fn ends(&self, name: &str) -> Option<[String; 2]> {
-        let found = (1..name.len()).filter(|&k| name.is_char_boundary(k)).find_map(|k| {
+        (1..name.len()).filter(|&k| name.is_char_boundary(k)).find_map(|k| {
             let (a, b) = name.split_at(k);
             let b = b.trim_start_matches('-');
             (self.places.contains_key(a) && self.places.contains_key(b)).then(|| [a.to_owned(), b.to_owned()])
-        });
-        found
+        })
     }
 
     /// Where a point lies; `B_3` is the point of link 3 at B.

@@ -116,7 +116,7 @@ pub fn draw<'a>(kind: &str, scheme: &'a Scheme, hand: Hand, changes: &'a [(Strin
                 "blocks" => sheet.blocks(plan, words[0], [words[1], words[2], words[3]]),
                 "yoke" => sheet.yoke(plan, words[0], [words[1], words[2]]),
                 "image" => sheet.image(plan, [words[0], words[1], words[2]], words[3]),
-                "rates" => sheet.from_rates(plan, [words[0], words[1]], words[2]),
+                "rates" => sheet.by_rates(plan, [words[0], words[1]], words[2]),
                 "slid" => sheet.slid(plan, words[0], [words[1], words[2]]),
                 "cylinder" => {
                     sheet.cylinder(plan, [words[0], words[1], words[2]], [words[3], words[4], words[5]]);
