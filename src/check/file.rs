@@ -18,6 +18,7 @@ struct MeasuredFile {
     #[serde(rename = "$schema")]
     _schema: Option<String>,
     name: Option<String>,
+    exercise: Option<String>,
     mu_l: Option<f64>,
     mu_v: Option<f64>,
     mu_a: Option<f64>,
@@ -125,6 +126,7 @@ impl Measured {
         let points = kinds.into_iter().zip(points.into_iter().flatten());
         Ok(Measured {
             name: file.name,
+            exercise: file.exercise.map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()),
             mu: [file.mu_l, file.mu_v, file.mu_a],
             positive: file.positive.map(|sense| match sense {
                 Sense::CounterClockwise => Positive::CounterClockwise,

@@ -55,5 +55,5 @@ pub use result::{CheckResult, check_result, check_schema};
 
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};
 pub use student::Student;
-pub use template::{form_name, form_names, template_csv, template_json};
+pub use template::{EmptyForm, form_name, form_names};
 pub use verdict::{Judged, Verdict};

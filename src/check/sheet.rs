@@ -6,6 +6,8 @@ use indexmap::IndexMap;
 pub struct Measured {
     /// The student's name.
     pub name: Option<String>,
+    /// The name of the exercise that the form belongs to, as `four-bar-7-2`: that of its folder.
+    pub exercise: Option<String>,
     /// The scales of the student's scheme, velocity plan and acceleration plan, in units of the scene per millimetre.
     pub mu: [Option<f64>; 3],
     /// Which sense of rotation counts as positive; if `None`, a number without a sign is a magnitude.

@@ -5,9 +5,8 @@ use crate::construction::PlanKind;
 use indexmap::IndexMap;
 
 impl Measured {
-    /// The values of a table; blanks are left out. Beside quantities it may have lines `name`, `mu_l`, `mu_v`, `mu_a`,
-    /// `positive` and
-    /// `in`. A line `velocity:b,114,-2.7` gives the place of a plan point on paper, in millimetres.
+    /// The values of a table; blanks are left out. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
+    /// `mu_v`, `mu_a`, `positive` and `in`. A line `velocity:b,114,-2.7` gives the place of a plan point on paper, in millimetres.
     ///
     /// In a table with semicolons numbers may have decimal commas.
     ///
@@ -68,6 +67,7 @@ impl Measured {
     fn line(&mut self, name: &str, value: String, third: &str, place: &str) -> Result<(), CheckError> {
         match name {
             "name" => self.name = Some(value),
+            "exercise" => self.exercise = Some(value),
             "mu_l" => self.mu[0] = Some(number(name, &value)?),
             "mu_v" => self.mu[1] = Some(number(name, &value)?),
             "mu_a" => self.mu[2] = Some(number(name, &value)?),

@@ -1,6 +1,6 @@
 //! Empty forms: every quantity of the steps, in the order of the construction.
 
-use crate::construction::{Construction, PlaceId, Sheet};
+use crate::construction::{Construction, PlaceId, Sheet, Solution};
 use crate::quantity::Scales;
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -72,47 +72,74 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
     rows
 }
 
+/// A form without values.
+#[derive(Clone, Copy, Debug)]
+pub struct EmptyForm<'a> {
+    /// The scene whose quantities are asked for.
+    pub solution: &'a Solution,
+    /// The scales that stand in it.
+    pub scales: Scales,
+    /// The name of the exercise that it belongs to.
+    pub exercise: Option<&'a str>,
+}
+
 /// The form as JSON: values are to be written between the quotes, or as numbers in place of them.
 #[derive(Debug, Serialize)]
-struct Form {
+struct FormFile<'a> {
     kinegon_measured: u64,
-    name: String,
+    name: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exercise: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mu_l: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mu_v: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mu_a: Option<f64>,
-    values: IndexMap<String, String>,
+    values: IndexMap<String, &'static str>,
 }
 
-/// An empty form as JSON, at the figure's scales.
-#[must_use]
-pub fn template_json(construction: &Construction, scales: &Scales) -> String {
-    let values = form_names(construction).into_iter();
-    let form = Form {
-        kinegon_measured: 1,
-        name: String::new(),
-        mu_l: scales.length,
-        mu_v: scales.velocity,
-        mu_a: scales.acceleration,
-        values: values.map(|name| (name, String::new())).collect(),
-    };
-    crate::format::json(&form)
-}
+impl EmptyForm<'_> {
+    /// The form as JSON.
+    #[must_use]
+    pub fn json(&self) -> String {
+        crate::format::json(&FormFile {
+            kinegon_measured: 1,
+            name: "",
+            exercise: self.exercise,
+            mu_l: self.scales.length,
+            mu_v: self.scales.velocity,
+            mu_a: self.scales.acceleration,
+            values: self.names().into_iter().map(|name| (name, "")).collect(),
+        })
+    }
 
-/// An empty form as a table, at the figure's scales.
-#[must_use]
-pub fn template_csv(construction: &Construction, scales: &Scales) -> String {
-    let mut text = String::from("quantity,value,unit\nname,,\n");
-    let given = [("mu_l", scales.length), ("mu_v", scales.velocity), ("mu_a", scales.acceleration)];
-    for (name, scale) in given {
-        if let Some(scale) = scale {
-            text.push_str(&format!("{name},{scale},\n"));
+    /// The form as a table.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let mut text = String::from("quantity,value,unit\nname,,\n");
+        if let Some(exercise) = self.exercise {
+            text.push_str(&format!("exercise,{},\n", quoted(exercise)));
         }
+        let given = [("mu_l", self.scales.length), ("mu_v", self.scales.velocity), ("mu_a", self.scales.acceleration)];
+        for (name, scale) in given {
+            if let Some(scale) = scale {
+                text.push_str(&format!("{name},{scale},\n"));
+            }
+        }
+        for name in self.names() {
+            text.push_str(&format!("{},,\n", quoted(&name)));
+        }
+        text
     }
-    for name in form_names(construction) {
-        text.push_str(&format!("\"{name}\",,\n"));
+
+    /// The names of the quantities.
+    fn names(&self) -> Vec<String> {
+        form_names(&self.solution.construction)
     }
-    text
+}
+
+/// The text of a cell, in quotes.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
 }

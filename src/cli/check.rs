@@ -5,7 +5,7 @@ use super::message::Failure;
 use super::pencil::Hand;
 use super::wording::Words;
 use super::work::{Mode, show_warnings, solve};
-use crate::check::{self, AnswerKey, CheckError, MarkScheme, Marks, Measured};
+use crate::check::{self, AnswerKey, CheckError, EmptyForm, MarkScheme, Marks, Measured};
 use crate::construction::Solution;
 use crate::format;
 use crate::motion::Order;
@@ -141,10 +141,10 @@ impl Check {
     }
 
     fn print_template(&self, solution: &Solution) -> Result<(), Failure> {
-        let scales = solution.scales();
+        let form = EmptyForm { solution, scales: solution.scales(), exercise: None };
         let text = match self.template.unwrap_or(TemplateFormat::Json) {
-            TemplateFormat::Json => check::template_json(&solution.construction, &scales),
-            TemplateFormat::Csv => check::template_csv(&solution.construction, &scales),
+            TemplateFormat::Json => form.json(),
+            TemplateFormat::Csv => form.csv(),
         };
         files::print(text.as_bytes())
     }

@@ -112,9 +112,11 @@ fn files_of(exercise: &Exercise, style: &GivenStyle, folder: &Path) -> Result<Ve
         style.put_on([&mut drawing]);
         written.extend(pictures(name, &drawing)?);
     }
+    let own_name = folder.file_name().unwrap_or_default().to_string_lossy();
+    let form = exercise.form(&own_name);
     for (name, text) in [
-        ("form.json", exercise.form_json()),
-        ("form.csv", exercise.form_csv()),
+        ("form.json", form.json()),
+        ("form.csv", form.csv()),
         ("key.json", format::json(&exercise.key())),
     ] {
         written.push((name.to_owned(), text.into_bytes()));

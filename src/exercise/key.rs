@@ -2,7 +2,7 @@
 
 use super::given::listed;
 use super::judge::Exercise;
-use crate::check::{BANDS, significant, template_csv, template_json};
+use crate::check::{BANDS, EmptyForm, significant};
 use crate::drawing::{Drawing, key_sheet};
 use crate::quantity::{Asked, What};
 use crate::scene::schema_of;
@@ -97,16 +97,10 @@ impl Exercise {
         key_sheet(&self.solution, &[sentence])
     }
 
-    /// The empty form as JSON.
+    /// The empty form of the exercise with that name.
     #[must_use]
-    pub fn form_json(&self) -> String {
-        template_json(&self.solution.construction, &self.scales)
-    }
-
-    /// The empty form as a table.
-    #[must_use]
-    pub fn form_csv(&self) -> String {
-        template_csv(&self.solution.construction, &self.scales)
+    pub fn form<'a>(&'a self, name: &'a str) -> EmptyForm<'a> {
+        EmptyForm { solution: &self.solution, scales: self.scales, exercise: Some(name) }
     }
 }
 

@@ -188,10 +188,12 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
     let off = checked.values.iter().filter(|v| v.verdict == Verdict::Off);
     let off: Vec<&str> = off.map(|v| v.entry.asked.name()).collect();
     assert!(off.is_empty(), "{kind}: {off:?}");
-    let empty = Measured::read_json(&exercise.form_json()).expect("a form");
+    let empty = Measured::read_json(&exercise.form("one-1-1").json()).expect("a form");
+    assert_eq!(empty.exercise.as_deref(), Some("one-1-1"), "{kind}");
     let error = check(&empty, &answers).expect_err("nothing is filled in");
     assert!(error.message.contains("empty"), "{kind}: {error}");
-    let empty = Measured::read_csv(&exercise.form_csv()).expect("a form");
+    let empty = Measured::read_csv(&exercise.form("one-1-1").csv()).expect("a form");
+    assert_eq!(empty.exercise.as_deref(), Some("one-1-1"), "{kind}");
     assert!(check(&empty, &answers).is_err(), "{kind}");
     let boxes = exercise.sheet.marks.iter().filter_map(|m| m.id.as_deref());
     let boxes = boxes.filter(|id| id.starts_with("box-") && id.ends_with("-value"));
@@ -324,6 +326,7 @@ fn files_hold_together() {
         assert_eq!(empty.status.code(), Some(2));
         assert!(stderr(&empty).contains("empty"), "{}", stderr(&empty));
         let mut form = json(&own.join("form.json"));
+        assert_eq!(form["exercise"], format!("{kind}-21-2"));
         for (name, value) in values {
             let value = value["value"].as_f64().expect("a number");
             form["values"][name] = format!("{value:+}").into();
