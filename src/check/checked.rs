@@ -1,12 +1,14 @@
 use super::answer_key::AnswerKey;
 use super::diagnosis::diagnose;
-use super::entry::entries;
+use super::entry::{Entry, entries_by};
 use super::explanation::Diagnosis;
-use super::model::Model;
+use super::prepared::Prepared;
+use super::model::NotRead;
 use super::points::is_mirrored;
 use super::sheet::{CheckError, Measured};
 use super::verdict::{Judged, Verdict};
 use crate::construction::PlanKind;
+use crate::quantity::{Band, Kind, Reading};
 
 /// All values with their verdicts, and the mistakes that explain those that are off.
 #[derive(Clone, Debug)]
@@ -36,47 +38,54 @@ pub const BANDS: f64 = 2.0;
 /// # Errors
 /// A value is not understood.
 pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckError> {
-    let entries = entries(measured, key)?;
-    let model = Model::new(key, key.solution, measured.mu, &entries)?;
-    let bands = model.bands(&key.tolerance);
-    let judged = entries.iter().zip(&bands).zip(&model.readings);
-    let judged = judged.map(|((entry, band), reading)| {
-        let mut difference =
-            if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };
-        if entry.asked.kind() == crate::quantity::Kind::Angle {
-            difference -= 360.0 * libm::round(difference / 360.0);
+    Prepared::new(key).check(measured)
+}
+
+impl Prepared<'_> {
+    /// The same as [`check`], for one of many forms.
+    ///
+    /// # Errors
+    /// A value is not understood.
+    pub fn check(&self, measured: &Measured) -> Result<Checked, CheckError> {
+        let key = &self.key;
+        let entries = entries_by(measured, key, &self.names)?;
+        let ready = self.ready(measured.mu, &entries)?;
+        let model = &ready.right;
+        let judged = entries.into_iter().zip(&ready.bands).zip(&model.readings);
+        let values: Vec<Judged> = judged.map(|((entry, band), reading)| judged_by(entry, *band, *reading)).collect();
+        let diagnosis = diagnose(key, &ready, &values);
+        let plans = key.solution.construction.plans();
+        let mirrored = plans.filter(|plan| {
+            let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
+            places.any(|points| is_mirrored(points, plan))
+        });
+        Ok(Checked { values, diagnosis, mirrored: mirrored.map(|plan| plan.kind).collect() })
+    }
+}
+
+/// A value with its verdict: how it is read, and the band of honest drawings.
+fn judged_by(entry: Entry, band: Option<Band>, reading: Result<Reading, NotRead>) -> Judged {
+    let mut difference =
+        if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };
+    if entry.asked.kind() == Kind::Angle {
+        difference -= 360.0 * libm::round(difference / 360.0);
+    }
+    // Segments and lengths have no sign, whatever sign is written.
+    if reading.is_ok_and(|r| r.is_size()) {
+        difference = entry.value.abs() - entry.expected.abs();
+    }
+    let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
+    let is_given = reading.is_err_and(|why| why.is_given());
+    let off = difference.abs();
+    // The factor 1.001 lets a last digit be rounded either way where the next is a five.
+    let verdict = if off <= 1.001 * entry.rounding {
+        Verdict::Right
+    } else {
+        match tolerance {
+            Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
+            None if !is_given => Verdict::Unjudged,
+            _ => Verdict::Off,
         }
-        // Segments and lengths have no sign, whatever sign is written.
-        if reading.is_ok_and(|r| r.is_size()) {
-            difference = entry.value.abs() - entry.expected.abs();
-        }
-        let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
-        let is_given = reading.is_err_and(|why| why.is_given());
-        let off = difference.abs();
-        // The factor 1.001 lets a last digit be rounded either way where the next is a five.
-        let verdict = if off <= 1.001 * entry.rounding {
-            Verdict::Right
-        } else {
-            match tolerance {
-                Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
-                None if !is_given => Verdict::Unjudged,
-                _ => Verdict::Off,
-            }
-        };
-        Judged {
-            entry: entry.clone(),
-            verdict,
-            difference,
-            tolerance,
-            is_rough: band.is_some_and(|band| band.is_rough),
-        }
-    });
-    let values: Vec<Judged> = judged.collect();
-    let diagnosis = diagnose(key, measured.mu, &model, &values);
-    let plans = key.solution.construction.plans();
-    let mirrored = plans.filter(|plan| {
-        let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
-        places.any(|points| is_mirrored(points, plan))
-    });
-    Ok(Checked { values, diagnosis, mirrored: mirrored.map(|plan| plan.kind).collect() })
+    };
+    Judged { entry, verdict, difference, tolerance, is_rough: band.is_some_and(|band| band.is_rough) }
 }

@@ -4,19 +4,18 @@ use super::answer_key::AnswerKey;
 use super::entry::Entry;
 use super::explanation::{Diagnosis, Explanation, Finding};
 use super::mistakes::{Candidate, Site};
-use super::model::Model;
+use super::prepared::Ready;
 use super::score::Scorer;
-use super::search::{MARGIN, Search, Tried, is_by_hand, other_modes};
+use super::search::{MARGIN, Search, Tried, is_by_hand};
 use super::verdict::{Judged, Verdict};
 
 /// The mistakes that explain the values of a drawing.
-pub(super) fn diagnose(key: &AnswerKey<'_>, mu: [Option<f64>; 3], model: &Model, values: &[Judged]) -> Diagnosis {
+pub(super) fn diagnose(key: &AnswerKey<'_>, ready: &Ready, values: &[Judged]) -> Diagnosis {
     let entries: Vec<Entry> = values.iter().map(|v| v.entry.clone()).collect();
-    let mut models = vec![model.clone()];
-    models.extend(other_modes(key, mu, &entries));
-    let site = Site { model, key, entries: &entries, other_modes: models.len() - 1 };
+    let models = ready.models(key, &entries);
+    let site = Site { model: &ready.right, key, entries: &entries, other_modes: models.len() - 1 };
     let candidates = site.candidates();
-    let scorer = Scorer::new(&models, &entries, key.tolerance);
+    let scorer = Scorer::new(models, &entries, key.tolerance);
     let search = Search::new(&candidates, &scorer);
     let tried = search.run(key.depth);
     search.diagnosis(tried, values)

@@ -1,7 +1,7 @@
 use super::answer_key::AnswerKey;
 use super::precision::Precision;
 use super::sheet::{CheckError, Given, Measured, Positive};
-use super::template::form_name;
+use super::template::FormNames;
 use super::unit;
 use crate::construction::{Sheet, image_name};
 use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
@@ -49,6 +49,11 @@ pub struct Entry {
 /// The first thing that is not understood: an unknown quantity, a wrong unit, a missing scale, contradictory entries,
 /// an empty form.
 pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, CheckError> {
+    entries_by(measured, key, &Names::new(key))
+}
+
+/// The same with the names of the scene's quantities, which many forms have in common.
+pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names) -> Result<Vec<Entry>, CheckError> {
     for (mu, name) in measured.mu.iter().zip(["mu_l", "mu_v", "mu_a"]) {
         if mu.is_some_and(|mu| !(mu.is_finite() && mu > 0.0)) {
             return Err(CheckError::new(
@@ -57,7 +62,7 @@ pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, C
             ));
         }
     }
-    let reader = Reader { measured, key, order: order(key) };
+    let reader = Reader { measured, key, names };
     let mut entries: Vec<Entry> = Vec::new();
     for given in &measured.values {
         let entry = reader.entry(given).map_err(|e| e.at(&given.place))?;
@@ -81,16 +86,29 @@ pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, C
         ));
     }
     find_precisions(&mut entries);
-    let place = |e: &Entry| reader.order.get_index_of(e.asked.name());
+    let place = |e: &Entry| names.order.get_index_of(e.asked.name());
     entries.sort_by_key(|e| (e.step, place(e).unwrap_or(usize::MAX)));
     Ok(entries)
 }
 
-/// The names of all quantities of the steps, in order, with the numbers of their steps.
-fn order(key: &AnswerKey<'_>) -> IndexMap<String, usize> {
-    let construction = &key.solution.construction;
-    let steps = construction.steps_of_quantities().into_iter();
-    steps.map(|(name, step)| (name, construction.step_number(step))).collect()
+/// The names of a scene's quantities.
+#[derive(Debug)]
+pub(super) struct Names {
+    /// All quantities of the steps, in order, with the numbers of their steps.
+    pub order: IndexMap<String, usize>,
+    /// Those that the form asks for.
+    pub rows: FormNames,
+}
+
+impl Names {
+    pub fn new(key: &AnswerKey<'_>) -> Names {
+        let construction = &key.solution.construction;
+        let steps = construction.steps_of_quantities().into_iter();
+        Names {
+            order: steps.map(|(name, step)| (name, construction.step_number(step))).collect(),
+            rows: FormNames::new(construction),
+        }
+    }
 }
 
 /// Sets the precision and rounding of each entry from all values of its kind.
@@ -112,8 +130,7 @@ fn find_precisions(entries: &mut [Entry]) {
 pub(super) struct Reader<'a> {
     pub measured: &'a Measured,
     pub key: &'a AnswerKey<'a>,
-    /// The names of all quantities of the steps, in order, with the numbers of their steps.
-    pub order: IndexMap<String, usize>,
+    pub names: &'a Names,
 }
 
 impl Reader<'_> {
@@ -156,7 +173,7 @@ impl Reader<'_> {
             sheet,
             step,
             expected,
-            row: form_name(&self.key.solution.construction, asked.name()),
+            row: self.names.rows.of(&self.key.solution.construction, asked.name()).to_owned(),
             asked,
         })
     }
@@ -203,7 +220,7 @@ impl Reader<'_> {
                 None => (message, None),
             };
             let all = "`kinegon check SCENE --template` lists the names";
-            let names = self.order.keys().map(String::as_str);
+            let names = self.names.order.keys().map(String::as_str);
             let (message, near) = match error {
                 QuantityError::Form(_) => {
                     (format!("`{name}` is no quantity of this scene"), crate::scene::nearest(name, names))
@@ -226,14 +243,14 @@ impl Reader<'_> {
             Quantity::Vector(v) => v.norm(),
         };
         let sheet = asked.sheet();
-        let step = self.order.get(asked.name()).copied().unwrap_or_else(|| self.step_of(&asked, sheet));
+        let step = self.names.order.get(asked.name()).copied().unwrap_or_else(|| self.step_of(&asked, sheet));
         Ok((asked, expected, sheet, step))
     }
 
     /// The steps' name of a segment or length whose ends are written in the other order, or called as if every leg had
     /// a normal part; `None` for other names.
     fn usual(&self, name: &str) -> Option<String> {
-        if self.order.contains_key(name) {
+        if self.names.order.contains_key(name) {
             return None;
         }
         let (head, rest) = name.split_once('(')?;
@@ -246,7 +263,7 @@ impl Reader<'_> {
         [[from, to], [to, from]]
             .map(|[a, b]| format!("{head}({a},{b})"))
             .into_iter()
-            .find(|n| self.order.contains_key(n))
+            .find(|n| self.names.order.contains_key(n))
     }
 
     /// The number of the step after which a quantity that no step names can be read: that which makes the image of its

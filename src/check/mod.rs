@@ -5,7 +5,7 @@
 //!
 //! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form; `entry`
 //! finds the quantity of each value, `precision` how finely it is written, `points` the distances between given places;
-//! `checked` gives each value its `verdict`.
+//! `checked` gives each value its `verdict`, `prepared` keeps what many forms of one scene have in common.
 //! `model` predicts all values together with their common errors, `together` the errors that a drawing program makes;
 //! `datum`, `covariance`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the catalogue,
 //! `search` tries its mistakes, `diagnosis` chooses the best `explanation`; `report` and `result` write it as text and JSON, `redrawn/` draws the
@@ -27,6 +27,7 @@ mod mistakes;
 mod model;
 mod points;
 mod precision;
+mod prepared;
 mod redrawn;
 mod report;
 mod result;
@@ -48,6 +49,7 @@ pub use explanation::{Diagnosis, Explanation, Finding};
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use mistakes::{Candidate, Mistake};
 pub use precision::Precision;
+pub use prepared::Prepared;
 pub use redrawn::redrawn;
 pub use report::report;
 pub(crate) use report::significant;
