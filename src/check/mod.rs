@@ -10,7 +10,7 @@
 //! `datum`, `covariance`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the catalogue,
 //! `search` tries its mistakes, `diagnosis` chooses the best `explanation`; `report` and `result` write it as text and JSON, `redrawn/` draws the
 //! student's sheets as they probably were; `student` draws with mistakes on purpose; `marks` gives the marks that
-//! values earn, `class` sums up many drawings. Nothing is read or printed here, and no plan is computed again.
+//! values earn, `class` sums up many drawings, `feedback` makes of one what its student gets back. Nothing is read or printed here, and no plan is computed again.
 
 mod answer_key;
 mod checked;
@@ -20,6 +20,7 @@ mod datum;
 mod diagnosis;
 mod entry;
 mod explanation;
+mod feedback;
 mod file;
 mod fit;
 mod marks;
@@ -43,9 +44,10 @@ mod verdict;
 
 pub use answer_key::AnswerKey;
 pub use checked::{BANDS, Checked, check};
-pub use class::{ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
+pub use class::{ClassColumns, ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
 pub use entry::{Entry, entries};
 pub use explanation::{Diagnosis, Explanation, Finding};
+pub use feedback::Feedback;
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use mistakes::{Candidate, Mistake};
 pub use precision::Precision;

@@ -114,11 +114,9 @@ fn files_of(exercise: &Exercise, style: &GivenStyle, folder: &Path) -> Result<Ve
     }
     let own_name = folder.file_name().unwrap_or_default().to_string_lossy();
     let form = exercise.form(&own_name);
-    for (name, text) in [
-        ("form.json", form.json()),
-        ("form.csv", form.csv()),
-        ("key.json", format::json(&exercise.key())),
-    ] {
+    for (name, text) in
+        [("form.json", form.json()), ("form.csv", form.csv()), ("key.json", format::json(&exercise.key()))]
+    {
         written.push((name.to_owned(), text.into_bytes()));
     }
     Ok(written.into_iter().map(|(name, bytes)| (folder.join(name), bytes)).collect())

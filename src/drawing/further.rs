@@ -13,7 +13,7 @@ use kurbo::Rect;
 const GAP: f64 = 4.0;
 
 /// Sheets with the figure's title, the lines of words for a sheet of their size, and the table, as many as its rows
-/// need; portrait unless the rows are too wide.
+/// need; none without words and rows. Portrait unless the rows are too wide.
 pub(super) fn further_sheets<const N: usize>(
     figure: &Drawing,
     unit: f64,
@@ -29,7 +29,7 @@ pub(super) fn further_sheets<const N: usize>(
     let area = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN);
     let mut words = words([width, height]);
     let mut sheets = Vec::new();
-    while !table.rows.is_empty() {
+    while !(table.rows.is_empty() && words.is_empty()) {
         let mut drawing = Drawing::new(width, height);
         (drawing.style, drawing.language) = (figure.style.clone(), figure.language);
         drawing.title.clone_from(&figure.title);
@@ -41,9 +41,11 @@ pub(super) fn further_sheets<const N: usize>(
             lines::draw(&mut drawing, room, 0, &std::mem::take(&mut words));
             left.y0 = room.y1 + GAP;
         }
-        let later = table.rows.split_off(table.capacity(left).clamp(1, table.rows.len()));
-        table.draw_in(&mut drawing, table.needed(left));
-        table.rows = later;
+        if !table.rows.is_empty() {
+            let later = table.rows.split_off(table.capacity(left).clamp(1, table.rows.len()));
+            table.draw_in(&mut drawing, table.needed(left));
+            table.rows = later;
+        }
         sheets.push(drawing.enlarged(unit));
     }
     sheets
