@@ -9,7 +9,7 @@ use super::sheet::{CheckError, Measured};
 use crate::construction::Solution;
 use crate::drawing::{Drawing, Overlay, RichText, overlay, overlay_words};
 use crate::format::{FeedbackPage, feedback_html};
-use crate::scene::{Figure, Scene};
+use crate::scene::{Figure, PageSize, Scene};
 use crate::words::Wording;
 
 /// What a student gets back.
@@ -41,7 +41,7 @@ impl Feedback {
             overlay.words.insert(1.min(overlay.words.len()), format!("{}.", marks.line(words)));
         }
         let scene = &key.solution.scene;
-        let figure = Figure { mu_l: None, mu_v: None, mu_a: None, ..scene.figure.clone() };
+        let figure = printed(&scene.figure);
         let solution = (!checked.is_passed()).then(|| {
             let mut solution = key.solution.clone();
             solution.scene.figure = figure.clone();
@@ -55,7 +55,7 @@ impl Feedback {
     pub fn refused(scene: Option<&Scene>, name: &str, message: &str, words: &Wording) -> Feedback {
         let said = [words.language.class_not_understood().to_owned(), message.to_owned()];
         let overlay = Overlay { name: Some(name.to_owned()), words: said.into(), ..Overlay::default() };
-        let figure = scene.map(|scene| scene.figure.clone()).unwrap_or_default();
+        let figure = scene.map(|scene| printed(&scene.figure)).unwrap_or_default();
         Feedback { solution: None, figure, title: titled(scene, words), overlay }
     }
 
@@ -88,6 +88,15 @@ impl Feedback {
             rows: &rows,
         })
     }
+}
+
+/// The figure of an exercise as a student prints it: on A4 at most, at scales that fit there.
+fn printed(figure: &Figure) -> Figure {
+    let mut figure = Figure { mu_l: None, mu_v: None, mu_a: None, ..figure.clone() };
+    if figure.page.size == PageSize::A3 {
+        figure.page.size = PageSize::A4;
+    }
+    figure
 }
 
 /// The title of an exercise.

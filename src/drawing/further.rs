@@ -11,6 +11,8 @@ use kurbo::Rect;
 
 /// White between words and the table below them, in mm.
 const GAP: f64 = 4.0;
+/// White above words in their frame, in mm.
+const TOP: f64 = 1.4;
 
 /// Sheets with the figure's title, the lines of words for a sheet of their size, and the table, as many as its rows
 /// need; none without words and rows. Portrait unless the rows are too wide.
@@ -36,9 +38,9 @@ pub(super) fn further_sheets<const N: usize>(
         draw_title(&mut drawing);
         let mut left = area;
         if !words.is_empty() {
-            let room = Rect { y1: left.y0 + lines::height(words.len()), ..left };
+            let room = Rect { y1: left.y0 + TOP + lines::height(words.len()), ..left };
             drawing.draw(Pen::Frame, Shape::Polygon(corners(room)));
-            lines::draw(&mut drawing, room, 0, &std::mem::take(&mut words));
+            lines::draw(&mut drawing, Rect { y0: room.y0 + TOP, ..room }, 0, &std::mem::take(&mut words));
             left.y0 = room.y1 + GAP;
         }
         if !table.rows.is_empty() {
