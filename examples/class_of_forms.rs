@@ -2,7 +2,7 @@
 //! and ±0.25°, a third of them with one mistake put in. Run with
 //! `cargo run --release --example class_of_forms -- examples/figure-2.json 1000 FOLDER`.
 
-use kinegon::check::{AnswerKey, Candidate, Measured, Mistake, Student};
+use kinegon::check::{AnswerKey, Candidate, LATITUDE, Measured, Mistake, Student};
 use kinegon::construction::Tolerance;
 use kinegon::geometry::Random;
 use kinegon::{Scene, solve};
@@ -19,7 +19,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("give a scene's file, the number of forms, and the folder for them".into());
     };
     let solution = solve(&Scene::read(&std::fs::read_to_string(scene)?)?)?;
-    let key = AnswerKey { solution: &solution, scales: solution.scales(), tolerance: Tolerance::default(), depth: 1 };
+    let key = AnswerKey {
+        solution: &solution,
+        scales: solution.scales(),
+        tolerance: Tolerance::default(),
+        latitude: LATITUDE,
+        depth: 1,
+    };
     let student = Student::new(&key)?;
     let ways: Vec<Candidate> = Mistake::all().flat_map(|mistake| student.ways(mistake)).collect();
     std::fs::create_dir_all(folder)?;

@@ -34,19 +34,3 @@ pub(crate) fn on_all_cores<T: Sync, P: Send>(items: &[T], each: impl Fn(&T) -> P
 pub(crate) fn on_all_cores<T, P>(items: &[T], each: impl Fn(&T) -> P) -> Vec<P> {
     items.iter().map(each).collect()
 }
-
-/// Does something with each item.
-#[cfg(feature = "parallel")]
-pub(crate) fn on_each_core<T: Send>(items: &mut [T], each: impl Fn(&mut T) + Send + Sync) {
-    use rayon::prelude::*;
-    if IS_INSIDE.get() {
-        return items.iter_mut().for_each(each);
-    }
-    items.par_iter_mut().for_each(|item| on_one_core(|| each(item)));
-}
-
-/// Does something with each item, on one core.
-#[cfg(not(feature = "parallel"))]
-pub(crate) fn on_each_core<T>(items: &mut [T], each: impl Fn(&mut T)) {
-    items.iter_mut().for_each(each);
-}

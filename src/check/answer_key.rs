@@ -7,6 +7,9 @@ pub struct AnswerKey<'a> {
     pub scales: Scales,
     /// Limits of the errors of an honest hand.
     pub tolerance: Tolerance,
+    /// How many times as large an honest hand's errors may be where the scatter of all values shows that they are. 1: the
+    /// tolerance rules.
+    pub latitude: f64,
     /// Largest number of mistakes that are looked for together.
     pub depth: usize,
 }

@@ -1,14 +1,16 @@
 use super::answer_key::AnswerKey;
-use super::diagnosis::diagnose;
 use super::entry::{Entry, entries_by};
 use super::explanation::Diagnosis;
-use super::model::NotRead;
+use super::hand::{Hand, SLIP};
+use super::mistakes::Site;
+use super::model::COMPUTING;
 use super::points::is_mirrored;
-use super::prepared::Prepared;
+use super::prepared::{Prepared, Ready};
+use super::score::Scorer;
+use super::search::Search;
 use super::sheet::{CheckError, Measured};
 use super::verdict::{Judged, Verdict};
-use crate::construction::PlanKind;
-use crate::quantity::{Band, Kind, Reading};
+use crate::construction::{PlanKind, Tolerance};
 
 /// All values with their verdicts, and the mistakes that explain those that are off.
 #[derive(Clone, Debug)]
@@ -17,6 +19,8 @@ pub struct Checked {
     pub values: Vec<Judged>,
     /// The mistakes that explain them.
     pub diagnosis: Diagnosis,
+    /// How accurate the drawing is, as its own values show; `None` where none of them is drawn.
+    pub accuracy: Option<Accuracy>,
     /// Plans whose places on paper are the mirror image of the right ones; lengths alone do not show it.
     pub mirrored: Vec<PlanKind>,
 }
@@ -33,7 +37,33 @@ impl Checked {
 /// whole drawing of dozens of values passes as surely, each may be off by two bands, 4.2 standard deviations.
 pub const BANDS: f64 = 2.0;
 
+/// How many times as large as usual an honest hand's errors may be where nobody has said how accurate it should be: up to
+/// 1 mm and 1° with the usual tolerance.
+pub const LATITUDE: f64 = 10.0 / 3.0;
+
+/// How accurate somebody draws and computes, found from the scatter of all values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accuracy {
+    /// Limit of the errors in lengths and places, in mm of paper.
+    pub mm: f64,
+    /// Limit of the errors in directions, in degrees.
+    pub degrees: f64,
+    /// Limit of the relative errors of computed numbers, in per cent; 0 where no slips are seen.
+    pub percent: f64,
+}
+
+impl Accuracy {
+    fn of(hand: &Hand, key: &AnswerKey<'_>) -> Accuracy {
+        let size = hand.worst();
+        let Tolerance { mm, degrees } = key.tolerance;
+        Accuracy { mm: size * mm, degrees: size * degrees, percent: SLIP * hand.errors[COMPUTING] }
+    }
+}
+
 /// The verdicts on the values that somebody has read from a drawing, and the mistakes that explain the values.
+///
+/// Where the scatter of all values shows that the hand is worse than the tolerance supposes, the tolerance follows it as
+/// far as the key's latitude.
 ///
 /// # Errors
 /// A value is not understood.
@@ -50,42 +80,90 @@ impl Prepared<'_> {
         let key = &self.key;
         let entries = entries_by(measured, key, &self.names)?;
         let ready = self.ready(measured.mu, &entries)?;
-        let model = &ready.right;
-        let judged = entries.into_iter().zip(&ready.bands).zip(&model.readings);
-        let values: Vec<Judged> = judged.map(|((entry, band), reading)| judged_by(entry, *band, *reading)).collect();
-        let diagnosis = diagnose(key, &ready, &values);
+        let mut values = judged(&entries, &ready);
+        let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
+        let models = if has_off(&values) { ready.models(key, &entries) } else { core::slice::from_ref(&ready.right) };
+        let scorer = Scorer::new(models, &entries, key.tolerance);
+        let none = scorer.compare(&[], None).filter(|_| !scorer.data.is_empty());
+        let mut accuracy = none.as_ref().map(|fit| Accuracy::of(&fit.hand, key));
+        let diagnosis = match none {
+            Some(none) if has_off(&values) => {
+                let site = Site { model: &models[0], key, entries: &entries, other_modes: models.len() - 1 };
+                let mut search = Search::new(site.candidates(), &scorer);
+                let off: Vec<bool> = scorer.data.iter().map(|d| values[d.entry].verdict == Verdict::Off).collect();
+                let tried = search.run(none, &off, key.depth);
+                if let Some(best) = tried.first() {
+                    accuracy = Some(Accuracy::of(&best.fit.hand, key));
+                    widen(&mut values, &scorer, &best.fit.hand, key);
+                }
+                if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) }
+            }
+            _ => Diagnosis::none(&values),
+        };
         let plans = key.solution.construction.plans();
         let mirrored = plans.filter(|plan| {
             let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
             places.any(|points| is_mirrored(points, plan))
         });
-        Ok(Checked { values, diagnosis, mirrored: mirrored.map(|plan| plan.kind).collect() })
+        Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.kind).collect() })
     }
 }
 
-/// A value with its verdict: how it is read, and the band of honest drawings.
-fn judged_by(entry: Entry, band: Option<Band>, reading: Result<Reading, NotRead>) -> Judged {
-    let mut difference =
-        if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };
-    if entry.asked.kind() == Kind::Angle {
-        difference -= 360.0 * libm::round(difference / 360.0);
-    }
-    // Segments and lengths have no sign, whatever sign is written.
-    if reading.is_ok_and(|r| r.is_size()) {
-        difference = entry.value.abs() - entry.expected.abs();
-    }
-    let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
-    let is_given = reading.is_err_and(|why| why.is_given());
-    let off = difference.abs();
-    // The factor 1.001 lets a last digit be rounded either way where the next is a five.
-    let verdict = if off <= 1.001 * entry.rounding {
-        Verdict::Right
-    } else {
-        match tolerance {
-            Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
-            None if !is_given => Verdict::Unjudged,
-            _ => Verdict::Off,
+/// The verdicts at the key's tolerance.
+fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
+    let judged = entries.iter().zip(&ready.bands).zip(&ready.right.readings);
+    let judged = judged.map(|((entry, band), reading)| {
+        let mut difference =
+            if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };
+        if entry.asked.kind() == crate::quantity::Kind::Angle {
+            difference -= 360.0 * libm::round(difference / 360.0);
         }
-    };
-    Judged { entry, verdict, difference, tolerance, is_rough: band.is_some_and(|band| band.is_rough) }
+        // Segments and lengths have no sign, whatever sign is written.
+        if reading.is_ok_and(|r| r.is_size()) {
+            difference = entry.value.abs() - entry.expected.abs();
+        }
+        let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
+        let is_given = reading.is_err_and(|why| why.is_given());
+        let off = difference.abs();
+        // The factor 1.001 lets a last digit be rounded either way where the next is a five.
+        let verdict = if off <= 1.001 * entry.rounding {
+            Verdict::Right
+        } else {
+            match tolerance {
+                Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
+                None if !is_given => Verdict::Unjudged,
+                _ => Verdict::Off,
+            }
+        };
+        Judged {
+            entry: entry.clone(),
+            verdict,
+            difference,
+            tolerance,
+            is_rough: band.is_some_and(|band| band.is_rough),
+        }
+    });
+    judged.collect()
 }
+
+/// Lets the tolerances follow a hand that is worse than they suppose, as far as the key allows.
+fn widen(values: &mut [Judged], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKey<'_>) {
+    let mut allowed = *hand;
+    allowed.errors.iter_mut().for_each(|size| *size = size.min(key.latitude));
+    if key.latitude <= 1.0 || !hand.is_by_hand() {
+        return;
+    }
+    for (place, datum) in scorer.data.iter().enumerate() {
+        let value = &mut values[datum.entry];
+        let tolerance = BANDS * BAND * scorer.spread(place, &allowed) + value.entry.rounding;
+        if value.tolerance.is_some_and(|usual| usual < tolerance) {
+            value.tolerance = Some(tolerance);
+            if value.verdict == Verdict::Off && value.difference.abs() <= tolerance {
+                value.verdict = Verdict::WithinTolerance;
+            }
+        }
+    }
+}
+
+/// Half a band, in standard deviations: 95 of 100 values are within.
+const BAND: f64 = 1.96;

@@ -1,41 +1,18 @@
 //! The covariance of all values that the honest errors of a hand cause.
 
 use super::datum::Datum;
-use super::model::{Changes, GROUPS, Model, PLOTTED, TOGETHER};
-use crate::construction::{Change, NumberId, Tolerance, Values};
-
-/// How accurate a hand is, and how it computes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Hand {
-    /// The size of its errors of each kind, in parts of the tolerance.
-    pub errors: [f64; GROUPS],
-    /// Which digits of a number it uses later.
-    pub habit: Habit,
-}
-
-/// Which digits of a written number somebody uses in later operations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Habit {
-    /// Sometimes those that are written, sometimes all.
-    Mixed,
-    /// Those that are written.
-    AsWritten,
-    /// All digits of a calculator.
-    AllDigits,
-}
-
-impl Hand {
-    /// The size of its largest errors, in parts of the tolerance.
-    pub fn worst(&self) -> f64 {
-        self.errors.iter().copied().fold(0.0, f64::max)
-    }
-}
+use super::hand::{Habit, Hand, SLIP};
+use super::mistakes::{Amount, Free};
+use super::model::{COMPUTING, Changes, GROUPS, Model, PLOTTED, TOGETHER};
+use crate::construction::{Change, NumberId, OperationKind, Tolerance, Values};
 
 /// Covariance matrices of the values: one for each kind of errors at the tolerance, and one for roundings of numbers
 /// used later.
 pub(super) struct Covariances {
     pub groups: [Vec<f64>; GROUPS],
     pub roundings: Vec<f64>,
+    /// The covariance of amounts that are not known beforehand, whatever the hand; empty where there are none.
+    pub free: Vec<f64>,
     /// By datum: whether later operations use it.
     pub used: Vec<bool>,
 }
@@ -51,6 +28,9 @@ impl Covariances {
         match hand.habit {
             Habit::AllDigits => into.fill(0.0),
             Habit::Mixed | Habit::AsWritten => into.copy_from_slice(&self.roundings),
+        }
+        for (sum, part) in into.iter_mut().zip(&self.free) {
+            *sum += part;
         }
         for (own, used) in own.iter_mut().zip(&self.used) {
             let is_passed_on = hand.habit == Habit::AsWritten && *used;
@@ -93,37 +73,34 @@ pub(super) fn read(model: &Model, values: &Values, data: &[Datum], which: &[usiz
 pub(super) type Variants<'c> = [(Changes<'c>, Vec<usize>)];
 
 impl Covariances {
-    /// The covariances of the values in drawings with these changes.
-    pub fn new(model: &Model, tolerance: &Tolerance, data: &[Datum], variants: &Variants<'_>) -> Covariances {
+    /// The covariances of the values in drawings with these changes. `free`: amounts among them that were fitted to the
+    /// values, each with its size.
+    pub fn new(
+        model: &Model,
+        tolerance: &Tolerance,
+        data: &[Datum],
+        variants: &Variants<'_>,
+        free: &[(Free, f64)],
+    ) -> Covariances {
         let count = data.len();
-        let bases: Vec<Values> = variants.iter().map(|(c, _)| model.replay(c)).collect();
-        let mut exact = vec![0.0; count];
-        for ((_, which), base) in variants.iter().zip(&bases) {
-            read(model, base, data, which, &mut exact);
-        }
+        let mut effects = Effects::new(model, data, variants);
         let mut covariances = Covariances {
             groups: core::array::from_fn(|_| vec![0.0; count * count]),
             roundings: vec![0.0; count * count],
+            free: Vec::new(),
             used: vec![false; count],
         };
-        let mut scratch = model.exact.clone();
-        let mut column = vec![0.0; count];
         let deviation = 1.0 / 3.0_f64.sqrt();
         let mut plotted: Vec<Vec<f64>> = Vec::new();
         for (operation, which, limit, group) in model.errors(tolerance) {
-            for ((changes, which_data), base) in variants.iter().zip(&bases) {
-                let change = Change::Error(which, STEP * limit);
-                model.replay_after(&mut scratch, base, operation, change, changes);
-                read(model, &scratch, data, which_data, &mut column);
-            }
-            for ((value, exact), datum) in column.iter_mut().zip(&exact).zip(data) {
-                *value = datum.turned(*value - exact) * (deviation / STEP);
-            }
-            add_outer(&mut covariances.groups[group], &column);
+            let change = |_: &Values| Change::Error(which, STEP * limit);
+            let column = effects.of(operation, change, deviation / STEP);
+            add_outer(&mut covariances.groups[group], column);
             if group == PLOTTED {
-                plotted.push(column.clone());
+                plotted.push(column.to_vec());
             }
         }
+        let mut column = vec![0.0; count];
         for motion in &model.together {
             column.fill(0.0);
             for (part, effect) in motion.iter().zip(&plotted) {
@@ -133,6 +110,7 @@ impl Covariances {
             }
             add_outer(&mut covariances.groups[TOGETHER], &column);
         }
+        covariances.add_slips(&mut effects);
         for (number, rounding, datum) in written_numbers(model, data) {
             if !model.used[number.0] {
                 continue;
@@ -141,18 +119,89 @@ impl Covariances {
             if let Some(datum) = datum {
                 covariances.used[datum] = true;
             }
-            let size = rounding * deviation;
-            for ((changes, which_data), base) in variants.iter().zip(&bases) {
-                let change = Change::Written(number, base.number(number) + size);
-                model.replay_after(&mut scratch, base, operation, change, changes);
-                read(model, &scratch, data, which_data, &mut column);
-            }
-            for (value, exact) in column.iter_mut().zip(&exact) {
-                *value -= exact;
-            }
-            add_outer(&mut covariances.roundings, &column);
+            let change = |base: &Values| Change::Written(number, base.number(number) + rounding * deviation);
+            add_outer(&mut covariances.roundings, effects.of(operation, change, 1.0));
         }
+        covariances.add_free(&mut effects, free);
         covariances
+    }
+
+    /// Adds the effects of slips in computed numbers, and of those in turning millimetres into values.
+    fn add_slips(&mut self, effects: &mut Effects<'_, '_>) {
+        let model = effects.model;
+        let size = 0.01 * SLIP / 3.0_f64.sqrt();
+        for (operation, number) in model.computed() {
+            let change = |_: &Values| Change::Times(number, 1.0 + size);
+            add_outer(&mut self.groups[COMPUTING], effects.of(operation, change, 1.0));
+        }
+        let count = effects.exact.len();
+        for (index, datum) in effects.data.iter().enumerate() {
+            let is_measured = model.readings[datum.entry].is_ok_and(|reading| {
+                let maker = model.makers[reading.number.0];
+                maker.is_some_and(|m| matches!(model.construction.operations[m].kind, OperationKind::Measure { .. }))
+            });
+            if is_measured && !datum.is_angle {
+                let slip = size * effects.exact[index];
+                self.groups[COMPUTING][index * count + index] += slip * slip;
+            }
+        }
+    }
+
+    /// Adds the effects of amounts that are not known beforehand.
+    fn add_free(&mut self, effects: &mut Effects<'_, '_>, free: &[(Free, f64)]) {
+        if free.is_empty() {
+            return;
+        }
+        let count = effects.exact.len();
+        self.free = vec![0.0; count * count];
+        for (free, amount) in free {
+            let step = NUDGE * free.range;
+            let change = |_: &Values| match free.what {
+                // Errors add up.
+                Amount::Error(_) => free.change(step),
+                Amount::Number(_) => free.change(amount + step),
+            };
+            add_outer(&mut self.free, effects.of(free.operation, change, 1.0 / NUDGE));
+        }
+    }
+}
+
+/// Step of a difference quotient by a free amount, in parts of its range.
+const NUDGE: f64 = 1e-3;
+
+/// The effects of single changes on the values of a drawing.
+struct Effects<'a, 'c> {
+    model: &'a Model,
+    data: &'a [Datum],
+    variants: &'a Variants<'c>,
+    bases: Vec<Values>,
+    /// The values without a further change.
+    exact: Vec<f64>,
+    scratch: Values,
+    column: Vec<f64>,
+}
+
+impl<'a, 'c> Effects<'a, 'c> {
+    fn new(model: &'a Model, data: &'a [Datum], variants: &'a Variants<'c>) -> Effects<'a, 'c> {
+        let bases: Vec<Values> = variants.iter().map(|(changes, _)| model.replay(changes)).collect();
+        let mut exact = vec![0.0; data.len()];
+        for ((_, which), base) in variants.iter().zip(&bases) {
+            read(model, base, data, which, &mut exact);
+        }
+        let scratch = model.exact.clone();
+        Effects { model, data, variants, bases, column: exact.clone(), exact, scratch }
+    }
+
+    /// By datum: the difference that a change of an operation makes, times `factor`.
+    fn of(&mut self, operation: usize, change: impl Fn(&Values) -> Change<'static>, factor: f64) -> &[f64] {
+        for ((changes, which), base) in self.variants.iter().zip(&self.bases) {
+            self.model.replay_after(&mut self.scratch, base, operation, change(base), changes);
+            read(self.model, &self.scratch, self.data, which, &mut self.column);
+        }
+        for ((value, exact), datum) in self.column.iter_mut().zip(&self.exact).zip(self.data) {
+            *value = datum.turned(*value - exact) * factor;
+        }
+        &self.column
     }
 }
 

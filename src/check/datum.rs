@@ -1,3 +1,7 @@
+//! Values as they are compared with predictions, and what an unlikely one costs.
+
+use crate::construction::Sheet;
+
 /// A value of the form as it is compared with a prediction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Datum {
@@ -11,8 +15,8 @@ pub(super) struct Datum {
     pub is_angle: bool,
     /// The plan in whose unit it is; `None` for lengths, angles and angular rates.
     pub sheet: Option<Sheet>,
-    /// ln of the square of the range in which a value of this kind could lie.
-    pub range: f64,
+    /// The range in which a value of this kind could lie.
+    pub span: f64,
 }
 
 impl Datum {
@@ -90,8 +94,7 @@ const UNEXPLAINED: f64 = 11.0;
 impl Datum {
     /// The cost of the value if nothing explains it.
     pub fn without(&self) -> Without {
-        let cost = self.range - libm::log(self.variance());
+        let cost = 2.0 * libm::log(self.span) - libm::log(self.variance());
         Without { cost: cost + UNEXPLAINED, widest: libm::exp(cost) }
     }
 }
-use crate::construction::Sheet;

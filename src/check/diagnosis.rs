@@ -1,29 +1,14 @@
-//! Chooses the best of the explanations that were tried, and weighs the others against it.
+//! Weighs the explanations that were tried, and chooses what is told: causes only that are probable, and none that the
+//! student's own values refute.
 
-use super::answer_key::AnswerKey;
-use super::entry::Entry;
 use super::explanation::{Diagnosis, Explanation, Finding};
-use super::mistakes::{Candidate, Site};
-use super::prepared::Ready;
-use super::score::Scorer;
-use super::search::{MARGIN, Search, Tried, is_by_hand};
+use super::fit::Fit;
+use super::mistakes::{Candidate, Mistake};
+use super::search::{Search, Tried};
 use super::verdict::{Judged, Verdict};
 
-/// The mistakes that explain the values of a drawing.
-pub(super) fn diagnose(key: &AnswerKey<'_>, ready: &Ready, values: &[Judged]) -> Diagnosis {
-    let entries: Vec<Entry> = values.iter().map(|v| v.entry.clone()).collect();
-    let models = ready.models(key, &entries);
-    let site = Site { model: &ready.right, key, entries: &entries, other_modes: models.len() - 1 };
-    let candidates = site.candidates();
-    let scorer = Scorer::new(models, &entries, key.tolerance);
-    let search = Search::new(&candidates, &scorer);
-    let tried = search.run(key.depth);
-    search.diagnosis(tried, values)
-}
-
-/// Least gain in −2 ln of the likelihood by which mistakes must explain a hand drawing better than no mistake, where no
-/// value is off beyond its tolerance: fifty times likelier.
-const DOUBT: f64 = 7.8;
+/// Least probability of a cause that is told.
+const TOLD: f64 = 0.6;
 
 /// Least probability of another explanation that is reported.
 const LEAST: f64 = 0.02;
@@ -31,60 +16,122 @@ const LEAST: f64 = 0.02;
 /// Most other explanations that are reported.
 const OTHERS: usize = 4;
 
+/// Least weight of an explanation, in parts of the likeliest one's, that is weighed at all.
+const NEGLIGIBLE: f64 = 1e-5;
+
+/// Explanations that are told in the same words.
+struct Group<'t> {
+    /// The likeliest of them.
+    best: &'t Tried,
+    findings: Vec<Finding>,
+    /// Its probability among all that were tried.
+    probability: f64,
+    /// Whether the values alone cannot tell it from the likeliest group.
+    is_alike: bool,
+}
+
+impl Group<'_> {
+    fn tells(&self, candidate: &Candidate) -> bool {
+        self.findings.iter().any(|finding| finding.candidate.is_told_like(candidate))
+    }
+}
+
 impl Search<'_> {
-    /// The best explanation, the others worth reporting, and the values that remain unexplained.
-    pub fn diagnosis(&self, tried: Vec<Tried>, values: &[Judged]) -> Diagnosis {
-        let Some(best) = tried.first() else {
-            return Diagnosis {
-                best: Explanation { findings: Vec::new(), probability: 0.0, is_alike: false },
-                others: Vec::new(),
-                unexplained: (0..values.len()).filter(|&i| values[i].verdict == Verdict::Off).collect(),
+    /// What is told of the values, after the explanations that were tried, the best first.
+    pub fn diagnosis(&self, tried: &[Tried], values: &[Judged]) -> Diagnosis {
+        let groups = self.groups(tried);
+        let Some(first) = groups.first() else {
+            return Diagnosis::none(values);
+        };
+        let told = self.told(&groups);
+        let probability = |findings: &[Finding]| {
+            let holds = |g: &&Group<'_>| findings.iter().all(|f| g.is_alike || has_cause(g, f));
+            let all: f64 = groups.iter().filter(holds).map(|g| g.probability).sum();
+            all.min(1.0)
+        };
+        let others = groups.iter().skip(1).filter_map(|group| {
+            let is_new = group.findings.iter().any(|f| !told.iter().any(|t| t.candidate.is_told_like(&f.candidate)));
+            let is_told = group.is_alike && told.len() == first.findings.len();
+            (is_new && (is_told || group.probability >= LEAST)).then(|| Explanation {
+                findings: group.findings.clone(),
+                probability: if is_told { probability(&told) } else { group.probability },
+                is_alike: is_told,
+            })
+        });
+        let others = others.take(OTHERS).collect();
+        let explained = |entry: usize| told.iter().any(|f| f.follows.contains(&entry) || f.written.contains(&entry));
+        let off = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off);
+        let unexplained = off.filter(|&entry| !explained(entry) || self.is_outside(&first.best.fit, entry)).collect();
+        let probability = if told.is_empty() { none_told(&groups) } else { probability(&told) };
+        Diagnosis { best: Explanation { findings: told, probability, is_alike: false }, others, unexplained }
+    }
+
+    /// The explanations grouped by their words, those left out that a written value refutes; the likeliest first.
+    fn groups<'t>(&self, tried: &'t [Tried]) -> Vec<Group<'t>> {
+        let least = tried.iter().map(|t| t.cost).fold(f64::INFINITY, f64::min);
+        let weight = |t: &Tried| libm::exp(-0.5 * (t.cost - least));
+        let mut groups: Vec<Group<'t>> = Vec::new();
+        for tried in tried.iter().filter(|t| weight(t) > NEGLIGIBLE) {
+            let findings = self.findings(tried);
+            if self.is_refuted(tried, &findings) {
+                continue;
+            }
+            let same = |g: &&mut Group<'_>| {
+                g.findings.len() == findings.len() && findings.iter().all(|f| g.tells(&f.candidate))
             };
-        };
-        // No mistake is assumed where mistakes hardly explain more.
-        let is_enough = |t: &Tried| {
-            let mut data = t.fit.outside.iter().zip(&self.scorer.data);
-            let leaves = data.any(|(out, d)| *out && values[d.entry].verdict == Verdict::Off);
-            let margin = if is_by_hand(t) { DOUBT } else { MARGIN };
-            !leaves && t.cost <= best.cost + margin
-        };
-        let chosen = tried.iter().position(|t| t.set.is_empty()).filter(|&p| is_enough(&tried[p])).unwrap_or(0);
-        let best = &tried[chosen];
-        let weight = |t: &Tried| libm::exp(-0.5 * (t.cost - best.cost).max(-60.0));
-        let total: f64 = tried.iter().map(weight).sum();
-        // Explanations in the same words count as one; one that only leaves out a mistake of the best is no other
-        // explanation.
-        let is_told = |set: &[usize], other: &[usize]| {
-            let told = |i: &usize| set.iter().any(|j| self.candidates[*i].is_told_like(&self.candidates[*j]));
-            other.iter().all(told)
-        };
-        let probability = |of: &Tried| {
-            let same = |t: &&Tried| t.set.len() == of.set.len() && is_told(&of.set, &t.set);
-            tried.iter().filter(same).map(weight).sum::<f64>() / total
-        };
-        let best_set = self.set(&best.set);
-        let mut others: Vec<&Tried> = Vec::new();
-        for (index, other) in tried.iter().enumerate() {
-            let is_new = !is_told(&best.set, &other.set) && !others.iter().any(|o| is_told(&o.set, &other.set));
-            if index != chosen && !best.set.is_empty() && is_new {
-                others.push(other);
+            match groups.iter_mut().find(same) {
+                Some(group) => group.probability += weight(tried),
+                None => groups.push(Group { best: tried, findings, probability: weight(tried), is_alike: false }),
             }
         }
-        let others = others.into_iter().filter_map(|other| {
-            let is_alike = other.set.len() == best.set.len()
-                && self.scorer.are_alike(&best.fit, &other.fit, [&best_set, &self.set(&other.set)]);
-            let probability = probability(other);
-            (is_alike || probability >= LEAST).then(|| self.explanation(other, probability, is_alike))
-        });
-        let others: Vec<Explanation> = others.take(OTHERS).collect();
-        // A value within the errors of the fitted hand needs no explanation.
-        let is_outside = |entry: usize| {
-            let mut data = best.fit.outside.iter().zip(&self.scorer.data);
-            data.find(|(_, datum)| datum.entry == entry).is_none_or(|(outside, _)| *outside)
+        let total: f64 = groups.iter().map(|g| g.probability).sum();
+        groups.iter_mut().for_each(|g| g.probability /= total);
+        groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+        if let [first, others @ ..] = groups.as_mut_slice() {
+            first.is_alike = true;
+            for other in others.iter_mut().filter(|other| other.best.set.len() == first.best.set.len()) {
+                let sets = [&first.best.set, &other.best.set].map(|set| self.set(set));
+                let [a, b] = &sets;
+                other.is_alike = self.scorer.are_alike(&first.best.fit, &other.best.fit, [a, b]);
+            }
+        }
+        groups
+    }
+
+    /// The findings of the likeliest explanation that are told: those that are probable, be it as a mistake of the
+    /// catalogue or only at their place.
+    fn told(&self, groups: &[Group<'_>]) -> Vec<Finding> {
+        let sum = |is: &dyn Fn(&Group<'_>) -> bool| -> f64 {
+            groups.iter().filter(|g| g.is_alike || is(g)).map(|g| g.probability).sum()
         };
-        let off = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off);
-        let unexplained: Vec<usize> = off.filter(|&entry| is_outside(entry)).collect();
-        Diagnosis { best: self.explanation(best, probability(best), false), others, unexplained }
+        let told = groups[0].findings.iter().filter_map(|finding| {
+            if sum(&|g| g.tells(&finding.candidate)) >= TOLD {
+                return Some(finding.clone());
+            }
+            let first = finding.first()?;
+            let begins = |g: &Group<'_>| g.findings.iter().any(|f| f.first() == Some(first));
+            let name = self.scorer.name_of(first)?;
+            (sum(&begins) >= TOLD).then(|| finding.of_unknown_cause(name))
+        });
+        told.collect()
+    }
+
+    fn is_outside(&self, fit: &Fit, entry: usize) -> bool {
+        let mut data = fit.outside.iter().zip(&self.scorer.data);
+        data.find(|(_, datum)| datum.entry == entry).is_none_or(|(outside, _)| *outside)
+    }
+
+    /// Whether the written values refute a mistake of an explanation: it changes none, or the first that it changes or
+    /// half of all are not as it would make them.
+    fn is_refuted(&self, tried: &Tried, findings: &[Finding]) -> bool {
+        findings.iter().any(|finding| {
+            let changed = finding.changed();
+            let contradicting = changed.iter().filter(|&&entry| self.is_outside(&tried.fit, entry)).count();
+            let begins_wrong = changed.first().is_none_or(|&entry| self.is_outside(&tried.fit, entry));
+            let reinterpreted = finding.candidate.reinterpreted.iter().filter(|r| r.value.is_some());
+            let is_written_wrong = reinterpreted.map(|r| r.entry).any(|entry| self.is_outside(&tried.fit, entry));
+            begins_wrong || is_written_wrong || 2 * contradicting > changed.len()
+        })
     }
 
     /// The values in which a mistake itself was made: those it makes to be written otherwise than meant, and those read
@@ -100,26 +147,48 @@ impl Search<'_> {
         self.scorer.data.iter().map(|d| d.entry).filter(|&entry| is_touched(entry)).collect()
     }
 
-    fn explanation(&self, tried: &Tried, probability: f64, is_alike: bool) -> Explanation {
-        let mut findings: Vec<Finding> = tried
-            .set
-            .iter()
-            .map(|&index| {
-                let without: Vec<usize> = tried.set.iter().copied().filter(|&i| i != index).collect();
-                let before = self.scorer.predicted(&self.set(&without));
-                let candidate = self.candidates[index].clone();
-                let written = self.written(&candidate);
-                let data = self.scorer.data.iter().enumerate();
-                let follows = data.filter_map(|(place, datum)| {
-                    let moved = tried.fit.predicted[place] - before[place];
-                    let seen = 2.0 * self.scorer.deviation(place, &tried.fit);
-                    let consistent = !tried.fit.outside[place] && !written.contains(&datum.entry);
-                    (moved.abs() > seen && consistent).then_some(datum.entry)
-                });
-                Finding { follows: follows.collect(), written, candidate }
-            })
-            .collect();
+    /// The mistakes of an explanation with what each changes, in the order of the construction.
+    fn findings(&self, tried: &Tried) -> Vec<Finding> {
+        let finding = |&index: &usize| {
+            let without: Vec<usize> = tried.set.iter().copied().filter(|&i| i != index).collect();
+            let before = self.scorer.predicted(&self.set(&without));
+            let candidate = self.pool[index].clone();
+            let touched = self.written(&candidate);
+            let (mut follows, mut contradicts, mut written) = (Vec::new(), Vec::new(), Vec::new());
+            for (place, datum) in self.scorer.data.iter().enumerate() {
+                let moved = datum.turned(tried.fit.predicted[place] - before[place]);
+                let is_moved = moved.abs() > 2.0 * self.scorer.deviation(place, &tried.fit);
+                let is_reinterpreted = candidate.reinterpreted.iter().any(|r| r.entry == datum.entry);
+                if touched.contains(&datum.entry) {
+                    // What a mistake leaves as it is was not made in it.
+                    if is_moved || is_reinterpreted {
+                        written.push(datum.entry);
+                    }
+                } else if is_moved && tried.fit.outside[place] {
+                    contradicts.push(datum.entry);
+                } else if is_moved {
+                    follows.push(datum.entry);
+                }
+            }
+            Finding { follows, contradicts, written, candidate }
+        };
+        let mut findings: Vec<Finding> = tried.set.iter().map(finding).collect();
         findings.sort_by_key(|f| f.candidate.step);
-        Explanation { findings, probability, is_alike }
+        findings
     }
+}
+
+/// Whether a group tells the cause of a finding; for a finding of unknown cause, whether one begins at the same value.
+fn has_cause(group: &Group<'_>, finding: &Finding) -> bool {
+    if finding.candidate.mistake == Mistake::Unknown {
+        group.findings.iter().any(|f| f.first() == finding.first())
+    } else {
+        group.tells(&finding.candidate)
+    }
+}
+
+/// The probability that no mistake was made, or none that the catalogue has.
+fn none_told(groups: &[Group<'_>]) -> f64 {
+    let is_unknown = |g: &&Group<'_>| g.findings.iter().all(|f| f.candidate.mistake == Mistake::Unknown);
+    groups.iter().filter(is_unknown).map(|g| g.probability).sum()
 }

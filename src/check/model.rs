@@ -13,15 +13,18 @@ use crate::quantity::{Asked, Band, Reading, Unread, read_by_hand};
 use smallvec::SmallVec;
 
 /// Number of kinds of errors; a hand has a size for each. The kinds: joints plotted, the rest of the scheme, the
-/// velocity plan, the acceleration plan, and displacements of all joints together that leave every link its shape, as
-/// with a drawing program.
-pub(super) const GROUPS: usize = 5;
+/// velocity plan, the acceleration plan, displacements of all joints together that leave every link its shape, as
+/// with a drawing program, and slips in computed numbers.
+pub(super) const GROUPS: usize = 6;
 
 /// The kind of errors of joints plotted, each by itself.
 pub(super) const PLOTTED: usize = 0;
 
 /// The kind of errors of joints displaced together.
 pub(super) const TOGETHER: usize = 4;
+
+/// The kind of slips in computed numbers.
+pub(super) const COMPUTING: usize = 5;
 
 /// Why a value is not read from the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,6 +76,10 @@ pub(super) enum Edit {
     Instead(OperationKind),
     /// This number of the operation is multiplied by the factor.
     Times(NumberId, f64),
+    /// This number of the operation has this value.
+    Becomes(NumberId, f64),
+    /// This elementary error of the operation has this size, in mm or degrees.
+    Error(usize, f64),
 }
 
 impl Edit {
@@ -81,6 +88,8 @@ impl Edit {
         match self {
             Edit::Instead(kind) => Change::Instead(kind),
             Edit::Times(number, factor) => Change::Times(*number, *factor),
+            Edit::Becomes(number, value) => Change::Written(*number, *value),
+            Edit::Error(which, size) => Change::Error(*which, *size),
         }
     }
 }
@@ -233,6 +242,15 @@ impl Model {
             errors.map(move |(which, e)| (index, which, e.limit(tolerance), group))
         });
         all.collect()
+    }
+
+    /// Numbers that are computed and used later, each with its operation: sizes of vectors, rates.
+    pub fn computed(&self) -> impl Iterator<Item = (usize, NumberId)> {
+        self.construction.operations.iter().enumerate().flat_map(move |(index, operation)| {
+            let is_computed = matches!(operation.kind, OperationKind::Compute { .. } | OperationKind::Solve { .. });
+            let numbers = operation.kind.numbers().iter().copied();
+            numbers.filter(move |n| is_computed && self.used[n.0]).map(move |n| (index, n))
+        })
     }
 
     /// The name of a place; empty if it has none.

@@ -2,16 +2,18 @@
 //!
 //! Honest errors of the hand make the values correlated: to first order they are normally distributed with the
 //! covariance C = Σ s_g² J_g J_gᵀ. J_g are the difference quotients of the values by each error of kind g, times its
-//! standard deviation; s_g ≤ 1 is the size of the hand's errors of that kind in parts of the tolerance. The values are
+//! standard deviation; s_g is the size of the hand's errors of that kind in parts of the tolerance. The values are
 //! compared in the order of the construction, each with its distribution given the earlier ones (Cholesky factorisation
 //! row by row). A value that no error explains is left out of what later ones are compared with. Costs are −2 ln of
 //! likelihoods, for each value relative to the density of its rounding.
 
 use super::covariance::{Covariances, read};
-use super::datum::{Cost, Datum, Without};
+use super::datum::{Datum, Without};
 use super::entry::Entry;
-use super::mistakes::Candidate;
-use super::model::{Changes, Model, TOGETHER};
+use super::hand::Hand;
+use super::mistakes::{Candidate, Free};
+use super::model::{Changes, Edit, GROUPS, Model, TOGETHER};
+use super::walk::{Compared, Metric};
 use crate::construction::{Change, Disturbance, Sheet, Tolerance};
 use crate::quantity::{Kind, Sense};
 
@@ -23,10 +25,14 @@ pub(super) struct Scorer<'a> {
     /// By datum: its cost if nothing explains it.
     pub without: Vec<Without>,
     pub tolerance: Tolerance,
-    /// By datum: its variance in a right drawing with errors at the tolerance, for a first look.
+    /// By datum: its variance in a right drawing with errors at the tolerance.
     pub quick: Vec<f64>,
+    /// The same by kind of errors.
+    kinds: [Vec<f64>; GROUPS],
     /// By datum: its value in a right drawing.
     right: Vec<f64>,
+    /// By datum: the name of its quantity.
+    names: Vec<String>,
 }
 
 impl<'a> Scorer<'a> {
@@ -61,7 +67,7 @@ impl<'a> Scorer<'a> {
                     Kind::Acceleration => Some(Sheet::Acceleration),
                     _ => None,
                 },
-                range: 2.0 * libm::log(span),
+                span,
             })
         });
         let mut scorer = Scorer {
@@ -70,12 +76,16 @@ impl<'a> Scorer<'a> {
             without: Vec::new(),
             tolerance,
             quick: Vec::new(),
+            kinds: core::array::from_fn(|_| Vec::new()),
             right: Vec::new(),
+            names: Vec::new(),
         };
+        scorer.names = scorer.data.iter().map(|d| entries[d.entry].asked.name().to_owned()).collect();
         scorer.without = scorer.data.iter().map(Datum::without).collect();
         let nominal = scorer.covariances(&[]);
         let count = scorer.data.len();
         let by_hand = &nominal.groups[..TOGETHER];
+        scorer.kinds = core::array::from_fn(|kind| (0..count).map(|i| nominal.groups[kind][i * count + i]).collect());
         scorer.quick = (0..count).map(|i| by_hand.iter().map(|g| g[i * count + i]).sum()).collect();
         scorer.right = scorer.predicted(&[]);
         scorer
@@ -143,7 +153,7 @@ impl<'a> Scorer<'a> {
 
     /// The covariances of the values of drawings with the candidates' mistakes.
     pub fn covariances(&self, set: &[&Candidate]) -> Covariances {
-        Covariances::new(self.model(set), &self.tolerance, &self.data, &self.variants(set))
+        Covariances::new(self.model(set), &self.tolerance, &self.data, &self.variants(set), &Scorer::free(set))
     }
 
     /// By datum: the value meant if the candidates' mistakes were made; `None` where the written value tells nothing
@@ -159,33 +169,66 @@ impl<'a> Scorer<'a> {
         meant
     }
 
-    /// The cost at a first look: the values one by one, as if their errors were independent.
-    pub fn first_look(&self, set: &[&Candidate]) -> f64 {
-        let predicted = self.predicted(set);
+    /// The standard deviation of a value in a right drawing by a hand, its rounding left out.
+    pub fn spread(&self, datum: usize, hand: &Hand) -> f64 {
+        let parts = self.kinds.iter().zip(hand.errors).map(|(kind, size)| size * size * kind[datum]);
+        parts.sum::<f64>().sqrt()
+    }
+
+    /// The name of a datum's quantity.
+    pub fn name(&self, datum: usize) -> &str {
+        &self.names[datum]
+    }
+
+    /// The name of an entry's quantity; `None` where it is not read.
+    pub fn name_of(&self, entry: usize) -> Option<&str> {
+        let datum = self.data.iter().position(|datum| datum.entry == entry)?;
+        Some(self.name(datum))
+    }
+
+    /// The data that a candidate changes when it is the only mistake; one of unknown amount may change any.
+    pub fn changed(&self, candidate: &Candidate, right: &[f64]) -> Vec<usize> {
+        let all = 0..self.data.len();
+        if !candidate.free.is_empty() {
+            return all.collect();
+        }
+        let predicted = self.predicted(&[candidate]);
+        let is_changed = |&index: &usize| {
+            let datum = &self.data[index];
+            // What is not finite changes everything.
+            let is_same = (predicted[index] - right[index]).abs() <= 1e-9 * datum.span;
+            !is_same || candidate.reinterpreted.iter().any(|r| r.entry == datum.entry)
+        };
+        all.filter(is_changed).collect()
+    }
+
+    /// How well values fit a prediction at a first look, by the likeliest of these metrics.
+    pub fn look(&self, metrics: &[Metric], meant: &[Option<Datum>], predicted: &[f64]) -> f64 {
         if predicted.iter().any(|p| !p.is_finite()) {
             return f64::INFINITY;
         }
-        let meant = self.meant(set);
-        let mut best = f64::INFINITY;
-        for hand in [1.0, 0.2, 0.02] {
-            let mut cost = Cost::ZERO;
-            for (index, datum) in meant.iter().enumerate() {
-                let without = &self.without[index];
-                let Some(datum) = datum else {
-                    cost.add(without.cost);
-                    continue;
-                };
-                let rounding = datum.variance();
-                // Errors are assumed to grow in proportion to the value.
-                let grown = (predicted[index] / self.right[index]).abs();
-                let grown = if grown.is_finite() { grown.clamp(1.0, 1000.0) } else { 1.0 };
-                let variance = hand * hand * grown * grown * self.quick[index] + rounding;
-                let off = datum.off(predicted[index], 0.0);
-                cost.add_deviate(off * off / variance, variance / rounding, without);
-            }
-            let cost = cost.total();
-            best = best.min(cost);
-        }
-        best
+        let compared = Compared { meant, predicted, without: &self.without };
+        // Errors are assumed to grow in proportion to the value.
+        let grown = |index: usize| {
+            let small = 0.05 * self.data[index].span;
+            let grown = (predicted[index].abs() + small) / (self.right[index].abs() + small);
+            grown.clamp(1.0, 1000.0)
+        };
+        let mut deviations = Vec::with_capacity(predicted.len());
+        let costs = metrics.iter().map(|metric| metric.look(compared, grown, &mut deviations));
+        costs.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The amounts of a set's edits that were fitted to the values.
+    fn free(set: &[&Candidate]) -> Vec<(Free, f64)> {
+        let of = |candidate: &Candidate| -> Vec<(Free, f64)> {
+            let edits = candidate.edits.iter().rev().zip(candidate.free.iter().rev());
+            let amounts = edits.filter_map(|((_, edit), free)| match edit {
+                Edit::Error(_, amount) | Edit::Becomes(_, amount) => Some((*free, *amount)),
+                Edit::Instead(_) | Edit::Times(..) => None,
+            });
+            amounts.collect()
+        };
+        set.iter().flat_map(|candidate| of(candidate)).collect()
     }
 }

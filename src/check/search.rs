@@ -2,38 +2,67 @@
 
 use super::answer_key::AnswerKey;
 use super::entry::Entry;
-use super::fit::{Fit, Hands};
+use super::fit::Fit;
+use super::hand::Hand;
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
 use super::score::Scorer;
-use crate::cores::{on_all_cores, on_each_core};
+use super::settle::Settling;
+use super::walk::Metric;
+use crate::cores::on_all_cores;
 use crate::position::poses;
 
 /// Explanations of one level that are compared completely: the best at a first look.
-const COMPARED: usize = 40;
+const COMPARED: usize = 32;
 
 /// Explanations of one level that are tried with a further mistake (the width of the beam search).
-const EXTENDED: usize = 12;
+const EXTENDED: usize = 5;
+
+/// Cost above the best one of its level above which an explanation is not tried with a further mistake.
+const HOPELESS: f64 = 30.0;
 
 /// Least gain of a further mistake, in −2 ln of the likelihood: ten times likelier.
-pub(super) const MARGIN: f64 = 4.6;
+const MARGIN: f64 = 4.6;
 
-/// Compared explanations for which hands with errors of different sizes are tried.
-const REFINED: usize = 16;
-
-/// Slips of writing that are compared completely where a first look does not show them.
-const SLIPS: usize = 12;
-
-/// Least size of a hand's errors, in parts of the tolerance; a drawing with smaller errors was not made by hand.
-const BY_HAND: f64 = 0.04;
+/// Cost of each amount that is fitted to the values, at a first look.
+const FITTED: f64 = 7.0;
 
 /// An explanation that was compared completely.
 pub(super) struct Tried {
-    /// Indices of its candidates.
+    /// Indices of its candidates in the pool.
     pub set: Vec<usize>,
     pub fit: Fit,
-    /// The cost of the values and of the mistakes.
+    /// The cost of the values, the hand and the mistakes.
     pub cost: f64,
+}
+
+/// An explanation that is tried with a further mistake.
+pub(super) struct Parent<'a> {
+    pub set: Vec<&'a Candidate>,
+    indices: &'a [usize],
+    hand: Hand,
+    pub predicted: &'a [f64],
+    /// By datum: whether it is unexplained.
+    pub outside: &'a [bool],
+    /// By datum: whether a further mistake is wanted that concerns it.
+    wanted: Vec<bool>,
+    metrics: Vec<Metric>,
+}
+
+/// An explanation with one mistake more, at a first look.
+struct Child<'a> {
+    cost: f64,
+    before: &'a [usize],
+    hand: Hand,
+    new: New,
+}
+
+/// A further mistake.
+enum New {
+    /// A candidate of the pool.
+    Listed(usize),
+    /// The candidate with amounts that were fitted to the values.
+    Fitted(usize, Box<Candidate>),
 }
 
 /// The constructions of the other assembly modes.
@@ -80,148 +109,181 @@ fn costs(candidates: &[Candidate]) -> Vec<f64> {
 }
 
 pub(super) struct Search<'a> {
-    pub candidates: &'a [Candidate],
+    pub scorer: &'a Scorer<'a>,
+    /// The candidates of the catalogue, then those with amounts that were fitted to the values.
+    pub pool: Vec<Candidate>,
     /// By candidate: its cost.
     costs: Vec<f64>,
-    /// Indices of all candidates.
-    all: Vec<usize>,
-    pub scorer: &'a Scorer<'a>,
+    /// Indices of the catalogue's candidates.
+    listed: Vec<usize>,
+    /// By candidate of the catalogue: the data that it changes.
+    changed: Vec<Vec<usize>>,
 }
 
 impl<'a> Search<'a> {
-    pub fn new(candidates: &'a [Candidate], scorer: &'a Scorer<'a>) -> Search<'a> {
-        Search { costs: costs(candidates), all: (0..candidates.len()).collect(), candidates, scorer }
+    pub fn new(candidates: Vec<Candidate>, scorer: &'a Scorer<'a>) -> Search<'a> {
+        let costs = costs(&candidates);
+        let listed = (0..candidates.len()).collect();
+        let right = scorer.predicted(&[]);
+        let changed = on_all_cores(&candidates, |candidate| scorer.changed(candidate, &right));
+        Search { scorer, costs, listed, changed, pool: candidates }
     }
 
-    pub fn set(&self, indices: &[usize]) -> Vec<&'a Candidate> {
-        indices.iter().map(|&i| &self.candidates[i]).collect()
+    pub fn set(&self, indices: &[usize]) -> Vec<&Candidate> {
+        indices.iter().map(|&i| &self.pool[i]).collect()
     }
 
     fn cost(&self, indices: &[usize]) -> f64 {
         indices.iter().map(|&i| self.costs[i]).sum()
     }
 
-    /// All explanations that were compared completely, the best first.
-    pub fn run(&self, depth: usize) -> Vec<Tried> {
+    /// All explanations that were compared completely, the best first. `none`: how well values fit without a mistake.
+    /// `off`: by datum whether its verdict is off.
+    pub fn run(&mut self, none: Fit, off: &[bool], depth: usize) -> Vec<Tried> {
+        let mut beam = vec![Tried { set: Vec::new(), cost: none.cost, fit: none }];
         let mut tried: Vec<Tried> = Vec::new();
-        tried.extend(self.compared(vec![Vec::new()], 1));
-        let mut beam: Vec<Vec<usize>> = vec![Vec::new()];
-        for _ in 0..depth {
-            let best_before = tried.first().map_or(f64::INFINITY, |t| t.cost);
-            let mut level = self.level(&beam, tried.first());
-            if level.is_empty() {
-                break;
-            }
-            beam = level.iter().take(EXTENDED).map(|t| t.set.clone()).collect();
-            tried.append(&mut level);
+        for depth in 0..=depth {
+            let best_before = tried.first().map_or(f64::INFINITY, |t: &Tried| t.cost);
+            tried.extend(beam.iter().map(|t| Tried { set: t.set.clone(), fit: t.fit.clone(), cost: t.cost }));
             tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
             let best = &tried[0];
-            if best.cost > best_before - MARGIN || is_explained(best) {
+            let is_last = depth > 0 && (best.cost > best_before - MARGIN || is_explained(best));
+            if is_last {
+                break;
+            }
+            beam.retain(|t| t.cost <= beam_limit(&tried));
+            beam.truncate(EXTENDED);
+            beam = self.level(&beam, off);
+            if beam.is_empty() {
                 break;
             }
         }
         tried
     }
 
-    /// The best explanation with one slip of writing more: the likeliest slips that an exact drawing shows. None for
-    /// hand drawings.
-    fn slips(&self, best: &Tried) -> Vec<Vec<usize>> {
-        if is_by_hand(best) {
-            return Vec::new();
-        }
-        let is_slip = |c: &Candidate| c.edits.is_empty() && c.goes_on.is_empty() && c.mode == 0;
-        let fits = |i: &usize| is_slip(&self.candidates[*i]) && self.go_together(&best.set, *i);
-        let all: Vec<usize> = self.all.iter().copied().filter(fits).collect();
-        let costs = self.scorer.slips(&self.set(&best.set), &best.fit, &self.set(&all));
-        let mut costs: Vec<(f64, usize)> =
-            costs.into_iter().zip(&all).map(|(cost, &i)| (cost + self.costs[i], i)).collect();
-        costs.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // Each slip, and its twin that is passed on to later operations.
-        let likeliest = costs.into_iter().take(SLIPS).flat_map(|(_, index)| {
-            let slip = &self.candidates[index];
-            let twins = self.all.iter().copied().filter(move |&twin| self.candidates[twin].is_told_like(slip));
-            twins.filter(|&twin| self.go_together(&best.set, twin))
-        });
-        likeliest.map(|index| with(&best.set, index)).collect()
-    }
-
     /// Explanations with one mistake more than those of the beam, compared completely; the best first.
-    fn level(&self, beam: &[Vec<usize>], best: Option<&Tried>) -> Vec<Tried> {
-        let looks = beam.iter().map(|before| {
-            on_all_cores(&self.all, |&index| {
-                if before.contains(&index) || !self.go_together(before, index) {
-                    return None;
+    fn level(&mut self, beam: &[Tried], off: &[bool]) -> Vec<Tried> {
+        let mut chosen: Vec<(Vec<usize>, Hand)> = Vec::new();
+        let mut fitted: Vec<(Candidate, f64)> = Vec::new();
+        for child in self.children(beam, off) {
+            let (index, _) = match child.new {
+                New::Listed(index) => (index, ()),
+                New::Fitted(template, candidate) => {
+                    fitted.push((*candidate, self.costs[template]));
+                    (self.pool.len() + fitted.len() - 1, ())
                 }
-                let set = with(before, index);
-                let cost = self.scorer.first_look(&self.set(&set)) + self.cost(&set);
-                cost.is_finite().then_some((cost, set))
-            })
+            };
+            let mut set = child.before.to_vec();
+            set.push(index);
+            set.sort_unstable();
+            if chosen.iter().all(|(other, _)| *other != set) {
+                chosen.push((set, child.hand));
+            }
+        }
+        for (candidate, cost) in fitted {
+            self.pool.push(candidate);
+            self.costs.push(cost);
+        }
+        let compared = on_all_cores(&chosen, |(set, hand)| self.scorer.compare(&self.set(set), Some(hand)));
+        let tried = chosen.into_iter().zip(compared).filter_map(|((set, _), fit)| {
+            let fit = fit?;
+            let cost = fit.cost + self.cost(&set);
+            Some(Tried { set, fit, cost })
         });
-        let mut looked: Vec<(f64, Vec<usize>)> = looks.flatten().flatten().collect();
-        looked.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
-        looked.dedup_by(|a, b| a.1 == b.1);
-        looked.truncate(COMPARED);
-        // Slips that only an exact drawing shows are invisible at a first look, which supposes a hand's errors.
-        let slips = best.map(|best| self.slips(best)).unwrap_or_default();
-        let looked = looked.into_iter().map(|(_, set)| set).filter(|set| !slips.contains(set)).collect();
-        let mut level = self.compared(looked, REFINED);
-        level.extend(self.compared(slips, usize::MAX));
-        level.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let mut level: Vec<Tried> = tried.collect();
+        level.sort_by(|a, b| a.cost.total_cmp(&b.cost).then_with(|| a.set.cmp(&b.set)));
         level
     }
 
-    /// Explanations compared completely; the `refined` likeliest of them with hands that have errors of different
-    /// sizes.
-    fn compared(&self, sets: Vec<Vec<usize>>, refined: usize) -> Vec<Tried> {
-        let compared = on_all_cores(&sets, |set| self.scorer.compare(&self.set(set)));
-        let mut both: Vec<(Vec<usize>, Hands<'_, '_>)> =
-            sets.into_iter().zip(compared).filter_map(|(set, hands)| Some((set, hands?))).collect();
-        both.sort_by(|(a, x), (b, y)| {
-            let costs = [x.cost + self.cost(a), y.cost + self.cost(b)];
-            costs[0].total_cmp(&costs[1]).then_with(|| a.cmp(b))
-        });
-        let likeliest = refined.min(both.len());
-        on_each_core(&mut both[..likeliest], |(_, hands)| hands.search_each());
-        let tried = |(set, hands): (Vec<usize>, Hands<'_, '_>)| {
-            let fit = Fit::from(hands);
-            let cost = fit.cost + self.cost(&set);
-            Tried { set, fit, cost }
+    /// The likeliest further mistakes at a first look, the best first.
+    fn children<'t>(&self, beam: &'t [Tried], off: &[bool]) -> Vec<Child<'t>> {
+        let mut children: Vec<Child<'t>> = Vec::new();
+        for tried in beam {
+            let parent = self.parent(tried, off);
+            let found = on_all_cores(&self.listed, |&index| self.further(&parent, index));
+            let own = self.cost(&tried.set);
+            children.extend(found.into_iter().flatten().map(|(cost, new)| Child {
+                cost: cost + own,
+                before: &tried.set,
+                hand: parent.hand,
+                new,
+            }));
+        }
+        children.retain(|child| child.cost.is_finite());
+        children.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        children.truncate(COMPARED);
+        children
+    }
+
+    fn parent<'t>(&'t self, tried: &'t Tried, off: &[bool]) -> Parent<'t> {
+        let set = self.set(&tried.set);
+        let covariances = self.scorer.covariances(&set);
+        let is_first = set.is_empty();
+        let mut hands = vec![tried.fit.hand, tried.fit.hand.times(0.3), Hand::alike(1.0)];
+        if is_first {
+            hands.extend([0.2, 0.02].map(Hand::alike));
+        }
+        let metrics = hands.iter().map(|hand| Metric::new(&covariances, hand, &self.scorer.data)).collect();
+        let outside = tried.fit.outside.as_slice();
+        Parent {
+            set,
+            indices: &tried.set,
+            hand: tried.fit.hand,
+            predicted: &tried.fit.predicted,
+            outside,
+            wanted: outside.iter().zip(off).map(|(outside, off)| *outside || is_first && *off).collect(),
+            metrics,
+        }
+    }
+
+    /// The further mistakes at a candidate's place that concern a wanted value, each with its cost.
+    fn further(&self, parent: &Parent<'_>, index: usize) -> Vec<(f64, New)> {
+        let candidate = &self.pool[index];
+        let is_wanted = self.changed[index].iter().any(|&datum| parent.wanted[datum]);
+        if !is_wanted || !self.go_together(parent.indices, index) {
+            return Vec::new();
+        }
+        let look = |candidate: &Candidate| {
+            let mut set = parent.set.clone();
+            set.push(candidate);
+            let meant = self.scorer.meant(&set);
+            let look = self.scorer.look(&parent.metrics, &meant, &self.scorer.predicted(&set));
+            look + self.costs[index] + FITTED * candidate.free.len() as f64
         };
-        both.into_iter().map(tried).collect()
+        if candidate.free.is_empty() {
+            return vec![(look(candidate), New::Listed(index))];
+        }
+        let settled = Settling::new(self.scorer, parent, candidate).settled().into_iter();
+        settled.map(|fitted| (look(&fitted), New::Fitted(index, Box::new(fitted)))).collect()
     }
 
     /// Whether a candidate can be combined with a set: two edits of one operation, or two meanings of one value,
     /// cannot; another assembly mode can only with slips of writing.
     fn go_together(&self, set: &[usize], other: usize) -> bool {
-        let new = &self.candidates[other];
+        let new = &self.pool[other];
         set.iter().all(|&index| {
-            let old = &self.candidates[index];
-            let operations = old.edits.iter().all(|(a, _)| new.edits.iter().all(|(b, _)| a != b));
+            let old = &self.pool[index];
+            let operations = old.operations().all(|a| new.operations().all(|b| a != b));
             let values = old.reinterpreted.iter().all(|a| new.reinterpreted.iter().all(|b| a.entry != b.entry));
+            let is_slip = |c: &Candidate| c.edits.is_empty() && c.goes_on.is_empty() && c.free.is_empty();
             let positions = old.mode == 0 && new.mode == 0
-                || (old.edits.is_empty() && old.goes_on.is_empty() && new.mode != old.mode && old.mode * new.mode == 0)
-                    && new.edits.is_empty()
-                    && new.goes_on.is_empty();
+                || new.mode != old.mode && old.mode * new.mode == 0
+                    // One of them only writes otherwise.
+                    && [old, new].iter().any(|c| c.mode == 0 && is_slip(c));
             operations && values && positions
         })
     }
 }
 
-/// A sorted set with one index more.
-fn with(set: &[usize], index: usize) -> Vec<usize> {
-    let mut set = set.to_vec();
-    set.push(index);
-    set.sort_unstable();
-    set
-}
-
-/// Whether the hand's errors are as large as those of drawings by hand.
-pub(super) fn is_by_hand(tried: &Tried) -> bool {
-    tried.fit.hand.errors.iter().all(|&s| s == 0.0 || s >= BY_HAND)
+/// The cost above which explanations are not tried with a further mistake.
+fn beam_limit(tried: &[Tried]) -> f64 {
+    let most = tried.iter().map(|t| t.set.len()).max().unwrap_or(0);
+    let level = tried.iter().filter(|t| t.set.len() == most);
+    level.map(|t| t.cost).fold(f64::INFINITY, f64::min) + HOPELESS
 }
 
 /// Whether nothing remains to be explained; never so in a drawing more exact than a hand's, where the tolerance may
 /// hide slips.
 fn is_explained(tried: &Tried) -> bool {
-    is_by_hand(tried) && !tried.fit.outside.iter().any(|&out| out)
+    tried.fit.hand.is_by_hand() && !tried.fit.outside.iter().any(|&out| out)
 }

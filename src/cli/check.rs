@@ -305,6 +305,7 @@ impl Check {
             solution,
             scales: solution.scales(),
             tolerance: self.hand.tolerance(),
+            latitude: if self.hand.is_given() { 1.0 } else { check::LATITUDE },
             depth: usize::from(self.depth),
         }
     }

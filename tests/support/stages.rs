@@ -1,6 +1,6 @@
 //! A scene taken through all stages.
 
-use kinegon::check::AnswerKey;
+use kinegon::check::{AnswerKey, LATITUDE};
 use kinegon::construction::Tolerance;
 use kinegon::{Error, Scene, Solution, solve};
 
@@ -11,5 +11,5 @@ pub fn solved(text: &str) -> Result<Solution, Error> {
 
 /// What a student's values are held against; so many mistakes at once are looked for.
 pub fn answer_key(solution: &Solution, depth: usize) -> AnswerKey<'_> {
-    AnswerKey { solution, scales: solution.scales(), tolerance: Tolerance::default(), depth }
+    AnswerKey { solution, scales: solution.scales(), tolerance: Tolerance::default(), latitude: LATITUDE, depth }
 }

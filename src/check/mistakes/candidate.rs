@@ -1,7 +1,7 @@
 use super::mistake::Mistake;
 use crate::check::datum::Datum;
 use crate::check::model::Edit;
-use crate::construction::NumberId;
+use crate::construction::{Change, NumberId};
 
 /// A mistake at one place of a construction.
 #[derive(Clone, Debug)]
@@ -18,6 +18,8 @@ pub struct Candidate {
     pub(in crate::check) reinterpreted: Vec<Reinterpretation>,
     /// Wrong numbers that later operations use: the operation that makes each, the number, its value.
     pub(in crate::check) goes_on: Vec<(usize, NumberId, f64)>,
+    /// What of it is not known beforehand but fitted to the values; the edits at these places have the fitted amounts.
+    pub(in crate::check) free: Vec<Free>,
     /// The assembly mode that is replayed: 0 for the right one, then the others.
     pub(in crate::check) mode: usize,
 }
@@ -26,6 +28,50 @@ impl Candidate {
     /// Whether both are described in the same words.
     pub(in crate::check) fn is_told_like(&self, other: &Candidate) -> bool {
         self.mistake == other.mistake && self.blanks == other.blanks
+    }
+
+    /// The operations that it changes.
+    pub(in crate::check) fn operations(&self) -> impl Iterator<Item = usize> {
+        self.edits.iter().map(|(operation, _)| *operation).chain(self.free.iter().map(|free| free.operation))
+    }
+}
+
+/// An amount by which an operation is wrong and which is not known beforehand.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::check) struct Free {
+    /// The operation.
+    pub operation: usize,
+    /// What of it is wrong.
+    pub what: Amount,
+    /// Standard deviation of the amounts that occur: mm, degrees, or the unit of the number.
+    pub range: f64,
+}
+
+/// What is wrong by a free amount.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::check) enum Amount {
+    /// An elementary error of the operation, by its index.
+    Error(usize),
+    /// A number that the operation makes.
+    Number(NumberId),
+}
+
+impl Free {
+    /// The change of a replay in which the amount is this one.
+    pub fn change(&self, amount: f64) -> Change<'static> {
+        match self.what {
+            Amount::Error(which) => Change::Error(which, amount),
+            Amount::Number(number) => Change::Written(number, amount),
+        }
+    }
+
+    /// The edit with this amount.
+    pub fn edit(&self, amount: f64) -> (usize, Edit) {
+        let edit = match self.what {
+            Amount::Error(which) => Edit::Error(which, amount),
+            Amount::Number(number) => Edit::Becomes(number, amount),
+        };
+        (self.operation, edit)
     }
 }
 

@@ -35,6 +35,7 @@ fn misread(site: &Site<'_>, mistake: Mistake, meant: Vec<Reinterpretation>, blan
         edits: Vec::new(),
         reinterpreted: meant,
         goes_on: Vec::new(),
+        free: Vec::new(),
         mode: 0,
     };
     let mut found = Vec::new();
@@ -158,6 +159,7 @@ pub(super) fn truncated(site: &Site<'_>) -> Vec<Candidate> {
         edits: Vec::new(),
         reinterpreted: meant,
         goes_on: Vec::new(),
+        free: Vec::new(),
         mode: 0,
     }]
 }
@@ -212,15 +214,4 @@ fn in_unit(
     let meant = meant_as(index, entry.value * factor, entry.rounding * factor.abs());
     let blanks = vec![named(entry), entry.text.clone(), written.to_owned(), right.to_owned()];
     misread(site, mistake, vec![meant], blanks)
-}
-
-/// A value that is wrong for no known reason and used in later operations.
-pub(super) fn unknown(site: &Site<'_>) -> Vec<Candidate> {
-    let mut found = Vec::new();
-    for (index, entry) in written(site) {
-        let meant = vec![Reinterpretation { entry: index, value: None, rounding: entry.rounding }];
-        let all = misread(site, Mistake::Unknown, meant, vec![named(entry)]);
-        found.extend(all.into_iter().filter(|c| !c.goes_on.is_empty()));
-    }
-    found
 }

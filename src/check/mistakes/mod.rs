@@ -9,11 +9,13 @@ mod mistake;
 mod rates;
 mod rays;
 mod site;
+mod unknown;
 mod vectors;
 
 use crate::words::MistakeWords;
 
 pub use candidate::Candidate;
+pub(super) use candidate::{Amount, Free};
 pub use mistake::Mistake;
 pub(super) use site::Site;
 
@@ -68,7 +70,7 @@ pub(super) const CATALOGUE: [Listed; 31] = listed! {
     Truncated "truncated" 1.0 copying::truncated => truncated,
     WrongUnit "wrong-unit" 5.0 copying::unit => wrong_unit,
     OtherUnit "other-unit" 3.0 copying::other_unit => other_unit,
-    Unknown "unknown" 3.0 copying::unknown => unknown,
+    Unknown "unknown" 30.0 unknown::everywhere => unknown,
 };
 
 impl Mistake {

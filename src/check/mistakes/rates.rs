@@ -53,6 +53,7 @@ fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -
                 edits: Vec::new(),
                 reinterpreted: vec![meant],
                 goes_on: Vec::new(),
+                free: Vec::new(),
                 mode: 0,
             });
         }

@@ -103,6 +103,7 @@ pub(super) fn other_mode(site: &Site<'_>) -> Vec<Candidate> {
         edits: Vec::new(),
         reinterpreted: Vec::new(),
         goes_on: Vec::new(),
+        free: Vec::new(),
         mode,
     };
     (1..=site.other_modes).map(in_mode).collect()

@@ -31,6 +31,7 @@ impl Site<'_> {
             edits: vec![(operation, edit)],
             reinterpreted: Vec::new(),
             goes_on: Vec::new(),
+            free: Vec::new(),
             mode: 0,
         }
     }

@@ -1,0 +1,84 @@
+//! What is wrong by an amount that no mistake of the catalogue gives, at any place of the construction, and gone on with.
+
+use super::candidate::{Amount, Candidate, Free};
+use super::mistake::Mistake;
+use super::site::Site;
+use crate::construction::{NumberId, Operation, OperationKind, Sheet};
+use smallvec::{SmallVec, smallvec};
+
+/// Range of the angles by which lines and vectors are wrong, in degrees.
+const TURN: f64 = 60.0;
+
+/// Every vector laid off, in its size or its direction, every line in its direction, every point that is marked, and
+/// every number that later operations use. The amounts are fitted to the values later.
+pub(super) fn everywhere(site: &Site<'_>) -> Vec<Candidate> {
+    let extents = Sheet::ALL.map(|sheet| extent(site, sheet));
+    let mut found = Vec::new();
+    for (index, operation) in site.operations() {
+        for amounts in amounts(site, operation) {
+            let free = |&what: &Amount| {
+                let range = match (what, &operation.kind) {
+                    (Amount::Number(number), _) => number_range(site, number),
+                    (Amount::Error(0), OperationKind::Draw { .. } | OperationKind::LayOff { .. }) => TURN,
+                    _ => extents[operation.sheet as usize],
+                };
+                Free { operation: index, what, range }
+            };
+            let free: Vec<Free> = amounts.iter().map(free).collect();
+            found.push(Candidate {
+                mistake: Mistake::Unknown,
+                step: site.model.steps[index],
+                // The name of the first value that is wrong follows; until then each place has a name of its own.
+                blanks: vec![format!("{index} {:?}", free[0].what)],
+                edits: Vec::new(),
+                reinterpreted: Vec::new(),
+                goes_on: Vec::new(),
+                free,
+                mode: 0,
+            });
+        }
+    }
+    found
+}
+
+/// What can be wrong in an operation: each time one amount, or two where a point is marked.
+fn amounts(site: &Site<'_>, operation: &Operation) -> SmallVec<[SmallVec<[Amount; 2]>; 4]> {
+    let is_used = |number: &&NumberId| site.model.used[number.0];
+    match &operation.kind {
+        OperationKind::Plot { .. } | OperationKind::Cross { .. } => {
+            smallvec![smallvec![Amount::Error(0), Amount::Error(1)]]
+        }
+        OperationKind::Draw { .. } | OperationKind::Divide { .. } => smallvec![smallvec![Amount::Error(0)]],
+        OperationKind::LayOff { size, .. } => {
+            let is_computed = site.model.sizes.iter().any(|(number, _)| number == size);
+            let direction = smallvec![Amount::Error(0)];
+            // The computation has the wrong size otherwise.
+            if is_computed { smallvec![direction] } else { smallvec![direction, smallvec![Amount::Error(1)]] }
+        }
+        OperationKind::Measure { .. } | OperationKind::Compute { .. } | OperationKind::Solve { .. } => {
+            let numbers = operation.kind.numbers().iter().filter(is_used);
+            numbers.map(|&number| smallvec![Amount::Number(number)]).collect()
+        }
+        OperationKind::Pole { .. } | OperationKind::Join { .. } | OperationKind::Take { .. } => SmallVec::new(),
+    }
+}
+
+/// The range of a number that is wrong: its own size, or a part of the largest of its sheet where it is small.
+fn number_range(site: &Site<'_>, number: NumberId) -> f64 {
+    let exact = |n: usize| site.model.exact.number(NumberId(n)).abs();
+    let kind = core::mem::discriminant(site.number_kind(number));
+    let sheet = |n: usize| site.model.makers[n].map(|maker| site.operation(maker).sheet);
+    let same = (0..site.model.makers.len())
+        .filter(|&n| sheet(n) == sheet(number.0) && core::mem::discriminant(site.number_kind(NumberId(n))) == kind);
+    let largest = same.map(exact).filter(|x| x.is_finite()).fold(0.0, f64::max);
+    exact(number.0).max(0.1 * largest).max(f64::MIN_POSITIVE)
+}
+
+/// The largest distance of a point of a sheet from its first one, in mm of paper.
+fn extent(site: &Site<'_>, sheet: Sheet) -> f64 {
+    let places = site.operations().filter(|(_, operation)| operation.sheet == sheet);
+    let places = places.filter_map(|(_, operation)| Some(site.model.exact.place(operation.kind.place()?)));
+    let places: Vec<_> = places.filter(|place| place.iter().all(|x| x.is_finite())).collect();
+    let largest = places.iter().map(|place| (place - places[0]).norm()).fold(0.0, f64::max);
+    (largest / site.model.scales.per_mm[sheet as usize]).max(1.0)
+}

@@ -1,0 +1,173 @@
+//! Fits the amounts of mistakes that are not known beforehand: so that the first value that they move is the written one.
+
+use super::mistakes::Candidate;
+use super::score::Scorer;
+use super::search::Parent;
+
+/// Angles that are tried first, in degrees apart.
+const GRID: f64 = 15.0;
+
+/// Sizes of amounts that are tried first, in parts of their range.
+const SIZES: [f64; 12] = [-8.0, -4.0, -2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0, 8.0];
+
+/// Most iterations for a root.
+const ITERATIONS: usize = 40;
+
+/// A mistake of unknown amount beside the mistakes of an explanation.
+pub(super) struct Settling<'a> {
+    scorer: &'a Scorer<'a>,
+    parent: &'a Parent<'a>,
+    template: &'a Candidate,
+    /// The amounts without the mistake.
+    none: Vec<f64>,
+}
+
+impl<'a> Settling<'a> {
+    pub fn new(scorer: &'a Scorer<'a>, parent: &'a Parent<'a>, template: &'a Candidate) -> Settling<'a> {
+        use super::mistakes::Amount;
+        let model = scorer.model(&parent.set);
+        let values = model.replay(&scorer.changes(&parent.set, None));
+        let none = template.free.iter().map(|free| match free.what {
+            Amount::Error(_) => 0.0,
+            Amount::Number(number) => values.number(number),
+        });
+        Settling { scorer, parent, template, none: none.collect() }
+    }
+
+    /// The mistake with amounts that make the first value it moves the written one; none where that value is as
+    /// expected without it. There may be several ways.
+    pub fn settled(&self) -> Vec<Candidate> {
+        let moved = self.moved();
+        let Some(&first) = moved.first().filter(|&&first| self.parent.outside[first]) else {
+            return Vec::new();
+        };
+        let roots = match (self.none.len(), moved.get(1)) {
+            (1, _) => self.roots(first),
+            (_, Some(&second)) => self.points([first, second]),
+            _ => Vec::new(),
+        };
+        let name = self.scorer.name(first);
+        roots.into_iter().map(|amounts| Candidate { blanks: vec![name.to_owned()], ..self.with(&amounts) }).collect()
+    }
+
+    /// The mistake with these amounts.
+    fn with(&self, amounts: &[f64]) -> Candidate {
+        let mut candidate = self.template.clone();
+        candidate.edits = candidate.free.iter().zip(amounts).map(|(free, &amount)| free.edit(amount)).collect();
+        candidate
+    }
+
+    fn predicted(&self, amounts: &[f64]) -> Vec<f64> {
+        let candidate = self.with(amounts);
+        let mut set = self.parent.set.clone();
+        set.push(&candidate);
+        self.scorer.predicted(&set)
+    }
+
+    /// The data that the mistake moves, in the order of the construction.
+    fn moved(&self) -> Vec<usize> {
+        let mut moved = vec![false; self.parent.predicted.len()];
+        for (which, free) in self.template.free.iter().enumerate() {
+            let mut amounts = self.none.clone();
+            amounts[which] += 0.5 * free.range;
+            let predicted = self.predicted(&amounts);
+            for (index, moved) in moved.iter_mut().enumerate() {
+                let by = self.scorer.data[index].turned(predicted[index] - self.parent.predicted[index]);
+                *moved |= by.abs() > 1e-3 * self.scorer.data[index].span;
+            }
+        }
+        (0..moved.len()).filter(|&index| moved[index]).collect()
+    }
+
+    /// How far a predicted value is from the written one; of sizes both without a sign.
+    fn apart(&self, datum: usize, predicted: f64) -> f64 {
+        let datum = &self.scorer.data[datum];
+        if datum.is_magnitude { datum.value.abs() - predicted.abs() } else { datum.turned(datum.value - predicted) }
+    }
+
+    /// The amounts at which a value is the written one.
+    fn roots(&self, datum: usize) -> Vec<Vec<f64>> {
+        use super::mistakes::Amount;
+        let free = &self.template.free[0];
+        let at = |amount: f64| self.apart(datum, self.predicted(&[amount])[datum]);
+        let is_angle = matches!(free.what, Amount::Error(0)) && free.range == 60.0;
+        let grid: Vec<f64> = if is_angle {
+            (-12..=12).map(|i| f64::from(i) * GRID).collect()
+        } else {
+            SIZES.iter().map(|size| self.none[0] + size * free.range).collect()
+        };
+        let apart: Vec<f64> = grid.iter().map(|&amount| at(amount)).collect();
+        let mut roots = Vec::new();
+        for (x, f) in grid.windows(2).zip(apart.windows(2)) {
+            if f[0].is_finite() && f[1].is_finite() && f[0] * f[1] < 0.0 {
+                let tolerance = 0.1 * self.scorer.data[datum].rounding;
+                roots.extend(root([x[0], x[1]], [f[0], f[1]], tolerance, &at).map(|amount| vec![amount]));
+            }
+        }
+        roots.truncate(4);
+        roots
+    }
+
+    /// The two amounts at which two values are the written ones, by Newton's method from several starts.
+    fn points(&self, data: [usize; 2]) -> Vec<Vec<f64>> {
+        let range = self.template.free[0].range;
+        let starts = [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5], [-0.5, 0.0], [0.0, -0.5]];
+        let mut found: Vec<Vec<f64>> = Vec::new();
+        for start in starts {
+            let mut amounts = vec![self.none[0] + range * start[0], self.none[1] + range * start[1]];
+            let apart = |amounts: &[f64]| {
+                let predicted = self.predicted(amounts);
+                data.map(|datum| self.apart(datum, predicted[datum]))
+            };
+            let tolerance = data.map(|datum| 0.1 * self.scorer.data[datum].rounding);
+            for _ in 0..12 {
+                let [f, g] = apart(&amounts);
+                if f.abs() <= tolerance[0] && g.abs() <= tolerance[1] {
+                    let is_new =
+                        |other: &Vec<f64>| libm::hypot(other[0] - amounts[0], other[1] - amounts[1]) > 1e-3 * range;
+                    if found.iter().all(is_new) {
+                        found.push(amounts);
+                    }
+                    break;
+                }
+                let step = 1e-4 * range;
+                let [fx, gx] = apart(&[amounts[0] + step, amounts[1]]);
+                let [fy, gy] = apart(&[amounts[0], amounts[1] + step]);
+                let [a, b, c, d] = [(fx - f) / step, (fy - f) / step, (gx - g) / step, (gy - g) / step];
+                let determinant = a * d - b * c;
+                let by = [(b * g - d * f) / determinant, (c * f - a * g) / determinant];
+                let length = libm::hypot(by[0], by[1]);
+                if !length.is_finite() {
+                    break;
+                }
+                let shorter = (range / length).min(1.0);
+                amounts[0] += by[0] * shorter;
+                amounts[1] += by[1] * shorter;
+            }
+        }
+        found
+    }
+}
+
+/// The root of a function between two places at which its signs differ, by false position with halved ends (Illinois
+/// method; Dowell and Jarratt 1971). `None` at a pole.
+fn root([mut a, mut b]: [f64; 2], [mut f, mut g]: [f64; 2], tolerance: f64, at: impl Fn(f64) -> f64) -> Option<f64> {
+    let largest = f.abs().max(g.abs());
+    for _ in 0..ITERATIONS {
+        let c = (a * g - b * f) / (g - f);
+        let h = at(c);
+        if !h.is_finite() || h.abs() > 4.0 * largest {
+            return None;
+        }
+        if h.abs() <= tolerance {
+            return Some(c);
+        }
+        if h * g < 0.0 {
+            (a, f) = (b, g);
+        } else {
+            f *= 0.5;
+        }
+        (b, g) = (c, h);
+    }
+    None
+}
