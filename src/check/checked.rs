@@ -83,7 +83,7 @@ impl Prepared<'_> {
         let mut values = judged(&entries, &ready);
         let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
         let models = if has_off(&values) { ready.models(key, &entries) } else { core::slice::from_ref(&ready.right) };
-        let scorer = Scorer::new(models, &entries, key.tolerance);
+        let scorer = Scorer::new(models, &entries, key.tolerance, &ready.groups);
         let none = scorer.compare(&[], None).filter(|_| !scorer.data.is_empty());
         let mut accuracy = none.as_ref().map(|fit| Accuracy::of(&fit.hand, key));
         let diagnosis = match none {

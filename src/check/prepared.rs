@@ -2,6 +2,7 @@
 //! quantities that forms have the constructions and the bands with which their values are compared.
 
 use super::answer_key::AnswerKey;
+use super::covariance::Groups;
 use super::entry::{Entry, Names};
 use super::model::Model;
 use super::search::other_modes;
@@ -34,6 +35,8 @@ pub(super) struct Ready {
     mu: [Option<f64>; 3],
     /// The right construction, and those of the other assembly modes.
     models: OnceLock<Vec<Model>>,
+    /// The covariances of a right drawing that the errors of hands cause.
+    pub groups: OnceLock<Groups>,
 }
 
 impl<'a> Prepared<'a> {
@@ -60,7 +63,7 @@ impl<'a> Prepared<'a> {
         }
         let right = Model::new(&self.key, self.key.solution, mu, entries)?;
         let bands = right.bands(&self.key.tolerance);
-        let ready = Arc::new(Ready { right, bands, mu, models: OnceLock::new() });
+        let ready = Arc::new(Ready { right, bands, mu, models: OnceLock::new(), groups: OnceLock::new() });
         let mut kept = kept();
         if kept.len() < KEPT {
             kept.insert(asking, Arc::clone(&ready));
