@@ -99,7 +99,9 @@ fn plant(student: &Student<'_>, mistake: Mistake, hand: [f64; 2], random: &mut R
             let (place, is_used) = student.place(&right.values[*index])?;
             // What nothing follows from is no mistake of an unknown kind, but a value off.
             let must = mistake == Mistake::Unknown;
-            if is_used && (must || random.below(2) == 0) {
+            // The senses that somebody writes are not those that he goes on with.
+            let may = mistake != Mistake::SensesReversed;
+            if is_used && may && (must || random.below(2) == 0) {
                 let value: f64 = given.text.parse().ok()?;
                 goes_on.push((place, value * student.factor(given)?));
             }
@@ -185,6 +187,12 @@ fn slip(mistake: Mistake) -> Option<Slip> {
             let factor = student.factor(&Given { unit: Some(wrong.to_owned()), ..given.clone() })?;
             (wrong != own).then(|| times(given, 1.0 / factor).map(|given| vec![(i, given)]))?
         }),
+        Mistake::SensesReversed => Some(|_, right, _, _| {
+            let turns = |given: &Given| given.name.starts_with("omega(") || given.name.starts_with("alpha(");
+            let all = right.values.iter().enumerate().filter(|(_, given)| turns(given));
+            let all: Vec<(usize, Given)> = all.map(|(i, given)| (i, written(given, reversed(&given.text)))).collect();
+            (all.len() > 1).then_some(all)
+        }),
         Mistake::Unknown => Some(|_, right, [i, _], random| {
             let factor = [0.7, 1.4][random.below(2)] * (1.0 + 0.1 * random.within());
             times(&right.values[i], factor).map(|given| vec![(i, given)])
@@ -201,6 +209,14 @@ const UNITS: [&[&str]; 5] = [
     &["rad/s", "rpm", "deg/s"],
     &["rad/s²", "deg/s²"],
 ];
+
+/// A signed number with the other sign.
+fn reversed(text: &str) -> String {
+    match text.strip_prefix('-') {
+        Some(size) => format!("+{size}"),
+        None => format!("-{}", text.trim_start_matches('+')),
+    }
+}
 
 fn written(given: &Given, text: String) -> Given {
     Given { text, ..given.clone() }

@@ -9,6 +9,7 @@ use super::prepared::{Prepared, Ready};
 use super::score::Scorer;
 use super::search::Search;
 use super::sheet::{CheckError, Measured};
+use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
 use crate::construction::{PlanKind, Tolerance};
 
@@ -19,7 +20,7 @@ pub struct Checked {
     pub values: Vec<Judged>,
     /// The mistakes that explain them.
     pub diagnosis: Diagnosis,
-    /// How accurate the drawing is, as its own values show; `None` where none of them is drawn.
+    /// How accurate the drawing is, as the scatter of its values shows; `None` where too few are drawn.
     pub accuracy: Option<Accuracy>,
     /// Plans whose places on paper are the mirror image of the right ones; lengths alone do not show it.
     pub mirrored: Vec<PlanKind>,
@@ -78,6 +79,7 @@ impl Prepared<'_> {
     /// A value is not understood.
     pub fn check(&self, measured: &Measured) -> Result<Checked, CheckError> {
         let key = &self.key;
+        let measured = &with_usual_points(measured, key);
         let entries = entries_by(measured, key, &self.names)?;
         let ready = self.ready(measured.mu, &entries)?;
         let mut values = judged(&entries, &ready);
@@ -105,6 +107,7 @@ impl Prepared<'_> {
             let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
             places.any(|points| is_mirrored(points, plan))
         });
+        let accuracy = accuracy.filter(|_| scorer.data.len() >= ENOUGH);
         Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.kind).collect() })
     }
 }
@@ -124,16 +127,18 @@ fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
         }
         let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
         let is_given = reading.is_err_and(|why| why.is_given());
+        let has_no_sense = entry.is_magnitude && entry.value != 0.0;
         let off = difference.abs();
         // The factor 1.001 lets a last digit be rounded either way where the next is a five.
-        let verdict = if off <= 1.001 * entry.rounding {
-            Verdict::Right
-        } else {
-            match tolerance {
-                Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
-                None if !is_given => Verdict::Unjudged,
-                _ => Verdict::Off,
-            }
+        let verdict = match tolerance {
+            _ if off <= 1.001 * entry.rounding => Verdict::Right,
+            Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
+            None if !is_given => Verdict::Unjudged,
+            _ => Verdict::Off,
+        };
+        let verdict = match verdict {
+            Verdict::Right | Verdict::WithinTolerance if has_no_sense => Verdict::SenseMissing,
+            judged => judged,
         };
         Judged {
             entry: entry.clone(),
@@ -165,5 +170,19 @@ fn widen(values: &mut [Judged], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKe
     }
 }
 
+/// Least number of drawn values whose scatter shows how accurate a hand is.
+const ENOUGH: usize = 8;
+
 /// Half a band, in standard deviations: 95 of 100 values are within.
 const BAND: f64 = 1.96;
+
+/// The same with the usual names of plan points, which may be written in any notation.
+fn with_usual_points(measured: &Measured, key: &AnswerKey<'_>) -> Measured {
+    let shown = ShownNames::of(key.solution);
+    let mut measured = measured.clone();
+    for points in &mut measured.points {
+        let sheet = points.kind.sheet();
+        points.places = points.places.iter().map(|(name, at)| (shown.usual_point(sheet, name), *at)).collect();
+    }
+    measured
+}

@@ -43,7 +43,7 @@ impl Search<'_> {
         let Some(first) = groups.first() else {
             return Diagnosis::none(values);
         };
-        let told = self.told(&groups);
+        let told = told(&groups, values);
         let probability = |findings: &[Finding]| {
             let holds = |g: &&Group<'_>| findings.iter().all(|f| g.is_alike || has_cause(g, f));
             let all: f64 = groups.iter().filter(holds).map(|g| g.probability).sum();
@@ -96,24 +96,6 @@ impl Search<'_> {
             }
         }
         groups
-    }
-
-    /// The findings of the likeliest explanation that are told: those that are probable, be it as a mistake of the
-    /// catalogue or only at their place.
-    fn told(&self, groups: &[Group<'_>]) -> Vec<Finding> {
-        let sum = |is: &dyn Fn(&Group<'_>) -> bool| -> f64 {
-            groups.iter().filter(|g| g.is_alike || is(g)).map(|g| g.probability).sum()
-        };
-        let told = groups[0].findings.iter().filter_map(|finding| {
-            if sum(&|g| g.tells(&finding.candidate)) >= TOLD {
-                return Some(finding.clone());
-            }
-            let first = finding.first()?;
-            let begins = |g: &Group<'_>| g.findings.iter().any(|f| f.first() == Some(first));
-            let name = self.scorer.name_of(first)?;
-            (sum(&begins) >= TOLD).then(|| finding.of_unknown_cause(name))
-        });
-        told.collect()
     }
 
     fn is_outside(&self, fit: &Fit, entry: usize) -> bool {
@@ -191,4 +173,21 @@ fn has_cause(group: &Group<'_>, finding: &Finding) -> bool {
 fn none_told(groups: &[Group<'_>]) -> f64 {
     let is_unknown = |g: &&Group<'_>| g.findings.iter().all(|f| f.candidate.mistake == Mistake::Unknown);
     groups.iter().filter(is_unknown).map(|g| g.probability).sum()
+}
+
+/// The findings of the likeliest explanation that are told: those that are probable, be it as a mistake of the
+/// catalogue or only at their place.
+fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
+    let sum = |is: &dyn Fn(&Group<'_>) -> bool| -> f64 {
+        groups.iter().filter(|g| g.is_alike || is(g)).map(|g| g.probability).sum()
+    };
+    let told = groups[0].findings.iter().filter_map(|finding| {
+        if sum(&|g| g.tells(&finding.candidate)) >= TOLD {
+            return Some(finding.clone());
+        }
+        let first = finding.first()?;
+        let begins = |g: &Group<'_>| g.findings.iter().any(|f| f.first() == Some(first));
+        (sum(&begins) >= TOLD).then(|| finding.of_unknown_cause(values[first].entry.asked.name()))
+    });
+    told.collect()
 }

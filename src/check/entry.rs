@@ -1,6 +1,7 @@
 use super::answer_key::AnswerKey;
 use super::precision::Precision;
 use super::sheet::{CheckError, Given, Measured, Positive};
+use super::shown::ShownNames;
 use super::template::FormNames;
 use super::unit;
 use crate::construction::{Sheet, image_name};
@@ -22,7 +23,7 @@ pub struct Entry {
     pub rounding: f64,
     /// How finely values of its kind are written.
     pub precision: Precision,
-    /// Whether it was written without a sign, so that only its magnitude counts.
+    /// Whether it is a rate without a sign in a form that does not say which sense is positive: only its size is known.
     pub is_magnitude: bool,
     /// `value` over the written number: unit, scale on paper and sense of rotation.
     pub factor: f64,
@@ -46,17 +47,18 @@ pub struct Entry {
 /// The values of a form with their quantities, in the order of the construction.
 ///
 /// # Errors
-/// The first thing that is not understood: an unknown quantity, a wrong unit, a missing scale, contradictory entries,
-/// an empty form.
+/// All that is not understood: lines of the file, unknown quantities, wrong units, missing scales, contradictory
+/// entries; or an empty form.
 pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, CheckError> {
     entries_by(measured, key, &Names::new(key))
 }
 
 /// The same with the names of the scene's quantities, which many forms have in common.
 pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names) -> Result<Vec<Entry>, CheckError> {
+    let mut faults = measured.faults.clone();
     for (mu, name) in measured.mu.iter().zip(["mu_l", "mu_v", "mu_a"]) {
         if mu.is_some_and(|mu| !(mu.is_finite() && mu > 0.0)) {
-            return Err(CheckError::new(
+            faults.push(CheckError::new(
                 format!("{name} is no scale"),
                 "a scale is a positive number: units of the scene per millimetre of paper",
             ));
@@ -65,20 +67,29 @@ pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names
     let reader = Reader { measured, key, names };
     let mut entries: Vec<Entry> = Vec::new();
     for given in &measured.values {
-        let entry = reader.entry(given).map_err(|e| e.at(&given.place))?;
+        let entry = match reader.entry(given) {
+            Ok(entry) => entry,
+            Err(fault) => {
+                faults.push(fault.at(&given.place));
+                continue;
+            }
+        };
         let same = |other: &&Entry| other.asked.name() == entry.asked.name();
         if let Some(other) = entries.iter().find(same) {
             let apart = (other.value - entry.value).abs();
             if apart > (other.rounding + entry.rounding) * 1.001 {
                 let message = format!("`{}` has two values here: {} and {}", given.name, other.text, entry.text);
                 let error = CheckError::new(message, "keep the one that you mean");
-                return Err(error.at(&given.place));
+                faults.push(error.at(&given.place));
             }
             continue;
         }
         entries.push(entry);
     }
-    reader.add_points(&mut entries)?;
+    faults.extend(reader.add_points(&mut entries).err());
+    if let Some(error) = CheckError::all(faults) {
+        return Err(error);
+    }
     if entries.is_empty() {
         return Err(CheckError::new(
             "the form is empty: it has no values to check",
@@ -164,7 +175,7 @@ impl Reader<'_> {
             value: number * factor,
             rounding: precision.rounding(&given.text) * factor.abs(),
             precision,
-            is_magnitude: asked.is_rate() && !signed && !(turns && self.measured.positive.is_some()),
+            is_magnitude: asked.is_rate() && !signed && self.measured.positive.is_none(),
             factor,
             factor_without_unit: if flips { -factor_without_unit } else { factor_without_unit },
             unit: given.unit.clone(),
@@ -231,6 +242,11 @@ impl Reader<'_> {
             let hint = own.or(near).unwrap_or_else(|| all.to_owned());
             CheckError::new(message, hint)
         };
+        let shown = ShownNames::of(self.key.solution);
+        let name = &shown.usual(name);
+        if let Some(error) = lost_pole(name, &shown, &self.names.order) {
+            return Err(error);
+        }
         let usual = self.usual(name);
         let name = usual.as_deref().unwrap_or(name);
         let mut asked = Asked::new(name, &solution.mechanism).map_err(wrong)?;
@@ -279,6 +295,23 @@ impl Reader<'_> {
         let last = steps().filter(|s| s.sheet() <= sheet).last();
         maker.or(last).map_or(0, |s| s.number)
     }
+}
+
+/// The error of a name whose π has become a question mark: an encoding without Greek letters lost it.
+fn lost_pole(name: &str, shown: &ShownNames<'_>, order: &IndexMap<String, usize>) -> Option<CheckError> {
+    let lost = name.contains(['?', '\u{fffd}']);
+    let restored = name.replace(['?', '\u{fffd}'], "π");
+    let is_known = |name: &str| order.contains_key(&shown.usual(name));
+    let reversed = || {
+        let (head, ends) = restored.split_once('(')?;
+        let (from, to) = ends.trim_end_matches(')').split_once(',')?;
+        Some(format!("{head}({to},{from})"))
+    };
+    let was_pole = lost && (is_known(&restored) || reversed().is_some_and(|name| is_known(&name)));
+    was_pole.then(|| {
+        let message = format!("the letter π was lost in `{name}`");
+        CheckError::new(message, "save as CSV UTF-8, or write pi")
+    })
 }
 
 /// The number in a form's cell.

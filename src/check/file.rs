@@ -1,6 +1,7 @@
 //! The form of measured values as a JSON file.
 
 use super::sheet::{Given, Measured, PointsOf, Positive};
+use super::table::with_point;
 use crate::construction::PlanKind;
 use crate::scene::{FileKind, SceneError, read_as};
 use indexmap::IndexMap;
@@ -117,7 +118,7 @@ impl Measured {
         let filled = file.values.into_iter().filter(|(_, value)| !value.text.trim().is_empty());
         let given = filled.map(|(name, value)| Given {
             place: format!("values.{name}"),
-            text: value.text.trim().replace('−', "-"),
+            text: with_point(value.text.trim()),
             unit: value.unit,
             name,
         });
@@ -132,6 +133,7 @@ impl Measured {
                 Sense::CounterClockwise => Positive::CounterClockwise,
                 Sense::Clockwise => Positive::Clockwise,
             }),
+            faults: Vec::new(),
             in_mm: matches!(file.written_in, Some(Paper::Mm)),
             values: given.collect(),
             points: points

@@ -94,24 +94,29 @@ impl Marks {
             Some(each) => Some(marks("each", each)?),
             None => self.values.is_empty().then_some(1.0),
         };
-        let mut worth: IndexMap<String, f64> = IndexMap::new();
+        let construction = &key.solution.construction;
+        let mut worth: IndexMap<String, (String, f64)> = IndexMap::new();
         if let Some(each) = each {
-            let all = form_names(&key.solution.construction).into_iter();
-            worth.extend(all.map(|name| (name, each)));
+            let all = form_names(construction).into_iter();
+            worth.extend(all.map(|name| (name.clone(), (name, each))));
         }
         let mut given: IndexMap<String, &str> = IndexMap::new();
         for (written, value) in &self.values {
             let place = format!("values.{written}");
             let value = marks(&place, *value)?;
-            let name = form_name(&key.solution.construction, &usual_name(written, key)?);
+            let usual = usual_name(written, key)?;
+            let row = form_name(construction, &usual);
+            // Rates of two links that turn together may have marks of their own.
+            let has_both = construction.same_rates.contains_key(&usual) && self.values.contains_key(&row);
+            let name = if has_both { usual } else { row.clone() };
             if let Some(other) = given.insert(name.clone(), written) {
                 let message = format!("`{other}` is the same quantity and has its marks already");
                 let error = CheckError::new(message, "keep the one that you mean");
                 return Err(error.at(&place));
             }
-            worth.insert(name, value);
+            worth.insert(name, (row, value));
         }
-        if worth.values().sum::<f64>() == 0.0 {
+        if worth.values().map(|(_, marks)| marks).sum::<f64>() == 0.0 {
             return Err(CheckError::new(
                 "the marking scheme gives no marks for anything",
                 r#"add "each": 1, or marks for the quantities that count"#,
@@ -144,8 +149,8 @@ fn usual_name(written: &str, key: &AnswerKey<'_>) -> Result<String, CheckError> 
 /// The marks that the quantities of a scene are worth.
 #[derive(Clone, Debug)]
 pub struct MarkScheme {
-    /// Marks by the quantities' names.
-    worth: IndexMap<String, f64>,
+    /// By the quantities' names: the row of the form that asks for each, and its marks.
+    worth: IndexMap<String, (String, f64)>,
     follow_through: f64,
     missing: f64,
 }
@@ -172,15 +177,15 @@ impl MarkScheme {
             from.any(|f| f.follows.contains(&value)) && !findings.iter().any(|f| f.written.contains(&value))
         };
         let (mut earned, mut follow_through) = (0.0, 0.0);
-        for (name, worth) in &self.worth {
+        for (name, (row, worth)) in &self.worth {
             let by_name = checked.values.iter().position(|v| v.entry.asked.name() == name);
-            let of_row = || checked.values.iter().position(|v| v.entry.row == *name);
+            let of_row = || checked.values.iter().position(|v| v.entry.row == *row);
             let Some(index) = by_name.or_else(of_row) else {
                 earned += self.missing * worth;
                 continue;
             };
             match checked.values[index].verdict {
-                Verdict::Right | Verdict::WithinTolerance => earned += worth,
+                Verdict::Right | Verdict::WithinTolerance | Verdict::SenseMissing => earned += worth,
                 Verdict::Off if follows(index) => follow_through += self.follow_through * worth,
                 Verdict::Off | Verdict::Unjudged => {}
             }
@@ -188,7 +193,7 @@ impl MarkScheme {
         let tidy = |marks: f64| libm::round(marks * 1e6) / 1e6;
         Awarded {
             earned: tidy(earned + follow_through),
-            of: tidy(self.worth.values().sum()),
+            of: tidy(self.worth.values().map(|(_, marks)| marks).sum()),
             follow_through: tidy(follow_through),
         }
     }

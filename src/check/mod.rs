@@ -37,6 +37,7 @@ mod score;
 mod search;
 mod settle;
 mod sheet;
+mod shown;
 mod student;
 mod table;
 mod template;
@@ -57,7 +58,6 @@ pub use precision::Precision;
 pub use prepared::Prepared;
 pub use redrawn::redrawn;
 pub use report::report;
-pub(crate) use report::significant;
 pub use result::{CheckResult, check_result, check_schema};
 
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};

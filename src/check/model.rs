@@ -5,7 +5,7 @@ use super::entry::Entry;
 use super::sheet::CheckError;
 use super::together::ways_together;
 use crate::construction::{
-    Along, Change, Construction, Disturbance, NumberId, Operation, OperationKind, PlaceId, Reference, Sheet,
+    Along, Change, Construction, Disturbance, LineId, NumberId, Operation, OperationKind, PlaceId, Reference, Sheet,
     SheetScales, Solution, Tolerance, Values,
 };
 use crate::mechanism::Mechanism;
@@ -80,6 +80,8 @@ pub(super) enum Edit {
     Becomes(NumberId, f64),
     /// This elementary error of the operation has this size, in mm or degrees.
     Error(usize, f64),
+    /// This line of the operation is displaced to its left by so much, in units of the sheet.
+    Aside(LineId, f64),
 }
 
 impl Edit {
@@ -90,6 +92,7 @@ impl Edit {
             Edit::Times(number, factor) => Change::Times(*number, *factor),
             Edit::Becomes(number, value) => Change::Written(*number, *value),
             Edit::Error(which, size) => Change::Error(*which, *size),
+            Edit::Aside(line, by) => Change::Aside(*line, *by),
         }
     }
 }

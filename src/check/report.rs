@@ -4,6 +4,7 @@ use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::explanation::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
+use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
 use crate::construction::Teller;
 use crate::construction::{PlanKind, shown_text};
@@ -14,12 +15,11 @@ use crate::words::{Language, Medium, NumberStyle, Wording};
 pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String {
     let report = ReportText::new(checked, key, words, Medium::Text);
     let mut lines = vec![report.counts()];
-    let tolerance = &key.tolerance;
-    let [mm, degrees] = [tolerance.mm, tolerance.degrees].map(|x| words.write(x, NumberStyle::shortest()));
-    lines.push(report.own.check_tolerance(&mm, &degrees));
+    lines.extend(report.accuracy());
     lines.push(String::new());
     lines.extend(report.table());
     lines.push(String::new());
+    lines.extend(report.senses());
     lines.extend(report.diagnosis());
     lines.join("\n") + "\n"
 }
@@ -43,6 +43,7 @@ pub(super) struct ReportText<'a> {
     words: &'a Wording,
     pub own: &'static Language,
     medium: Medium,
+    shown: ShownNames<'a>,
 }
 
 impl<'a> ReportText<'a> {
@@ -52,15 +53,28 @@ impl<'a> ReportText<'a> {
         words: &'a Wording,
         medium: Medium,
     ) -> ReportText<'a> {
-        ReportText { checked, key, words, own: words.language, medium }
+        ReportText { checked, key, words, own: words.language, medium, shown: ShownNames::of(key.solution) }
     }
 }
 
 impl ReportText<'_> {
     /// The sentence that counts the values that are right, within the tolerance, and off.
     pub(super) fn counts(&self) -> String {
-        let count = |verdict| self.checked.values.iter().filter(|v| v.verdict == verdict).count().to_string();
-        self.own.check_counts(&count(Verdict::Right), &count(Verdict::WithinTolerance), &count(Verdict::Off))
+        let count = |verdict| self.count(verdict).to_string();
+        let [right, within, off] = [Verdict::Right, Verdict::WithinTolerance, Verdict::Off].map(count);
+        match self.count(Verdict::SenseMissing) {
+            0 => self.own.check_counts(&right, &within, &off),
+            missing => self.own.check_counts_and_senses(&right, &within, &missing.to_string(), &off),
+        }
+    }
+
+    fn count(&self, verdict: Verdict) -> usize {
+        self.checked.values.iter().filter(|v| v.verdict == verdict).count()
+    }
+
+    /// The sentence about rates without a sense, if there are any.
+    fn senses(&self) -> Option<String> {
+        (self.count(Verdict::SenseMissing) > 0).then(|| self.own.check_senses().to_owned())
     }
 
     fn table(&self) -> Vec<String> {
@@ -105,11 +119,12 @@ impl ReportText<'_> {
         let verdict = match value.verdict {
             Verdict::Right => self.own.check_right(),
             Verdict::WithinTolerance => self.own.check_within(),
+            Verdict::SenseMissing => self.own.check_sense_missing(),
             Verdict::Off => self.own.check_off(),
             Verdict::Unjudged => self.own.check_unjudged(),
         };
         [
-            entry.asked.name().to_owned(),
+            self.shown.quantity(&entry.asked),
             self.number(entry.value, 7),
             format!("{} {unit}", self.number(expected, 7)),
             self.number(value.difference, 3),
@@ -120,15 +135,48 @@ impl ReportText<'_> {
         ]
     }
 
-    /// The heading of the mistakes that were found, or the sentence that there are none.
-    pub(super) fn heading(&self) -> &'static str {
+    /// How much is allowed, and how accurate the drawing is.
+    fn accuracy(&self) -> Vec<String> {
+        let number = |x: f64| self.words.write(x, NumberStyle::shortest());
+        let asked = &self.key.tolerance;
+        let [mm, degrees] = [asked.mm, asked.degrees].map(number);
+        let mut lines = vec![self.own.check_tolerance(&mm, &degrees)];
+        // A drawing program is more exact than a tenth of a millimetre.
+        let Some(found) = self.checked.accuracy.filter(|found| found.mm >= SEEN) else {
+            return lines;
+        };
+        let tenth = |x: f64| self.words.write(x.max(0.1), NumberStyle::decimals(1));
+        let mut own = self.own.check_accuracy(&tenth(found.mm), &tenth(found.degrees));
+        if found.percent > 0.0 {
+            own = format!("{own} {}", self.own.check_slips(&number(found.percent)));
+        }
+        let size = found.mm / asked.mm;
+        if size > 1.0 && self.key.latitude > 1.0 {
+            own = format!("{own} {}", self.own.check_wider(&mm, &degrees));
+        }
+        let most = self.key.latitude.max(1.0);
+        if size > 1.001 * most {
+            let [mm, degrees] = [most * asked.mm, most * asked.degrees].map(tenth);
+            own = format!("{own} {}", self.own.check_too_coarse(&mm, &degrees));
+        }
+        lines.push(own);
+        lines
+    }
+
+    /// The heading of the mistakes that were found, or the sentence that there are none, or that none can be told.
+    pub(super) fn heading(&self) -> String {
         let diagnosis = &self.checked.diagnosis;
-        match diagnosis.best.findings.len() {
-            0 if self.has_nothing_to_explain() => self.own.check_nothing(),
-            0 if diagnosis.unexplained.is_empty() => self.own.check_probably(),
-            0 => self.own.check_none(),
-            1 => self.own.check_probably(),
-            _ => self.own.check_no_single(),
+        match (diagnosis.best.findings.len(), diagnosis.unexplained.first()) {
+            (0, _) if self.has_nothing_to_explain() && self.count(Verdict::SenseMissing) > 0 => {
+                self.own.check_nothing_off().to_owned()
+            }
+            (0, _) if self.has_nothing_to_explain() => self.own.check_nothing().to_owned(),
+            (0, Some(&first)) => {
+                let entry = &self.checked.values[first].entry;
+                self.own.check_none(&entry.step.to_string(), &self.shown.quantity(&entry.asked))
+            }
+            (0 | 1, _) => self.own.check_probably().to_owned(),
+            _ => self.own.check_no_single().to_owned(),
         }
     }
 
@@ -140,7 +188,7 @@ impl ReportText<'_> {
 
     fn diagnosis(&self) -> Vec<String> {
         let diagnosis = &self.checked.diagnosis;
-        let mut lines = vec![self.heading().to_owned()];
+        let mut lines = vec![self.heading()];
         if self.has_nothing_to_explain() {
             return lines;
         }
@@ -170,7 +218,7 @@ impl ReportText<'_> {
                 let told: Vec<String> = new
                     .map(|f| {
                         let [done, _] = sentences(&f.candidate, self.words);
-                        format!("{}: {done}", self.step(f))
+                        format!("{}: {}", self.step(f), self.shown.text(&done))
                     })
                     .collect();
                 let end = if other.is_alike { self.own.check_alike().to_owned() } else { self.sure(other) };
@@ -213,7 +261,7 @@ impl ReportText<'_> {
     /// The sentences about a mistake.
     pub(super) fn told(&self, finding: &Finding) -> Told {
         let Finding { candidate, follows, .. } = finding;
-        let [done, should] = sentences(candidate, self.words);
+        let [done, should] = sentences(candidate, self.words).map(|sentence| self.shown.text(&sentence));
         let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // This mistake is in every value.
@@ -233,10 +281,14 @@ impl ReportText<'_> {
     }
 
     fn names(&self, values: &[usize]) -> String {
-        let names: Vec<&str> = values.iter().map(|&i| self.checked.values[i].entry.asked.name()).collect();
+        let names: Vec<String> =
+            values.iter().map(|&i| self.shown.quantity(&self.checked.values[i].entry.asked)).collect();
         names.join(", ")
     }
 }
+
+/// Accuracy of a drawing from which on it is said, in mm.
+const SEEN: f64 = 0.05;
 
 /// What was probably done, and what should have been; numbers with the figure's decimal mark.
 pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
@@ -244,7 +296,7 @@ pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
 }
 
 /// The style of values in a report.
-pub(crate) const fn significant(digits: usize) -> NumberStyle {
+pub(super) const fn significant(digits: usize) -> NumberStyle {
     NumberStyle::significant(digits).trimmed().in_full(-5, 12)
 }
 

@@ -1,7 +1,7 @@
 //! The report as JSON.
 
 use super::answer_key::AnswerKey;
-use super::checked::Checked;
+use super::checked::{Accuracy, Checked};
 use super::explanation::{Explanation, Finding};
 use super::marks::Awarded;
 use super::report::sentences;
@@ -29,12 +29,26 @@ pub struct CheckResult {
     pub others: Vec<ExplanationResult>,
     /// Values that nothing explains.
     pub unexplained: Vec<String>,
+    /// How accurate the drawing is, as the scatter of all values shows; not there where too few values are drawn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<AccuracyResult>,
     /// Plans whose places on paper are the mirror image of the right ones: "velocity", "acceleration".
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub mirrored: Vec<&'static str>,
     /// The marks that the values earn, where a marking scheme is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<Awarded>,
+}
+
+/// How accurate somebody draws and computes. Within the limits every error is equally likely.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct AccuracyResult {
+    /// Limit of the errors in lengths and places, in mm of paper.
+    pub mm: f64,
+    /// Limit of the errors in directions, in degrees.
+    pub degrees: f64,
+    /// Limit of the errors of computed numbers, in per cent; 0 where no slips are seen.
+    pub percent: f64,
 }
 
 /// A value with its verdict.
@@ -61,7 +75,7 @@ pub struct ValueResult {
     /// Largest difference of a value drawn within the tolerance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed: Option<f64>,
-    /// "right", "within-tolerance", "off" or "unjudged".
+    /// "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off" or "unjudged".
     pub verdict: &'static str,
 }
 
@@ -70,7 +84,9 @@ pub struct ValueResult {
 pub struct ExplanationResult {
     /// The mistakes in the order of the construction.
     pub mistakes: Vec<MistakeResult>,
-    /// How sure it is, from 0 to 1.
+    /// The probability that these were made, or others that the values alone cannot tell from them, from 0 to 1; an
+    /// honest share is left for mistakes that the catalogue does not have. Causes are told from 0.6 on. Without mistakes:
+    /// the probability that none was made that the catalogue has.
     pub probability: f64,
     /// Whether the given values alone cannot tell it from the diagnosis.
     #[serde(skip_serializing_if = "is_false")]
@@ -120,6 +136,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
             verdict: match value.verdict {
                 Verdict::Right => "right",
                 Verdict::WithinTolerance => "within-tolerance",
+                Verdict::SenseMissing => "sense-missing",
                 Verdict::Off => "off",
                 Verdict::Unjudged => "unjudged",
             },
@@ -155,6 +172,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
         diagnosis: explanation(&diagnosis.best),
         others: diagnosis.others.iter().map(explanation).collect(),
         unexplained: names(&diagnosis.unexplained),
+        accuracy: checked.accuracy.map(|Accuracy { mm, degrees, percent }| AccuracyResult { mm, degrees, percent }),
         mirrored: mirrored.collect(),
         marks: None,
     }

@@ -34,15 +34,19 @@ pub(super) struct Scorer<'a> {
     /// The covariances of a right drawing.
     nominal: Covariances,
     /// By datum: its value in a right drawing.
-    pub right: Vec<f64>,
-    /// By datum: the name of its quantity.
-    names: Vec<String>,
+    right: Vec<f64>,
+    entries: &'a [Entry],
 }
 
 impl<'a> Scorer<'a> {
     /// `groups`: the covariances of a right drawing that the errors of hands cause, from an earlier form of the same
     /// models; they are put there if there are none yet.
-    pub fn new(models: &'a [Model], entries: &[Entry], tolerance: Tolerance, groups: &OnceLock<Groups>) -> Scorer<'a> {
+    pub fn new(
+        models: &'a [Model],
+        entries: &'a [Entry],
+        tolerance: Tolerance,
+        groups: &OnceLock<Groups>,
+    ) -> Scorer<'a> {
         let model = &models[0];
         let span = |kind: Kind| {
             let same = entries.iter().filter(|e| e.asked.kind() == kind);
@@ -92,7 +96,7 @@ impl<'a> Scorer<'a> {
             kinds: core::array::from_fn(|kind| (0..count).map(|i| nominal.groups[kind][i * count + i]).collect()),
             nominal,
             right,
-            names: data.iter().map(|d| entries[d.entry].asked.name().to_owned()).collect(),
+            entries,
             data,
         }
     }
@@ -185,15 +189,9 @@ impl<'a> Scorer<'a> {
         parts.sum::<f64>().sqrt()
     }
 
-    /// The name of a datum's quantity.
-    pub fn name(&self, datum: usize) -> &str {
-        &self.names[datum]
-    }
-
-    /// The name of an entry's quantity; `None` where it is not read.
-    pub fn name_of(&self, entry: usize) -> Option<&str> {
-        let datum = self.data.iter().position(|datum| datum.entry == entry)?;
-        Some(self.name(datum))
+    /// The written value behind a datum.
+    pub fn entry(&self, datum: usize) -> &'a Entry {
+        &self.entries[self.data[datum].entry]
     }
 
     /// The data that a candidate changes when it is the only mistake; one of unknown amount may change any.
@@ -235,7 +233,7 @@ impl<'a> Scorer<'a> {
             let edits = candidate.edits.iter().rev().zip(candidate.free.iter().rev());
             let amounts = edits.filter_map(|((_, edit), free)| match edit {
                 Edit::Error(_, amount) | Edit::Becomes(_, amount) => Some((*free, *amount)),
-                Edit::Instead(_) | Edit::Times(..) => None,
+                _ => None,
             });
             amounts.collect()
         };

@@ -13,7 +13,7 @@ use crate::cores::on_all_cores;
 use crate::position::poses;
 
 /// Explanations of one level that are compared completely: the best at a first look.
-const COMPARED: usize = 32;
+const COMPARED: usize = 20;
 
 /// Explanations of one level that are tried with a further mistake (the width of the beam search).
 const EXTENDED: usize = 5;
@@ -156,6 +156,21 @@ impl<'a> Search<'a> {
             beam = self.level(&beam, off);
             if beam.is_empty() {
                 break;
+            }
+        }
+        if std::env::var_os("KINEGON_DEBUG").is_some() {
+            for t in tried.iter().take(12) {
+                let names: Vec<String> = self
+                    .set(&t.set)
+                    .iter()
+                    .map(|c| format!("{}{:?}{:?}", c.mistake.id(), c.blanks, c.edits.first().map(|e| e.0)))
+                    .collect();
+                let out: Vec<&str> =
+                    (0..off.len()).filter(|&i| t.fit.outside[i]).map(|i| self.scorer.entry(i).asked.name()).collect();
+                eprintln!(
+                    "{:.1} fit {:.1} hand {:?} {:?} {:?} out {out:?}",
+                    t.cost, t.fit.cost, t.fit.hand.errors, t.fit.hand.habit, names
+                );
             }
         }
         tried

@@ -1,6 +1,6 @@
 //! Fits the amounts of mistakes that are not known beforehand: so that the first value that they move is the written one.
 
-use super::mistakes::Candidate;
+use super::mistakes::{Amount, Candidate};
 use super::score::Scorer;
 use super::search::Parent;
 
@@ -24,7 +24,6 @@ pub(super) struct Settling<'a> {
 
 impl<'a> Settling<'a> {
     pub fn new(scorer: &'a Scorer<'a>, parent: &'a Parent<'a>, template: &'a Candidate) -> Settling<'a> {
-        use super::mistakes::Amount;
         let model = scorer.model(&parent.set);
         let values = model.replay(&scorer.changes(&parent.set, None));
         let none = template.free.iter().map(|free| match free.what {
@@ -46,8 +45,14 @@ impl<'a> Settling<'a> {
             (_, Some(&second)) => self.points([first, second]),
             _ => Vec::new(),
         };
-        let name = self.scorer.name(first);
-        roots.into_iter().map(|amounts| Candidate { blanks: vec![name.to_owned()], ..self.with(&amounts) }).collect()
+        let entry = self.scorer.entry(first);
+        // What is wrong before the first step shows at the step of the first value.
+        let step = if self.template.step == 0 { entry.step } else { self.template.step };
+        let named = |amounts: Vec<f64>| {
+            let blanks = vec![entry.asked.name().to_owned()];
+            Candidate { blanks, step, ..self.with(&amounts) }
+        };
+        roots.into_iter().map(named).collect()
     }
 
     /// The mistake with these amounts.
@@ -87,7 +92,6 @@ impl<'a> Settling<'a> {
 
     /// The amounts at which a value is the written one.
     fn roots(&self, datum: usize) -> Vec<Vec<f64>> {
-        use super::mistakes::Amount;
         let free = &self.template.free[0];
         let at = |amount: f64| self.apart(datum, self.predicted(&[amount])[datum]);
         let is_angle = matches!(free.what, Amount::Error(0)) && free.range == 60.0;

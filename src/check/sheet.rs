@@ -10,7 +10,8 @@ pub struct Measured {
     pub exercise: Option<String>,
     /// The scales of the student's scheme, velocity plan and acceleration plan, in units of the scene per millimetre.
     pub mu: [Option<f64>; 3],
-    /// Which sense of rotation counts as positive; if `None`, a number without a sign is a magnitude.
+    /// Which sense of rotation counts as positive; a slide is positive along its guide. If `None`, a rate without a sign
+    /// is a size without a sense.
     pub positive: Option<Positive>,
     /// Whether all lengths and segments are in millimetres of paper.
     pub in_mm: bool,
@@ -18,6 +19,8 @@ pub struct Measured {
     pub values: Vec<Given>,
     /// Places of plan points on paper.
     pub points: Vec<PointsOf>,
+    /// Lines of the file that are not understood; a check tells them together with its own.
+    pub faults: Vec<CheckError>,
 }
 
 /// A value as it was written down.
@@ -76,6 +79,19 @@ impl CheckError {
     /// An error about the form as a whole.
     pub(super) fn new(message: impl Into<String>, hint: impl Into<String>) -> CheckError {
         CheckError { place: String::new(), message: message.into(), hint: Some(hint.into()) }
+    }
+
+    /// All errors of a form in one: each with its place, and what to try; `None` where there are none.
+    pub(super) fn all(mut errors: Vec<CheckError>) -> Option<CheckError> {
+        if errors.len() < 2 {
+            return errors.pop();
+        }
+        let lines = errors.iter().map(|error| match &error.hint {
+            Some(hint) => format!("\n  {error}: {hint}"),
+            None => format!("\n  {error}"),
+        });
+        let message = format!("{} things in this form are not understood:{}", errors.len(), lines.collect::<String>());
+        Some(CheckError { place: String::new(), message, hint: None })
     }
 
     /// The error with its place in the file.

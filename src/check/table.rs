@@ -6,20 +6,19 @@ use indexmap::IndexMap;
 
 impl Measured {
     /// The values of a table; blanks are left out. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
-    /// `mu_v`, `mu_a`, `positive` and `in`. A line `velocity:b,114,-2.7` gives the place of a plan point on paper, in millimetres.
-    ///
-    /// In a table with semicolons numbers may have decimal commas.
+    /// `mu_v`, `mu_a`, `positive` and `in`. A line `velocity:b,114,-2.7` gives the place of a plan point on paper, in
+    /// millimetres. Cells are separated by commas, semicolons or tabs; numbers may have decimal commas. Lines that are
+    /// wrong are among its `faults`.
     ///
     /// # Errors
-    /// The first line that is wrong, and why.
+    /// The text is no table.
     pub fn read_csv(text: &str) -> Result<Measured, CheckError> {
-        let text = text.trim_start_matches('\u{feff}');
-        let by_semicolon = text.lines().next().is_some_and(|line| line.contains(';'));
+        let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n").replace('\r', "\n");
         let mut reader = csv::ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
             .trim(csv::Trim::All)
-            .delimiter(if by_semicolon { b';' } else { b',' })
+            .delimiter(delimiter(&text))
             .from_reader(text.as_bytes());
         let mut measured = Measured::default();
         for record in reader.records() {
@@ -33,26 +32,30 @@ impl Measured {
             let place = format!("line {line}");
             let cells: Vec<&str> = record.iter().collect();
             let cells = rejoined(&cells);
-            let mut cells = cells.iter().map(String::as_str);
-            let (name, value) = (cells.next().unwrap_or(""), cells.next().unwrap_or(""));
-            let third = cells.next().unwrap_or("");
-            if let Some((kind, point)) = plan_point(name) {
-                let at = [value, third].map(|c| decimal(c, by_semicolon));
-                if at.iter().any(|c| !c.is_empty()) {
-                    let [x, y] = at;
-                    let at = [coordinate(&x), coordinate(&y)];
-                    let [x, y] = at.map(|c| c.map_err(|e| e.at(&place)));
-                    measured.add_place(kind, point, [x?, y?]);
-                }
-                continue;
+            let cell = |index: usize| cells.get(index).map_or("", String::as_str);
+            if let Err(fault) = measured.cells([cell(0), cell(1), cell(2)], &place) {
+                measured.faults.push(fault.at(&place));
             }
-            if name.is_empty() || value.is_empty() || name.eq_ignore_ascii_case("quantity") {
-                continue;
-            }
-            let value = decimal(value, by_semicolon);
-            measured.line(name, value, third, &place).map_err(|e| e.at(&place))?;
         }
         Ok(measured)
+    }
+
+    /// Adds a line of a table.
+    fn cells(&mut self, [name, value, third]: [&str; 3], place: &str) -> Result<(), CheckError> {
+        if let Some((kind, point)) = plan_point(name) {
+            let at = [value, third].map(with_point);
+            if at.iter().any(|c| !c.is_empty()) {
+                let [x, y] = at;
+                self.add_place(kind, point, [coordinate(&x)?, coordinate(&y)?]);
+            }
+            return Ok(());
+        }
+        // Some spreadsheets say in their first line which separator they use.
+        let is_head = name.eq_ignore_ascii_case("quantity") || name.starts_with("sep=");
+        if name.is_empty() || value.is_empty() || is_head {
+            return Ok(());
+        }
+        self.line(name, value, third, place)
     }
 
     /// Adds the place of a plan point on paper, in millimetres.
@@ -64,10 +67,11 @@ impl Measured {
         self.points[plan].places.insert(point.to_owned(), at);
     }
 
-    fn line(&mut self, name: &str, value: String, third: &str, place: &str) -> Result<(), CheckError> {
+    fn line(&mut self, name: &str, written: &str, third: &str, place: &str) -> Result<(), CheckError> {
+        let value = with_point(written);
         match name {
-            "name" => self.name = Some(value),
-            "exercise" => self.exercise = Some(value),
+            "name" => self.name = Some(written.to_owned()),
+            "exercise" => self.exercise = Some(written.to_owned()),
             "mu_l" => self.mu[0] = Some(number(name, &value)?),
             "mu_v" => self.mu[1] = Some(number(name, &value)?),
             "mu_a" => self.mu[2] = Some(number(name, &value)?),
@@ -117,10 +121,18 @@ fn plan_point(name: &str) -> Option<(PlanKind, &str)> {
     Some((kind, point.trim()))
 }
 
-/// A number with a decimal point and a plain minus.
-fn decimal(text: &str, has_comma: bool) -> String {
+/// What separates the cells of a table: what its first line with text has, a semicolon, a tab, or else a comma.
+fn delimiter(text: &str) -> u8 {
+    let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or("");
+    [b';', b'\t'].into_iter().find(|&mark| first.contains(char::from(mark))).unwrap_or(b',')
+}
+
+/// A number with a decimal point in place of a comma, and a plain minus; any other text only with a plain minus.
+pub(super) fn with_point(text: &str) -> String {
     let text = text.replace('−', "-");
-    if has_comma { text.replacen(',', ".", 1) } else { text }
+    let is_number = text.chars().all(|c| c.is_ascii_digit() || matches!(c, ',' | '+' | '-' | 'e' | 'E'));
+    let commas = text.matches(',').count();
+    if is_number && commas == 1 { text.replace(',', ".") } else { text }
 }
 
 fn coordinate(text: &str) -> Result<f64, CheckError> {

@@ -1,5 +1,6 @@
 //! Empty forms: every quantity of the steps, in the order of the construction.
 
+use super::shown::ShownNames;
 use crate::construction::{Construction, PlaceId, Sheet, Solution};
 use crate::quantity::Scales;
 use indexmap::IndexMap;
@@ -7,7 +8,8 @@ use serde::Serialize;
 
 /// The names of the quantities of the steps, once each: those that a form asks for.
 ///
-/// A segment may have several names, as p a₃ and o a₃ where o is fixed: the one that is measured stands there.
+/// A segment may have several names, as p a₃ and o a₃ where o is fixed: the one that is measured stands there. Of links
+/// that turn together, as a block and its lever, the one with more points is asked for.
 #[must_use]
 pub fn form_names(construction: &Construction) -> Vec<String> {
     rows(construction).into_iter().map(|row| row.name).collect()
@@ -29,7 +31,8 @@ impl FormNames {
     }
 
     /// The name by which the form asks for a quantity, as [`form_name`].
-    pub fn of<'n>(&'n self, construction: &Construction, name: &'n str) -> &'n str {
+    pub fn of<'n>(&'n self, construction: &'n Construction, name: &'n str) -> &'n str {
+        let name = construction.same_rates.get(name).map_or(name, String::as_str);
         // No two rows ask for one segment, so a row of that very name is the one.
         if self.0.iter().any(|row| row.name == name) {
             return name;
@@ -79,6 +82,7 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
     for step in construction.numbered_steps() {
         let is_measured = step.step.action.is_measured();
         for name in step.names() {
+            let name = construction.same_rates.get(&name).cloned().unwrap_or(name);
             let segment = Segment::of(construction, &name);
             match rows.iter().position(|row| row.is(&name, segment)) {
                 Some(row) if is_measured && !rows[row].is_measured => drop(rows.remove(row)),
@@ -102,6 +106,10 @@ pub struct EmptyForm<'a> {
     pub exercise: Option<&'a str>,
 }
 
+/// The sense of rotation that counts as positive in every form, as in scenes and results; a slide is positive along its
+/// guide.
+const POSITIVE: &str = "counter-clockwise";
+
 /// The form as JSON: values are to be written between the quotes, or as numbers in place of them.
 #[derive(Debug, Serialize)]
 struct FormFile<'a> {
@@ -115,6 +123,7 @@ struct FormFile<'a> {
     mu_v: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mu_a: Option<f64>,
+    positive: &'static str,
     values: IndexMap<String, &'static str>,
 }
 
@@ -129,6 +138,7 @@ impl EmptyForm<'_> {
             mu_l: self.scales.length,
             mu_v: self.scales.velocity,
             mu_a: self.scales.acceleration,
+            positive: POSITIVE,
             values: self.names().into_iter().map(|name| (name, "")).collect(),
         })
     }
@@ -146,15 +156,17 @@ impl EmptyForm<'_> {
                 text.push_str(&format!("{name},{scale},\n"));
             }
         }
+        text.push_str(&format!("positive,{POSITIVE},\n"));
         for name in self.names() {
             text.push_str(&format!("{},,\n", quoted(&name)));
         }
         text
     }
 
-    /// The names of the quantities.
+    /// The names of the quantities, in the notation of the figure.
     fn names(&self) -> Vec<String> {
-        form_names(&self.solution.construction)
+        let shown = ShownNames::of(self.solution);
+        form_names(&self.solution.construction).iter().map(|name| shown.in_form(name)).collect()
     }
 }
 

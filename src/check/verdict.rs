@@ -7,6 +7,9 @@ pub enum Verdict {
     Right,
     /// It differs from the exact value by no more than honest hand drawings do.
     WithinTolerance,
+    /// A rate whose size is right or within the tolerance, written without a sign where no sense counts as positive: it
+    /// does not tell its sense.
+    SenseMissing,
     /// It differs by more.
     Off,
     /// It has no tolerance: there is no construction from which it could be read.

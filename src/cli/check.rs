@@ -92,7 +92,7 @@ impl Check {
             self.class(path, &solution)
         } else {
             self.refuse_table()?;
-            let text = files::read_text("form", path)?;
+            let text = files::read_form(path)?;
             let measured = read(path, &text)?;
             self.form(&self.scene, &solution, self.marks.as_deref(), (&text, &measured))
         }
@@ -202,7 +202,7 @@ impl Check {
             return self.classes(&exercises, path);
         }
         self.refuse_table()?;
-        let text = files::read_text("form", path)?;
+        let text = files::read_form(path)?;
         let measured = read(path, &text)?;
         let index = exercises.of_form(measured.exercise.as_deref(), path);
         let index = index.map_err(|message| Failure::Misuse(format!("{}: {message}", text.name), None))?;

@@ -221,7 +221,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, String> {
         let what = if found.is_dir() { "a folder" } else { "special" };
         return Err(format!("it is {what}, no file with values"));
     }
-    let read = files::read_text("form", path).and_then(|text| read(path, &text));
+    let read = files::read_form(path).and_then(|text| read(path, &text));
     read.map_err(|failure| failure.line(&path.display().to_string()))
 }
 

@@ -25,8 +25,8 @@ pub(super) fn read(path: &Path) -> Result<Source, Failure> {
     read_text("scene", path)
 }
 
-/// Reads a text from a file, or from stdin for `-`; `what` is its name in messages.
-pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
+/// Reads a file, or stdin for `-`: its name in messages and its bytes.
+fn read_bytes(what: &str, path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let from_stdin = path == Path::new("-");
     let name = if from_stdin { "stdin".to_owned() } else { path.display().to_string() };
     let refuse = |error: io::Error| {
@@ -48,6 +48,22 @@ pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
             Some("is this the right file?".into()),
         ));
     }
+    Ok((name, bytes))
+}
+
+/// Reads the text of a form, which a spreadsheet may have saved in another encoding than UTF-8.
+pub(super) fn read_form(path: &Path) -> Result<Source, Failure> {
+    let (name, bytes) = read_bytes("form", path)?;
+    let Some(text) = super::decoding::decoded(bytes) else {
+        let hint = "save the form as CSV UTF-8 or as JSON";
+        return Err(Failure::Misuse(format!("{name} is no text"), Some(hint.into())));
+    };
+    Ok(Source { name, text })
+}
+
+/// Reads a text from a file, or from stdin for `-`; `what` is its name in messages.
+pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
+    let (name, bytes) = read_bytes(what, path)?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
         Failure::Misuse(

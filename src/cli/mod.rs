@@ -9,6 +9,7 @@ mod check;
 mod class;
 mod correction;
 mod curves;
+mod decoding;
 mod draw;
 mod exercise;
 mod exercises;

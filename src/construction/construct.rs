@@ -44,6 +44,9 @@ pub struct Construction {
     pub(crate) spins: Vec<Option<[Option<NumberId>; 2]>>,
     /// By slider: the numbers of velocity and acceleration along the guide; none for a given rate of zero.
     pub(crate) slides: Vec<Option<[Option<NumberId>; 2]>>,
+    /// Names of rates of links that turn with another link, as a block with its lever: the same rate of that link, which
+    /// has more points.
+    pub(crate) same_rates: IndexMap<String, String>,
 }
 
 /// The construction of both plans from one pole each, for every group of `mechanism`.
@@ -105,6 +108,7 @@ impl Construction {
             known_parts: IndexMap::new(),
             spins: vec![None; mechanism.bodies.len()],
             slides: vec![None; mechanism.sliders.len()],
+            same_rates: IndexMap::new(),
         }
     }
 

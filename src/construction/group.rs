@@ -11,6 +11,7 @@ use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, R
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId, Spin};
+use core::cmp::Reverse;
 
 /// The ray of a leg.
 struct DrawnRay {
@@ -264,9 +265,15 @@ impl Writer<'_> {
     /// Notes the numbers of the solved rates by link and by slider.
     fn note_rates(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, numbers: &[NumberId]) {
         let order = sheet.order();
+        let name = |link| [Rate::Omega(link), Rate::Alpha(link)][order].name(self.mechanism);
         for &link in &group.bodies {
             if let Some(unknown) = equations.spin_unknown(link) {
                 self.construction.spins[link.0].get_or_insert_default()[order] = Some(numbers[unknown]);
+                let alike = group.bodies.iter().copied().filter(|&b| equations.spin_unknown(b) == Some(unknown));
+                let most = alike.min_by_key(|&b| Reverse(self.mechanism.body(b).points.len()));
+                if let Some(other) = most.filter(|&other| other != link) {
+                    self.construction.same_rates.insert(name(link), name(other));
+                }
             }
         }
         for slider in (0..self.mechanism.sliders.len()).map(SliderId) {

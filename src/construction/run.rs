@@ -52,6 +52,8 @@ pub enum Change<'a> {
     Times(NumberId, f64),
     /// A number that the operation makes is replaced by this value in later operations.
     Written(NumberId, f64),
+    /// A line that the operation draws is displaced to its left by this distance, in units of the sheet.
+    Aside(LineId, f64),
 }
 
 /// A number type in which a construction can be carried out.
@@ -136,6 +138,10 @@ impl Values {
                 match change {
                     Change::Times(number, factor) => self.numbers[number.0] *= factor,
                     Change::Written(number, value) => self.numbers[number.0] = *value,
+                    Change::Aside(line, by) => {
+                        let (place, along) = self.lines[line.0];
+                        self.lines[line.0].0 = place + along.quarter_turn() * *by;
+                    }
                     Change::Error(..) | Change::Instead(_) => {}
                 }
             }

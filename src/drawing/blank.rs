@@ -23,17 +23,8 @@ impl Worksheet {
 
 /// The row of a quantity to be found. Only lengths on paper have a scale.
 fn blank_row(scheme: &Scheme<'_>, asked: &Asked, number: usize) -> Cells<CELLS> {
-    let plan = match asked.what() {
-        What::Segment { kind, .. } => scheme.construction.plans().find(|plan| plan.kind == *kind),
-        _ => None,
-    };
-    let between = |from: &str, to: &str| format!("{} {}", scheme.shown(from, plan), scheme.shown(to, plan));
-    let name = match asked.what() {
-        What::Segment { from, to, .. } => between(from, to),
-        What::Length(from, to) => between(from.name(), to.name()),
-        _ => asked.symbol(scheme.mechanism, scheme.words.notation, &|name| scheme.shown(name, None)),
-    };
-    let is_length = plan.is_some() || matches!(asked.what(), What::Length(..));
+    let name = scheme.quantity(asked);
+    let is_length = matches!(asked.what(), What::Segment { .. } | What::Length(..));
     let scale = if is_length { symbol(asked.kind()) } else { "" };
     Cells {
         texts: [
@@ -47,5 +38,21 @@ fn blank_row(scheme: &Scheme<'_>, asked: &Asked, number: usize) -> Cells<CELLS> 
         since: 0,
         stands_out: false,
         boxes: [false, is_length, false, true, false],
+    }
+}
+
+impl Scheme<'_> {
+    /// How a quantity is written on the sheets, in markup: a segment or length by its ends, a rate by its symbol.
+    pub(super) fn quantity(&self, asked: &Asked) -> String {
+        let plan = match asked.what() {
+            What::Segment { kind, .. } => self.construction.plans().find(|plan| plan.kind == *kind),
+            _ => None,
+        };
+        let between = |from: &str, to: &str| format!("{} {}", self.shown(from, plan), self.shown(to, plan));
+        match asked.what() {
+            What::Segment { from, to, .. } => between(from, to),
+            What::Length(from, to) => between(from.name(), to.name()),
+            _ => asked.symbol(self.mechanism, self.words.notation, &|name| self.shown(name, None)),
+        }
     }
 }

@@ -20,9 +20,9 @@ use kurbo::{Point, Rect, Vec2};
 /// Length of the ruler, in mm of paper.
 const RULER: f64 = 50.0;
 /// Width and height of the ruler with its numbers, and words above it, in mm.
-const RULER_ROOM: [f64; 2] = [64.0, 18.6];
+pub(super) const RULER_ROOM: [f64; 2] = [64.0, 18.6];
 /// The same height, in rows of the table.
-const RULER_ROWS: usize = 3;
+pub(super) const RULER_ROWS: usize = 3;
 
 /// A table and a ruler.
 pub(super) struct Worksheet {
@@ -127,14 +127,19 @@ impl Item for Worksheet {
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         let Some(area) = layout.aside else { return };
         let foot = self.at_scales(layout).draw_in(drawing, area);
-        let from = foot + Vec2::new(2.0, -RULER_ROOM[1]);
-        drawing.caption(RichText::plain(self.words.language.ruler()), from + Vec2::new(0.0, 4.2));
-        ruler(drawing, from + Vec2::new(0.0, 7.4), self.dims.unit);
+        draw_ruler_at_foot(drawing, foot, &self.words, &self.dims);
     }
 }
 
+/// Draws the ruler with its words in the foot of a table, from the foot's lower left corner.
+pub(super) fn draw_ruler_at_foot(drawing: &mut Drawing, foot: Point, words: &Wording, dims: &Dims) {
+    let from = foot + Vec2::new(2.0, -RULER_ROOM[1]);
+    drawing.caption(RichText::plain(words.language.ruler()), from + Vec2::new(0.0, 4.2));
+    ruler(drawing, from + Vec2::new(0.0, 7.4), dims.unit);
+}
+
 /// The least scale of a panel: it is no larger than the page, so millimetres at this scale are the widest.
-fn least(panel: &Panel<'_>, page: [f64; 2]) -> f64 {
+pub(super) fn least(panel: &Panel<'_>, page: [f64; 2]) -> f64 {
     let size = panel.needs.extent.size();
     panel.needs.mu.unwrap_or((size.x / page[0]).max(size.y / page[1]))
 }

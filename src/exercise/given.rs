@@ -1,7 +1,7 @@
 //! The given numbers of an exercise in sentences, which a student gets beside the scheme.
 
 use crate::quantity::{Kind, Scales};
-use crate::scene::{At, DecimalMark, GivenBy, On, Scene, Shape};
+use crate::scene::{Along, At, DecimalMark, GivenBy, On, Scene, Shape};
 use crate::words::{Medium, NumberStyle, Wording};
 use serde_json::Value;
 
@@ -11,6 +11,7 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
     let file = serde_json::from_str(text).unwrap_or(Value::Null);
     let teller = Teller { scene, words };
     let mut all = teller.lengths();
+    all.extend(teller.guides());
     all.extend(teller.drives(&file));
     all.extend(teller.motions(&file));
     let plans = [("μ_v", scales.velocity, Kind::Velocity), ("μ_a", scales.acceleration, Kind::Acceleration)];
@@ -72,6 +73,31 @@ impl Teller<'_> {
         });
         let lengths = lengths.map(|length| self.value(&length.key.replace('-', " "), length.value, Kind::Length));
         fixed.chain(lengths).collect()
+    }
+
+    /// Guides on the ground and those along two points of a link, of a scene from lengths.
+    fn guides(&self) -> Vec<String> {
+        if self.scene.given_by == GivenBy::Drawing {
+            return Vec::new();
+        }
+        let language = self.words.language;
+        let unit = self.unit(Kind::Length);
+        let told = self.scene.sliders.iter().filter_map(|slider| {
+            let name = slider.link.as_ref().or(slider.pin.as_ref())?;
+            let degrees = match (&slider.along, &slider.on) {
+                (Along::Points(a, b), _) => return Some(language.exercise_guide_through(name, &format!("{a}{b}"))),
+                (Along::Degrees(degrees), On::Ground) => *degrees,
+                (Along::Direction([x, y]), On::Ground) => libm::atan2(*y, *x).to_degrees(),
+                _ => return None,
+            };
+            let place = match &slider.through {
+                Some(At::Point(point)) => point.clone(),
+                Some(At::Place(place)) => format!("{} {unit}", self.pair(*place)),
+                None => self.scene.ground.first()?.clone(),
+            };
+            Some(language.exercise_guide(name, &place, &self.number(degrees)))
+        });
+        told.collect()
     }
 
     /// Drives in the units in which the file gives them.

@@ -1,9 +1,10 @@
 //! Decides which variants are exercises: those that a careful hand draws well.
 
 use super::given::sentences;
+use super::key::{key_rows, key_sentences};
 use crate::check::{BANDS, form_names};
 use crate::construction::{Action, Construction, Solution, Tolerance};
-use crate::drawing::{Drawing, exercise_scale, exercise_sheet, shows_special_points};
+use crate::drawing::{Drawing, exercise_scale, exercise_sheet, key_scales, shows_special_points};
 use crate::mechanism::mechanism;
 use crate::motion::Order;
 use crate::position::pose;
@@ -103,22 +104,23 @@ impl Exercise {
         // The key is the only sheet with plans; the accepted file says its scales, which then hold everywhere.
         figure.scales = ScalesFor::Sheet;
         let wording = solution.wording();
-        let mut scales = solution.scales();
+        let mut scales = key_scales_of(&solution, &quantities).ok_or(Refusal::Sheet)?;
         if solution.scene.figure.mu_l.is_none() {
             let given = sentences(&solution.scene, text, &scales, &wording);
             let mu = exercise_scale(&students, &quantities, &given);
-            if mu > scales.length {
-                solution.scene.figure.mu_l = mu;
-                scales = solution.scales();
-            }
-            students.scene.figure.mu_l = scales.length;
+            scales.length = if mu > scales.length { mu } else { scales.length };
+        }
+        for figure in [&mut solution.scene.figure, &mut students.scene.figure] {
+            (figure.mu_l, figure.mu_v, figure.mu_a) = (scales.length, scales.velocity, scales.acceleration);
         }
         is_long_enough(&solution.construction, &scales)?;
         if !(solution.overflow_warnings().is_empty() && shows_special_points(&solution)) {
             return Err(Refusal::Sheet);
         }
         let pencil = pencil(&solution, &scales, Tolerance::default(), quantities.clone());
-        is_sure(&pencil, &values(&quantities, &solution))?;
+        let exact = values(&quantities, &solution);
+        is_sure(&pencil, &exact)?;
+        key_scales(&solution, &key_rows(&exact, &pencil), &key_sentences(&solution)).ok_or(Refusal::Sheet)?;
         let given = sentences(&solution.scene, text, &scales, &wording);
         let sheet = exercise_sheet(&students, &quantities, &given).ok_or(Refusal::Sheet)?;
         Ok(Exercise { text: text.to_owned(), scales, pencil, sheet, solution })
@@ -129,6 +131,13 @@ impl Exercise {
         let asked: Vec<Asked> = self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
         values(&asked, &self.solution)
     }
+}
+
+/// The scales of the key: those that the scene gives, else the finest at which scheme and plans fit beside the table.
+fn key_scales_of(solution: &Solution, quantities: &[Asked]) -> Option<Scales> {
+    let pencil = pencil(solution, &solution.scales(), Tolerance::default(), quantities.to_vec());
+    let exact = values(quantities, solution);
+    key_scales(solution, &key_rows(&exact, &pencil), &key_sentences(solution))
 }
 
 /// The page of the key, which has the plans too: the largest size.

@@ -1,12 +1,11 @@
 //! The teacher's key of an exercise: every value of the form.
 
-use super::given::listed;
 use super::judge::Exercise;
-use crate::check::{BANDS, EmptyForm, significant};
-use crate::drawing::{Drawing, key_sheet};
-use crate::quantity::{Asked, What};
+use crate::check::{BANDS, EmptyForm};
+use crate::construction::Solution;
+use crate::drawing::{Drawing, KeyRow, key_sheet};
+use crate::quantity::{Asked, Pencil};
 use crate::scene::schema_of;
-use crate::words::Medium;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -78,23 +77,11 @@ impl Exercise {
         }
     }
 
-    /// The key as a figure: scheme and plans with a table of all measured lengths, and a sentence with the rates that
-    /// follow from them.
+    /// The key as a figure: scheme and plans with a table of all quantities of the form.
     #[must_use]
     pub fn key_sheet(&self) -> Drawing {
-        let words = self.solution.wording();
-        let is_rate = |asked: &Asked| !matches!(asked.what(), What::Segment { .. } | What::Length(..));
-        let written = |(asked, value): (Asked, f64)| {
-            let number = |x: f64, digits: usize| words.write(x, significant(digits).on(Medium::Figure));
-            let symbol = asked.symbol(&self.solution.mechanism, words.notation, &str::to_owned);
-            let band = self.pencil.band(asked.name());
-            let allowed = band.map_or_else(String::new, |band| format!(" ± {}", number(BANDS * band.band, 2)));
-            let unit = asked.kind().unit(self.solution.scene.units);
-            format!("{symbol} = {}{allowed} {unit}", number(value, 4))
-        };
-        let rates: Vec<String> = self.values().into_iter().filter(|(a, _)| is_rate(a)).map(written).collect();
-        let sentence = words.language.exercise_rates(&listed(&rates));
-        key_sheet(&self.solution, &[sentence])
+        let values = self.values();
+        key_sheet(&self.solution, &key_rows(&values, &self.pencil), &key_sentences(&self.solution))
     }
 
     /// The empty form of the exercise with that name.
@@ -102,6 +89,22 @@ impl Exercise {
     pub fn form<'a>(&'a self, name: &'a str) -> EmptyForm<'a> {
         EmptyForm { solution: &self.solution, scales: self.scales, exercise: Some(name) }
     }
+}
+
+/// The rows of a key's table.
+pub(super) fn key_rows<'a>(values: &'a [(Asked, f64)], pencil: &Pencil) -> Vec<KeyRow<'a>> {
+    let row = |(asked, value): &'a (Asked, f64)| KeyRow {
+        asked,
+        value: *value,
+        allowed: pencil.band(asked.name()).map(|band| BANDS * band.band),
+    };
+    values.iter().map(row).collect()
+}
+
+/// The sentences below the scales of a key.
+pub(super) fn key_sentences(solution: &Solution) -> Vec<String> {
+    let words = solution.wording();
+    vec![words.language.exercise_allowed().to_owned()]
 }
 
 /// The JSON Schema of keys.

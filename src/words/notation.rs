@@ -17,6 +17,11 @@ pub struct Notation {
     pub relative: &'static str,
 }
 
+impl Notation {
+    /// All notations.
+    pub const ALL: [&'static Notation; 4] = [&PAPER, &ENGLISH, &RUSSIAN, &GERMAN];
+}
+
 /// H. Quintero, G. Calle, A. Díaz, E. Henao, Rev. Fac. Ing. Univ. Antioquia 60 (2011) 81–91.
 pub(super) const PAPER: Notation = Notation {
     velocity_pole: "p",

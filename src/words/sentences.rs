@@ -317,10 +317,16 @@ sentences! {
     // The report on a student's values.
     /// Heading: numbers of values that are right, within tolerance, off.
     check_counts(right, within, off);
+    /// The same where rates have no sense: their number before that of the values that are off.
+    check_counts_and_senses(right, within, missing, off);
     /// Verdict: right.
     check_right;
     /// Verdict: within tolerance.
     check_within;
+    /// Verdict: a rate of the right size without a sense.
+    check_sense_missing;
+    /// What to do about rates without a sense.
+    check_senses;
     /// Verdict: off.
     check_off;
     /// Verdict: not judged.
@@ -343,14 +349,24 @@ sentences! {
     check_column_verdict;
     /// The limits of a hand's errors.
     check_tolerance(mm, degrees);
+    /// How accurate the drawing is.
+    check_accuracy(mm, degrees);
+    /// How accurate computed numbers are.
+    check_slips(percent);
+    /// More is allowed than to a careful hand.
+    check_wider(mm, degrees);
+    /// The hand is worse than was asked for.
+    check_too_coarse(mm, degrees);
     /// Heading of the explanation.
     check_probably;
     /// In place of an explanation: no value is off.
     check_nothing;
+    /// The same where rates have no sense.
+    check_nothing_off;
     /// Where several mistakes together explain the values.
     check_no_single;
-    /// Where no mistake of the catalogue explains the values.
-    check_none;
+    /// Where no cause can be told: the step and the first value that is off.
+    check_none(number, value);
     /// The step of a mistake.
     check_step(number);
     /// In place of a step: the whole drawing.
@@ -423,8 +439,28 @@ sentences! {
     exercise_given(all);
     /// The scales of the plans, separated by commas.
     exercise_draw(scales);
-    /// Below the drawn key: all rates with their bands, separated by commas.
-    exercise_rates(all);
+    /// Where the guide of a slider on the ground is, among the given numbers: a place on it, its direction in degrees.
+    exercise_guide(slider, place, degrees);
+    /// The same of a guide along a line of two points.
+    exercise_guide_through(slider, line);
+    /// The sizes of both plans on paper, and the paper on which each has room.
+    exercise_room(velocity, acceleration, paper);
+    /// Which sense is positive.
+    exercise_senses;
+    /// The same where slides are asked for: their symbols, separated by commas.
+    exercise_senses_of_slides(slides);
+    /// What the auxiliary points of the plans are, separated by semicolons.
+    exercise_points(all);
+    /// Ends of normal parts, separated by commas.
+    exercise_normal_ends(points);
+    /// Ends of Coriolis accelerations.
+    exercise_coriolis_ends(points);
+    /// Ends of sliding velocities or accelerations.
+    exercise_sliding_ends(points);
+    /// Lines for the student's name and the date.
+    exercise_name;
+    /// Below the drawn key: what ± means.
+    exercise_allowed;
     /// Heading of the names of quantities to be found.
     exercise_quantity;
 }

@@ -4,6 +4,7 @@ use crate::support::files;
 use crate::support::program::{self, kinegon, scratch, stderr};
 use crate::support::random::Random;
 use crate::support::stages::{answer_key, solved};
+use crate::support::survey::tried;
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, Given, Measured, Student, Verdict, check};
 use kinegon::construction::{Action, PlanKind};
@@ -198,6 +199,29 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
     let boxes = exercise.sheet.marks.iter().filter_map(|m| m.id.as_deref());
     let boxes = boxes.filter(|id| id.starts_with("box-") && id.ends_with("-value"));
     assert_eq!(boxes.count(), key.values.len(), "{kind}");
+}
+
+/// Keys show their plans whole: nothing is cut at a panel's edge, and the poles are there.
+#[test]
+fn no_key_cuts_a_plan() {
+    let (mut wrong, mut keys) = (Vec::new(), 0);
+    for (kind, text) in kinds() {
+        for seed in 1..=tried(2, 16) as u64 {
+            let key = exercise(&text, seed).key_sheet();
+            keys += 1;
+            let cut = key.marks.iter().filter_map(|mark| mark.id.as_deref()).filter(|id| id.ends_with("-cut"));
+            wrong.extend(cut.map(|id| format!("{kind} {seed}: {id}")));
+            for pole in ["velocity-point-p", "acceleration-point-pi"] {
+                let at = key.marks.iter().find(|mark| mark.id.as_deref() == Some(pole));
+                let at = at.map(|mark| mark.shape.bounds().center());
+                let is_there = at.is_some_and(|at| key.panels.iter().any(|(_, frame)| frame.inset(-1.0).contains(at)));
+                if !is_there {
+                    wrong.push(format!("{kind} {seed}: no {pole}"));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {keys} keys\n{}", wrong.len(), wrong.join("\n"));
 }
 
 /// Where a starting scene has a block on the line between two points of its guide, so have the exercises.

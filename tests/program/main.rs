@@ -19,5 +19,6 @@ mod exercises;
 mod guide;
 mod overlays;
 mod step_sheets;
+mod students;
 mod styles;
 mod wording;

@@ -14,6 +14,7 @@ pub mod planted;
 pub mod program;
 pub mod random;
 pub mod stages;
+pub mod students;
 pub mod survey;
 pub mod tools;
 pub mod whole_way;

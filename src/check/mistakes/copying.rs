@@ -94,16 +94,31 @@ fn written<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, &'a Entry)> {
 pub(super) fn transposed(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, entry) in written(site) {
+        // Nobody means more digits than values of the kind are written with.
+        let alike = |other: &Entry| other.asked.kind() == entry.asked.kind() && other.on_paper == entry.on_paper;
+        let same = written(site).filter(|(_, other)| alike(other));
+        let most = same.map(|(_, other)| significant(&other.text)).max().unwrap_or(0);
         for meant in transpositions(&entry.text) {
             let Ok(number) = meant.parse::<f64>() else {
                 continue;
             };
+            if significant(&meant) > most {
+                continue;
+            }
             let meant_value = meant_as(index, number * entry.factor, entry.rounding);
             let blanks = vec![named(entry), entry.text.clone(), meant];
             found.extend(misread(site, Mistake::DigitsTransposed, vec![meant_value], blanks));
         }
     }
     found
+}
+
+/// The significant digits of a written number; zeros at the end of a whole number only hold places.
+fn significant(text: &str) -> usize {
+    let mantissa = text.split(['e', 'E']).next().unwrap_or("");
+    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    let digits = digits.trim_start_matches('0');
+    if mantissa.contains('.') { digits.len() } else { digits.trim_end_matches('0').len() }
 }
 
 /// The numbers that arise from swapping two neighbouring digits; the decimal point stays. Those with a superfluous

@@ -9,11 +9,14 @@ use crate::geometry::Vector;
 
 pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = mirrored_vectors(site);
-    found.extend(mirrored_crossings(site));
+    let shape = Shape { exchanged: false, mirrored: true };
+    found.extend(triangles(site).iter().map(|triangle| triangle.drawn(site, Mistake::MirroredImage, shape)));
+    found.extend(beyond(site));
     found
 }
 
-/// A division of the line of two images, measured from its other end.
+/// A division of the line of two images, measured from its other end; the triangle of a link's image drawn with its
+/// two distances exchanged, on the right side or on the wrong one.
 pub(super) fn wrong_ratio(site: &Site<'_>) -> Vec<Candidate> {
     let divided = site.operations().filter_map(|(index, operation)| match operation.kind {
         OperationKind::Divide { place, ends, like: [first, second, point] } => {
@@ -23,7 +26,13 @@ pub(super) fn wrong_ratio(site: &Site<'_>) -> Vec<Candidate> {
         }
         _ => None,
     });
-    divided.collect()
+    let mut found: Vec<Candidate> = divided.collect();
+    for triangle in triangles(site) {
+        for mirrored in [false, true] {
+            found.push(triangle.drawn(site, Mistake::WrongRatio, Shape { exchanged: true, mirrored }));
+        }
+    }
+    found
 }
 
 /// A ray for the image of a further point of a link: its operation, where it starts, its line, the link's arm.
@@ -34,41 +43,76 @@ struct ArmRay {
     arm: LineId,
 }
 
-/// The image of a further point, crossed on the wrong side of the line of the two images that give it.
-fn mirrored_crossings(site: &Site<'_>) -> Vec<Candidate> {
+/// The image of a further point, crossed by two rays that make the triangle of the link's image.
+struct Triangle {
+    rays: [ArmRay; 2],
+    place: PlaceId,
+    /// The line of the two images.
+    base: LineId,
+    /// The line of their points on the link.
+    side: LineId,
+}
+
+/// What is wrong with a triangle.
+#[derive(Clone, Copy)]
+struct Shape {
+    /// Each ray has the angle of the other.
+    exchanged: bool,
+    /// The triangle is on the other side of its base.
+    mirrored: bool,
+}
+
+fn triangles(site: &Site<'_>) -> Vec<Triangle> {
     let joined = |ends: [PlaceId; 2]| {
         site.operations().find_map(|(_, operation)| match operation.kind {
             OperationKind::Join { line, from, towards } if [from, towards] == ends => Some(line),
             _ => None,
         })
     };
-    let mut found = Vec::new();
-    for (_, operation) in site.operations() {
+    // The side of the link of which the base is the image joins the points at which the arms begin.
+    let start = |ray: &ArmRay| {
+        site.operations().find_map(|(_, operation)| match operation.kind {
+            OperationKind::Join { line, from, .. } if line == ray.arm => Some(from),
+            _ => None,
+        })
+    };
+    let crossed = site.operations().filter_map(|(_, operation)| {
         let (Part::Image, &OperationKind::Cross { place, lines }) = (operation.part, &operation.kind) else {
-            continue;
+            return None;
         };
-        let rays: Vec<ArmRay> = lines.iter().filter_map(|&line| arm_ray(site, line)).collect();
-        let [first, second] = rays.as_slice() else { continue };
-        let Some(base) = joined([first.through, second.through]) else { continue };
-        // The side of the link of which the base is the image joins the points at which the arms begin.
-        let start = |ray: &ArmRay| {
-            site.operations().find_map(|(_, operation)| match operation.kind {
-                OperationKind::Join { line, from, .. } if line == ray.arm => Some(from),
-                _ => None,
-            })
-        };
-        let Some(side) = start(first).zip(start(second)).and_then(|(a, b)| joined([a, b])) else { continue };
-        let mirrored = |ray: &ArmRay| {
-            let along = Along::angle(base, [ray.arm, side]);
+        let [Some(first), Some(second)] = lines.map(|line| arm_ray(site, line)) else { return None };
+        let base = joined([first.through, second.through])?;
+        let (a, b) = start(&first).zip(start(&second))?;
+        let side = joined([a, b])?;
+        Some(Triangle { rays: [first, second], place, base, side })
+    });
+    crossed.collect()
+}
+
+impl Triangle {
+    fn drawn(&self, site: &Site<'_>, mistake: Mistake, shape: Shape) -> Candidate {
+        let edit = |own: usize| {
+            let (ray, other) = (&self.rays[own], &self.rays[1 - own]);
+            // Exchanged, the angle at one end is that at the other, seen in a mirror.
+            let arm = if shape.exchanged { other.arm } else { ray.arm };
+            let angle = if shape.exchanged == shape.mirrored { [self.side, arm] } else { [arm, self.side] };
+            let along = Along::angle(self.base, angle);
             (ray.index, Edit::Instead(OperationKind::Draw { line: ray.line, through: ray.through, along }))
         };
-        let blanks = [first.through, place, second.through].map(|place| site.place_name(place));
-        let (index, edit) = mirrored(first);
-        let mut candidate = site.candidate(Mistake::MirroredImage, index, edit, &blanks);
-        candidate.edits.push(mirrored(second));
-        found.push(candidate);
+        let [first, second] = &self.rays;
+        let ends = match mistake {
+            Mistake::WrongRatio => [first.through, second.through, self.place],
+            _ => [first.through, self.place, second.through],
+        };
+        let mut blanks: Vec<&str> = ends.iter().map(|&place| site.place_name(place)).collect();
+        if mistake == Mistake::WrongRatio {
+            blanks.push(if shape.mirrored { "mirrored" } else { "triangle" });
+        }
+        let (index, own) = edit(0);
+        let mut candidate = site.candidate(mistake, index, own, &blanks);
+        candidate.edits.push(edit(1));
+        candidate
     }
-    found
 }
 
 /// The ray of a line, if it leads to the image of a further point of a link.
@@ -85,6 +129,31 @@ fn arm_ray(site: &Site<'_>, line: LineId) -> Option<ArmRay> {
         }
         _ => None,
     }
+}
+
+/// Least length of an arm beyond an end of a line, in parts of the line.
+const LEAST_ARM: f64 = 0.02;
+
+/// The image of a point that lies beyond an end of its line, as of a lever's far arm, marked on the wrong side of that
+/// end.
+fn beyond(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for (index, operation) in site.operations() {
+        let OperationKind::Divide { place, ends, like } = operation.kind else { continue };
+        let [first, second, point] = like.map(|point| site.model.exact.place(point));
+        let ratio = (point - first).dot(&(second - first)) / (second - first).norm_squared();
+        let [start, end] = ends.map(|end| site.model.exact.place(end));
+        let (near, far, part) = if ratio < 0.5 { (0, 1, ratio) } else { (1, 0, 1.0 - ratio) };
+        let at = [start, end][near] - ([start, end][far] - [start, end][near]) * part;
+        if part < -LEAST_ARM {
+            let blanks = [ends[near], place, ends[far]].map(|place| site.place_name(place));
+            let edit = Edit::Instead(OperationKind::Plot { place, at });
+            let mut candidate = site.candidate(Mistake::MirroredImage, index, edit, &blanks);
+            candidate.blanks.push("end".to_owned());
+            found.push(candidate);
+        }
+    }
+    found
 }
 
 /// The image of a link with three points mirrored: one of its sides laid off on the wrong side of another.

@@ -1,11 +1,14 @@
 //! Mistakes with rates and scales.
 
 use super::candidate::{Candidate, Reinterpretation};
+use super::lengths::{Length, lengths, with_length};
 use super::mistake::Mistake;
-use super::site::Site;
+use super::site::{Laid, Site};
+use super::vectors::{Term, terms};
 use crate::check::model::Edit;
-use crate::construction::{NumberId, NumberKind, OperationKind, Rate, Sheet};
+use crate::construction::{NumberId, NumberKind, OperationKind, ProductKind, Rate, Sheet};
 use crate::quantity::{Kind, What};
+use crate::scene::{LengthUnit, TimeUnit};
 
 /// Rates that are solved for or given: the operation that gives each, its number, which rate it is.
 fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)> {
@@ -18,12 +21,148 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
     })
 }
 
+/// A rate taken with the wrong sense: gone on with so, or only written so.
 pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
-    let candidate = |(operation, number, _)| {
+    let taken = rates(site).filter_map(|(operation, number, _)| {
         let edit = Edit::Times(number, -1.0);
-        site.candidate(Mistake::WrongSense, operation, edit, &[site.number_name(number)])
-    };
-    rates(site).map(candidate).collect()
+        let mut candidate = site.candidate(Mistake::WrongSense, operation, edit, &[site.number_name(number)]);
+        if site.is_given(number) {
+            let use_of = |vector: &Laid<'_>| vector.sum.iter().any(|product| product.of.contains(&number));
+            let vectors = site.vectors();
+            let first = vectors.iter().find(|vector| use_of(vector))?;
+            candidate.step = site.model.steps[first.operation];
+            candidate.blanks.extend(first.ends.map(str::to_owned));
+        }
+        Some(candidate)
+    });
+    let mut found: Vec<Candidate> = taken.collect();
+    for (index, entry) in site.entries.iter().enumerate() {
+        let reading = site.model.readings[index].ok();
+        let number = reading.map(|reading| reading.number).filter(|number| site.model.used[number.0]);
+        let is_rate = number.is_some_and(|number| matches!(site.number_kind(number), NumberKind::Rate(_)));
+        if is_rate && !entry.is_magnitude {
+            found.push(only_written(site, Mistake::WrongSense, &[index], -1.0, &[entry.asked.name()]));
+        }
+    }
+    found
+}
+
+/// The senses of all rates of rotation reversed on the form, as by somebody who counts clockwise as positive.
+pub(super) fn senses_reversed(site: &Site<'_>) -> Vec<Candidate> {
+    let is_turning = |what: &What| matches!(what, What::Omega(_) | What::Alpha(_));
+    let signed = site.entries.iter().enumerate().filter(|(index, entry)| {
+        is_turning(entry.asked.what()) && !entry.is_magnitude && site.model.readings[*index].is_ok()
+    });
+    let all: Vec<usize> = signed.map(|(index, _)| index).collect();
+    // One rate is only a wrong sense.
+    match all.len() {
+        0 | 1 => Vec::new(),
+        _ => vec![only_written(site, Mistake::SensesReversed, &all, -1.0, &[])],
+    }
+}
+
+/// Values that are meant `factor` times as large as they are written.
+fn only_written(site: &Site<'_>, mistake: Mistake, entries: &[usize], factor: f64, blanks: &[&str]) -> Candidate {
+    let meant = entries.iter().map(|&entry| {
+        let written = &site.entries[entry];
+        let (value, rounding) = (Some(written.value * factor), written.rounding * factor.abs());
+        Reinterpretation { entry, value, rounding }
+    });
+    Candidate {
+        mistake,
+        step: entries.first().map_or(0, |&entry| site.entries[entry].step),
+        blanks: blanks.iter().map(|blank| (*blank).to_owned()).collect(),
+        edits: Vec::new(),
+        reinterpreted: meant.collect(),
+        goes_on: Vec::new(),
+        free: Vec::new(),
+        mode: 0,
+    }
+}
+
+/// Rates that one length alone divides, solved for with another one.
+struct Divided<'s> {
+    /// The operation that solves for the rate.
+    operation: usize,
+    rate: NumberId,
+    is_omega: bool,
+    length: Length<'s>,
+}
+
+fn divided<'s>(site: &'s Site<'_>, all: &[Length<'s>]) -> Vec<Divided<'s>> {
+    let mut found = Vec::new();
+    for (operation, kind) in site.operations().map(|(index, operation)| (index, &operation.kind)) {
+        let OperationKind::Solve { unknowns, equations } = kind else { continue };
+        for equation in equations {
+            let [(unknown, product)] = equation.left.as_slice() else { continue };
+            let length = all.iter().find(|length| product.of.as_slice() == [length.number]);
+            let rate = unknowns[*unknown];
+            let is_omega = match site.number_kind(rate) {
+                NumberKind::Rate(Rate::Omega(_)) => true,
+                NumberKind::Rate(Rate::Alpha(_)) => false,
+                _ => continue,
+            };
+            found.extend(length.map(|&length| Divided { operation, rate, is_omega, length }));
+        }
+    }
+    found
+}
+
+/// ω or α found with another length: the rate alone, or the normal part with that length, too.
+fn from_wrong_length(site: &Site<'_>, mistake: Mistake, is_omega: bool) -> Vec<Candidate> {
+    let lengths = lengths(site);
+    let normals = terms(site, ProductKind::Normal);
+    let mut found = Vec::new();
+    for Divided { operation, rate, length, .. } in
+        divided(site, &lengths).into_iter().filter(|divided| divided.is_omega == is_omega)
+    {
+        for wrong in length.mistakable(&lengths) {
+            let ratio = (length.exact(site) / wrong.exact(site)).abs();
+            // A length of nothing divides nothing.
+            if !ratio.is_finite() || (ratio - 1.0).abs() < 1e-6 {
+                continue;
+            }
+            let [a, b] = wrong.names;
+            let blanks = [site.number_name(rate), a, b, site.number_name(length.number)];
+            let alone = site.candidate(mistake, operation, Edit::Times(rate, ratio), &blanks);
+            let own = |term: &&Term<'_>| {
+                let product = term.product();
+                product.of.first() == Some(&rate) && product.of.last() == Some(&length.number)
+            };
+            if let Some(normal) = normals.iter().find(own) {
+                let mut both = alone.clone();
+                both.blanks.push(normal.blanks(site)[1].to_owned());
+                both.edits.push(normal.instead(Some(with_length(site, normal.product(), wrong.number))));
+                found.push(both);
+            }
+            found.push(alone);
+        }
+    }
+    found
+}
+
+pub(super) fn omega_from_wrong_length(site: &Site<'_>) -> Vec<Candidate> {
+    from_wrong_length(site, Mistake::OmegaFromWrongLength, true)
+}
+
+pub(super) fn alpha_from_wrong_length(site: &Site<'_>) -> Vec<Candidate> {
+    from_wrong_length(site, Mistake::AlphaFromWrongLength, false)
+}
+
+/// A rate that was not divided by its length: the segment as it is, or only turned into metres.
+pub(super) fn not_divided(site: &Site<'_>) -> Vec<Candidate> {
+    let per_metre = libm::round(1.0 / site.key.solution.scene.units.length.metres());
+    let is_metric = matches!(site.key.solution.scene.units.length, LengthUnit::Mm | LengthUnit::Cm);
+    let divisors = if is_metric { vec![1.0, per_metre] } else { vec![1.0] };
+    let mut found = Vec::new();
+    for Divided { operation, rate, length, .. } in divided(site, &lengths(site)) {
+        for divisor in &divisors {
+            let edit = Edit::Times(rate, length.exact(site).abs() / divisor);
+            let blanks = [site.number_name(rate), site.number_name(length.number)];
+            found.push(site.candidate(Mistake::NotDividedByLength, operation, edit, &blanks));
+        }
+    }
+    found
 }
 
 /// An angular velocity, or with `also_alpha` an angular acceleration, that is wrong by `factor` or its inverse: used so
@@ -34,7 +173,12 @@ fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -
         if matches!(rate, Rate::Omega(_)) || also_alpha && matches!(rate, Rate::Alpha(_)) {
             for factor in [factor, 1.0 / factor] {
                 let edit = Edit::Times(number, factor);
-                found.push(site.candidate(mistake, operation, edit, &[site.number_name(number)]));
+                let mut candidate = site.candidate(mistake, operation, edit, &[site.number_name(number)]);
+                if site.is_given(number) {
+                    candidate.blanks.extend(taken_as(site, mistake, number, factor).into_iter().flatten());
+                }
+                found.push(candidate);
+                found.extend(in_normal_part(site, mistake, number, factor));
             }
         }
     }
@@ -44,25 +188,50 @@ fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -
             continue;
         }
         for factor in [factor, 1.0 / factor] {
-            let meant =
-                Reinterpretation { entry: index, value: Some(entry.value * factor), rounding: entry.rounding * factor };
-            found.push(Candidate {
-                mistake,
-                step: entry.step,
-                blanks: vec![entry.asked.name().to_owned()],
-                edits: Vec::new(),
-                reinterpreted: vec![meant],
-                goes_on: Vec::new(),
-                free: Vec::new(),
-                mode: 0,
-            });
+            found.push(only_written(site, mistake, &[index], factor, &[entry.asked.name()]));
         }
     }
     found
 }
 
+/// A rate that is written right, but enters its normal part `factor` times as large.
+fn in_normal_part(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64) -> Option<Candidate> {
+    let normals = terms(site, ProductKind::Normal);
+    let own = |term: &&Term<'_>| !site.is_given(rate) && term.product().of.first() == Some(&rate);
+    let term = normals.iter().find(own)?;
+    let (operation, edit) = term.instead(Some(term.product().times(factor * factor)));
+    Some(site.candidate(mistake, operation, edit, &[site.number_name(rate)]))
+}
+
+/// A given rate taken in another unit: its number, its own unit, the unit in which it was taken; `None` where somebody
+/// must have converted it to a unit that was not asked for.
+fn taken_as(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64) -> Option<[String; 3]> {
+    if site.key.solution.scene.units.time != TimeUnit::S {
+        return None;
+    }
+    let (other, in_other) = match mistake {
+        Mistake::RevolutionsForRadians => ("rpm", 30.0 / core::f64::consts::PI),
+        Mistake::RevolutionsPerSecond => ("rev/s", 0.5 / core::f64::consts::PI),
+        _ => ("deg/s", 180.0 / core::f64::consts::PI),
+    };
+    let exact = site.model.exact.number(rate).abs();
+    // A scene may give revolutions per minute: then these are the round number.
+    let is_round = |x: f64| (x * 1000.0 - libm::round(x * 1000.0)).abs() < 1e-6;
+    let is_other = other == "rpm" && is_round(exact * in_other) && !is_round(exact);
+    let (number, own, taken, by) = match is_other {
+        true => (exact * in_other, other, "rad/s", in_other),
+        false => (exact, "rad/s", other, 1.0 / in_other),
+    };
+    let is_taken = (factor / by - 1.0).abs() < 1e-9;
+    is_taken.then(|| [(libm::round(number * 1000.0) / 1000.0).to_string(), own.to_owned(), taken.to_owned()])
+}
+
 pub(super) fn revolutions(site: &Site<'_>) -> Vec<Candidate> {
     by_factor(site, Mistake::RevolutionsForRadians, false, 30.0 / core::f64::consts::PI)
+}
+
+pub(super) fn revolutions_per_second(site: &Site<'_>) -> Vec<Candidate> {
+    by_factor(site, Mistake::RevolutionsPerSecond, false, 2.0 * core::f64::consts::PI)
 }
 
 pub(super) fn degrees(site: &Site<'_>) -> Vec<Candidate> {

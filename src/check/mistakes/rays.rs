@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
-use crate::construction::{Action, LineId, Operation, OperationKind, Part, Sheet};
+use crate::construction::{Action, Disturbance, LineId, MeasuredAs, NumberId, Operation, OperationKind, Part, Sheet};
 
 /// The plan points that a ray goes through and leads to; `None` if the operation draws no ray.
 fn ends<'s>(site: &'s Site<'_>, operation: &Operation) -> Option<[&'s str; 2]> {
@@ -24,9 +24,69 @@ fn turn(site: &Site<'_>, mistake: Mistake, index: usize, blanks: [&str; 2]) -> O
     Some(site.candidate(mistake, index, edit, &blanks))
 }
 
+/// Rays turned by 90°, one of them or both that cross at an image. Along the link a segment shows no sense of its rate,
+/// so either is taken.
 pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
-    let rays = site.operations().filter_map(|(index, operation)| Some((index, ends(site, operation)?)));
-    rays.filter_map(|(index, ends)| turn(site, Mistake::TurnedRay, index, ends)).collect()
+    let rays: Vec<TurnedRay> = site.operations().filter_map(|(index, _)| TurnedRay::at(site, index)).collect();
+    let mut found: Vec<Candidate> = rays.iter().flat_map(TurnedRay::in_either_sense).collect();
+    for (_, operation) in site.operations() {
+        let OperationKind::Cross { lines, .. } = operation.kind else { continue };
+        let ray = |line: LineId| rays.iter().find(|ray| ray.line == line);
+        let [Some(first), Some(second)] = lines.map(ray) else { continue };
+        for a in first.in_either_sense() {
+            for b in second.in_either_sense() {
+                let mut both = a.clone();
+                both.edits.extend(b.edits);
+                both.blanks.extend(b.blanks);
+                found.push(both);
+            }
+        }
+    }
+    found
+}
+
+/// A ray drawn at 90° to its right direction.
+struct TurnedRay {
+    line: LineId,
+    candidate: Candidate,
+    /// The operation that solves for the rate that its segment gives, and that rate.
+    rate: Option<(usize, NumberId)>,
+}
+
+impl TurnedRay {
+    fn at(site: &Site<'_>, index: usize) -> Option<TurnedRay> {
+        let operation = site.operation(index);
+        let ends = ends(site, operation)?;
+        let line = operation.kind.line()?;
+        let candidate = turn(site, Mistake::TurnedRay, index, ends)?;
+        Some(TurnedRay { line, candidate, rate: rate_along(site, line) })
+    }
+
+    fn in_either_sense(&self) -> Vec<Candidate> {
+        let mut both = vec![self.candidate.clone()];
+        if let Some((operation, rate)) = self.rate {
+            let mut other = self.candidate.clone();
+            other.edits.push((operation, Edit::Times(rate, -1.0)));
+            both.push(other);
+        }
+        both
+    }
+}
+
+/// The rate that the segment along a ray gives by itself: the operation that solves for it, and its number.
+fn rate_along(site: &Site<'_>, line: LineId) -> Option<(usize, NumberId)> {
+    let segment = site.operations().find_map(|(_, operation)| match operation.kind {
+        OperationKind::Measure { number, how: MeasuredAs::Along(along), .. } if along == line => Some(number),
+        _ => None,
+    })?;
+    site.operations().find_map(|(index, operation)| {
+        let OperationKind::Solve { unknowns, equations } = &operation.kind else { return None };
+        let mut alone = equations.iter().filter(|e| e.right.iter().any(|p| p.of.as_slice() == [segment]));
+        match alone.next()?.left.as_slice() {
+            [(unknown, _)] => Some((index, unknowns[*unknown])),
+            _ => None,
+        }
+    })
 }
 
 pub(super) fn turned_cut_line(site: &Site<'_>) -> Vec<Candidate> {
@@ -40,18 +100,43 @@ pub(super) fn turned_cut_line(site: &Site<'_>) -> Vec<Candidate> {
     site.operations().filter_map(turned).collect()
 }
 
+/// A ray drawn through the wrong plan point. Its segment is measured from there, or from the point where it should
+/// start.
 pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, operation) in site.operations() {
-        let (OperationKind::Draw { line, through, along }, Some([from, to])) = (&operation.kind, ends(site, operation))
+        let (&OperationKind::Draw { line, through, along }, Some([from, to])) =
+            (&operation.kind, ends(site, operation))
         else {
             continue;
         };
+        let measured = site.operations().find_map(|(measure, operation)| match operation.kind {
+            OperationKind::Measure { number, to, how: MeasuredAs::Along(own), .. } if own == line => {
+                Some((measure, number, to))
+            }
+            _ => None,
+        });
         for wrong in site.model.places_before(operation.sheet, index) {
-            if wrong != *through {
-                let edit = Edit::Instead(OperationKind::Draw { line: *line, through: wrong, along: *along });
-                let blanks = [to, site.place_name(wrong), from];
-                found.push(site.candidate(Mistake::RayFromWrongPoint, index, edit, &blanks));
+            if wrong == through {
+                continue;
+            }
+            let edit = Edit::Instead(OperationKind::Draw { line, through: wrong, along });
+            let blanks = [to, site.place_name(wrong), from];
+            let candidate = site.candidate(Mistake::RayFromWrongPoint, index, edit, &blanks);
+            let Some((measure, number, end)) = measured else {
+                found.push(candidate);
+                continue;
+            };
+            let drawn = site.model.replay(&[Disturbance { operation: index, change: candidate.edits[0].1.change() }]);
+            for start in [through, wrong] {
+                // The sense is seen from the ray, also where the segment does not lie along it.
+                let kind = OperationKind::Measure { number, from: start, to: end, how: MeasuredAs::Size };
+                let (_, direction) = drawn.line(line);
+                let sense = (drawn.place(end) - drawn.place(start)).dot(&direction).signum();
+                let mut candidate = candidate.clone();
+                candidate.edits.push((measure, Edit::Instead(kind)));
+                candidate.edits.push((measure, Edit::Times(number, sense)));
+                found.push(candidate);
             }
         }
     }
@@ -92,19 +177,4 @@ fn line_name(site: &Site<'_>, line: LineId) -> String {
         Some((Part::Guide(slider), _)) => format!("guide of {}", site.key.solution.mechanism.slider_name(slider)),
         _ => String::new(),
     }
-}
-
-/// The whole drawing made in another assembly mode.
-pub(super) fn other_mode(site: &Site<'_>) -> Vec<Candidate> {
-    let in_mode = |mode| Candidate {
-        mistake: Mistake::OtherMode,
-        step: 0,
-        blanks: Vec::new(),
-        edits: Vec::new(),
-        reinterpreted: Vec::new(),
-        goes_on: Vec::new(),
-        free: Vec::new(),
-        mode,
-    };
-    (1..=site.other_modes).map(in_mode).collect()
 }

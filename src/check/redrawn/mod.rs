@@ -117,7 +117,6 @@ fn cells(row: [String; 8]) -> [String; COLUMNS.len()] {
 fn own_value(text: &ReportText<'_>, index: usize) -> OwnValue {
     let value = &text.checked.values[index];
     let mut cells = cells(text.row(value));
-    cells[0] = value.entry.asked.name().to_owned();
     for (number, finding) in (1..).zip(&text.checked.diagnosis.best.findings) {
         if finding.follows.contains(&index) {
             cells[5].push_str(&format!(" ({number})"));

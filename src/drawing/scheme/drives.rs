@@ -23,8 +23,28 @@ impl Scheme<'_> {
 
     pub(super) fn slide_arrows(&self, canvas: &mut Canvas<'_>, view: &View) {
         for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
-            if let Some(drive) = self.mechanism.slider(slider).drive {
-                self.slide_arrow(canvas, view, slider, drive.speed);
+            let name = self.mechanism.push_name(slider);
+            match self.mechanism.slider(slider).drive {
+                Some(drive) if drive.speed != 0.0 => {
+                    let label = format!("v_{{{}}}", canvas.shown(&name, &name));
+                    self.slide_arrow(
+                        canvas,
+                        view,
+                        slider,
+                        drive.speed,
+                        [&format!("speed-{name}"), &format!("speed({name})"), &label],
+                    );
+                }
+                None if self.shows_senses => {
+                    self.slide_arrow(
+                        canvas,
+                        view,
+                        slider,
+                        1.0,
+                        [&format!("sense-{name}"), &format!("sense({name})"), "+"],
+                    );
+                }
+                _ => {}
             }
         }
     }
@@ -125,13 +145,12 @@ impl Scheme<'_> {
         }
     }
 
-    /// Draws the sense in which a driven slider moves along its guide, relative to the guide's body.
-    fn slide_arrow(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId, speed: f64) {
+    /// Draws an arrow beside a block along its guide, in the sense of `speed` relative to the guide's body; with the ids
+    /// of arrow and label, and the label's markup.
+    fn slide_arrow(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId, speed: f64, texts: [&str; 3]) {
         const LENGTH: f64 = 10.0;
         const BESIDE: f64 = 2.0;
-        if speed == 0.0 {
-            return;
-        }
+        let [arrow_id, label_id, label] = texts;
         let slider = self.mechanism.slider(id);
         let along = on_sheet(self.pose.guide(id));
         let (block, half) = (self.at(view, slider.at), self.half(id));
@@ -159,14 +178,11 @@ impl Scheme<'_> {
         };
         let best = arrows.min_by_key(cost);
         let (side, from, to) = best.expect("there are six places to choose from");
-        let name = self.mechanism.push_name(id);
         let shape = canvas.arrow(from, to);
-        let arrow = canvas.draw_named(&format!("speed-{name}"), Pen::Turning, shape);
+        let arrow = canvas.draw_named(arrow_id, Pen::Turning, shape);
         arrow.number = self.number(slider.link);
-        let label = format!("v_{{{}}}", canvas.shown(&name, &name));
         let anchor = from.midpoint(to);
-        let name = format!("speed({name})");
-        let label = canvas.label(&name, &label, anchor, 0.8, Some(side), 2);
+        let label = canvas.label(label_id, label, anchor, 0.8, Some(side), 2);
         label.number = self.number(slider.link);
     }
 }

@@ -52,6 +52,8 @@ pub(super) struct Scheme<'a> {
     pub values: Vec<Value>,
     /// Whether the sheet is one that a student measures.
     pub is_for_pencil: bool,
+    /// Whether the senses in which slides count as positive are drawn.
+    pub shows_senses: bool,
 }
 
 impl<'a> Scheme<'a> {
@@ -78,6 +80,7 @@ impl<'a> Scheme<'a> {
             mu: PanelName::ALL.map(|panel| scene.figure.mu(panel)),
             values: Vec::new(),
             is_for_pencil: false,
+            shows_senses: false,
         };
         Self { values: values(&scheme), ..scheme }
     }
@@ -85,6 +88,11 @@ impl<'a> Scheme<'a> {
     /// The scheme on an exercise's sheets and on the corrected drawing.
     pub(super) fn for_pencil(self) -> Self {
         Self { is_for_pencil: true, ..self }
+    }
+
+    /// The same with the positive senses of slides.
+    pub(super) fn with_senses(self) -> Self {
+        Self { shows_senses: true, ..self }
     }
 
     /// The same without the layer of values: on a student's sheet it would tell the results.

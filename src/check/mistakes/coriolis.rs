@@ -1,0 +1,97 @@
+//! Mistakes with Coriolis accelerations.
+
+use super::candidate::Candidate;
+use super::mistake::Mistake;
+use super::site::Site;
+use super::vectors::{products, terms, velocities};
+use crate::check::model::Edit;
+use crate::construction::{Action, NumberId, NumberKind, OperationKind, Product, ProductKind, Rate, RayOf, Sheet};
+use crate::mechanism::{GROUND, SliderId};
+
+pub(super) fn forgotten(site: &Site<'_>) -> Vec<Candidate> {
+    products(site, Mistake::CoriolisForgotten, ProductKind::Coriolis, |_| None)
+}
+
+pub(super) fn without_two(site: &Site<'_>) -> Vec<Candidate> {
+    products(site, Mistake::CoriolisWithoutTwo, ProductKind::Coriolis, |p| Some(p.times(0.5)))
+}
+
+pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
+    products(site, Mistake::CoriolisTurned, ProductKind::Coriolis, |p| Some(p.times(-1.0)))
+}
+
+/// A Coriolis part 2 ω v added to a link between pins, with v = ω L: it lies along the normal part ω² L and makes it
+/// three times as large.
+pub(super) fn where_none(site: &Site<'_>) -> Vec<Candidate> {
+    products(site, Mistake::CoriolisWhereNone, ProductKind::Normal, |p| Some(p.times(3.0)))
+}
+
+/// A Coriolis acceleration laid off along its guide.
+pub(super) fn along(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for vector in site.vectors().iter().filter(|vector| vector.is_only(ProductKind::Coriolis)) {
+        for quarter_turns in [1, 3] {
+            let edit = vector.turned(vector.along.turned(quarter_turns));
+            let [from, to] = vector.ends;
+            let [rate, velocity] = [0, 1].map(|factor| vector.sum[0].of.get(factor));
+            let [rate, velocity] = [rate, velocity].map(|number| number.map_or("", |&n| site.number_name(n)));
+            let blanks = [from, to, rate, velocity];
+            found.push(site.candidate(Mistake::CoriolisAlong, vector.operation, edit, &blanks));
+        }
+    }
+    found
+}
+
+/// The size with another velocity in place of the sliding one, as the absolute one.
+pub(super) fn of_wrong_velocity(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for term in terms(site, ProductKind::Coriolis) {
+        let product = term.product();
+        let [omega, right] = product.of.as_slice() else { continue };
+        let exact = |number: NumberId| site.model.exact.number(number);
+        for (wrong, name) in velocities(site, term.operation()) {
+            if (exact(wrong).abs() - exact(*right).abs()).abs() <= 1e-6 * exact(*right).abs() {
+                continue;
+            }
+            // The direction is that of the sliding velocity all the same.
+            let factor = product.factor * (exact(wrong) * exact(*right)).signum();
+            let size = Product::new(product.kind, factor, &[*omega, wrong]);
+            found.push(term.candidate(site, Mistake::CoriolisVelocity, Some(size), &[&name]));
+        }
+    }
+    found
+}
+
+/// A Coriolis acceleration 2 ω v of the slider laid off at a guide that is at rest, before its ray: either way across
+/// the guide, with any ω.
+pub(super) fn at_rest(site: &Site<'_>) -> Vec<Candidate> {
+    let construction = &site.key.solution.construction;
+    let mut found = Vec::new();
+    for (index, operation) in site.operations().filter(|(_, operation)| operation.sheet == Sheet::Acceleration) {
+        let OperationKind::Draw { line, .. } = operation.kind else { continue };
+        let Some(Action::Ray(ray)) = operation.step.and_then(|step| construction.step(step)).map(|step| &step.action)
+        else {
+            continue;
+        };
+        let RayOf::Leg(special, side) = ray.of else { continue };
+        let cut = &construction.special(special).cuts[side];
+        let at_rest = |slider: &SliderId| site.key.solution.mechanism.slider(*slider).on == GROUND;
+        let Some(slider) = cut.guide().filter(|slider| cut.leg.base == GROUND && at_rest(slider)) else { continue };
+        let mut slides = site.numbers_before(index);
+        let Some((velocity, _)) = slides.find(|(_, kind)| **kind == NumberKind::Rate(Rate::SlideVelocity(slider)))
+        else {
+            continue;
+        };
+        for (omega, _) in
+            site.numbers_before(index).filter(|(_, kind)| matches!(kind, NumberKind::Rate(Rate::Omega(_))))
+        {
+            let size = 2.0 * site.model.exact.number(omega) * site.model.exact.number(velocity);
+            let blanks = [ray.through.as_str(), &ray.to, site.number_name(omega), site.number_name(velocity)];
+            for side in [size, -size] {
+                let edit = Edit::Aside(line, side);
+                found.push(site.candidate(Mistake::CoriolisAtRest, index, edit, &blanks));
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,185 @@
+//! Names of quantities as the sheets show them: in forms, and in reports to a person.
+//!
+//! Quantities keep their names in results; a form writes `vplan(o,b)` where the figure's notation calls the pole o. A
+//! form may have either name, and the usual ones of poles in all notations.
+
+use crate::construction::{Plan, Sheet, Solution};
+use crate::quantity::{Asked, Spot, What};
+use crate::words::{Notation, Wording, with_prime};
+
+/// Names of a solved scene's quantities in its figure's notation, with its labels.
+#[derive(Clone, Copy)]
+pub(super) struct ShownNames<'a> {
+    solution: &'a Solution,
+    words: Wording,
+}
+
+/// What a quantity's name is made of: `vplan`, `(`, `p,b`, `)`, `.size`.
+struct Parts<'n> {
+    head: &'n str,
+    ends: Vec<&'n str>,
+    tail: &'n str,
+}
+
+impl<'n> Parts<'n> {
+    fn of(name: &'n str) -> Option<Parts<'n>> {
+        let (head, rest) = name.split_once('(')?;
+        let (ends, tail) = rest.split_once(')')?;
+        Some(Parts { head, ends: ends.split(',').collect(), tail })
+    }
+
+    fn sheet(&self) -> Option<Sheet> {
+        match self.head {
+            "L" => Some(Sheet::Scheme),
+            "vplan" => Some(Sheet::Velocity),
+            "aplan" => Some(Sheet::Acceleration),
+            _ => None,
+        }
+    }
+
+    /// The name with other ends.
+    fn with_ends(&self, ends: &[String]) -> String {
+        format!("{}({}){}", self.head, ends.join(","), self.tail)
+    }
+}
+
+impl<'a> ShownNames<'a> {
+    /// The names of a scene's quantities.
+    pub fn of(solution: &'a Solution) -> ShownNames<'a> {
+        ShownNames { solution, words: Wording::of(&solution.scene.figure) }
+    }
+
+    /// A quantity as a person reads it on the sheets: `p b`, `B S3`, `ω_2`.
+    pub fn quantity(&self, asked: &Asked) -> String {
+        let between = |sheet, from: &str, to: &str| {
+            let [from, to] = [from, to].map(|name| self.point(sheet, name).unwrap_or_else(|| name.to_owned()));
+            format!("{from} {to}")
+        };
+        match asked.what() {
+            What::Segment { kind, from, to, .. } => between(kind.sheet(), from, to),
+            What::Length(Spot::Point(..) | Spot::Special(_), _) => {
+                let Some(Parts { ends, .. }) = Parts::of(asked.name()) else { return asked.name().to_owned() };
+                between(Sheet::Scheme, ends.first().unwrap_or(&""), ends.get(1).unwrap_or(&""))
+            }
+            _ => plain(&asked.symbol(&self.solution.mechanism, self.words.notation, &|name| self.label(name))),
+        }
+    }
+
+    /// A text in which all names of quantities are those that a person reads.
+    pub fn text(&self, text: &str) -> String {
+        let mut told = String::with_capacity(text.len());
+        let mut rest = text;
+        while let Some(open) = rest.find('(') {
+            let before = &rest[..open];
+            let start = before
+                .rfind(|c: char| !(c.is_ascii_alphabetic() || c == '_'))
+                .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
+            let end = rest[open..].find(')').map(|at| open + at + 1);
+            let Some(end) = end.filter(|_| start < open) else {
+                told.push_str(&rest[..=open]);
+                rest = &rest[open + 1..];
+                continue;
+            };
+            let tails = [".size", ".angle", ".x", ".y"];
+            let tail = tails.into_iter().find(|tail| rest[end..].starts_with(tail)).map_or(0, str::len);
+            let found = Asked::new(&rest[start..end + tail], &self.solution.mechanism);
+            told.push_str(&rest[..start]);
+            match found {
+                Ok(asked) => told.push_str(&self.quantity(&asked)),
+                Err(_) => told.push_str(&rest[start..end + tail]),
+            }
+            rest = &rest[end + tail..];
+        }
+        told + rest
+    }
+
+    /// The name by which a form in the figure's notation asks for a quantity; its usual name where that is not plain.
+    pub fn in_form(&self, name: &str) -> String {
+        let shown = || {
+            let parts = Parts::of(name)?;
+            let sheet = parts.sheet()?;
+            let ends = parts.ends.iter().map(|end| Some(self.point(sheet, end)?.replace('′', "'")));
+            let shown = parts.with_ends(&ends.collect::<Option<Vec<String>>>()?);
+            (self.usual(&shown) == name).then_some(shown)
+        };
+        shown().unwrap_or_else(|| name.to_owned())
+    }
+
+    /// The usual name of a quantity written by the names of any notation; what is not known stays as it is.
+    pub fn usual(&self, written: &str) -> String {
+        let Some((parts, sheet)) = Parts::of(written).and_then(|parts| parts.sheet().map(|sheet| (parts, sheet)))
+        else {
+            return written.to_owned();
+        };
+        let ends = parts.ends.iter().map(|end| self.usual_point(sheet, end));
+        parts.with_ends(&ends.collect::<Vec<String>>())
+    }
+
+    /// The usual name of a point of a sheet written in any notation.
+    pub fn usual_point(&self, sheet: Sheet, written: &str) -> String {
+        let construction = &self.solution.construction;
+        let name = written.trim().replace('′', "'");
+        let Some(plan) = construction.plan_on(sheet) else {
+            let known = self.scheme_points().any(|known| known == name);
+            let labelled = || self.scheme_points().find(|known| self.point(sheet, known).as_ref() == Some(&name));
+            return if known { name } else { labelled().map_or(name.clone(), str::to_owned) };
+        };
+        if plan.points.contains_key(construction.plan_name(sheet, &name)) {
+            return name;
+        }
+        let shown = |point: &&String| self.point(sheet, point).is_some_and(|shown| shown.replace('′', "'") == name);
+        if let Some(point) = plan.points.keys().find(shown) {
+            return point.clone();
+        }
+        self.other_notation(plan, &name).unwrap_or(name)
+    }
+
+    /// The plan point with that name in some other notation.
+    fn other_notation(&self, plan: &Plan, name: &str) -> Option<String> {
+        let is_pole = |notation: &&Notation| plain(plan.kind.pole_in(notation)).replace('′', "'") == name;
+        if Notation::ALL.iter().any(|notation| is_pole(notation))
+            || (plan.kind.sheet() == Sheet::Acceleration && name == "pi")
+        {
+            return Some(plan.kind.pole().to_owned());
+        }
+        // Images in an acceleration plan may bear a prime.
+        let primed = plan.points.keys().find(|point| with_prime(point).replace('′', "'") == name);
+        primed.filter(|_| plan.kind.sheet() == Sheet::Acceleration).cloned()
+    }
+
+    /// A point as a sheet shows it, without markup; `None` where its label has been taken away or is no plain name.
+    fn point(&self, sheet: Sheet, name: &str) -> Option<String> {
+        let labels = &self.solution.scene.figure.labels;
+        let construction = &self.solution.construction;
+        let shown = match (labels.get(name), construction.plan_on(sheet)) {
+            (Some(label), _) => plain(label),
+            (None, Some(plan)) => plain(&plan.shown(name, name.to_owned(), self.words.notation)),
+            (None, None) => name.to_owned(),
+        };
+        let is_plain = !shown.is_empty() && !shown.contains([',', '(', ')', ' ', '"', ';']);
+        is_plain.then_some(shown)
+    }
+
+    /// A name of the scene with its label.
+    fn label(&self, name: &str) -> String {
+        self.solution
+            .scene
+            .figure
+            .labels
+            .get(name)
+            .filter(|label| !label.is_empty())
+            .map_or(name, String::as_str)
+            .to_owned()
+    }
+
+    /// The names of the points of the scheme.
+    fn scheme_points(&self) -> impl Iterator<Item = &str> {
+        let special = self.solution.construction.special.iter().flatten().map(|special| special.name.as_str());
+        self.solution.mechanism.points.iter().map(String::as_str).chain(special)
+    }
+}
+
+/// Markup without its braces.
+fn plain(markup: &str) -> String {
+    markup.chars().filter(|c| !matches!(c, '{' | '}' | '`')).collect()
+}

@@ -1,0 +1,118 @@
+//! Notes on an exercise's sheets: room for a name, the paper that the plans need, which sense is positive, what the
+//! auxiliary points of the plans are.
+
+use super::compose::TITLE_SIZE;
+use super::layout::{Item, Layout, MARGIN};
+use super::plan_panel;
+use super::scheme::Scheme;
+use super::sheet::Drawing;
+use super::text::{CAPTION, RichText};
+use crate::construction::Plan;
+use crate::quantity::{Asked, What};
+use crate::scene::{ConstructionShown, Page, PageSize, PanelName};
+use crate::words::NumberStyle;
+use kurbo::Point;
+
+/// White on a sheet of paper around a plan, in mm.
+const WHITE: f64 = 10.0;
+/// Least white between the title and the fields beside it, in mm.
+const GAP: f64 = 8.0;
+
+impl Scheme<'_> {
+    /// The notes for a sheet with these quantities: senses, and auxiliary points.
+    pub(super) fn notes(&self, asked: &[Asked]) -> Vec<String> {
+        std::iter::once(self.note_on_senses(asked)).chain(self.note_on_points(asked)).collect()
+    }
+
+    /// Which sense is positive, of links and of slides.
+    fn note_on_senses(&self, asked: &[Asked]) -> String {
+        let language = self.words.language;
+        let slides = asked.iter().filter(|a| matches!(a.what(), What::SlideVelocity(_) | What::SlideAcceleration(_)));
+        let slides: Vec<String> = slides.map(|asked| self.quantity(asked)).collect();
+        match slides.is_empty() {
+            true => language.exercise_senses().to_owned(),
+            false => language.exercise_senses_of_slides(&slides.join(", ")),
+        }
+    }
+
+    /// What the auxiliary points are that the quantities name; none where there are no such points.
+    fn note_on_points(&self, asked: &[Asked]) -> Option<String> {
+        let language = self.words.language;
+        let is_named = |plan: &Plan, name: &str| {
+            asked.iter().any(|asked| match asked.what() {
+                What::Segment { kind, from, to, .. } => *kind == plan.kind && (from == name || to == name),
+                _ => false,
+            })
+        };
+        // By the letter of their names: the ends of normal, Coriolis and sliding parts.
+        let ends = ["n", "k", "r"].map(|letter| {
+            let mut points: Vec<String> = Vec::new();
+            for plan in self.construction.plans() {
+                let own =
+                    |name: &str| name.split_once('_').is_some_and(|(own, _)| own.trim_end_matches('\'') == letter);
+                for arrow in plan.arrows().filter(|arrow| own(&arrow.to) && is_named(plan, &arrow.to)) {
+                    let shown = self.shown(&arrow.to, Some(plan));
+                    if !points.contains(&shown) {
+                        points.push(shown);
+                    }
+                }
+            }
+            points.join(", ")
+        });
+        let [normal, coriolis, sliding] = &ends;
+        let told = [
+            (normal, language.exercise_normal_ends(normal)),
+            (coriolis, language.exercise_coriolis_ends(coriolis)),
+            (sliding, language.exercise_sliding_ends(sliding)),
+        ];
+        let told: Vec<String> = told.into_iter().filter(|(points, _)| !points.is_empty()).map(|told| told.1).collect();
+        (!told.is_empty()).then(|| language.exercise_points(&told.join("; ")))
+    }
+
+    /// The sizes of both plans on paper, and the paper on which each of them has room; none without their scales.
+    pub(super) fn note_on_paper(&self) -> Option<String> {
+        let mut largest = [0.0_f64; 2];
+        let sizes = [PanelName::Velocity, PanelName::Acceleration].map(|panel| {
+            let mu = self.figure.mu(panel)?;
+            let size = plan_panel::extent(self.plan(panel)?, ConstructionShown::Whole).size() / mu;
+            let (short, long) = (size.x.min(size.y), size.x.max(size.y));
+            largest = [largest[0].max(short), largest[1].max(long)];
+            let [x, y] = [size.x, size.y].map(|mm| self.words.write(libm::ceil(mm), NumberStyle::shortest()));
+            Some(format!("{x}\u{a0}×\u{a0}{y}\u{a0}mm"))
+        });
+        let [velocity, acceleration] = sizes;
+        let paper = paper_for(largest, self.figure.page);
+        Some(self.words.language.exercise_room(&velocity?, &acceleration?, paper))
+    }
+}
+
+/// The smallest paper with room for contents of that short and long side, in mm: of the sheet's own size or larger.
+fn paper_for(content: [f64; 2], page: Page) -> &'static str {
+    let own = match page.size {
+        PageSize::Letter => ("Letter", [215.9, 279.4]),
+        _ => ("A4", [210.0, 297.0]),
+    };
+    let all = [own, ("A3", [297.0, 420.0]), ("A2", [420.0, 594.0]), ("A1", [594.0, 841.0])];
+    let fits = |paper: &[f64; 2]| paper.iter().zip(content).all(|(side, content)| content + 2.0 * WHITE <= *side);
+    all.iter().find(|(_, paper)| fits(paper)).map_or("A0", |(name, _)| name)
+}
+
+/// Lines for name and date at the right end of the title's line; below the scales where the title leaves no room.
+pub(super) struct Fields(RichText);
+
+impl Fields {
+    /// The lines beside the title of a sheet, or as a sentence below it.
+    pub(super) fn new(scheme: &Scheme<'_>, title: &str) -> Result<Fields, String> {
+        let text = scheme.words.language.exercise_name();
+        let (fields, title) = (RichText::plain(text), RichText::verbatim(title));
+        let room = scheme.dims.page[0] - 2.0 * MARGIN - title.width(TITLE_SIZE);
+        if fields.width(CAPTION) + GAP <= room { Ok(Fields(fields)) } else { Err(text.to_owned()) }
+    }
+}
+
+impl Item for Fields {
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let from = Point::new(layout.legend.x1 - self.0.width(CAPTION), super::compose::TITLE_LINE);
+        drawing.caption(self.0.clone(), from);
+    }
+}

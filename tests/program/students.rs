@@ -1,0 +1,46 @@
+//! The judge of `tests/students` over some of its cases, where Python is installed.
+
+use crate::support::files;
+use crate::support::tools::{find, run};
+
+/// Python 3.11 or newer writes nothing beside its programs with this.
+const QUIET: &str = "-B";
+
+#[test]
+fn another_hand_agrees_with_the_keys() {
+    let Some(python) = find("python3") else {
+        return;
+    };
+    let hand = files::path("tests/students/hand.py");
+    let said = run(
+        &python,
+        [QUIET.as_ref(), hand.as_os_str(), "--self-test".as_ref(), env!("CARGO_BIN_EXE_kinegon").as_ref()],
+    );
+    let said = String::from_utf8(said).expect("text");
+    assert_eq!(said.lines().count(), 10, "{said}");
+    assert!(!said.contains("DISAGREES"), "{said}");
+}
+
+#[test]
+fn classical_mistakes_on_exact_sheets_are_named() {
+    let Some(python) = find("python3") else {
+        return;
+    };
+    let judge = files::path("tests/students/judge.py");
+    let words = [
+        "--only",
+        "normal part left out",
+        "--hand",
+        "exact",
+        "--seeds",
+        "1",
+        "--limit-wrong",
+        "0",
+        "--least-named",
+        "100",
+    ];
+    let program = [QUIET.as_ref(), judge.as_os_str(), env!("CARGO_BIN_EXE_kinegon").as_ref()];
+    let said = run(&python, program.into_iter().chain(words.map(AsRef::as_ref)));
+    let said = String::from_utf8(said).expect("text");
+    assert!(said.contains("named 100"), "{said}");
+}
