@@ -171,12 +171,10 @@ impl Task {
             place: format!("values.{name}"),
         });
         Measured {
-            name: None,
             mu: self.scheme.scales.map(Some),
             positive: Some(Positive::CounterClockwise),
-            in_mm: false,
             values: values.collect(),
-            points: Vec::new(),
+            ..Measured::default()
         }
     }
 }
