@@ -169,7 +169,7 @@ fn broken_files_are_rows() {
     for (index, part) in [
         (0, ""),
         (1, "line 3: "),
-        (2, "is not text in UTF-8: byte 0"),
+        (2, "the form is empty"),
         (3, "a folder"),
         (4, "unknown key `valus`"),
         (5, ""),
