@@ -125,7 +125,7 @@ impl Check {
         let path = self.measured.as_deref().unwrap_or(Path::new("-"));
         let key = self.key(solution);
         let wording = Wording::of(&solution.scene.figure);
-        let scheme = marks.map(|marks| scheme(marks, &key, None)).transpose()?;
+        let scheme = marks.map(|marks| GivenMarks::read(marks)?.of(&key, None)).transpose()?;
         let pages = self.feedback.pages([shown(Path::new(path.file_name().unwrap_or_default()), path).as_str()])?;
         let checked = check::check(measured, &key).map_err(|error| misuse(text, &error))?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
@@ -152,7 +152,7 @@ impl Check {
     fn class(&self, folder: &Path, solution: &Solution) -> Result<(), Failure> {
         let key = self.key(solution);
         let words = Wording::of(&solution.scene.figure);
-        let scheme = self.marks.as_deref().map(|marks| scheme(marks, &key, None)).transpose()?;
+        let scheme = self.marks.as_deref().map(|marks| GivenMarks::read(marks)?.of(&key, None)).transpose()?;
         let (output, format) = self.report()?;
         show_warnings(solution);
         let others = [Some(self.scene.as_path()), self.marks.as_deref(), Some(output)];
@@ -232,10 +232,11 @@ impl Check {
         let forms: Vec<Form> = on_all_cores(&paths, form);
         let pages = self.feedback.pages(forms.iter().map(|form| form.file.as_str()))?;
         let solved = self.all_solved(exercises, &forms);
+        let marks = self.marks.as_deref().map(GivenMarks::read).transpose()?;
         let mut subjects = Vec::new();
         for (exercise, solution) in exercises.all.iter().zip(&solved) {
             subjects.push(match solution {
-                Ok(solution) => Ok(self.subject(exercise, solution)?),
+                Ok(solution) => Ok(self.subject(exercise, solution, marks.as_ref())?),
                 Err(message) => Err(message.clone()),
             });
         }
@@ -276,10 +277,16 @@ impl Check {
     }
 
     /// An exercise of a folder, with its own marking scheme or that of `--marks`.
-    fn subject<'a>(&self, exercise: &'a ExerciseFiles, solution: &'a Solution) -> Result<Subject<'a>, Failure> {
-        let (key, own) = (self.key(solution), exercise.marks());
-        let marks = own.as_deref().or(self.marks.as_deref());
-        let scheme = marks.map(|marks| scheme(marks, &key, Some(&exercise.name))).transpose()?;
+    fn subject<'a>(
+        &self,
+        exercise: &'a ExerciseFiles,
+        solution: &'a Solution,
+        usual: Option<&GivenMarks>,
+    ) -> Result<Subject<'a>, Failure> {
+        let key = self.key(solution);
+        let own = exercise.marks().map(|own| GivenMarks::read(&own)).transpose()?;
+        let marks = own.as_ref().or(usual);
+        let scheme = marks.map(|marks| marks.of(&key, Some(&exercise.name))).transpose()?;
         let words = Wording::of(&solution.scene.figure);
         Ok(Subject { name: Some(&exercise.name), key: Prepared::new(&key), words, scheme })
     }
@@ -321,17 +328,29 @@ pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
     }
 }
 
-/// The marks that the quantities of an exercise are worth; `exercise` is its name where there are several.
-fn scheme(path: &Path, key: &AnswerKey<'_>, exercise: Option<&str>) -> Result<MarkScheme, Failure> {
-    let text = files::read_text("marking scheme", path)?;
-    let marks = Marks::read(&text.text).map_err(|error| text.fail(error))?;
-    marks.of(key).map_err(|error| match exercise {
-        Some(exercise) => {
-            let message = format!("{}: it does not fit exercise {exercise}: {error}", text.name);
-            Failure::Misuse(message, error.hint.or(Some("an exercise may have marks.json in its folder".into())))
-        }
-        None => misuse(&text, &error),
-    })
+/// A marking scheme as it was read.
+struct GivenMarks {
+    text: Source,
+    marks: Marks,
+}
+
+impl GivenMarks {
+    fn read(path: &Path) -> Result<GivenMarks, Failure> {
+        let text = files::read_text("marking scheme", path)?;
+        let marks = Marks::read(&text.text).map_err(|error| text.fail(error))?;
+        Ok(GivenMarks { text, marks })
+    }
+
+    /// The marks that the quantities of an exercise are worth; `exercise` is its name where there are several.
+    fn of(&self, key: &AnswerKey<'_>, exercise: Option<&str>) -> Result<MarkScheme, Failure> {
+        self.marks.of(key).map_err(|error| match exercise {
+            Some(exercise) => {
+                let message = format!("{}: it does not fit exercise {exercise}: {error}", self.text.name);
+                Failure::Misuse(message, error.hint.or(Some("an exercise may have marks.json in its folder".into())))
+            }
+            None => misuse(&self.text, &error),
+        })
+    }
 }
 
 fn misuse(source: &Source, error: &CheckError) -> Failure {

@@ -36,6 +36,13 @@ pub(super) struct Form {
     pub exercise: Result<usize, String>,
 }
 
+impl Form {
+    /// What stands in place of the student's name: that of the file without its ending.
+    fn title(&self) -> &str {
+        self.file.rsplit_once('.').map_or(&self.file, |(stem, _)| stem)
+    }
+}
+
 /// An exercise with its answers.
 pub(super) struct Subject<'a> {
     /// Its name in a report on several.
@@ -178,7 +185,7 @@ impl Class<'_> {
         let page = self.pages.as_ref().map_or(Ok(Vec::new()), |pages| {
             let scene = subject.map(|subject| &subject.key.key().solution.scene);
             let words = subject.map_or(self.words, |subject| &subject.words);
-            pages.of(index, &Feedback::refused(scene, name.unwrap_or(&form.file), &message, words))
+            pages.of(index, &Feedback::refused(scene, name.unwrap_or(form.title()), &message, words))
         });
         (ClassRow::broken(form.file.clone(), &message).of(subject.and_then(|subject| subject.name)), page)
     }
@@ -195,8 +202,10 @@ impl Class<'_> {
             return Ok(Vec::new());
         };
         let marks = subject.scheme.as_ref().map(|scheme| scheme.award(checked));
-        let named =
-            Measured { name: measured.name.clone().or(Some(self.forms[index].file.clone())), ..measured.clone() };
+        let named = Measured {
+            name: measured.name.clone().or_else(|| Some(self.forms[index].title().to_owned())),
+            ..measured.clone()
+        };
         let feedback = Feedback::new(&named, subject.key.key(), checked, marks.as_ref(), &subject.words);
         let feedback = feedback.map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
         pages.of(index, &feedback)
