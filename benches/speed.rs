@@ -1,7 +1,7 @@
 //! Times of the stages: `cargo bench`. Times differ between machines; quote ratios of one run.
 
 use divan::{Bencher, black_box};
-use kinegon::check::{AnswerKey, Measured, check};
+use kinegon::check::{AnswerKey, LATITUDE, Measured, check};
 use kinegon::construction::{Extent, SheetScales, Tolerance, construct};
 use kinegon::cycle::{Drive, Path, Steps, Sweep, Walker};
 use kinegon::geometry::{MANY, Many};
@@ -253,6 +253,6 @@ fn check_a_drawing(bencher: Bencher, depth: usize) {
     let solution = solved(FIGURE_2);
     let values = include_str!("../examples/paper-as-student.json");
     let measured = Measured::read_json(values).expect("a good form");
-    let key = AnswerKey { solution: &solution, scales: solution.scales(), tolerance: Tolerance::default(), depth };
+    let key = AnswerKey { solution: &solution, scales: solution.scales(), tolerance: Tolerance::default(), latitude: LATITUDE, depth };
     bencher.bench(|| check(black_box(&measured), &key));
 }

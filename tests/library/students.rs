@@ -1,41 +1,96 @@
-//! The students of `tests/support/students`.
+//! The students of `tests/support/students`: their exact drawings are right, and the check is right about their mistakes.
 
 use crate::support::files;
 use crate::support::stages::solved;
 use crate::support::students::hand::{Hand, RIGHT};
+use crate::support::students::judge::Class;
 use crate::support::students::scheme::Scheme;
 use crate::support::students::script::{draw, kinds, place_specials};
+use crate::support::students::survey::{Outcome, bins, calibration, classes, honest, survey};
+use crate::support::students::task::Task;
 use crate::support::survey::tried;
-use kinegon::exercise::Exercises;
+use kinegon::exercise::{Exercise, Exercises};
+use kinegon::quantity::Quantity;
 
-/// The text of a kind's starting scene.
-fn starting(kind: &str) -> String {
+/// Of 100 sheets with mistakes, so many may be told something false with a probability of ½ or more.
+const WRONG: f64 = 12.0;
+/// Of 100 honest sheets, so many may be told of a mistake.
+const ACCUSED: f64 = 5.0;
+/// By how much the probabilities that are told may be too large on average.
+const TOO_SURE: f64 = 0.1;
+/// How far a sample may be off besides, in standard deviations.
+const SPREAD: f64 = 2.5;
+
+/// The first exercises of a kind.
+fn exercises(kind: &str, seed: u64, count: usize) -> Vec<Exercise> {
     let folder = if kind.starts_with("figure") { "examples" } else { "templates" };
-    files::read(&format!("{folder}/{kind}.json"))
+    let text = files::read(&format!("{folder}/{kind}.json"));
+    let base = solved(&text).expect("a good scene");
+    let exercises = Exercises::new(&text, &base.scene.figure, None, &base.construction, seed);
+    let mut exercises = exercises.expect("it can vary");
+    (0..count).map(|_| exercises.next().expect("one can be found")).collect()
 }
 
+fn tasks() -> Vec<Task> {
+    let of = |kind| exercises(kind, 7, tried(1, 4)).into_iter().map(move |exercise| Task::new(kind, &exercise.text));
+    kinds().flat_map(of).map(|task| task.expect("a scene")).collect()
+}
+
+/// What this construction and the one of the library have in common is the scene and the names.
 #[test]
 fn exact_drawings_agree_with_the_solution() {
     let mut failures = Vec::new();
+    let mut drawn = 0;
     for kind in kinds() {
-        let text = starting(kind);
-        let base = solved(&text).expect("a good scene");
-        for seed in tried(1..2, 1..6) {
-            let exercises = Exercises::new(&text, &base.scene.figure, None, &base.construction, seed);
-            let exercise = exercises.expect("it can vary").next().expect("one can be found");
+        for exercise in exercises(kind, 3, tried(1, 12)) {
             let (mut scheme, solution) = Scheme::new(&exercise.text).expect("a scene");
             place_specials(kind, &mut scheme);
             let mut sheet = draw(kind, &scheme, Hand::new(RIGHT, 1), &[]);
             for name in scheme.form.clone() {
-                let Ok(kinegon::quantity::Quantity::Number(right)) = solution.quantity(&name) else {
-                    panic!("{name}");
+                let Ok(Quantity::Number(right)) = solution.quantity(&name) else {
+                    panic!("{name} is no number");
                 };
+                drawn += 1;
+                let is_near = |value: f64| (value - right).abs() <= 1e-6 * right.abs() + 1e-9;
                 match sheet.write(&name) {
-                    Some(value) if (value - right).abs() <= 1e-6 * right.abs().max(1.0) => {}
-                    other => failures.push(format!("{kind} {seed} {name}: {other:?}, not {right}")),
+                    Some(value) if is_near(value) => {}
+                    other => failures.push(format!("{kind} {name}: {other:?}, not {right}")),
                 }
             }
         }
     }
+    assert!(drawn > 400, "only {drawn} values");
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// So much of a share of `of` is chance.
+fn spread(share: f64, of: usize) -> f64 {
+    SPREAD * libm::sqrt(share * (1.0 - share) / of.max(1) as f64)
+}
+
+#[test]
+fn mistakes_are_rarely_told_falsely_and_never_too_surely() {
+    let outcomes = survey(&tasks(), tried(30, 1500), false, 11);
+    println!("{}\n{}", calibration(&outcomes), classes(&outcomes));
+    let wrong = outcomes.iter().filter(|outcome| outcome.class == Some(Class::Wrong)).count();
+    let share = WRONG / 100.0;
+    let allowed = share + spread(share, outcomes.len());
+    assert!(wrong as f64 <= allowed * outcomes.len() as f64, "{wrong} of {} are told falsely", outcomes.len());
+    let told: Vec<_> = bins(outcomes.iter()).into_iter().collect();
+    let count: usize = told.iter().map(|bin| bin.count).sum();
+    let stated = told.iter().map(|bin| bin.stated).sum::<f64>() / count as f64;
+    let right = told.iter().map(|bin| bin.right).sum::<usize>() as f64 / count as f64;
+    let allowed = TOO_SURE + spread(stated, count);
+    assert!(stated - right <= allowed, "of {count} told with {stated:.2} on average, {right:.2} are right");
+}
+
+#[test]
+fn honest_sheets_are_rarely_accused() {
+    let outcomes = survey(&tasks(), tried(30, 1500), true, 12);
+    println!("{}", honest(&outcomes));
+    let is_accused = |outcome: &&Outcome| !outcome.told.is_empty();
+    let accused: Vec<&Outcome> = outcomes.iter().filter(is_accused).collect();
+    let share = ACCUSED / 100.0;
+    let allowed = share + spread(share, outcomes.len());
+    assert!(accused.len() as f64 <= allowed * outcomes.len() as f64, "{} of {}", accused.len(), outcomes.len());
 }

@@ -191,7 +191,12 @@ impl Sheet<'_> {
     }
 
     /// The image of a point e of the link through p and c: turned with the link and true to its shape.
+    ///
+    /// Where the form asks for the parts of its acceleration, it is found from them.
     pub fn image(&mut self, plan: usize, [p, c, e]: [&str; 3], link: &str) {
+        if plan == 2 && self.start_of(e).is_some_and(|start| [p, c].contains(&start.as_str())) {
+            return self.from_rates(plan, [p, e], link);
+        }
         let arms = [e, c].map(|point| self.scheme.at(point) - self.scheme.at(p));
         let ratio = self.place(Act::new(Doing::Ratio, plan, link, p, e), arms[0] / arms[1]);
         let ratio = unit(self.hand.drawn(direction(ratio))) * size(ratio) * self.hand.stretch();
@@ -200,8 +205,20 @@ impl Sheet<'_> {
         self.mark(plan, &image_of(e), place);
     }
 
+    /// The point from which the form goes to another one by its normal part.
+    fn start_of(&self, point: &str) -> Option<String> {
+        let mut points = self.scheme.places.keys();
+        let found = points.find(|start| {
+            let end = format!(",n_{}{point})", image_of(start));
+            self.scheme.form.iter().any(|name| name.ends_with(&end))
+        });
+        found.cloned()
+    }
+
     /// The image of c from that of another point of its link, whose rates are known.
     pub fn from_rates(&mut self, plan: usize, [p, c]: [&str; 2], link: &str) {
+        let start = self.start_of(c).filter(|_| plan == 2).unwrap_or_else(|| p.to_owned());
+        let p = start.as_str();
         let (mut from, image) = (image_of(p), image_of(c));
         if plan == 2 {
             let end = format!("n_{from}{c}");

@@ -102,7 +102,10 @@ pub fn symbol(rate: &str) -> String {
 /// How sentences name the ends of a vector or ray; what is at rest has its image in the pole.
 pub fn from_to(id: &'static str, act: &Act) -> Name {
     let [from, to] = &act.ends;
-    (id, [from.as_str(), pole(act.plan)].map(|from| format!("from {from} to {to} ")).to_vec())
+    // A crank's normal part is told with its pin.
+    let pin = to.strip_prefix("n_").filter(|pin| pin.chars().all(|c| !c.is_uppercase())).unwrap_or(to);
+    let both = [from.as_str(), pole(act.plan)].into_iter();
+    (id, both.flat_map(|from| [to.as_str(), pin].map(|to| format!("from {from} to {to} "))).collect())
 }
 
 /// The name of a plan's pole.

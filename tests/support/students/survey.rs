@@ -153,6 +153,9 @@ pub fn classes(outcomes: &[Outcome]) -> String {
     row("classical", &|outcome| outcome.is_classical && outcome.mistakes.len() == 1);
     row("slips", &|outcome| !outcome.is_classical && outcome.mistakes.len() == 1);
     row("two mistakes", &|outcome| outcome.mistakes.len() == 2);
+    for kind in super::script::kinds() {
+        row(kind, &|outcome| outcome.kind == kind);
+    }
     text
 }
 

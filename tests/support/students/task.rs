@@ -122,7 +122,7 @@ impl Task {
             return None;
         }
         if !mistake.begins.is_empty() {
-            return Some(mistake.begins.clone());
+            return Some(self.with_same(&mistake.begins));
         }
         // Rates that are found side by side show the same.
         let head = |name: &str| name.split('(').next().map(str::to_owned);
@@ -133,6 +133,19 @@ impl Task {
             changed.extend(others.map(|((name, _), _)| name.clone()));
         }
         Some(changed)
+    }
+
+    /// These quantities, and rates of links that turn together with theirs.
+    fn with_same(&self, begins: &[String]) -> Vec<String> {
+        let head = |name: &str| name.split('(').next().map(str::to_owned);
+        let value = |name: &str| self.scheme.form.iter().position(|own| own == name).and_then(|k| self.values[k]);
+        let is_same = |name: &str| {
+            let mut begins = begins.iter();
+            begins.any(|other| other == name || (head(other) == head(name) && value(other) == value(name)))
+        };
+        let all =
+            self.scheme.form.iter().filter(|name| is_same(name) && (begins.contains(*name) || ends_of(name).is_none()));
+        all.cloned().collect()
     }
 
     /// The scheme as it is drawn by mistake.
