@@ -1,27 +1,36 @@
-//! Work on all cores.
+//! Work on all cores. What works on many items in parallel works on each of them on one core: dividing small work costs
+//! more than it saves where all cores have enough to do.
+
+#[cfg(feature = "parallel")]
+use std::cell::Cell;
+
+#[cfg(feature = "parallel")]
+thread_local! {
+    /// Whether this thread works on one of many items.
+    static IS_INSIDE: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Does work on one core.
+#[cfg(feature = "parallel")]
+fn on_one_core<P>(work: impl FnOnce() -> P) -> P {
+    let before = IS_INSIDE.replace(true);
+    let done = work();
+    IS_INSIDE.set(before);
+    done
+}
 
 /// What `each` makes of the items, in their order.
 #[cfg(feature = "parallel")]
 pub(crate) fn on_all_cores<T: Sync, P: Send>(items: &[T], each: impl Fn(&T) -> P + Send + Sync) -> Vec<P> {
     use rayon::prelude::*;
-    items.par_iter().map(each).collect()
+    if IS_INSIDE.get() {
+        return items.iter().map(each).collect();
+    }
+    items.par_iter().map(|item| on_one_core(|| each(item))).collect()
 }
 
 /// What `each` makes of the items, in their order, on one core.
 #[cfg(not(feature = "parallel"))]
 pub(crate) fn on_all_cores<T, P>(items: &[T], each: impl Fn(&T) -> P) -> Vec<P> {
     items.iter().map(each).collect()
-}
-
-/// Does something with each item.
-#[cfg(feature = "parallel")]
-pub(crate) fn on_each_core<T: Send>(items: &mut [T], each: impl Fn(&mut T) + Send + Sync) {
-    use rayon::prelude::*;
-    items.par_iter_mut().for_each(each);
-}
-
-/// Does something with each item, on one core.
-#[cfg(not(feature = "parallel"))]
-pub(crate) fn on_each_core<T>(items: &mut [T], each: impl Fn(&mut T)) {
-    items.iter_mut().for_each(each);
 }

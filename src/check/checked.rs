@@ -1,12 +1,13 @@
 use super::answer_key::AnswerKey;
-use super::entry::{Entry, entries};
+use super::entry::{Entry, entries_by};
 use super::explanation::Diagnosis;
 use super::hand::{Hand, SLIP};
 use super::mistakes::Site;
-use super::model::{COMPUTING, Model};
+use super::model::COMPUTING;
 use super::points::is_mirrored;
+use super::prepared::{Prepared, Ready};
 use super::score::Scorer;
-use super::search::{Search, hand, other_modes};
+use super::search::{Search, hand};
 use super::sheet::{CheckError, Measured};
 use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
@@ -68,45 +69,52 @@ impl Accuracy {
 /// # Errors
 /// A value is not understood.
 pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckError> {
-    let measured = &with_usual_points(measured, key);
-    let entries = entries(measured, key)?;
-    let model = Model::new(key, key.solution, measured.mu, &entries)?;
-    let mut values = judged(&entries, &model, key);
-    let mut models = vec![model];
-    let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
-    if has_off(&values) {
-        models.extend(other_modes(key, measured.mu, &entries));
-    }
-    let scorer = Scorer::new(&models, &entries, key.tolerance);
-    let none = scorer.compare(&[], None).filter(|_| !scorer.data.is_empty());
-    let mut accuracy = none.as_ref().map(|fit| Accuracy::of(&fit.hand, key));
-    let diagnosis = match none {
-        Some(none) if has_off(&values) => {
-            let site = Site { model: &models[0], key, entries: &entries, other_modes: models.len() - 1 };
-            let mut search = Search::new(site.candidates(), &scorer);
-            let off: Vec<bool> = scorer.data.iter().map(|d| values[d.entry].verdict == Verdict::Off).collect();
-            let tried = search.run(none, &off, key.depth);
-            if let Some(hand) = hand(&tried) {
-                accuracy = Some(Accuracy::of(&hand, key));
-                widen(&mut values, &scorer, &hand, key);
+    Prepared::new(key).check(measured)
+}
+
+impl Prepared<'_> {
+    /// The same as [`check`], for one of many forms.
+    ///
+    /// # Errors
+    /// A value is not understood.
+    pub fn check(&self, measured: &Measured) -> Result<Checked, CheckError> {
+        let key = &self.key;
+        let measured = &with_usual_points(measured, key);
+        let entries = entries_by(measured, key, &self.names)?;
+        let ready = self.ready(measured.mu, &entries)?;
+        let mut values = judged(&entries, &ready);
+        let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
+        let models = if has_off(&values) { ready.models(key, &entries) } else { core::slice::from_ref(&ready.right) };
+        let scorer = Scorer::new(models, &entries, key.tolerance, &ready.groups);
+        let none = scorer.compare(&[], None).filter(|_| !scorer.data.is_empty());
+        let mut accuracy = none.as_ref().map(|fit| Accuracy::of(&fit.hand, key));
+        let diagnosis = match none {
+            Some(none) if has_off(&values) => {
+                let site = Site { model: &models[0], key, entries: &entries, other_modes: models.len() - 1 };
+                let mut search = Search::new(site.candidates(), &scorer);
+                let off: Vec<bool> = scorer.data.iter().map(|d| values[d.entry].verdict == Verdict::Off).collect();
+                let tried = search.run(none, &off, key.depth);
+                if let Some(hand) = hand(&tried) {
+                    accuracy = Some(Accuracy::of(&hand, key));
+                    widen(&mut values, &scorer, &hand, key);
+                }
+                if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) }
             }
-            if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) }
-        }
-        _ => Diagnosis::none(&values),
-    };
-    let plans = key.solution.construction.plans();
-    let mirrored = plans.filter(|plan| {
-        let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
-        places.any(|points| is_mirrored(points, plan))
-    });
-    let accuracy = accuracy.filter(|_| scorer.data.len() >= ENOUGH);
-    Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.kind).collect() })
+            _ => Diagnosis::none(&values),
+        };
+        let plans = key.solution.construction.plans();
+        let mirrored = plans.filter(|plan| {
+            let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
+            places.any(|points| is_mirrored(points, plan))
+        });
+        let accuracy = accuracy.filter(|_| scorer.data.len() >= ENOUGH);
+        Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.kind).collect() })
+    }
 }
 
 /// The verdicts at the key's tolerance.
-fn judged(entries: &[Entry], model: &Model, key: &AnswerKey<'_>) -> Vec<Judged> {
-    let bands = model.bands(&key.tolerance);
-    let judged = entries.iter().zip(&bands).zip(&model.readings);
+fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
+    let judged = entries.iter().zip(&ready.bands).zip(&ready.right.readings);
     let judged = judged.map(|((entry, band), reading)| {
         let mut difference =
             if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };

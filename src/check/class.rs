@@ -3,6 +3,7 @@
 use super::checked::Checked;
 use super::explanation::Finding;
 use super::marks::{Awarded, MarkScheme};
+use super::mistakes::Mistake;
 use super::report::sentences;
 use super::verdict::Verdict;
 use crate::scene::schema_of;
@@ -25,8 +26,11 @@ pub struct ClassResult {
 /// What is said of one file.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ClassRow {
-    /// The file's name.
+    /// The file's name; of forms of several exercises its path in the folder.
     pub file: String,
+    /// The exercise that it belongs to, in a report on several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exercise: Option<String>,
     /// Whose drawing it is, as the form says.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
@@ -78,6 +82,15 @@ pub struct ClassMistake {
     pub mistake: &'static str,
 }
 
+/// Which columns a table has beside those that every table has.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ClassColumns {
+    /// The exercises: in a report on several.
+    pub exercise: bool,
+    /// The marks: where there is a marking scheme.
+    pub marks: bool,
+}
+
 /// Most characters of a name or a message in a row.
 const SHOWN: usize = 300;
 
@@ -103,6 +116,7 @@ impl ClassRow {
         let unexplained = diagnosis.unexplained.iter().map(|&i| checked.values[i].entry.asked.name().to_owned());
         ClassRow {
             file,
+            exercise: None,
             name: name.map(shortened).filter(|name| !name.is_empty()),
             passed: checked.is_passed(),
             found: Some(ClassFound {
@@ -124,21 +138,28 @@ impl ClassRow {
     /// The row of a file that was not understood.
     #[must_use]
     pub fn broken(file: String, message: &str) -> ClassRow {
-        ClassRow { file, name: None, passed: false, found: None, message: Some(shortened(message)) }
+        ClassRow { file, exercise: None, name: None, passed: false, found: None, message: Some(shortened(message)) }
     }
 
-    /// The first line of the table: the names of its columns, with those of marks or without.
+    /// The same row in a report on several exercises, with the name of its own.
     #[must_use]
-    pub fn csv_head(with_marks: bool) -> String {
-        let marks = if with_marks { ",marks,marks_of" } else { "" };
+    pub fn of(self, exercise: Option<&str>) -> ClassRow {
+        ClassRow { exercise: exercise.map(str::to_owned), ..self }
+    }
+
+    /// The first line of the table: the names of its columns.
+    #[must_use]
+    pub fn csv_head(columns: ClassColumns) -> String {
+        let exercise = if columns.exercise { "exercise," } else { "" };
+        let marks = if columns.marks { ",marks,marks_of" } else { "" };
         format!(
-            "file,name,passed,values,right,within,off,step,mistake,done,further,probability,unexplained{marks},message\n"
+            "file,{exercise}name,passed,values,right,within,off,step,mistake,done,further,probability,unexplained{marks},message\n"
         )
     }
 
     /// The row as a line of that table.
     #[must_use]
-    pub fn csv(&self, with_marks: bool) -> String {
+    pub fn csv(&self, columns: ClassColumns) -> String {
         let text = |text: Option<&str>| spreadsheet_text(text.unwrap_or(""));
         let found = self.found.as_ref();
         let number = |of: fn(&ClassFound) -> usize| found.map_or_else(String::new, |found| of(found).to_string());
@@ -148,8 +169,9 @@ impl ClassRow {
         let probability = found.and_then(|f| f.probability);
         let marks = found.and_then(|f| f.marks);
         let marks = |of: fn(&Awarded) -> f64| marks.map_or_else(String::new, |marks| Awarded::written(of(&marks)));
-        let mut cells = vec![
-            text(Some(&self.file)),
+        let mut cells = vec![text(Some(&self.file))];
+        cells.extend(columns.exercise.then(|| text(self.exercise.as_deref())));
+        cells.extend([
             text(self.name.as_deref()),
             self.passed.to_string(),
             number(|f| f.values),
@@ -162,8 +184,8 @@ impl ClassRow {
             further.join("; "),
             probability.map_or_else(String::new, |p| format!("{p:.2}")),
             found.map_or_else(String::new, |f| f.unexplained.join("; ")),
-        ];
-        if with_marks {
+        ]);
+        if columns.marks {
             cells.extend([marks(|m| m.earned), marks(|m| m.of)]);
         }
         cells.push(text(self.message.as_deref()));
@@ -201,8 +223,10 @@ pub struct ClassSummary {
     pub off: usize,
     /// Those that were not understood.
     pub broken: usize,
-    /// First mistakes that were made more than once, the commonest first.
+    /// First mistakes that were made more than once, the commonest first; only such as are probable enough to be told.
     pub commonest: Vec<Common>,
+    /// Those with values that are off without a cause that is probable enough to be told.
+    pub unknown: usize,
     /// How often each mistake came first, by its step, name and sentence.
     #[serde(skip)]
     firsts: BTreeMap<(usize, &'static str, String), usize>,
@@ -221,6 +245,17 @@ pub struct Common {
     pub done: String,
 }
 
+/// Least probability of a mistake that counts in the summary of a class.
+const TOLD: f64 = 0.6;
+
+impl ClassFound {
+    /// Whether its first mistake is a known one, and probable enough to be told without its doubts.
+    fn is_told(&self) -> bool {
+        let is_known = self.first.as_ref().is_some_and(|first| first.mistake != Mistake::Unknown.id());
+        is_known && self.probability.is_some_and(|probability| probability >= TOLD)
+    }
+}
+
 /// Number of the commonest mistakes that are reported.
 const COMMONEST: usize = 5;
 
@@ -234,12 +269,15 @@ impl ClassSummary {
         };
         if row.passed {
             self.passed += 1;
-        } else {
-            self.off += 1;
+            return;
         }
-        if let (Some(first), Some(done)) = (&found.first, &found.done) {
-            let key = (first.step, first.mistake, done.clone());
-            *self.firsts.entry(key).or_default() += 1;
+        self.off += 1;
+        match (&found.first, &found.done) {
+            (Some(first), Some(done)) if found.is_told() => {
+                let key = (first.step, first.mistake, done.clone());
+                *self.firsts.entry(key).or_default() += 1;
+            }
+            _ => self.unknown += 1,
         }
     }
 
@@ -272,7 +310,8 @@ impl ClassSummary {
                 step => language.class_common(&count, &understood, &step.to_string(), &common.done),
             }
         });
-        [counts].into_iter().chain(common).collect()
+        let unknown = (self.unknown > 0).then(|| language.class_unknown(&self.unknown.to_string(), &understood));
+        [counts].into_iter().chain(common).chain(unknown).collect()
     }
 }
 

@@ -8,14 +8,18 @@ use crate::construction::{Change, NumberId, OperationKind, Tolerance, Values};
 
 /// Covariance matrices of the values: one for each kind of errors at the tolerance, and one for roundings of numbers
 /// used later.
+#[derive(Clone)]
 pub(super) struct Covariances {
-    pub groups: [Vec<f64>; GROUPS],
+    pub groups: Groups,
     pub roundings: Vec<f64>,
     /// The covariance of amounts that are not known beforehand, whatever the hand; empty where there are none.
     pub free: Vec<f64>,
     /// By datum: whether later operations use it.
     pub used: Vec<bool>,
 }
+
+/// By kind of errors: the covariance matrix of the values at the tolerance.
+pub(super) type Groups = [Vec<f64>; GROUPS];
 
 /// Part of its rounding's variance that a value keeps for itself where later operations use it as written: the rounding
 /// then acts through [`Covariances::roundings`].
@@ -74,43 +78,23 @@ pub(super) type Variants<'c> = [(Changes<'c>, Vec<usize>)];
 
 impl Covariances {
     /// The covariances of the values in drawings with these changes. `free`: amounts among them that were fitted to the
-    /// values, each with its size.
+    /// values, each with its size. `groups`: those of the errors of hands, where they are known already.
     pub fn new(
         model: &Model,
         tolerance: &Tolerance,
         data: &[Datum],
         variants: &Variants<'_>,
         free: &[(Free, f64)],
+        groups: Option<&Groups>,
     ) -> Covariances {
         let count = data.len();
         let mut effects = Effects::new(model, data, variants);
         let mut covariances = Covariances {
-            groups: core::array::from_fn(|_| vec![0.0; count * count]),
+            groups: groups.cloned().unwrap_or_else(|| of_hands(&mut effects, tolerance)),
             roundings: vec![0.0; count * count],
             free: Vec::new(),
             used: vec![false; count],
         };
-        let deviation = 1.0 / 3.0_f64.sqrt();
-        let mut plotted: Vec<Vec<f64>> = Vec::new();
-        for (operation, which, limit, group) in model.errors(tolerance) {
-            let change = |_: &Values| Change::Error(which, STEP * limit);
-            let column = effects.of(operation, change, deviation / STEP);
-            add_outer(&mut covariances.groups[group], column);
-            if group == PLOTTED {
-                plotted.push(column.to_vec());
-            }
-        }
-        let mut column = vec![0.0; count];
-        for motion in &model.together {
-            column.fill(0.0);
-            for (part, effect) in motion.iter().zip(&plotted) {
-                for (sum, effect) in column.iter_mut().zip(effect) {
-                    *sum += part * effect;
-                }
-            }
-            add_outer(&mut covariances.groups[TOGETHER], &column);
-        }
-        covariances.add_slips(&mut effects);
         for (number, rounding, datum) in written_numbers(model, data) {
             if !model.used[number.0] {
                 continue;
@@ -119,32 +103,11 @@ impl Covariances {
             if let Some(datum) = datum {
                 covariances.used[datum] = true;
             }
-            let change = |base: &Values| Change::Written(number, base.number(number) + rounding * deviation);
+            let change = |base: &Values| Change::Written(number, base.number(number) + rounding * DEVIATION);
             add_outer(&mut covariances.roundings, effects.of(operation, change, 1.0));
         }
         covariances.add_free(&mut effects, free);
         covariances
-    }
-
-    /// Adds the effects of slips in computed numbers, and of those in turning millimetres into values.
-    fn add_slips(&mut self, effects: &mut Effects<'_, '_>) {
-        let model = effects.model;
-        let size = 0.01 * SLIP / 3.0_f64.sqrt();
-        for (operation, number) in model.computed() {
-            let change = |_: &Values| Change::Times(number, 1.0 + size);
-            add_outer(&mut self.groups[COMPUTING], effects.of(operation, change, 1.0));
-        }
-        let count = effects.exact.len();
-        for (index, datum) in effects.data.iter().enumerate() {
-            let is_measured = model.readings[datum.entry].is_ok_and(|reading| {
-                let maker = model.makers[reading.number.0];
-                maker.is_some_and(|m| matches!(model.construction.operations[m].kind, OperationKind::Measure { .. }))
-            });
-            if is_measured && !datum.is_angle {
-                let slip = size * effects.exact[index];
-                self.groups[COMPUTING][index * count + index] += slip * slip;
-            }
-        }
     }
 
     /// Adds the effects of amounts that are not known beforehand.
@@ -162,6 +125,57 @@ impl Covariances {
                 Amount::Number(_) => free.change(amount + step),
             };
             add_outer(&mut self.free, effects.of(free.operation, change, 1.0 / NUDGE));
+        }
+    }
+}
+
+/// Standard deviation of an error that is equally likely up to its limit, in parts of the limit.
+const DEVIATION: f64 = 0.577_350_269_189_625_8;
+
+/// The covariances that the errors of hands cause, whatever digits are written.
+fn of_hands(effects: &mut Effects<'_, '_>, tolerance: &Tolerance) -> Groups {
+    let (model, count) = (effects.model, effects.exact.len());
+    let mut groups: Groups = core::array::from_fn(|_| vec![0.0; count * count]);
+    let mut plotted: Vec<Vec<f64>> = Vec::new();
+    for (operation, which, limit, group) in model.errors(tolerance) {
+        let change = |_: &Values| Change::Error(which, STEP * limit);
+        let column = effects.of(operation, change, DEVIATION / STEP);
+        add_outer(&mut groups[group], column);
+        if group == PLOTTED {
+            plotted.push(column.to_vec());
+        }
+    }
+    let mut column = vec![0.0; count];
+    for motion in &model.together {
+        column.fill(0.0);
+        for (part, effect) in motion.iter().zip(&plotted) {
+            for (sum, effect) in column.iter_mut().zip(effect) {
+                *sum += part * effect;
+            }
+        }
+        add_outer(&mut groups[TOGETHER], &column);
+    }
+    add_slips(&mut groups[COMPUTING], effects);
+    groups
+}
+
+/// Adds the effects of slips in computed numbers, and of those in turning millimetres into values.
+fn add_slips(group: &mut [f64], effects: &mut Effects<'_, '_>) {
+    let model = effects.model;
+    let size = 0.01 * SLIP * DEVIATION;
+    for (operation, number) in model.computed() {
+        let change = |_: &Values| Change::Times(number, 1.0 + size);
+        add_outer(group, effects.of(operation, change, 1.0));
+    }
+    let count = effects.exact.len();
+    for (index, datum) in effects.data.iter().enumerate() {
+        let is_measured = model.readings[datum.entry].is_ok_and(|reading| {
+            let maker = model.makers[reading.number.0];
+            maker.is_some_and(|m| matches!(model.construction.operations[m].kind, OperationKind::Measure { .. }))
+        });
+        if is_measured && !datum.is_angle {
+            let slip = size * effects.exact[index];
+            group[index * count + index] += slip * slip;
         }
     }
 }

@@ -2,7 +2,7 @@ use super::answer_key::AnswerKey;
 use super::precision::Precision;
 use super::sheet::{CheckError, Given, Measured, Positive};
 use super::shown::ShownNames;
-use super::template::form_name;
+use super::template::FormNames;
 use super::unit;
 use crate::construction::{Sheet, image_name};
 use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
@@ -50,6 +50,11 @@ pub struct Entry {
 /// All that is not understood: lines of the file, unknown quantities, wrong units, missing scales, contradictory
 /// entries; or an empty form.
 pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, CheckError> {
+    entries_by(measured, key, &Names::new(key))
+}
+
+/// The same with the names of the scene's quantities, which many forms have in common.
+pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names) -> Result<Vec<Entry>, CheckError> {
     let mut faults = measured.faults.clone();
     for (mu, name) in measured.mu.iter().zip(["mu_l", "mu_v", "mu_a"]) {
         if mu.is_some_and(|mu| !(mu.is_finite() && mu > 0.0)) {
@@ -59,7 +64,7 @@ pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, C
             ));
         }
     }
-    let reader = Reader { measured, key, order: order(key) };
+    let reader = Reader { measured, key, names };
     let mut entries: Vec<Entry> = Vec::new();
     for given in &measured.values {
         let entry = match reader.entry(given) {
@@ -92,16 +97,29 @@ pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, C
         ));
     }
     find_precisions(&mut entries);
-    let place = |e: &Entry| reader.order.get_index_of(e.asked.name());
+    let place = |e: &Entry| names.order.get_index_of(e.asked.name());
     entries.sort_by_key(|e| (e.step, place(e).unwrap_or(usize::MAX)));
     Ok(entries)
 }
 
-/// The names of all quantities of the steps, in order, with the numbers of their steps.
-fn order(key: &AnswerKey<'_>) -> IndexMap<String, usize> {
-    let construction = &key.solution.construction;
-    let steps = construction.steps_of_quantities().into_iter();
-    steps.map(|(name, step)| (name, construction.step_number(step))).collect()
+/// The names of a scene's quantities.
+#[derive(Debug)]
+pub(super) struct Names {
+    /// All quantities of the steps, in order, with the numbers of their steps.
+    pub order: IndexMap<String, usize>,
+    /// Those that the form asks for.
+    pub rows: FormNames,
+}
+
+impl Names {
+    pub fn new(key: &AnswerKey<'_>) -> Names {
+        let construction = &key.solution.construction;
+        let steps = construction.steps_of_quantities().into_iter();
+        Names {
+            order: steps.map(|(name, step)| (name, construction.step_number(step))).collect(),
+            rows: FormNames::new(construction),
+        }
+    }
 }
 
 /// Sets the precision and rounding of each entry from all values of its kind.
@@ -123,8 +141,7 @@ fn find_precisions(entries: &mut [Entry]) {
 pub(super) struct Reader<'a> {
     pub measured: &'a Measured,
     pub key: &'a AnswerKey<'a>,
-    /// The names of all quantities of the steps, in order, with the numbers of their steps.
-    pub order: IndexMap<String, usize>,
+    pub names: &'a Names,
 }
 
 impl Reader<'_> {
@@ -167,7 +184,7 @@ impl Reader<'_> {
             sheet,
             step,
             expected,
-            row: form_name(&self.key.solution.construction, asked.name()),
+            row: self.names.rows.of(&self.key.solution.construction, asked.name()).to_owned(),
             asked,
         })
     }
@@ -214,7 +231,7 @@ impl Reader<'_> {
                 None => (message, None),
             };
             let all = "`kinegon check SCENE --template` lists the names";
-            let names = self.order.keys().map(String::as_str);
+            let names = self.names.order.keys().map(String::as_str);
             let (message, near) = match error {
                 QuantityError::Form(_) => {
                     (format!("`{name}` is no quantity of this scene"), crate::scene::nearest(name, names))
@@ -227,7 +244,7 @@ impl Reader<'_> {
         };
         let shown = ShownNames::of(self.key.solution);
         let name = &shown.usual(name);
-        if let Some(error) = lost_pole(name, &shown, &self.order) {
+        if let Some(error) = lost_pole(name, &shown, &self.names.order) {
             return Err(error);
         }
         let usual = self.usual(name);
@@ -242,14 +259,14 @@ impl Reader<'_> {
             Quantity::Vector(v) => v.norm(),
         };
         let sheet = asked.sheet();
-        let step = self.order.get(asked.name()).copied().unwrap_or_else(|| self.step_of(&asked, sheet));
+        let step = self.names.order.get(asked.name()).copied().unwrap_or_else(|| self.step_of(&asked, sheet));
         Ok((asked, expected, sheet, step))
     }
 
     /// The steps' name of a segment or length whose ends are written in the other order, or called as if every leg had
     /// a normal part; `None` for other names.
     fn usual(&self, name: &str) -> Option<String> {
-        if self.order.contains_key(name) {
+        if self.names.order.contains_key(name) {
             return None;
         }
         let (head, rest) = name.split_once('(')?;
@@ -262,7 +279,7 @@ impl Reader<'_> {
         [[from, to], [to, from]]
             .map(|[a, b]| format!("{head}({a},{b})"))
             .into_iter()
-            .find(|n| self.order.contains_key(n))
+            .find(|n| self.names.order.contains_key(n))
     }
 
     /// The number of the step after which a quantity that no step names can be read: that which makes the image of its

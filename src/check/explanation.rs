@@ -55,7 +55,8 @@ impl Diagnosis {
 impl Finding {
     /// The values that the mistake changes, in the order of the construction.
     pub(super) fn changed(&self) -> Vec<usize> {
-        let mut all: Vec<usize> = [&self.written, &self.follows, &self.contradicts].into_iter().flatten().copied().collect();
+        let mut all: Vec<usize> =
+            [&self.written, &self.follows, &self.contradicts].into_iter().flatten().copied().collect();
         all.sort_unstable();
         all
     }

@@ -4,13 +4,15 @@
 //! with all values, right and wrong ones.
 //!
 //! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form, `shown` has the
-//! names of the sheets; `entry` finds the quantity of each value, `precision` how finely it is written, `points` the distances between given places;
-//! `checked` gives each value its `verdict`.
+//! names of the sheets; `entry` finds the quantity of each value, `precision` how finely it is written, `points` the
+//! distances between given places; `checked` gives each value its `verdict`, `prepared` keeps what many forms of one
+//! scene have in common.
 //! `model` predicts all values together with their common errors, `together` the errors that a drawing program makes;
-//! `datum`, `covariance`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the catalogue,
-//! `search` tries its mistakes, `diagnosis` chooses the best `explanation`; `report` and `result` write it as text and JSON, `redrawn/` draws the
+//! `datum`, `covariance`, `hand`, `walk`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the
+//! catalogue, `settle` fits the amounts of unknown mistakes, `search` tries all of them, `diagnosis` weighs the
+//! explanations and chooses the `explanation` that is told; `report` and `result` write it as text and JSON, `redrawn/` draws the
 //! student's sheets as they probably were; `student` draws with mistakes on purpose; `marks` gives the marks that
-//! values earn, `class` sums up many drawings. Nothing is read or printed here, and no plan is computed again.
+//! values earn, `class` sums up many drawings, `feedback` makes of one what its student gets back. Nothing is read or printed here, and no plan is computed again.
 
 mod answer_key;
 mod checked;
@@ -20,6 +22,7 @@ mod datum;
 mod diagnosis;
 mod entry;
 mod explanation;
+mod feedback;
 mod file;
 mod fit;
 mod hand;
@@ -28,6 +31,7 @@ mod mistakes;
 mod model;
 mod points;
 mod precision;
+mod prepared;
 mod redrawn;
 mod report;
 mod result;
@@ -46,12 +50,14 @@ mod walk;
 
 pub use answer_key::AnswerKey;
 pub use checked::{Accuracy, BANDS, Checked, LATITUDE, check};
-pub use class::{ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
+pub use class::{ClassColumns, ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
 pub use entry::{Entry, entries};
 pub use explanation::{Diagnosis, Explanation, Finding};
+pub use feedback::Feedback;
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use mistakes::{Candidate, Mistake};
 pub use precision::Precision;
+pub use prepared::Prepared;
 pub use redrawn::redrawn;
 pub use report::report;
 pub use result::{CheckResult, check_result, check_schema};

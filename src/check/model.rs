@@ -250,8 +250,7 @@ impl Model {
     /// Numbers that are computed and used later, each with its operation: sizes of vectors, rates.
     pub fn computed(&self) -> impl Iterator<Item = (usize, NumberId)> {
         self.construction.operations.iter().enumerate().flat_map(move |(index, operation)| {
-            let is_computed =
-                matches!(operation.kind, OperationKind::Compute { .. } | OperationKind::Solve { .. });
+            let is_computed = matches!(operation.kind, OperationKind::Compute { .. } | OperationKind::Solve { .. });
             let numbers = operation.kind.numbers().iter().copied();
             numbers.filter(move |n| is_computed && self.used[n.0]).map(move |n| (index, n))
         })

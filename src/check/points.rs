@@ -3,7 +3,6 @@
 use super::entry::{Entry, Reader};
 use super::precision::Precision;
 use super::sheet::{CheckError, PointsOf};
-use super::template::form_name;
 use crate::construction::{Plan, PlanKind};
 use crate::geometry::Vector;
 use indexmap::IndexMap;
@@ -48,7 +47,7 @@ impl Reader<'_> {
                 let [p, q] = [a, b].map(|n| places[n]);
                 let mm = libm::hypot(q[0] - p[0], q[1] - p[1]);
                 entries.push(Entry {
-                    row: form_name(&self.key.solution.construction, asked.name()),
+                    row: self.names.rows.of(&self.key.solution.construction, asked.name()).to_owned(),
                     asked,
                     text: String::new(),
                     value: mm * mu,
@@ -75,7 +74,7 @@ impl Reader<'_> {
         let points = || places.keys().map(String::as_str).filter(|name| *name != plan.pole());
         let from_pole = points().map(|name| (plan.pole(), name));
         let between = points().flat_map(|a| points().map(move |b| (a, b)));
-        from_pole.chain(between.filter(|(a, b)| self.order.contains_key(&plan.segment_name(a, b)))).collect()
+        from_pole.chain(between.filter(|(a, b)| self.names.order.contains_key(&plan.segment_name(a, b)))).collect()
     }
 }
 

@@ -7,15 +7,17 @@
 //! row by row). A value that no error explains is left out of what later ones are compared with. Costs are −2 ln of
 //! likelihoods, for each value relative to the density of its rounding.
 
-use super::covariance::{Covariances, read};
+use super::covariance::{Covariances, Groups, read};
 use super::datum::{Datum, Without};
 use super::entry::Entry;
-use super::mistakes::{Candidate, Free};
 use super::hand::Hand;
+use super::mistakes::{Candidate, Free};
 use super::model::{Changes, Edit, GROUPS, Model, TOGETHER};
 use super::walk::{Compared, Metric};
 use crate::construction::{Change, Disturbance, Sheet, Tolerance};
 use crate::quantity::{Kind, Sense};
+use std::borrow::Cow;
+use std::sync::OnceLock;
 
 /// The values, and the constructions with which they are compared.
 pub(super) struct Scorer<'a> {
@@ -29,13 +31,22 @@ pub(super) struct Scorer<'a> {
     pub quick: Vec<f64>,
     /// The same by kind of errors.
     kinds: [Vec<f64>; GROUPS],
+    /// The covariances of a right drawing.
+    nominal: Covariances,
     /// By datum: its value in a right drawing.
     right: Vec<f64>,
     entries: &'a [Entry],
 }
 
 impl<'a> Scorer<'a> {
-    pub fn new(models: &'a [Model], entries: &'a [Entry], tolerance: Tolerance) -> Scorer<'a> {
+    /// `groups`: the covariances of a right drawing that the errors of hands cause, from an earlier form of the same
+    /// models; they are put there if there are none yet.
+    pub fn new(
+        models: &'a [Model],
+        entries: &'a [Entry],
+        tolerance: Tolerance,
+        groups: &OnceLock<Groups>,
+    ) -> Scorer<'a> {
         let model = &models[0];
         let span = |kind: Kind| {
             let same = entries.iter().filter(|e| e.asked.kind() == kind);
@@ -69,24 +80,25 @@ impl<'a> Scorer<'a> {
                 span,
             })
         });
-        let mut scorer = Scorer {
-            models,
-            data: data.collect(),
-            without: Vec::new(),
-            tolerance,
-            quick: Vec::new(),
-            kinds: core::array::from_fn(|_| Vec::new()),
-            right: Vec::new(),
-            entries,
-        };
-        scorer.without = scorer.data.iter().map(Datum::without).collect();
-        let nominal = scorer.covariances(&[]);
-        let count = scorer.data.len();
+        let data: Vec<Datum> = data.collect();
+        let count = data.len();
+        let all = [(Changes::new(), (0..count).collect())];
+        let nominal = Covariances::new(model, &tolerance, &data, &all, &[], groups.get());
+        groups.get_or_init(|| nominal.groups.clone());
         let by_hand = &nominal.groups[..TOGETHER];
-        scorer.kinds = core::array::from_fn(|kind| (0..count).map(|i| nominal.groups[kind][i * count + i]).collect());
-        scorer.quick = (0..count).map(|i| by_hand.iter().map(|g| g[i * count + i]).sum()).collect();
-        scorer.right = scorer.predicted(&[]);
-        scorer
+        let mut right = vec![f64::NAN; count];
+        read(model, &model.exact, &data, &all[0].1, &mut right);
+        Scorer {
+            models,
+            without: data.iter().map(Datum::without).collect(),
+            tolerance,
+            quick: (0..count).map(|i| by_hand.iter().map(|g| g[i * count + i]).sum()).collect(),
+            kinds: core::array::from_fn(|kind| (0..count).map(|i| nominal.groups[kind][i * count + i]).collect()),
+            nominal,
+            right,
+            entries,
+            data,
+        }
     }
 
     pub fn model(&self, set: &[&Candidate]) -> &'a Model {
@@ -150,8 +162,12 @@ impl<'a> Scorer<'a> {
     }
 
     /// The covariances of the values of drawings with the candidates' mistakes.
-    pub fn covariances(&self, set: &[&Candidate]) -> Covariances {
-        Covariances::new(self.model(set), &self.tolerance, &self.data, &self.variants(set), &Scorer::free(set))
+    pub fn covariances(&self, set: &[&Candidate]) -> Cow<'_, Covariances> {
+        if set.is_empty() {
+            return Cow::Borrowed(&self.nominal);
+        }
+        let (variants, free) = (self.variants(set), Scorer::free(set));
+        Cow::Owned(Covariances::new(self.model(set), &self.tolerance, &self.data, &variants, &free, None))
     }
 
     /// By datum: the value meant if the candidates' mistakes were made; `None` where the written value tells nothing

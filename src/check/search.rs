@@ -167,9 +167,17 @@ impl<'a> Search<'a> {
         }
         if std::env::var_os("KINEGON_DEBUG").is_some() {
             for t in tried.iter().take(12) {
-                let names: Vec<String> = self.set(&t.set).iter().map(|c| format!("{}{:?}{:?}", c.mistake.id(), c.blanks, c.edits.first().map(|e| e.0))).collect();
-                let out: Vec<&str> = (0..off.len()).filter(|&i| t.fit.outside[i]).map(|i| self.scorer.entry(i).asked.name()).collect();
-                eprintln!("{:.1} fit {:.1} hand {:?} {:?} {:?} out {out:?}", t.cost, t.fit.cost, t.fit.hand.errors, t.fit.hand.habit, names);
+                let names: Vec<String> = self
+                    .set(&t.set)
+                    .iter()
+                    .map(|c| format!("{}{:?}{:?}", c.mistake.id(), c.blanks, c.edits.first().map(|e| e.0)))
+                    .collect();
+                let out: Vec<&str> =
+                    (0..off.len()).filter(|&i| t.fit.outside[i]).map(|i| self.scorer.entry(i).asked.name()).collect();
+                eprintln!(
+                    "{:.1} fit {:.1} hand {:?} {:?} {:?} out {out:?}",
+                    t.cost, t.fit.cost, t.fit.hand.errors, t.fit.hand.habit, names
+                );
             }
         }
         tried
@@ -280,7 +288,8 @@ impl<'a> Search<'a> {
             let operations = old.operations().all(|a| new.operations().all(|b| a != b));
             let values = old.reinterpreted.iter().all(|a| new.reinterpreted.iter().all(|b| a.entry != b.entry));
             let is_slip = |c: &Candidate| c.edits.is_empty() && c.goes_on.is_empty() && c.free.is_empty();
-            let positions = old.mode == 0 && new.mode == 0 || new.mode != old.mode && old.mode * new.mode == 0
+            let positions = old.mode == 0 && new.mode == 0
+                || new.mode != old.mode && old.mode * new.mode == 0
                     // One of them only writes otherwise.
                     && [old, new].iter().any(|c| c.mode == 0 && is_slip(c));
             operations && values && positions

@@ -133,9 +133,8 @@ impl<'a> Settling<'a> {
             for _ in 0..12 {
                 let [f, g] = apart(&amounts);
                 if f.abs() <= tolerance[0] && g.abs() <= tolerance[1] {
-                    let is_new = |other: &Vec<f64>| {
-                        libm::hypot(other[0] - amounts[0], other[1] - amounts[1]) > 1e-3 * range
-                    };
+                    let is_new =
+                        |other: &Vec<f64>| libm::hypot(other[0] - amounts[0], other[1] - amounts[1]) > 1e-3 * range;
                     if found.iter().all(is_new) {
                         found.push(amounts);
                     }

@@ -18,13 +18,32 @@ pub fn form_names(construction: &Construction) -> Vec<String> {
 /// The name by which a form asks for a quantity; of one that it does not ask for its own name.
 #[must_use]
 pub fn form_name(construction: &Construction, name: &str) -> String {
-    let name = construction.same_rates.get(name).map_or(name, String::as_str);
-    let segment = Segment::of(construction, name);
-    let found = rows(construction).into_iter().find(|row| row.is(name, segment));
-    found.map_or_else(|| name.to_owned(), |row| row.name)
+    FormNames::new(construction).of(construction, name).to_owned()
+}
+
+/// The rows of a construction's form, to look many names up.
+#[derive(Debug)]
+pub(super) struct FormNames(Vec<FormRow>);
+
+impl FormNames {
+    pub fn new(construction: &Construction) -> FormNames {
+        FormNames(rows(construction))
+    }
+
+    /// The name by which the form asks for a quantity, as [`form_name`].
+    pub fn of<'n>(&'n self, construction: &'n Construction, name: &'n str) -> &'n str {
+        let name = construction.same_rates.get(name).map_or(name, String::as_str);
+        // No two rows ask for one segment, so a row of that very name is the one.
+        if self.0.iter().any(|row| row.name == name) {
+            return name;
+        }
+        let segment = Segment::of(construction, name);
+        self.0.iter().find(|row| row.is(name, segment)).map_or(name, |row| row.name.as_str())
+    }
 }
 
 /// A row of a form.
+#[derive(Debug)]
 struct FormRow {
     name: String,
     segment: Option<Segment>,
@@ -39,7 +58,7 @@ impl FormRow {
 }
 
 /// The two places between which a segment of a plan lies.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Segment(Sheet, [PlaceId; 2]);
 
 impl Segment {

@@ -1,16 +1,24 @@
-use super::class::{Class, ReportFormat};
+use super::class::{Class, Form, ReportFormat, Subject, measured, shown};
 use super::correction::Correction;
+use super::exercises::{ExerciseFiles, ExerciseFolder};
+use super::feedback::FeedbackOptions;
 use super::files::{self, Source};
-use super::message::Failure;
+use super::forms::{forms_below, forms_in};
+use super::message::{Failure, warn};
 use super::pencil::Hand;
 use super::wording::Words;
 use super::work::{Mode, show_warnings, solve};
-use crate::check::{self, AnswerKey, CheckError, EmptyForm, MarkScheme, Marks, Measured};
+use crate::check::{
+    self, AnswerKey, CheckError, ClassColumns, EmptyForm, Feedback, MarkScheme, Marks, Measured, Prepared,
+};
 use crate::construction::Solution;
+use crate::cores::on_all_cores;
 use crate::format;
 use crate::motion::Order;
+use crate::scene::Figure;
 use crate::words::Wording;
 use clap::{Args, ValueEnum};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Text of `--help` behind the options.
@@ -22,13 +30,16 @@ Examples:
   kinegon check scene.json values.json                        one drawing
   kinegon check scene.json --template > form.json             the empty form
   kinegon check scene.json class/ -o report.csv               all *.json and *.csv in the folder, a row each
-  kinegon check scene.json class/ --marks marks.json          with marks";
+  kinegon check scene.json class/ --marks marks.json          with marks
+  kinegon check exercises/ class/ -o report.csv               each form against its own exercise; folders in class/ too
+  kinegon check scene.json class/ --feedback pages/           with a page for each student";
 
 /// Check values read from a hand drawing, or those of a class.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Check {
-    /// Scene file, `-` for stdin.
+    /// Scene file, `-` for stdin. Or a folder of exercises, as `kinegon exercise` writes them: then each form is checked
+    /// against its own, which it names as `exercise`, or which its file's name or its folder's name contains.
     scene: PathBuf,
     /// File with the values: JSON, or a table as CSV; `-` for stdin. Or a folder with such files, those of a class:
     /// then a table is printed, a row for each.
@@ -56,6 +67,8 @@ pub(super) struct Check {
     #[command(flatten)]
     hand: Hand,
     #[command(flatten)]
+    feedback: FeedbackOptions,
+    #[command(flatten)]
     correction: Correction,
 }
 
@@ -67,77 +80,222 @@ enum TemplateFormat {
 
 impl Check {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let source = files::read(&self.scene)?;
-        let solution = solve(&source, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)?;
+        if self.scene.is_dir() {
+            return self.exercises();
+        }
+        let solution = self.solved(&self.scene)?;
         let Some(path) = &self.measured else {
             return self.print_template(&solution);
         };
         self.correction.refuse_drawing_options(path.is_dir())?;
-        let key = self.key(&solution);
-        let wording = Wording::of(&solution.scene.figure);
-        let scheme = self.scheme(&key)?;
         if path.is_dir() {
-            return self.class(path, &solution, &key, scheme.as_ref());
+            self.class(path, &solution)
+        } else {
+            self.refuse_table()?;
+            let text = files::read_form(path)?;
+            let measured = read(path, &text)?;
+            self.form(&self.scene, &solution, self.marks.as_deref(), (&text, &measured))
         }
-        if self.output.is_some() {
-            return Err(Failure::Misuse(
+    }
+
+    fn solved(&self, scene: &Path) -> Result<Solution, Failure> {
+        let source = files::read(scene)?;
+        solve(&source, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
+    }
+
+    /// Refuses `-o` for one form.
+    fn refuse_table(&self) -> Result<(), Failure> {
+        match self.output {
+            None => Ok(()),
+            Some(_) => Err(Failure::Misuse(
                 "-o takes the table of a folder; here is one form".into(),
                 Some("leave out -o: the report is printed".into()),
-            ));
+            )),
         }
-        let text = files::read_form(path)?;
-        let measured = read(path, &text)?;
-        let checked = check::check(&measured, &key).map_err(|error| misuse(&text, &error))?;
+    }
+
+    /// Checks one form and prints its report.
+    fn form(
+        &self,
+        scene: &Path,
+        solution: &Solution,
+        marks: Option<&Path>,
+        (text, measured): (&Source, &Measured),
+    ) -> Result<(), Failure> {
+        let path = self.measured.as_deref().unwrap_or(Path::new("-"));
+        let key = self.key(solution);
+        let wording = Wording::of(&solution.scene.figure);
+        let scheme = marks.map(|marks| GivenMarks::read(marks)?.of(&key, None)).transpose()?;
+        let pages = self.feedback.pages([shown(Path::new(path.file_name().unwrap_or_default()), path).as_str()])?;
+        let checked = check::check(measured, &key).map_err(|error| misuse(text, &error))?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
         let printed = if self.json {
             let mut result = check::check_result(&checked, &key, &wording, measured.name.clone());
             result.marks = marks;
             format::json(&result)
         } else {
-            let marks = marks.map_or_else(String::new, |marks| marks.line(&wording) + "\n");
+            let marks = marks.as_ref().map_or_else(String::new, |marks| marks.line(&wording) + "\n");
             check::report(&checked, &key, &wording) + &marks
         };
-        show_warnings(&solution);
-        self.correction.write(&solution, [&self.scene, path], &measured, &key, &checked)?;
+        show_warnings(solution);
+        self.correction.write(solution, [scene, path], measured, &key, &checked)?;
+        if let Some(pages) = pages {
+            let feedback = Feedback::new(measured, &key, &checked, marks.as_ref(), &wording);
+            let feedback = feedback.map_err(|error| misuse(text, &error))?;
+            files::write(&pages.of(0, &feedback)?)?;
+        }
         files::print(printed.as_bytes())?;
         if checked.is_passed() { Ok(()) } else { Err(Failure::NotPassed) }
     }
 
-    /// Checks the forms of a folder and writes their table.
-    fn class(
-        &self,
-        folder: &Path,
-        solution: &Solution,
-        key: &AnswerKey<'_>,
-        scheme: Option<&MarkScheme>,
-    ) -> Result<(), Failure> {
-        let output = self.output.as_deref().unwrap_or(Path::new("-"));
-        for (what, input) in [("scene", Some(&self.scene)), ("marking scheme", self.marks.as_ref())] {
-            input.map_or(Ok(()), |input| files::refuse_overwriting(what, input, output))?;
-        }
-        let format = ReportFormat::of(output, self.json)?;
+    /// Checks the forms of a folder, all of one scene, and writes their table.
+    fn class(&self, folder: &Path, solution: &Solution) -> Result<(), Failure> {
+        let key = self.key(solution);
+        let words = Wording::of(&solution.scene.figure);
+        let scheme = self.marks.as_deref().map(|marks| GivenMarks::read(marks)?.of(&key, None)).transpose()?;
+        let (output, format) = self.report()?;
         show_warnings(solution);
+        let others = [Some(self.scene.as_path()), self.marks.as_deref(), Some(output)];
+        let others: Vec<&Path> = others.into_iter().flatten().collect();
+        let form = |path: PathBuf| Form { file: shown(&path, folder), path, exercise: Ok(0) };
+        let forms: Vec<Form> = forms_in(folder, &others)?.into_iter().map(form).collect();
         let class = Class {
             folder,
-            others: [Some(&self.scene), self.marks.as_deref()],
-            key,
-            words: &Wording::of(&solution.scene.figure),
-            scheme,
+            forms: &forms,
+            columns: ClassColumns { exercise: false, marks: scheme.is_some() },
+            exercises: &[Ok(Subject { name: None, key: Prepared::new(&key), words, scheme })],
+            words: &words,
             format,
             output,
+            pages: self.feedback.pages(forms.iter().map(|form| form.file.as_str()))?,
         };
         class.run()
     }
 
-    /// The marks that the quantities are worth; `None` without a marking scheme.
-    fn scheme(&self, key: &AnswerKey<'_>) -> Result<Option<MarkScheme>, Failure> {
-        let Some(path) = &self.marks else {
-            return Ok(None);
+    /// The file of a table and its format; refuses to write over what was read.
+    fn report(&self) -> Result<(&Path, ReportFormat), Failure> {
+        let output = self.output.as_deref().unwrap_or(Path::new("-"));
+        for (what, input) in [("scene", Some(&self.scene)), ("marking scheme", self.marks.as_ref())] {
+            input.map_or(Ok(()), |input| files::refuse_overwriting(what, input, output))?;
+        }
+        Ok((output, ReportFormat::of(output, self.json)?))
+    }
+
+    /// Checks one form or a folder of forms, each against its own of the exercises in a folder.
+    fn exercises(&self) -> Result<(), Failure> {
+        let exercises = ExerciseFolder::read(&self.scene)?;
+        let one = exercises.all[0].scene.display();
+        if self.mode.number.is_some() {
+            return Err(Failure::Misuse(
+                "--mode is of one scene, here is a folder of exercises".into(),
+                Some(format!("name one of its scenes, as {one}")),
+            ));
+        }
+        let Some(path) = &self.measured else {
+            return Err(Failure::Misuse(
+                "--template writes the form of one scene, here is a folder of exercises".into(),
+                Some(format!("name one of its scenes, as {one}")),
+            ));
         };
-        let text = files::read_text("marking scheme", path)?;
-        let marks = Marks::read(&text.text).map_err(|error| text.fail(error))?;
-        let scheme = marks.of(key).map_err(|error| misuse(&text, &error))?;
-        Ok(Some(scheme))
+        self.correction.refuse_drawing_options(path.is_dir())?;
+        if path.is_dir() {
+            return self.classes(&exercises, path);
+        }
+        self.refuse_table()?;
+        let text = files::read_form(path)?;
+        let measured = read(path, &text)?;
+        let index = exercises.of_form(measured.exercise.as_deref(), path);
+        let index = index.map_err(|message| Failure::Misuse(format!("{}: {message}", text.name), None))?;
+        let exercise = &exercises.all[index];
+        let (solution, marks) = (self.solved(&exercise.scene)?, exercise.marks());
+        let marks = marks.as_deref().or(self.marks.as_deref());
+        self.form(&exercise.scene, &solution, marks, (&text, &measured))
+    }
+
+    /// Checks the forms of a folder, each against its own exercise, and writes their joint table.
+    fn classes(&self, exercises: &ExerciseFolder, folder: &Path) -> Result<(), Failure> {
+        let (output, format) = self.report()?;
+        let mut others: Vec<PathBuf> = exercises.all.iter().flat_map(ExerciseFiles::others).collect();
+        others.extend(self.marks.clone().into_iter().chain([output.to_owned()]));
+        for other in &others[..others.len() - 1] {
+            files::refuse_overwriting("exercise", other, output)?;
+        }
+        let others: Vec<&Path> = others.iter().map(PathBuf::as_path).collect();
+        let paths = forms_below(folder, &others)?;
+        let form = |path: &PathBuf| {
+            let inside = path.strip_prefix(folder).unwrap_or(path);
+            // A form that is not understood says so in its row, whatever its exercise.
+            let named = measured(path).ok().and_then(|measured| measured.exercise);
+            let exercise = exercises.of_form(named.as_deref(), inside);
+            Form { path: path.clone(), file: shown(path, folder), exercise }
+        };
+        let forms: Vec<Form> = on_all_cores(&paths, form);
+        let pages = self.feedback.pages(forms.iter().map(|form| form.file.as_str()))?;
+        let solved = self.all_solved(exercises, &forms);
+        let marks = self.marks.as_deref().map(GivenMarks::read).transpose()?;
+        let mut subjects = Vec::new();
+        for (exercise, solution) in exercises.all.iter().zip(&solved) {
+            subjects.push(match solution {
+                Ok(solution) => Ok(self.subject(exercise, solution, marks.as_ref())?),
+                Err(message) => Err(message.clone()),
+            });
+        }
+        let usual = subjects.iter().flatten().map(|subject| subject.words).next();
+        let is_marked = subjects.iter().flatten().any(|subject| subject.scheme.is_some());
+        let class = Class {
+            folder,
+            forms: &forms,
+            columns: ClassColumns { exercise: true, marks: is_marked },
+            exercises: &subjects,
+            words: &usual.unwrap_or_else(|| self.usual_words()),
+            format,
+            output,
+            pages,
+        };
+        class.run()
+    }
+
+    /// The exercises that forms belong to, solved; of the others and of those that cannot be solved a message.
+    fn all_solved(&self, exercises: &ExerciseFolder, forms: &[Form]) -> Vec<Result<Solution, String>> {
+        let used: BTreeSet<usize> = forms.iter().filter_map(|form| form.exercise.clone().ok()).collect();
+        let all: Vec<usize> = (0..exercises.all.len()).collect();
+        let solved = on_all_cores(&all, |index| {
+            let exercise = &exercises.all[*index];
+            if !used.contains(index) {
+                return Err(String::new());
+            }
+            self.solved(&exercise.scene).map_err(|failure| {
+                let place = exercise.scene.display().to_string();
+                format!("its exercise {} cannot be solved: {}", exercise.name, failure.line(&place))
+            })
+        });
+        for (exercise, solution) in exercises.all.iter().zip(&solved) {
+            let warnings = solution.iter().flat_map(Solution::warnings);
+            warnings.for_each(|warning| warn(&format!("{}: {warning}", exercise.name)));
+        }
+        solved
+    }
+
+    /// An exercise of a folder, with its own marking scheme or that of `--marks`.
+    fn subject<'a>(
+        &self,
+        exercise: &'a ExerciseFiles,
+        solution: &'a Solution,
+        usual: Option<&GivenMarks>,
+    ) -> Result<Subject<'a>, Failure> {
+        let key = self.key(solution);
+        let own = exercise.marks().map(|own| GivenMarks::read(&own)).transpose()?;
+        let marks = own.as_ref().or(usual);
+        let scheme = marks.map(|marks| marks.of(&key, Some(&exercise.name))).transpose()?;
+        let words = Wording::of(&solution.scene.figure);
+        Ok(Subject { name: Some(&exercise.name), key: Prepared::new(&key), words, scheme })
+    }
+
+    /// The wording of a report without any exercise.
+    fn usual_words(&self) -> Wording {
+        let mut figure = Figure::default();
+        self.words.put_into(&mut figure);
+        Wording::of(&figure)
     }
 
     fn print_template(&self, solution: &Solution) -> Result<(), Failure> {
@@ -167,6 +325,31 @@ pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
         Measured::read_json(&text.text).map_err(|error| text.fail(error))
     } else {
         Measured::read_csv(&text.text).map_err(|error| misuse(text, &error))
+    }
+}
+
+/// A marking scheme as it was read.
+struct GivenMarks {
+    text: Source,
+    marks: Marks,
+}
+
+impl GivenMarks {
+    fn read(path: &Path) -> Result<GivenMarks, Failure> {
+        let text = files::read_text("marking scheme", path)?;
+        let marks = Marks::read(&text.text).map_err(|error| text.fail(error))?;
+        Ok(GivenMarks { text, marks })
+    }
+
+    /// The marks that the quantities of an exercise are worth; `exercise` is its name where there are several.
+    fn of(&self, key: &AnswerKey<'_>, exercise: Option<&str>) -> Result<MarkScheme, Failure> {
+        self.marks.of(key).map_err(|error| match exercise {
+            Some(exercise) => {
+                let message = format!("{}: it does not fit exercise {exercise}: {error}", self.text.name);
+                Failure::Misuse(message, error.hint.or(Some("an exercise may have marks.json in its folder".into())))
+            }
+            None => misuse(&self.text, &error),
+        })
     }
 }
 

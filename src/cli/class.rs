@@ -1,28 +1,59 @@
 //! Checks all forms of a folder and writes a table with a row for each.
 
 use super::check::read;
+use super::feedback::Pages;
 use super::files;
-use super::message::{Failure, note};
+use super::message::{Failure, note, warn};
 use super::pieces::{Output, Pieces};
-use crate::check::{self, AnswerKey, ClassRow, ClassSummary, MarkScheme};
+use crate::check::{Checked, ClassColumns, ClassRow, ClassSummary, Feedback, MarkScheme, Measured, Prepared};
 use crate::words::Wording;
-use std::ffi::OsStr;
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// A folder of forms, the key and the marking scheme for them, and the report.
+/// The forms of a class, the exercises to which they belong, and the report.
 pub(super) struct Class<'a> {
     pub folder: &'a Path,
-    /// Files of the folder that are not forms: the scene and the marking scheme.
-    pub others: [Option<&'a Path>; 2],
-    pub key: &'a AnswerKey<'a>,
-    pub words: &'a Wording,
-    pub scheme: Option<&'a MarkScheme>,
+    pub forms: &'a [Form],
+    /// The exercises, or why one cannot be solved.
+    pub exercises: &'a [Result<Subject<'a>, String>],
+    pub columns: ClassColumns,
     pub format: ReportFormat,
     /// File for the report, `-` for stdout.
     pub output: &'a Path,
+    /// The pages for the students, if they are wanted.
+    pub pages: Option<Pages>,
+    /// Those of the summary.
+    pub words: &'a Wording,
 }
+
+/// A form and the exercise to which it belongs.
+pub(super) struct Form {
+    pub path: PathBuf,
+    /// Its name in the report.
+    pub file: String,
+    /// The index of its exercise, or why that is not known.
+    pub exercise: Result<usize, String>,
+}
+
+impl Form {
+    /// What stands in place of the student's name: that of the file without its ending.
+    fn title(&self) -> &str {
+        self.file.rsplit_once('.').map_or(&self.file, |(stem, _)| stem)
+    }
+}
+
+/// An exercise with its answers.
+pub(super) struct Subject<'a> {
+    /// Its name in a report on several.
+    pub name: Option<&'a str>,
+    pub key: Prepared<'a>,
+    pub words: Wording,
+    pub scheme: Option<MarkScheme>,
+}
+
+/// What a form comes to: its row, and the files of its page.
+type Done = (ClassRow, Result<Vec<(PathBuf, Vec<u8>)>, Failure>);
 
 /// The file format of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,28 +92,33 @@ impl ReportFormat {
 }
 
 impl Class<'_> {
-    /// Checks all forms of the folder and writes the report. A form that is not understood does not stop the others.
+    /// Checks all forms and writes the report. A form that is not understood does not stop the others.
     pub(super) fn run(&self) -> Result<(), Failure> {
         self.refuse_overwriting_form()?;
-        let forms = self.forms()?;
         let mut out = Output::new(self.output)?;
         let (mut summary, mut is_wanted) = (ClassSummary::default(), true);
         is_wanted &= match self.format {
-            ReportFormat::Csv => out.put(&ClassRow::csv_head(self.scheme.is_some()))?,
+            ReportFormat::Csv => out.put(&ClassRow::csv_head(self.columns))?,
             ReportFormat::Json => out.put("{\n  \"kinegon_class\": 1,\n  \"rows\": [")?,
             ReportFormat::Jsonl => true,
         };
-        let all = Pieces { count: forms.len(), size: 1, per_core: 32, unit: (forms.len() > 20).then_some("files") };
-        all.each(
-            |one| self.row(&forms[one.start]),
-            |row| {
+        let count = self.forms.len();
+        let all = Pieces { count, size: 1, per_core: 32, unit: (count > 20).then_some("files") };
+        let done = all.each(
+            |one| self.row(one.start),
+            |(row, page): Done| {
+                files::write(&page?)?;
                 let is_first = summary.files == 0;
                 summary.add(&row);
                 // With stdout closed the checks go on, for the exit code.
                 is_wanted = is_wanted && out.put(&self.written(&row, is_first))?;
                 Ok(true)
             },
-        )?;
+        );
+        if let (Some(pages), Err(Failure::Interrupted)) = (&self.pages, &done) {
+            warn(&format!("{} of {count} pages are in {}", summary.files, pages.folder().display()));
+        }
+        done?;
         let summary = summary.finished();
         if self.format == ReportFormat::Json && is_wanted {
             let summary = serde_json::to_string(&summary).expect("text keys");
@@ -101,40 +137,11 @@ impl Class<'_> {
     fn written(&self, row: &ClassRow, is_first: bool) -> String {
         let json = || serde_json::to_string(row).expect("a row has text keys");
         match self.format {
-            ReportFormat::Csv => row.csv(self.scheme.is_some()),
+            ReportFormat::Csv => row.csv(self.columns),
             ReportFormat::Json if is_first => format!("\n    {}", json()),
             ReportFormat::Json => format!(",\n    {}", json()),
             ReportFormat::Jsonl => format!("{}\n", json()),
         }
-    }
-
-    /// The forms of the folder, ordered by name: all files in `.json` or `.csv` except hidden ones, the scene, the
-    /// marking scheme and the report.
-    fn forms(&self) -> Result<Vec<PathBuf>, Failure> {
-        let failed = |error: std::io::Error| {
-            let message = format!("{} cannot be listed: {error}", self.folder.display());
-            Failure::Misuse(message, None)
-        };
-        let mut forms = Vec::new();
-        for entry in fs::read_dir(self.folder).map_err(failed)? {
-            let path = entry.map_err(failed)?.path();
-            let ending = path.extension().unwrap_or_default().to_string_lossy();
-            let is_form = ["json", "csv"].contains(&ending.to_lowercase().as_str());
-            let is_hidden = name(&path).starts_with('.');
-            let others = [Some(self.output), self.others[0], self.others[1]];
-            let mut others = others.into_iter().flatten();
-            if is_form && !is_hidden && !others.any(|other| files::is_same(other, &path)) {
-                forms.push(path);
-            }
-        }
-        forms.sort_by(|a, b| a.file_name().cmp(&b.file_name()));
-        if forms.is_empty() {
-            return Err(Failure::Misuse(
-                format!("{} has no forms to check", self.folder.display()),
-                Some("its files that end in `.json` or `.csv` are checked; `kinegon check SCENE --template` writes an empty form".into()),
-            ));
-        }
-        Ok(forms)
     }
 
     /// Refuses to write over a form; an earlier report may be overwritten.
@@ -144,14 +151,7 @@ impl Class<'_> {
             false => folder,
         });
         let is_inside = inside.is_some_and(|folder| files::is_same(folder, self.folder));
-        if self.output == Path::new("-") || !is_inside || !self.output.is_file() {
-            return Ok(());
-        }
-        let mut start = Vec::new();
-        let read = fs::File::open(self.output).and_then(|f| f.take(64).read_to_end(&mut start));
-        let start = String::from_utf8_lossy(&start);
-        let starts = ["file,name,passed,", "{\n  \"kinegon_class\"", "{\"file\":"];
-        if read.is_ok() && starts.iter().any(|known| start.starts_with(known)) {
+        if self.output == Path::new("-") || !is_inside || !self.output.is_file() || is_report(self.output) {
             return Ok(());
         }
         Err(Failure::Misuse(
@@ -160,35 +160,83 @@ impl Class<'_> {
         ))
     }
 
-    /// The row of one file.
-    fn row(&self, path: &Path) -> ClassRow {
-        let file = name(path);
-        let broken = |failure: Failure| {
-            let place = path.display().to_string();
-            ClassRow::broken(file.clone(), &failure.line(&place))
+    /// The row and the page of a form.
+    fn row(&self, index: usize) -> Done {
+        let form = &self.forms[index];
+        let subject = match &form.exercise {
+            Ok(exercise) => self.exercises[*exercise].as_ref().map_err(String::as_str),
+            Err(why) => Err(why.as_str()),
         };
-        // A pipe or a device is not opened: reading it could block.
-        if let Ok(found) = fs::metadata(path)
-            && !found.is_file()
-        {
-            let what = if found.is_dir() { "a folder" } else { "special" };
-            return ClassRow::broken(file, &format!("it is {what}, no file with values"));
-        }
-        let measured = match files::read_form(path).and_then(|text| read(path, &text)) {
-            Ok(measured) => measured,
-            Err(failure) => return broken(failure),
+        let measured = measured(&form.path);
+        let message = match (&measured, subject) {
+            (Ok(measured), Ok(subject)) => match subject.key.check(measured) {
+                Ok(checked) => {
+                    let (name, file) = (measured.name.as_deref(), form.file.clone());
+                    let row = ClassRow::checked(file, name, &checked, &subject.words, subject.scheme.as_ref());
+                    return (row.of(subject.name), self.page(index, subject, measured, &checked));
+                }
+                Err(error) => Failure::Misuse(error.to_string(), error.hint).line(""),
+            },
+            (Err(message), _) => message.clone(),
+            (_, Err(message)) => message.to_owned(),
         };
-        match check::check(&measured, self.key) {
-            Ok(checked) => {
-                let name = measured.name.as_deref();
-                ClassRow::checked(file, name, &checked, self.words, self.scheme)
-            }
-            Err(error) => broken(Failure::Misuse(error.to_string(), error.hint)),
-        }
+        let subject = subject.ok();
+        let name = measured.as_ref().ok().and_then(|measured| measured.name.as_deref());
+        let page = self.pages.as_ref().map_or(Ok(Vec::new()), |pages| {
+            let scene = subject.map(|subject| &subject.key.key().solution.scene);
+            let words = subject.map_or(self.words, |subject| &subject.words);
+            pages.of(index, &Feedback::refused(scene, name.unwrap_or(form.title()), &message, words))
+        });
+        (ClassRow::broken(form.file.clone(), &message).of(subject.and_then(|subject| subject.name)), page)
+    }
+
+    /// The files of the page of a form that was checked.
+    fn page(
+        &self,
+        index: usize,
+        subject: &Subject<'_>,
+        measured: &Measured,
+        checked: &Checked,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        let Some(pages) = &self.pages else {
+            return Ok(Vec::new());
+        };
+        let marks = subject.scheme.as_ref().map(|scheme| scheme.award(checked));
+        let named = Measured {
+            name: measured.name.clone().or_else(|| Some(self.forms[index].title().to_owned())),
+            ..measured.clone()
+        };
+        let feedback = Feedback::new(&named, subject.key.key(), checked, marks.as_ref(), &subject.words);
+        let feedback = feedback.map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
+        pages.of(index, &feedback)
     }
 }
 
-/// A file's name; bytes that are not UTF-8 are replaced.
-fn name(path: &Path) -> String {
-    path.file_name().unwrap_or(OsStr::new("")).to_string_lossy().into_owned()
+/// Whether a file is a report on a class.
+fn is_report(path: &Path) -> bool {
+    let mut start = Vec::new();
+    let read = fs::File::open(path).and_then(|f| f.take(64).read_to_end(&mut start));
+    let start = String::from_utf8_lossy(&start);
+    let starts = ["file,name,passed,", "file,exercise,name,passed,", "{\n  \"kinegon_class\"", "{\"file\":"];
+    read.is_ok() && starts.iter().any(|known| start.starts_with(known))
+}
+
+/// The values of a form, or why it is not understood.
+pub(super) fn measured(path: &Path) -> Result<Measured, String> {
+    // A pipe or a device is not opened: reading it could block.
+    if let Ok(found) = fs::metadata(path)
+        && !found.is_file()
+    {
+        let what = if found.is_dir() { "a folder" } else { "special" };
+        return Err(format!("it is {what}, no file with values"));
+    }
+    let read = files::read_form(path).and_then(|text| read(path, &text));
+    read.map_err(|failure| failure.line(&path.display().to_string()))
+}
+
+/// A path in a folder as a report shows it; bytes that are not UTF-8 are replaced.
+pub(super) fn shown(path: &Path, folder: &Path) -> String {
+    let inside = path.strip_prefix(folder).unwrap_or(path);
+    let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
+    parts.join("/")
 }

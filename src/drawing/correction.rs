@@ -2,6 +2,7 @@
 //! values.
 
 use super::compose::Composition;
+use super::dims::Dims;
 use super::figure::{composition, content, extents, hints, panels};
 use super::further::further_sheets;
 use super::layout::Layout;
@@ -9,9 +10,11 @@ use super::lines;
 use super::overlay::{Notes, Overlay, OwnLayer, WordsPlace};
 use super::scheme::Scheme;
 use super::sheet::Drawing;
+use super::style::Style;
 use super::view::Extent;
 use crate::construction::Solution;
-use crate::scene::PanelName;
+use crate::scene::{Figure, PanelName};
+use crate::words::Wording;
 
 /// Widths of a column of words beside the panels, in parts of the page's width.
 const BESIDE: [f64; 5] = [0.23, 0.235, 0.24, 0.25, 0.28];
@@ -27,11 +30,14 @@ struct Division<'a> {
 ///
 /// The sentences are below or beside the panels, where the panels are larger, unless something would no longer fit that
 /// fits on a sheet without sentences: then they are above the table. The table is on the figure's sheet if the panels
-/// are not smaller for it, else on further sheets. Content outside a panel is cut off and named at its edge.
+/// are not smaller for it, else on further sheets; without values there is none. Content outside a panel is cut off and named at its edge.
 #[must_use]
 pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
     let scheme = Scheme::new(solution).for_pencil().without_values();
     let Division { place, mut sheet, layout } = best_division(&scheme, overlay);
+    if overlay.values.is_empty() {
+        return vec![sheet.draw(&layout)];
+    }
     let table = overlay.table();
     if place == WordsPlace::Below {
         sheet.items.push(Box::new(table.clone()));
@@ -51,6 +57,18 @@ pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
     std::iter::once(figure).chain(tables).collect()
 }
 
+/// The words about a student's drawing and the table of its values without a figure, on sheets in the size and the
+/// style of `figure`.
+#[must_use]
+pub fn overlay_words(figure: &Figure, title: &str, overlay: &Overlay) -> Vec<Drawing> {
+    let dims = Dims::of(figure);
+    let mut blank = Drawing::new(dims.page[0], dims.page[1]).enlarged(dims.unit);
+    blank.style = Style::named(figure.style);
+    blank.language = Wording::of(figure).language.code;
+    blank.title = overlay.titled(title);
+    further_sheets(&blank, dims.unit, |page| overlay.lines(lines::width(page), false), overlay.table())
+}
+
 /// The right figure under the student's drawing, with the sentences in their place.
 fn sheet<'a>(
     scheme: &'a Scheme<'a>,
@@ -62,9 +80,7 @@ fn sheet<'a>(
     let panels =
         panels(scheme, extents, |panel| vec![hints(scheme, panel), content(scheme, panel), student_layer(panel)]);
     let mut sheet = composition(scheme, panels, None, vec![Box::new(notes)]);
-    if let Some(name) = &overlay.name {
-        sheet.title = format!("{} – {name}", sheet.title);
-    }
+    sheet.title = overlay.titled(&sheet.title);
     sheet.steps = Vec::new();
     sheet
 }

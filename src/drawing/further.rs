@@ -11,9 +11,11 @@ use kurbo::Rect;
 
 /// White between words and the table below them, in mm.
 const GAP: f64 = 4.0;
+/// White above words in their frame, in mm.
+const TOP: f64 = 1.4;
 
 /// Sheets with the figure's title, the lines of words for a sheet of their size, and the table, as many as its rows
-/// need; portrait unless the rows are too wide.
+/// need; none without words and rows. Portrait unless the rows are too wide.
 pub(super) fn further_sheets<const N: usize>(
     figure: &Drawing,
     unit: f64,
@@ -29,21 +31,23 @@ pub(super) fn further_sheets<const N: usize>(
     let area = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN);
     let mut words = words([width, height]);
     let mut sheets = Vec::new();
-    while !table.rows.is_empty() {
+    while !(table.rows.is_empty() && words.is_empty()) {
         let mut drawing = Drawing::new(width, height);
         (drawing.style, drawing.language) = (figure.style.clone(), figure.language);
         drawing.title.clone_from(&figure.title);
         draw_title(&mut drawing);
         let mut left = area;
         if !words.is_empty() {
-            let room = Rect { y1: left.y0 + lines::height(words.len()), ..left };
+            let room = Rect { y1: left.y0 + TOP + lines::height(words.len()), ..left };
             drawing.draw(Pen::Frame, Shape::Polygon(corners(room)));
-            lines::draw(&mut drawing, room, 0, &std::mem::take(&mut words));
+            lines::draw(&mut drawing, Rect { y0: room.y0 + TOP, ..room }, 0, &std::mem::take(&mut words));
             left.y0 = room.y1 + GAP;
         }
-        let later = table.rows.split_off(table.capacity(left).clamp(1, table.rows.len()));
-        table.draw_in(&mut drawing, table.needed(left));
-        table.rows = later;
+        if !table.rows.is_empty() {
+            let later = table.rows.split_off(table.capacity(left).clamp(1, table.rows.len()));
+            table.draw_in(&mut drawing, table.needed(left));
+            table.rows = later;
+        }
         sheets.push(drawing.enlarged(unit));
     }
     sheets

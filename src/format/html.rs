@@ -1,5 +1,6 @@
 use super::number::number;
 use super::svg::{FONTS, Text, clean, escape, layers};
+use super::template::filled;
 use crate::drawing::{Drawing, ITALIC, Pen, REGULAR, Rect};
 use crate::words::Language;
 use base64::Engine;
@@ -84,15 +85,7 @@ pub fn html(page: &WebPage<'_>) -> String {
     ];
     let said = said.map(|(name, text)| (name, escape(text)));
     let contents: Vec<(&str, String)> = contents.into_iter().chain(said).collect();
-    let mut parts = PAGE.split("{{");
-    let mut written = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let (name, rest) = part.split_once("}}").unwrap_or((part, ""));
-        let content = contents.iter().find(|(known, _)| *known == name);
-        written.push_str(content.map_or("", |(_, text)| text));
-        written.push_str(rest);
-    }
-    written
+    filled(PAGE, &contents)
 }
 
 /// A layer's place in the pile: whether above, step, whether passing, until when.

@@ -5,6 +5,7 @@
 #[cfg(feature = "arrow")]
 mod columns;
 mod digits;
+mod feedback;
 #[cfg(feature = "html")]
 mod html;
 mod json;
@@ -20,15 +21,19 @@ mod steps;
 mod structure;
 mod svg;
 mod table;
+mod template;
 mod tikz;
 
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
+pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html};
 #[cfg(feature = "html")]
 pub use self::html::{WebPage, html};
 pub use self::json::json;
 #[cfg(feature = "pdf")]
 pub use self::pdf::PdfError;
+#[cfg(feature = "pdf")]
+pub use self::pdf::pdf_pages;
 pub use self::pencil::{BandResult, PencilResult, pencil_result};
 #[cfg(feature = "png")]
 pub use self::png::PngError;

@@ -429,6 +429,10 @@ sentences! {
     class_common(count, of, step, done);
     /// A common mistake of the whole drawing.
     class_common_whole(count, of, done);
+    /// In how many of the files that were understood values are off without a known cause.
+    class_unknown(count, of);
+    /// Before the message about a form that was not understood.
+    class_not_understood;
 
     // The sheets of exercises.
     /// All that is given, separated by commas.

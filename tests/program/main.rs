@@ -14,6 +14,7 @@ mod command_line_paths;
 mod command_line_pencil;
 mod command_line_sweep;
 mod command_line_values;
+mod command_line_variants;
 mod exercises;
 #[cfg(unix)] // it has a shell run what pages say
 mod guide;

@@ -59,7 +59,16 @@ pub(super) fn crank_angle(site: &Site<'_>) -> Vec<Candidate> {
             let blanks = vec![name.clone(), format!("{wrong:.0}"), format!("{right:.0}")];
             let (mistake, edits) = (Mistake::CrankAngle, in_pose(site, &pose));
             let (reinterpreted, goes_on) = (Vec::new(), Vec::new());
-            found.push(Candidate { mistake, step: 0, blanks, edits, reinterpreted, goes_on, free: Vec::new(), mode: 0 });
+            found.push(Candidate {
+                mistake,
+                step: 0,
+                blanks,
+                edits,
+                reinterpreted,
+                goes_on,
+                free: Vec::new(),
+                mode: 0,
+            });
         }
     }
     found

@@ -117,9 +117,15 @@ impl Item for Notes<'_> {
 }
 
 impl Overlay {
+    /// A sentence or a cell with its names as they are set, the part after an underscore low.
+    #[must_use]
+    pub fn set(text: &str) -> RichText {
+        RichText::plain(&typeset(text))
+    }
+
     /// The table of values.
     pub(in crate::drawing) fn table(&self) -> Table<6> {
-        let set = |texts: &[String; 6]| texts.each_ref().map(|text| RichText::plain(&typeset(text)));
+        let set = |texts: &[String; 6]| texts.each_ref().map(|text| Overlay::set(text));
         let row = |(value, number): (&OwnValue, usize)| Cells {
             texts: set(&value.cells),
             id: Some(format!("value-{number}")),

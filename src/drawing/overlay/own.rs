@@ -90,6 +90,12 @@ pub struct OwnValue {
 }
 
 impl Overlay {
+    /// A title with the student's name.
+    #[must_use]
+    pub fn titled(&self, title: &str) -> String {
+        self.name.as_ref().map_or_else(|| title.to_owned(), |name| format!("{title} – {name}"))
+    }
+
     /// A panel's extent with those of the student's points that do not enlarge it too much; `is_given` where the scene
     /// gives the panel's scale.
     pub(in crate::drawing) fn extended(&self, panel: PanelName, content: Extent, is_given: bool) -> Extent {

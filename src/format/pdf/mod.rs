@@ -43,6 +43,11 @@ impl Drawing {
     /// are metadata; there is no date, so that the same drawing gives the same bytes. A letter that the bundled font
     /// lacks is an empty box, but search finds it. Marks whose numbers are not finite are left out.
     pub fn pdf(&self) -> Result<Vec<u8>, PdfError> {
+        pdf_pages(std::slice::from_ref(self), None)
+    }
+
+    /// Draws the sheet on a new page; returns its tags.
+    fn draw_page(&self, document: &mut Document, fonts: &Fonts) -> Result<TagGroup, PdfError> {
         let (width, height) = (self.width, self.height);
         let fits = |side: f64| side > 0.0 && side <= MOST_MM;
         if !(fits(width) && fits(height)) {
@@ -51,8 +56,6 @@ impl Drawing {
         let page = PageSettings::from_wh((width * POINTS) as f32, (height * POINTS) as f32);
         let page = page.ok_or(PdfError::Size { width, height })?;
 
-        let fonts = Fonts::new();
-        let mut document = Document::new();
         let mut figure = TagGroup::new(Tag::Figure(Some(self.description.clone())));
         let mut page = document.start_page_with(page);
         let mut surface = page.surface();
@@ -91,13 +94,32 @@ impl Drawing {
         surface.finish();
         page.finish();
 
-        let mut tags = TagTree::new();
-        tags.push(figure);
-        document.set_tag_tree(tags);
-        let about = Metadata::new().title(self.title.clone()).language(self.language.into());
-        document.set_metadata(about.description(self.description.clone()).creator("Kinegon".into()));
-        document.finish().map_err(|error| PdfError::Writing(format!("{error:?}")))
+        Ok(figure)
     }
+}
+
+/// The bytes of a PDF file with a page for each sheet, as [`Drawing::pdf`] writes one; title, language and description
+/// are those of the first sheet. `keyword` is metadata by which programs know the file.
+///
+/// # Errors
+/// A sheet has no size that a page can have, or there is no sheet.
+pub fn pdf_pages(sheets: &[Drawing], keyword: Option<&str>) -> Result<Vec<u8>, PdfError> {
+    let first = sheets.first().ok_or_else(|| PdfError::Writing("it has no sheet".to_owned()))?;
+    let fonts = Fonts::new();
+    let mut document = Document::new();
+    let mut tags = TagTree::new();
+    for sheet in sheets {
+        tags.push(sheet.draw_page(&mut document, &fonts)?);
+    }
+    document.set_tag_tree(tags);
+    let about = Metadata::new().title(first.title.clone()).language(first.language.into());
+    let about = about.description(first.description.clone()).creator("Kinegon".into());
+    let keywords = keyword.map(|keyword| vec![keyword.to_owned()]);
+    document.set_metadata(match keywords {
+        Some(keywords) => about.keywords(keywords),
+        None => about,
+    });
+    document.finish().map_err(|error| PdfError::Writing(format!("{error:?}")))
 }
 
 fn is_text(mark: &Mark) -> bool {

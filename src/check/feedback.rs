@@ -1,0 +1,105 @@
+//! What a student gets back: the verdict on every value, what probably happened, the marks, and where values are off the
+//! student's drawing over the right one.
+
+use super::answer_key::AnswerKey;
+use super::checked::Checked;
+use super::marks::Awarded;
+use super::redrawn::redrawn;
+use super::sheet::{CheckError, Measured};
+use crate::construction::Solution;
+use crate::drawing::{Drawing, Overlay, RichText, overlay, overlay_words};
+use crate::format::{FeedbackPage, feedback_html};
+use crate::scene::{Figure, PageSize, Scene};
+use crate::words::Wording;
+
+/// What a student gets back.
+#[derive(Clone, Debug)]
+pub struct Feedback {
+    /// The exercise; `None` where only words are told.
+    solution: Option<Solution>,
+    figure: Figure,
+    title: String,
+    overlay: Overlay,
+}
+
+impl Feedback {
+    /// That for checked values. Where all are right there is no drawing.
+    ///
+    /// The figure shows the student's drawing as large as the sheet allows, not at the student's scales.
+    ///
+    /// # Errors
+    /// A scale is missing; values that have been checked have theirs.
+    pub fn new(
+        measured: &Measured,
+        key: &AnswerKey<'_>,
+        checked: &Checked,
+        marks: Option<&Awarded>,
+        words: &Wording,
+    ) -> Result<Feedback, CheckError> {
+        let mut overlay = redrawn(measured, key, checked, words)?;
+        if let Some(marks) = marks {
+            overlay.words.insert(1.min(overlay.words.len()), format!("{}.", marks.line(words)));
+        }
+        let scene = &key.solution.scene;
+        let figure = printed(&scene.figure);
+        let solution = (!checked.is_passed()).then(|| {
+            let mut solution = key.solution.clone();
+            solution.scene.figure = figure.clone();
+            solution
+        });
+        Ok(Feedback { solution, figure, title: titled(Some(scene), words), overlay })
+    }
+
+    /// That for a form that was not understood: the message says why. `scene` is its exercise, where that is known.
+    #[must_use]
+    pub fn refused(scene: Option<&Scene>, name: &str, message: &str, words: &Wording) -> Feedback {
+        let said = [words.language.class_not_understood().to_owned(), message.to_owned()];
+        let overlay = Overlay { name: Some(name.to_owned()), words: said.into(), ..Overlay::default() };
+        let figure = scene.map(|scene| printed(&scene.figure)).unwrap_or_default();
+        Feedback { solution: None, figure, title: titled(scene, words), overlay }
+    }
+
+    /// Sheets to print: the figure with the words, and the table of values on the same sheet or on further ones.
+    #[must_use]
+    pub fn sheets(&self) -> Vec<Drawing> {
+        match &self.solution {
+            Some(solution) => overlay(solution, &self.overlay),
+            None => overlay_words(&self.figure, &self.title, &self.overlay),
+        }
+    }
+
+    /// The same as a page for a browser.
+    #[must_use]
+    pub fn html(&self) -> String {
+        // Words and table are text of the page.
+        let drawn = Overlay { words: Vec::new(), values: Vec::new(), ..self.overlay.clone() };
+        let figures = self.solution.as_ref().map_or_else(Vec::new, |solution| overlay(solution, &drawn));
+        let words: Vec<RichText> = self.overlay.words.iter().map(|text| Overlay::set(text)).collect();
+        let head = self.overlay.head.each_ref().map(|text| Overlay::set(text));
+        let row = |cells: &[String; 6]| cells.iter().map(|text| Overlay::set(text)).collect();
+        let rows: Vec<(Vec<RichText>, bool)> =
+            self.overlay.values.iter().map(|value| (row(&value.cells), value.is_off)).collect();
+        feedback_html(&FeedbackPage {
+            title: &self.overlay.titled(&self.title),
+            language: Wording::of(&self.figure).language.code,
+            words: &words,
+            figures: &figures,
+            head: &head,
+            rows: &rows,
+        })
+    }
+}
+
+/// The figure of an exercise as a student prints it: on A4 at most, at scales that fit there.
+fn printed(figure: &Figure) -> Figure {
+    let mut figure = Figure { mu_l: None, mu_v: None, mu_a: None, ..figure.clone() };
+    if figure.page.size == PageSize::A3 {
+        figure.page.size = PageSize::A4;
+    }
+    figure
+}
+
+/// The title of an exercise.
+fn titled(scene: Option<&Scene>, words: &Wording) -> String {
+    scene.and_then(|scene| scene.title.clone()).unwrap_or_else(|| words.language.title().to_owned())
+}

@@ -1,0 +1,224 @@
+//! A folder of exercises, and to which of them a form belongs.
+
+use super::files;
+use super::forms::is_hidden;
+use super::message::Failure;
+use crate::scene::nearest;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The exercises of a folder, in the order of their names.
+pub(super) struct ExerciseFolder {
+    folder: PathBuf,
+    pub all: Vec<ExerciseFiles>,
+}
+
+/// Where the files of an exercise are.
+pub(super) struct ExerciseFiles {
+    /// Its name: that of its folder, or of its scene's file without the ending.
+    pub name: String,
+    pub scene: PathBuf,
+    /// Its own folder, if it has one.
+    pub folder: Option<PathBuf>,
+}
+
+impl ExerciseFiles {
+    /// Its own marking scheme, if it has one.
+    pub(super) fn marks(&self) -> Option<PathBuf> {
+        self.folder.as_ref().map(|folder| folder.join("marks.json")).filter(|marks| marks.is_file())
+    }
+
+    /// Its files that are no forms.
+    pub(super) fn others(&self) -> impl Iterator<Item = PathBuf> {
+        let beside = self.folder.iter().flat_map(|folder| ["key.json", "marks.json"].map(|name| folder.join(name)));
+        [self.scene.clone()].into_iter().chain(beside)
+    }
+}
+
+/// Most exercises that a message names.
+const NAMED: usize = 6;
+
+impl ExerciseFolder {
+    /// The exercises of a folder: each folder in it with a `scene.json`, and each scene file. A folder that has
+    /// `scene.json` itself is one exercise.
+    pub(super) fn read(folder: &Path) -> Result<ExerciseFolder, Failure> {
+        let failed = |error| Failure::Misuse(format!("{} cannot be listed: {error}", folder.display()), None);
+        let scene = folder.join("scene.json");
+        let mut all = Vec::new();
+        if scene.is_file() {
+            let place = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
+            all.push(ExerciseFiles { name: name(place.file_name()), scene, folder: Some(folder.to_owned()) });
+        } else {
+            for entry in fs::read_dir(folder).map_err(failed)? {
+                all.extend(exercise(&entry.map_err(failed)?.path()));
+            }
+        }
+        all.sort_by(|a, b| a.name.cmp(&b.name));
+        if let Some(same) = all.windows(2).find(|pair| pair[0].name == pair[1].name) {
+            let [first, second] = [&same[0], &same[1]].map(|exercise| exercise.scene.display());
+            return Err(Failure::Misuse(
+                format!("{first} and {second} have one name"),
+                Some("forms are matched with exercises by their names: rename one of them".into()),
+            ));
+        }
+        if all.is_empty() {
+            return Err(Failure::Misuse(
+                format!("{} has no exercises", folder.display()),
+                Some(
+                    "an exercise is a folder with scene.json, as `kinegon exercise KIND --count 30 -o DIR` writes it, \
+                     or a scene file"
+                        .into(),
+                ),
+            ));
+        }
+        Ok(ExerciseFolder { folder: folder.to_owned(), all })
+    }
+
+    /// The index of the exercise that a form belongs to: the one that it names, else the one whose name is in the name
+    /// of its file, else in that of the nearest folder; `path` is the form's in the folder of forms. A single exercise
+    /// has all forms that name none.
+    pub(super) fn of_form(&self, named: Option<&str>, path: &Path) -> Result<usize, String> {
+        if let Some(name) = named {
+            return self.named(name);
+        }
+        let folders = path.components().rev().skip(1).map(|part| part.as_os_str());
+        for part in path.file_stem().into_iter().chain(folders) {
+            let text = part.to_string_lossy();
+            match self.in_text(&text).as_slice() {
+                [] => {}
+                [one] => return Ok(*one),
+                several => {
+                    let names: Vec<&str> = several.iter().map(|&i| self.all[i].name.as_str()).collect();
+                    return Err(format!(
+                        "`{text}` has the names of several exercises: {} (write the right one into the form, as \
+                         `exercise`)",
+                        names.join(", ")
+                    ));
+                }
+            }
+        }
+        match self.all.as_slice() {
+            [_] => Ok(0),
+            _ => Err(format!(
+                "it does not say to which exercise it belongs (write the exercise's name into the form as `exercise`, \
+                 or into the file's name; {})",
+                self.names()
+            )),
+        }
+    }
+
+    /// The exercise that a form names.
+    fn named(&self, name: &str) -> Result<usize, String> {
+        let exactly = self.all.iter().position(|e| e.name == name);
+        let nearly = || self.all.iter().position(|e| e.name.to_lowercase() == name.trim().to_lowercase());
+        exactly.or_else(nearly).ok_or_else(|| {
+            let near = nearest(name, self.all.iter().map(|e| e.name.as_str()));
+            let near = near.map_or_else(String::new, |near| format!("did you mean `{near}`? "));
+            format!("its exercise `{name}` is not in {} ({near}{})", self.folder.display(), self.names())
+        })
+    }
+
+    /// The exercises whose names are whole words of a text; none that is a part of another one's name there.
+    fn in_text(&self, text: &str) -> Vec<usize> {
+        let text = text.to_lowercase();
+        let names = self.all.iter().map(|e| e.name.to_lowercase()).enumerate();
+        let found: Vec<(usize, String)> = names.filter(|(_, name)| has_word(&text, name)).collect();
+        let is_part = |name: &str| found.iter().any(|(_, longer)| longer != name && has_word(longer, name));
+        found.iter().filter(|(_, name)| !is_part(name)).map(|(index, _)| *index).collect()
+    }
+
+    /// The names of the exercises for a message.
+    fn names(&self) -> String {
+        let some: Vec<&str> = self.all.iter().take(NAMED).map(|e| e.name.as_str()).collect();
+        match self.all.len() - some.len() {
+            0 => format!("there are {}", some.join(", ")),
+            more => format!("there are {} and {more} more", some.join(", ")),
+        }
+    }
+}
+
+/// The exercise at a path, if one is there.
+fn exercise(path: &Path) -> Option<ExerciseFiles> {
+    if is_hidden(path) {
+        return None;
+    }
+    let inside = path.join("scene.json");
+    if inside.is_file() {
+        return Some(ExerciseFiles { name: name(path.file_name()), scene: inside, folder: Some(path.to_owned()) });
+    }
+    let is_json = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json"));
+    (is_json && path.is_file() && is_scene(path)).then(|| ExerciseFiles {
+        name: name(path.file_stem()),
+        scene: path.to_owned(),
+        folder: None,
+    })
+}
+
+/// Whether a file is a scene, or one that cannot be read: marking schemes, forms, keys and reports are none.
+fn is_scene(path: &Path) -> bool {
+    let Ok(source) = files::read(path) else {
+        return true;
+    };
+    let value: Result<serde_json::Value, _> = serde_json::from_str(source.text.trim_start_matches('\u{feff}'));
+    value.map_or(true, |value| value.get("kinegon").is_some())
+}
+
+fn name(name: Option<&std::ffi::OsStr>) -> String {
+    name.unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Whether a word stands in a text, with no letter or digit beside it.
+fn has_word(text: &str, word: &str) -> bool {
+    !word.is_empty()
+        && text.match_indices(word).any(|(at, _)| {
+            let before = text[..at].chars().next_back();
+            let after = text[at + word.len()..].chars().next();
+            ![before, after].into_iter().flatten().any(char::is_alphanumeric)
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder(names: &[&str]) -> ExerciseFolder {
+        let one = |name: &&str| ExerciseFiles { name: (*name).to_owned(), scene: PathBuf::new(), folder: None };
+        ExerciseFolder { folder: "class".into(), all: names.iter().map(one).collect() }
+    }
+
+    #[test]
+    fn a_form_belongs_to_the_exercise_that_it_its_file_or_its_folder_names() {
+        let some = folder(&["bar-7-1", "four-bar-7-1", "four-bar-7-12", "four-bar-7-2"]);
+        let of = |named, path: &str| some.of_form(named, Path::new(path));
+        assert_eq!(of(Some("four-bar-7-2"), "four-bar-7-1/four-bar-7-1.csv"), Ok(3));
+        assert_eq!(of(Some("Four-Bar-7-2"), "x.csv"), Ok(3));
+        assert_eq!(of(None, "four-bar-7-2 Ana.csv"), Ok(3));
+        assert_eq!(of(None, "Ana_FOUR-BAR-7-12.json"), Ok(2));
+        assert_eq!(of(None, "four-bar-7-1.json"), Ok(1));
+        assert_eq!(of(None, "four-bar-7-1/four-bar-7-2 Ana.csv"), Ok(3));
+        assert_eq!(of(None, "four-bar-7-1/late/Ana.csv"), Ok(1));
+        assert_eq!(of(None, "Ana.four-bar-7-2.csv"), Ok(3));
+    }
+
+    #[test]
+    fn what_is_not_clear_is_said() {
+        let some = folder(&["four-bar-7-1", "four-bar-7-2"]);
+        let of = |named, path: &str| some.of_form(named, Path::new(path)).unwrap_err();
+        let unknown = of(Some("four-bar-7-3"), "four-bar-7-1.csv");
+        assert!(unknown.contains("`four-bar-7-3` is not in class"), "{unknown}");
+        assert!(unknown.contains("there are four-bar-7-1, four-bar-7-2"), "{unknown}");
+        assert!(of(None, "four-bar-7-1 four-bar-7-2.csv").contains("several exercises: four-bar-7-1, four-bar-7-2"));
+        assert!(of(None, "four-bar-7-13.csv").contains("does not say to which exercise"));
+        assert!(of(None, "Ana.csv").contains("there are four-bar-7-1, four-bar-7-2"));
+        let many: Vec<String> = (1..=30).map(|i| format!("x-{i}")).collect();
+        let many: Vec<&str> = many.iter().map(String::as_str).collect();
+        let none = folder(&many).of_form(None, Path::new("Ana.csv")).unwrap_err();
+        assert!(none.contains("x-6 and 24 more"), "{none}");
+    }
+
+    #[test]
+    fn a_single_exercise_has_all_forms_that_name_none() {
+        assert_eq!(folder(&["a-1"]).of_form(None, Path::new("Ana.csv")), Ok(0));
+        assert!(folder(&["a-1"]).of_form(Some("a-2"), Path::new("Ana.csv")).is_err());
+    }
+}

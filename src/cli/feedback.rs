@@ -1,0 +1,183 @@
+//! The pages that students get back.
+
+use super::message::Failure;
+use crate::check::Feedback;
+use crate::format::FEEDBACK_MARK;
+use clap::{Args, ValueEnum};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Whether pages for the students are written.
+#[derive(Debug, Args)]
+pub(super) struct FeedbackOptions {
+    /// Also write a page for each form, for the student: the verdict on every value, what probably happened, the marks,
+    /// and the student's drawing over the right one. Into this folder, each with the name of its form.
+    #[arg(long, value_name = "DIR", conflicts_with = "template")]
+    feedback: Option<PathBuf>,
+    /// Formats of these pages.
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',', value_enum, default_values_t = [PageFormat::usual()])]
+    feedback_format: Vec<PageFormat>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+enum PageFormat {
+    #[cfg(feature = "pdf")]
+    Pdf,
+    Html,
+}
+
+impl PageFormat {
+    /// The format that is written if none is given.
+    fn usual() -> PageFormat {
+        #[cfg(feature = "pdf")]
+        return PageFormat::Pdf;
+        #[cfg(not(feature = "pdf"))]
+        PageFormat::Html
+    }
+
+    fn ending(self) -> &'static str {
+        match self {
+            #[cfg(feature = "pdf")]
+            PageFormat::Pdf => "pdf",
+            PageFormat::Html => "html",
+        }
+    }
+}
+
+impl FeedbackOptions {
+    /// The pages of forms with these names, as the report shows them; `None` if no pages are wanted.
+    ///
+    /// Refuses to write over files that are no such pages; nothing is written yet.
+    pub(super) fn pages<'f>(&self, forms: impl IntoIterator<Item = &'f str>) -> Result<Option<Pages>, Failure> {
+        let usual = self.feedback_format == [PageFormat::usual()];
+        let Some(folder) = &self.feedback else {
+            return match usual {
+                true => Ok(None),
+                false => Err(Failure::Misuse(
+                    "--feedback-format is of pages for the students, which are not asked for".into(),
+                    Some("add `--feedback DIR`".into()),
+                )),
+            };
+        };
+        if folder == Path::new("-") || folder.is_file() {
+            return Err(Failure::Misuse(
+                format!("{} is no folder, but every student gets a page", folder.display()),
+                Some("name a folder after --feedback".into()),
+            ));
+        }
+        let forms: Vec<&str> = forms.into_iter().collect();
+        let formats: BTreeSet<PageFormat> = self.feedback_format.iter().copied().collect();
+        let pages = Pages { folder: folder.clone(), formats, names: page_names(&forms) };
+        for index in 0..forms.len() {
+            for format in &pages.formats {
+                refuse_foreign(&pages.path(index, *format))?;
+            }
+        }
+        Ok(Some(pages))
+    }
+}
+
+/// Where the pages of forms go.
+pub(super) struct Pages {
+    folder: PathBuf,
+    formats: BTreeSet<PageFormat>,
+    /// By form: the name of its page, without an ending.
+    names: Vec<String>,
+}
+
+impl Pages {
+    pub(super) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    fn path(&self, form: usize, format: PageFormat) -> PathBuf {
+        self.folder.join(format!("{}.{}", self.names[form], format.ending()))
+    }
+
+    /// The files of a form's page.
+    pub(super) fn of(&self, form: usize, feedback: &Feedback) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        let bytes = |format: &PageFormat| match format {
+            #[cfg(feature = "pdf")]
+            PageFormat::Pdf => crate::format::pdf_pages(&feedback.sheets(), Some(FEEDBACK_MARK))
+                .map_err(|error| Failure::Misuse(error.to_string(), None)),
+            PageFormat::Html => Ok(feedback.html().into_bytes()),
+        };
+        self.formats.iter().map(|format| Ok((self.path(form, *format), bytes(format)?))).collect()
+    }
+}
+
+/// Refuses to write over a file that is no page for a student.
+fn refuse_foreign(page: &Path) -> Result<(), Failure> {
+    let Ok(found) = fs::metadata(page) else {
+        return Ok(());
+    };
+    let mark = FEEDBACK_MARK.as_bytes();
+    let is_own = || fs::read(page).is_ok_and(|bytes| bytes.windows(mark.len()).any(|part| part == mark));
+    if found.is_file() && is_own() {
+        return Ok(());
+    }
+    Err(Failure::Misuse(
+        format!("{} is there already, is no page for a student and is not overwritten", page.display()),
+        Some("choose another folder after --feedback".into()),
+    ))
+}
+
+/// Most bytes of a page's name: file systems take 255 with all endings.
+const LONGEST: usize = 180;
+
+/// Names for the pages of forms, all different on every file system: those of the forms without their endings, with
+/// them where two would be the same.
+fn page_names(forms: &[&str]) -> Vec<String> {
+    let stem = |form: &&str| form.rsplit_once('.').map_or(*form, |(stem, _)| stem).to_owned();
+    let ending = |form: &&str| form.rsplit_once('.').map_or("", |(_, ending)| ending).to_lowercase();
+    let mut count: BTreeMap<String, usize> = BTreeMap::new();
+    for form in forms {
+        *count.entry(safe(&stem(form)).to_lowercase()).or_default() += 1;
+    }
+    let mut taken = BTreeSet::new();
+    let mut name = |form: &&str| {
+        let mut name = safe(&stem(form));
+        if count[&name.to_lowercase()] > 1 {
+            name = format!("{name}-{}", ending(form));
+        }
+        let numbered = (2..).map(|number| format!("{name}-{number}"));
+        let free = [name.clone()].into_iter().chain(numbered).find(|name| taken.insert(name.to_lowercase()));
+        free.unwrap_or(name)
+    };
+    forms.iter().map(|form| name(form)).collect()
+}
+
+/// A file name that every system takes: folders, signs with a meaning and ends of blanks or dots are replaced.
+fn safe(text: &str) -> String {
+    let is_bad = |c: char| c.is_control() || matches!(c, '/' | '\\' | '<' | '>' | ':' | '"' | '|' | '?' | '*');
+    let name: String = text.chars().map(|c| if is_bad(c) { '-' } else { c }).collect();
+    let end = (0..=LONGEST.min(name.len())).rev().find(|&end| name.is_char_boundary(end));
+    let name = name[..end.unwrap_or(0)].trim_matches([' ', '.']);
+    let start = name.split('.').next().unwrap_or_default().to_lowercase();
+    let device = start.strip_prefix("com").or_else(|| start.strip_prefix("lpt"));
+    let is_device = ["con", "prn", "aux", "nul"].contains(&start.as_str())
+        || device.is_some_and(|number| number.len() == 1 && number.starts_with(|c: char| c.is_ascii_digit()));
+    match name {
+        "" => "form".to_owned(),
+        name if is_device => format!("{name}-form"),
+        name => name.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::page_names;
+
+    #[test]
+    fn names_of_pages_are_safe_and_different() {
+        let forms = ["Ana.csv", "Ana.json", "ana.csv", "7-1/Ben.csv", "7-1-Ben.csv", "a:b?.csv", "CON.csv", "...csv"];
+        let names = page_names(&forms);
+        let expected = ["Ana-csv", "Ana-json", "ana-csv-2", "7-1-Ben-csv", "7-1-Ben-csv-2", "a-b-", "CON-form", "form"];
+        assert_eq!(names, expected);
+        let long = format!("{}.csv", "ñ".repeat(300));
+        let names = page_names(&[&long, &long]);
+        assert!(names[0].len() <= 180 && names[0].starts_with("ñ"), "{}", names[0]);
+        assert_ne!(names[0], names[1]);
+    }
+}

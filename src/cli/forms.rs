@@ -1,0 +1,69 @@
+//! The forms in a folder.
+
+use super::message::Failure;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The forms of a folder, ordered by name: all files in `.json` or `.csv` except hidden ones and `others`. What has
+/// such a name and is no file is among them, so that a row says so.
+pub(super) fn forms_in(folder: &Path, others: &[&Path]) -> Result<Vec<PathBuf>, Failure> {
+    let others = complete(others);
+    let mut forms: Vec<PathBuf> = entries(folder)?.into_iter().filter(|path| is_form(path, &others)).collect();
+    forms.sort_by(|a, b| a.file_name().cmp(&b.file_name()));
+    if forms.is_empty() { Err(none(folder)) } else { Ok(forms) }
+}
+
+/// The forms of a folder and of the folders in it, ordered by path: files as for [`forms_in`]. Links to folders are not
+/// followed.
+pub(super) fn forms_below(folder: &Path, others: &[&Path]) -> Result<Vec<PathBuf>, Failure> {
+    let others = complete(others);
+    let (mut forms, mut folders) = (Vec::new(), vec![folder.to_owned()]);
+    while let Some(inside) = folders.pop() {
+        for path in entries(&inside)? {
+            let is_folder = fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir());
+            if is_folder && !is_hidden(&path) {
+                folders.push(path);
+            } else if !is_folder && is_form(&path, &others) {
+                forms.push(path);
+            }
+        }
+    }
+    forms.sort();
+    if forms.is_empty() { Err(none(folder)) } else { Ok(forms) }
+}
+
+fn entries(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let failed = |error: std::io::Error| {
+        let message = format!("{} cannot be listed: {error}", folder.display());
+        Failure::Misuse(message, None)
+    };
+    let entries = fs::read_dir(folder).map_err(failed)?;
+    entries.map(|entry| Ok(entry.map_err(failed)?.path())).collect()
+}
+
+/// The complete paths of the files that are there.
+fn complete(files: &[&Path]) -> BTreeSet<PathBuf> {
+    files.iter().filter_map(|file| file.canonicalize().ok()).collect()
+}
+
+fn is_form(path: &Path, others: &BTreeSet<PathBuf>) -> bool {
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    ["json", "csv"].contains(&ending.to_lowercase().as_str())
+        && !is_hidden(path)
+        && !path.canonicalize().is_ok_and(|path| others.contains(&path))
+}
+
+pub(super) fn is_hidden(path: &Path) -> bool {
+    path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'))
+}
+
+fn none(folder: &Path) -> Failure {
+    Failure::Misuse(
+        format!("{} has no forms to check", folder.display()),
+        Some(
+            "its files that end in `.json` or `.csv` are checked; `kinegon check SCENE --template` writes an empty form"
+                .into(),
+        ),
+    )
+}
