@@ -253,6 +253,12 @@ fn check_a_drawing(bencher: Bencher, depth: usize) {
     let solution = solved(FIGURE_2);
     let values = include_str!("../examples/paper-as-student.json");
     let measured = Measured::read_json(values).expect("a good form");
-    let key = AnswerKey { solution: &solution, scales: solution.scales(), tolerance: Tolerance::default(), latitude: LATITUDE, depth };
+    let key = AnswerKey {
+        solution: &solution,
+        scales: solution.scales(),
+        tolerance: Tolerance::default(),
+        latitude: LATITUDE,
+        depth,
+    };
     bencher.bench(|| check(black_box(&measured), &key));
 }

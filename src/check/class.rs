@@ -1,10 +1,12 @@
 //! The report on a whole class for its teacher: a row for each drawing, and the commonest mistakes.
 
+use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::explanation::Finding;
 use super::marks::{Awarded, MarkScheme};
 use super::mistakes::Mistake;
 use super::report::sentences;
+use super::shown::ShownNames;
 use super::verdict::Verdict;
 use crate::scene::schema_of;
 use crate::words::Wording;
@@ -61,6 +63,9 @@ pub struct ClassFound {
     /// What was probably done there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub done: Option<String>,
+    /// The same with the names of quantities as they stand on sheets.
+    #[serde(skip)]
+    told: String,
     /// All further mistakes.
     pub further: Vec<ClassMistake>,
     /// How sure these are together, from 0 to 1; not there where nothing is to be explained.
@@ -101,6 +106,7 @@ impl ClassRow {
         file: String,
         name: Option<&str>,
         checked: &Checked,
+        key: &AnswerKey<'_>,
         words: &Wording,
         scheme: Option<&MarkScheme>,
     ) -> ClassRow {
@@ -125,6 +131,7 @@ impl ClassRow {
                 within: count(Verdict::WithinTolerance),
                 off: count(Verdict::Off),
                 first: findings.first().map(mistake),
+                told: done.as_ref().map(|done| ShownNames::of(key.solution).text(done)).unwrap_or_default(),
                 done,
                 further: findings.iter().skip(1).map(mistake).collect(),
                 probability: (!findings.is_empty()).then_some(diagnosis.best.probability),
@@ -227,9 +234,9 @@ pub struct ClassSummary {
     pub commonest: Vec<Common>,
     /// Those with values that are off without a cause that is probable enough to be told.
     pub unknown: usize,
-    /// How often each mistake came first, by its step, name and sentence.
+    /// How often each mistake came first, by its step, name and sentence; and the sentence that is told.
     #[serde(skip)]
-    firsts: BTreeMap<(usize, &'static str, String), usize>,
+    firsts: BTreeMap<(usize, &'static str, String), (usize, String)>,
 }
 
 /// A first mistake that was made more than once.
@@ -243,6 +250,9 @@ pub struct Common {
     pub mistake: &'static str,
     /// What was probably done.
     pub done: String,
+    /// The same with the names of quantities as they stand on sheets.
+    #[serde(skip)]
+    told: String,
 }
 
 /// Least probability of a mistake that counts in the summary of a class.
@@ -275,7 +285,9 @@ impl ClassSummary {
         match (&found.first, &found.done) {
             (Some(first), Some(done)) if found.is_told() => {
                 let key = (first.step, first.mistake, done.clone());
-                *self.firsts.entry(key).or_default() += 1;
+                let (count, told) = self.firsts.entry(key).or_default();
+                *count += 1;
+                told.clone_from(&found.told);
             }
             _ => self.unknown += 1,
         }
@@ -284,8 +296,9 @@ impl ClassSummary {
     /// The summary with the commonest of the mistakes counted.
     #[must_use]
     pub fn finished(mut self) -> ClassSummary {
-        let repeated = core::mem::take(&mut self.firsts).into_iter().filter(|(_, count)| *count > 1);
-        self.commonest = repeated.map(|((step, mistake, done), count)| Common { count, step, mistake, done }).collect();
+        let repeated = core::mem::take(&mut self.firsts).into_iter().filter(|(_, (count, _))| *count > 1);
+        let common = |((step, mistake, done), (count, told))| Common { count, step, mistake, done, told };
+        self.commonest = repeated.map(common).collect();
         // The sort is stable: mistakes made equally often stay in the order of the construction.
         self.commonest.sort_by_key(|c| core::cmp::Reverse(c.count));
         self.commonest.truncate(COMMONEST);
@@ -306,8 +319,8 @@ impl ClassSummary {
         let common = self.commonest.iter().map(|common| {
             let count = common.count.to_string();
             match common.step {
-                0 => language.class_common_whole(&count, &understood, &common.done),
-                step => language.class_common(&count, &understood, &step.to_string(), &common.done),
+                0 => language.class_common_whole(&count, &understood, &common.told),
+                step => language.class_common(&count, &understood, &step.to_string(), &common.told),
             }
         });
         let unknown = (self.unknown > 0).then(|| language.class_unknown(&self.unknown.to_string(), &understood));

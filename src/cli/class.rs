@@ -172,7 +172,8 @@ impl Class<'_> {
             (Ok(measured), Ok(subject)) => match subject.key.check(measured) {
                 Ok(checked) => {
                     let (name, file) = (measured.name.as_deref(), form.file.clone());
-                    let row = ClassRow::checked(file, name, &checked, &subject.words, subject.scheme.as_ref());
+                    let (key, words) = (subject.key.key(), &subject.words);
+                    let row = ClassRow::checked(file, name, &checked, key, words, subject.scheme.as_ref());
                     return (row.of(subject.name), self.page(index, subject, measured, &checked));
                 }
                 Err(error) => Failure::Misuse(error.to_string(), error.hint).line(""),
