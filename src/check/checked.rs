@@ -155,7 +155,8 @@ fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
 fn widen(values: &mut [Judged], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKey<'_>) {
     let mut allowed = *hand;
     allowed.errors.iter_mut().for_each(|size| *size = size.min(key.latitude));
-    if key.latitude <= 1.0 || !hand.is_by_hand() {
+    // A few values do not show how good a hand is.
+    if key.latitude <= 1.0 || !hand.is_by_hand() || scorer.data.len() < ENOUGH {
         return;
     }
     for (place, datum) in scorer.data.iter().enumerate() {

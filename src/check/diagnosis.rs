@@ -57,7 +57,7 @@ impl Search<'_> {
             all.min(1.0) * honest(findings)
         };
         // Together they must be probable, too: the later ones are left out first.
-        while told.len() > 1 && probability(&told) < TOLD {
+        while !told.is_empty() && probability(&told) < TOLD {
             told.pop();
         }
         let others = groups.iter().skip(1).filter_map(|group| {

@@ -1,5 +1,5 @@
 use super::answer_key::AnswerKey;
-use super::precision::Precision;
+use super::precision::{Precision, most_digits, whole_rounding};
 use super::sheet::{CheckError, Given, Measured, Positive};
 use super::shown::ShownNames;
 use super::template::FormNames;
@@ -124,6 +124,7 @@ impl Names {
 
 /// Sets the precision and rounding of each entry from all values of its kind.
 fn find_precisions(entries: &mut [Entry]) {
+    let digits = most_digits(entries.iter().map(|entry| entry.text.as_str()));
     for index in 0..entries.len() {
         let entry = &entries[index];
         if entry.text.is_empty() {
@@ -134,7 +135,8 @@ fn find_precisions(entries: &mut [Entry]) {
         let precision = Precision::of(same.map(|e| e.text.as_str()));
         let entry = &mut entries[index];
         entry.precision = precision;
-        entry.rounding = precision.rounding(&entry.text) * entry.factor.abs();
+        let rounding = precision.rounding(&entry.text).min(whole_rounding(&entry.text, digits));
+        entry.rounding = rounding * entry.factor.abs();
     }
 }
 

@@ -38,6 +38,26 @@ impl Precision {
     }
 }
 
+/// Most significant digits that a short whole number is taken to have.
+const WHOLE: i32 = 3;
+
+/// Half a unit of the last digit of a whole number with fewer digits than others of its form have, which are at most
+/// `digits`: `3` beside `8.36` is 3.00 of which the zeros were dropped, not any number from 2.5 to 3.5. Infinite for
+/// numbers that say their digits.
+pub(super) fn whole_rounding(text: &str, digits: i32) -> f64 {
+    let value: f64 = text.parse().unwrap_or(0.0);
+    if text.contains(['.', 'e', 'E']) || value == 0.0 {
+        return f64::INFINITY;
+    }
+    let first = libm::floor(libm::log10(value.abs())) as i32;
+    0.5 * libm::exp10(f64::from(first + 1 - digits.min(WHOLE)))
+}
+
+/// The most significant digits that any of these numbers has.
+pub(super) fn most_digits<'t>(texts: impl Iterator<Item = &'t str>) -> i32 {
+    texts.filter(|text| !text.contains(['e', 'E'])).map(|text| counts(text).1).max().unwrap_or(0)
+}
+
 /// Decimals and significant digits of a number as it is written.
 fn counts(text: &str) -> (i32, i32) {
     let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());
@@ -47,7 +67,7 @@ fn counts(text: &str) -> (i32, i32) {
 
 #[cfg(test)]
 mod tests {
-    use super::Precision;
+    use super::{Precision, most_digits, whole_rounding};
 
     #[test]
     fn zeros_that_a_file_has_dropped_count() {
@@ -72,6 +92,14 @@ mod tests {
         assert_eq!(precision.rounding("61.5"), 0.05);
         assert_eq!(precision.rounding("48.5"), 0.05);
         assert_eq!(precision.rounding("4.85"), 0.005);
+    }
+
+    #[test]
+    fn a_short_whole_number_has_the_digits_of_the_others() {
+        let digits = most_digits(["8.364", "110", "3"].into_iter());
+        assert_eq!(whole_rounding("3", digits), 0.005);
+        assert_eq!(whole_rounding("110", digits), 0.5);
+        assert_eq!(whole_rounding("3.0", digits), f64::INFINITY);
     }
 
     #[test]
