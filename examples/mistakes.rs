@@ -308,6 +308,10 @@ pub fn row(mistake: Mistake, count: usize, hand: [f64; 2], seed: u64) -> Row {
             row.named += 1;
             row.alike += 1;
         } else {
+            if std::env::var_os("KINEGON_DEBUG").is_some() {
+                eprintln!("PLANTED {} {:?}", mistake.id(), planted.blanks);
+                eprintln!("TOLD {:.2} {:?}\n", checked.diagnosis.best.probability, checked.diagnosis.best.findings.iter().map(|f| (f.candidate.mistake.id(), &f.candidate.blanks)).collect::<Vec<_>>());
+            }
             let best = &checked.diagnosis.best.findings;
             let first = best.first().map_or("nothing", |f| f.candidate.mistake.id());
             *row.instead.entry(first).or_default() += 1;

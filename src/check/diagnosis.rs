@@ -21,7 +21,7 @@ const NEGLIGIBLE: f64 = 1e-5;
 
 /// The share of students in whose values a mistake of the catalogue is seen although they made another, that no
 /// catalogue has: found with students who are not of the catalogue (docs/mistakes.md).
-const OUTSIDE: f64 = 0.07;
+const OUTSIDE: f64 = 0.1;
 
 /// The same for each further mistake.
 const FURTHER_OUTSIDE: f64 = 0.12;
@@ -210,6 +210,6 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
 /// The share of students that made these mistakes, of those in whose values they are seen.
 fn honest(findings: &[Finding]) -> f64 {
     let causes = findings.iter().filter(|f| f.candidate.mistake != Mistake::Unknown).count() as i32;
-    let first = if causes > 0 { 1.0 - OUTSIDE } else { 1.0 - 0.5 * OUTSIDE };
+    let first = if causes > 0 { 1.0 - OUTSIDE } else { 1.0 - 0.4 * OUTSIDE };
     first * libm::pow(1.0 - FURTHER_OUTSIDE, f64::from((findings.len() as i32 - 1).max(0)))
 }

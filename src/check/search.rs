@@ -12,8 +12,15 @@ use super::walk::Metric;
 use crate::cores::on_all_cores;
 use crate::position::poses;
 
-/// Explanations of one level that are compared completely: the best at a first look.
-const COMPARED: usize = 20;
+/// Explanations of one level with mistakes of the catalogue that are compared completely: the best at a first look.
+const COMPARED: usize = 16;
+
+/// The same with amounts that were fitted to the values.
+const SETTLED: usize = 8;
+
+/// Places of the likeliest fitted amounts at which more mistakes of the catalogue are compared, and how many.
+const PLACES: usize = 3;
+const BESIDE: usize = 12;
 
 /// Explanations of one level that are tried with a further mistake (the width of the beam search).
 const EXTENDED: usize = 5;
@@ -233,8 +240,31 @@ impl<'a> Search<'a> {
         }
         children.retain(|child| child.cost.is_finite());
         children.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        children.truncate(COMPARED);
-        children
+        self.chosen(children)
+    }
+
+    /// The children that are compared completely: the likeliest of the catalogue, the likeliest with a fitted amount, and
+    /// what of the catalogue is done at the same operation as the first of these: where lines hardly cross, a first look
+    /// shows only fitted amounts.
+    fn chosen<'t>(&self, children: Vec<Child<'t>>) -> Vec<Child<'t>> {
+        let fitted = children.iter().filter_map(|child| match &child.new {
+            New::Fitted(_, candidate) => Some(candidate.as_ref()),
+            New::Listed(_) => None,
+        });
+        let places: Vec<usize> = fitted.take(PLACES).flat_map(|candidate| candidate.operations().collect::<Vec<_>>()).collect();
+        let (mut listed, mut settled, mut beside) = (COMPARED, SETTLED, BESIDE);
+        let mut take = |child: &Child<'t>| {
+            let left = match &child.new {
+                New::Fitted(..) => &mut settled,
+                New::Listed(_) if listed > 0 => &mut listed,
+                New::Listed(index) if self.pool[*index].operations().any(|o| places.contains(&o)) => &mut beside,
+                New::Listed(_) => return false,
+            };
+            let is_taken = *left > 0;
+            *left = left.saturating_sub(1);
+            is_taken
+        };
+        children.into_iter().filter(|child| take(child)).collect()
     }
 
     fn parent<'t>(&'t self, tried: &'t Tried, off: &[bool]) -> Parent<'t> {
