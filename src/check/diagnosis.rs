@@ -60,12 +60,13 @@ impl Search<'_> {
         while !told.is_empty() && probability(&told) < TOLD {
             told.pop();
         }
-        let others = groups.iter().skip(1).filter_map(|group| {
+        let others = groups.iter().filter_map(|group| {
             let is_new = group.findings.iter().any(|f| !told.iter().any(|t| t.candidate.is_told_like(&f.candidate)));
-            let is_told = group.is_alike && told.len() == first.findings.len();
+            // What the values cannot tell from an explanation that is told whole.
+            let is_told = group.is_alike && told.iter().all(|t| first.tells(&t.candidate)) && told.len() == first.findings.len();
             (is_new && (is_told || group.probability >= LEAST)).then(|| Explanation {
                 findings: group.findings.clone(),
-                probability: if is_told { probability(&told) } else { group.probability },
+                probability: if is_told { probability(&told) } else { group.probability * honest(&group.findings) },
                 is_alike: is_told,
             })
         });

@@ -21,7 +21,7 @@ const BY_HAND: f64 = 0.04;
 const BETTER: f64 = 1.2;
 
 /// Cost of a hand whose errors are twice as large as the tolerance.
-const WORSE: f64 = 3.0;
+const WORSE: f64 = 5.0;
 
 /// Cost of slips in computed numbers.
 const SLIPPING: f64 = 4.0;
