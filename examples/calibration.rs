@@ -65,12 +65,6 @@ fn main() {
         let is_false = |outcome: &&Outcome| [Some(Class::Wrong), Some(Class::WeaklyWrong)].contains(&outcome.class);
         wrong.iter().filter(is_false).for_each(list);
     }
-    if words.iter().any(|word| word == "each") {
-        for o in wrong.iter() {
-            let ids: Vec<&str> = o.told.iter().map(|t| t.id).collect();
-            println!("EACH {} {} {:.4} {} {} {:?} {}", o.kind, o.skill, o.probability, o.is_right, o.is_classical, o.class, ids.join(","));
-        }
-    }
 }
 
 /// What was done and what was told of a sheet.

@@ -63,7 +63,8 @@ impl Search<'_> {
         let others = groups.iter().filter_map(|group| {
             let is_new = group.findings.iter().any(|f| !told.iter().any(|t| t.candidate.is_told_like(&f.candidate)));
             // What the values cannot tell from an explanation that is told whole.
-            let is_told = group.is_alike && told.iter().all(|t| first.tells(&t.candidate)) && told.len() == first.findings.len();
+            let is_told =
+                group.is_alike && told.iter().all(|t| first.tells(&t.candidate)) && told.len() == first.findings.len();
             (is_new && (is_told || group.probability >= LEAST)).then(|| Explanation {
                 findings: group.findings.clone(),
                 probability: if is_told { probability(&told) } else { group.probability * honest(&group.findings) },

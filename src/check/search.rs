@@ -172,21 +172,6 @@ impl<'a> Search<'a> {
                 break;
             }
         }
-        if std::env::var_os("KINEGON_DEBUG").is_some() {
-            for t in tried.iter().take(12) {
-                let names: Vec<String> = self
-                    .set(&t.set)
-                    .iter()
-                    .map(|c| format!("{}{:?}{:?}", c.mistake.id(), c.blanks, c.edits.first().map(|e| e.0)))
-                    .collect();
-                let out: Vec<&str> =
-                    (0..off.len()).filter(|&i| t.fit.outside[i]).map(|i| self.scorer.entry(i).asked.name()).collect();
-                eprintln!(
-                    "{:.1} fit {:.1} hand {:?} {:?} {:?} out {out:?}",
-                    t.cost, t.fit.cost, t.fit.hand.errors, t.fit.hand.habit, names
-                );
-            }
-        }
         tried
     }
 
@@ -251,7 +236,8 @@ impl<'a> Search<'a> {
             New::Fitted(_, candidate) => Some(candidate.as_ref()),
             New::Listed(_) => None,
         });
-        let places: Vec<usize> = fitted.take(PLACES).flat_map(|candidate| candidate.operations().collect::<Vec<_>>()).collect();
+        let places: Vec<usize> =
+            fitted.take(PLACES).flat_map(|candidate| candidate.operations().collect::<Vec<_>>()).collect();
         let (mut listed, mut settled, mut beside) = (COMPARED, SETTLED, BESIDE);
         let mut take = |child: &Child<'t>| {
             let left = match &child.new {

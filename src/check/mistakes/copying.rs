@@ -94,7 +94,8 @@ fn written<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, &'a Entry)> {
 pub(super) fn transposed(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, entry) in written(site) {
-        // Nobody means more digits than values of the kind are written with.
+        // Zeros at the end of a whole number only hold places: nobody means more digits than values of the kind are
+        // written with.
         let alike = |other: &Entry| other.asked.kind() == entry.asked.kind() && other.on_paper == entry.on_paper;
         let same = written(site).filter(|(_, other)| alike(other));
         let most = same.map(|(_, other)| significant(&other.text)).max().unwrap_or(0);
@@ -102,7 +103,7 @@ pub(super) fn transposed(site: &Site<'_>) -> Vec<Candidate> {
             let Ok(number) = meant.parse::<f64>() else {
                 continue;
             };
-            if significant(&meant) > most {
+            if !meant.contains('.') && significant(&meant) > most {
                 continue;
             }
             let meant_value = meant_as(index, number * entry.factor, entry.rounding);
