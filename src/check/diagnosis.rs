@@ -3,6 +3,7 @@
 
 use super::explanation::{Diagnosis, Explanation, Finding};
 use super::fit::Fit;
+use super::hand::Hand;
 use super::mistakes::{Candidate, Mistake};
 use super::search::{Search, Tried};
 use super::verdict::{Judged, Verdict};
@@ -20,11 +21,13 @@ const OTHERS: usize = 4;
 const NEGLIGIBLE: f64 = 1e-5;
 
 /// The share of students in whose values a mistake of the catalogue is seen although they made another, that no
-/// catalogue has: found with students who are not of the catalogue (docs/mistakes.md).
-const OUTSIDE: f64 = 0.1;
+/// catalogue has, and the same for each further mistake: found with students who are not of the catalogue
+/// (docs/mistakes.md). The first pair is for drawings by hand, the second for those that are more exact: their values
+/// fit by chance much more rarely.
+const OUTSIDE: [[f64; 2]; 2] = [[0.1, 0.12], [0.03, 0.04]];
 
-/// The same for each further mistake.
-const FURTHER_OUTSIDE: f64 = 0.12;
+/// The part of it where only the place of a mistake is told.
+const UNKNOWN_OUTSIDE: f64 = 0.4;
 
 /// Explanations that are told in the same words.
 struct Group<'t> {
@@ -50,11 +53,12 @@ impl Search<'_> {
         let Some(first) = groups.first() else {
             return Diagnosis::none(values);
         };
+        let hand = &first.best.fit.hand;
         let mut told = told(&groups, values);
         let probability = |findings: &[Finding]| {
             let holds = |g: &&Group<'_>| findings.iter().all(|f| g.is_alike || has_cause(g, f));
             let all: f64 = groups.iter().filter(holds).map(|g| g.probability).sum();
-            all.min(1.0) * honest(findings)
+            all.min(1.0) * honest(findings, hand)
         };
         // Together they must be probable, too: the later ones are left out first.
         while !told.is_empty() && probability(&told) < TOLD {
@@ -67,7 +71,11 @@ impl Search<'_> {
                 group.is_alike && told.iter().all(|t| first.tells(&t.candidate)) && told.len() == first.findings.len();
             (is_new && (is_told || group.probability >= LEAST)).then(|| Explanation {
                 findings: group.findings.clone(),
-                probability: if is_told { probability(&told) } else { group.probability * honest(&group.findings) },
+                probability: if is_told {
+                    probability(&told)
+                } else {
+                    group.probability * honest(&group.findings, hand)
+                },
                 is_alike: is_told,
             })
         });
@@ -210,8 +218,10 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
 }
 
 /// The share of students that made these mistakes, of those in whose values they are seen.
-fn honest(findings: &[Finding]) -> f64 {
-    let causes = findings.iter().filter(|f| f.candidate.mistake != Mistake::Unknown).count() as i32;
-    let first = if causes > 0 { 1.0 - OUTSIDE } else { 1.0 - 0.4 * OUTSIDE };
-    first * libm::pow(1.0 - FURTHER_OUTSIDE, f64::from((findings.len() as i32 - 1).max(0)))
+fn honest(findings: &[Finding], hand: &Hand) -> f64 {
+    let [first, further] = OUTSIDE[usize::from(!hand.is_by_hand())];
+    let names_any = findings.iter().any(|f| f.candidate.mistake != Mistake::Unknown);
+    let first = if names_any { first } else { UNKNOWN_OUTSIDE * first };
+    let others = findings.len().saturating_sub(1) as i32;
+    (1.0 - first) * libm::pow(1.0 - further, f64::from(others))
 }

@@ -32,7 +32,7 @@ const HOPELESS: f64 = 30.0;
 const MARGIN: f64 = 4.6;
 
 /// Cost of each mistake beside the first: most people make one.
-const FURTHER: f64 = 5.0;
+const FURTHER: f64 = 2.5;
 
 /// Cost of each amount that is fitted to the values, at a first look.
 const FITTED: f64 = 7.0;
