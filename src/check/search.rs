@@ -13,7 +13,7 @@ use crate::cores::on_all_cores;
 use crate::position::poses;
 
 /// Explanations of one level with mistakes of the catalogue that are compared completely: the best at a first look.
-const COMPARED: usize = 16;
+const COMPARED: usize = 20;
 
 /// The same with amounts that were fitted to the values.
 const SETTLED: usize = 8;
@@ -23,10 +23,10 @@ const PLACES: usize = 3;
 const BESIDE: usize = 12;
 
 /// Explanations of one level that are tried with a further mistake (the width of the beam search).
-const EXTENDED: usize = 5;
+const EXTENDED: usize = 6;
 
 /// Cost above the best one of its level above which an explanation is not tried with a further mistake.
-const HOPELESS: f64 = 30.0;
+const HOPELESS: f64 = 40.0;
 
 /// Least gain of a further mistake, in −2 ln of the likelihood: ten times likelier.
 const MARGIN: f64 = 4.6;
