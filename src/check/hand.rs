@@ -21,10 +21,10 @@ const BY_HAND: f64 = 0.04;
 const BETTER: f64 = 1.2;
 
 /// Cost of a hand whose errors are twice as large as the tolerance.
-const WORSE: f64 = 5.0;
+const WORSE: f64 = 9.0;
 
 /// Cost of slips in computed numbers.
-const SLIPPING: f64 = 4.0;
+const SLIPPING: f64 = 6.0;
 
 /// How accurate a hand is, and how it computes.
 #[derive(Clone, Copy, Debug, PartialEq)]
