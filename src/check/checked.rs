@@ -89,7 +89,7 @@ impl Prepared<'_> {
         let none = scorer.compare(&[], None).filter(|_| !scorer.data.is_empty());
         let mut accuracy = none.as_ref().map(|fit| Accuracy::of(&fit.hand, key));
         let diagnosis = match none {
-            Some(none) if has_off(&values) => {
+            Some(none) if has_off(&values) && !is_all_alike(&entries) => {
                 let site = Site { model: &models[0], key, entries: &entries, other_modes: models.len() - 1 };
                 let mut search = Search::new(site.candidates(), &scorer);
                 let off: Vec<bool> = scorer.data.iter().map(|d| values[d.entry].verdict == Verdict::Off).collect();
@@ -110,6 +110,11 @@ impl Prepared<'_> {
         let accuracy = accuracy.filter(|_| scorer.data.len() >= ENOUGH);
         Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.kind).collect() })
     }
+}
+
+/// Whether one number is written everywhere: nothing was measured, so no mistake is looked for.
+fn is_all_alike(entries: &[Entry]) -> bool {
+    entries.len() > 2 && entries.iter().all(|entry| entry.text == entries[0].text && !entry.text.is_empty())
 }
 
 /// The verdicts at the key's tolerance.

@@ -23,6 +23,8 @@ use std::path::{Path, PathBuf};
 
 /// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
+Without --pencil-mm and --pencil-degrees the tolerance follows the hand that the scatter of all values shows, up to ±1 mm and ±1°.
+
 Exit code: 0 no value is off, 1 some are, 2 something is not understood; of a folder: 0 all files are passed, 1 some are not, 2 some are
 not understood (their rows say why; the table is written all the same).
 

@@ -62,7 +62,7 @@ mistakes! {
     /// All products of a crank of twice the size.
     diameter_throughout(length: symbol);
     /// All products of a crank of half the size.
-    half_the_radius(from, to, rate, length: symbol);
+    half_the_radius(length: symbol);
     /// A normal part from an absolute velocity, or that of another link, given by its segment.
     normal_from_absolute(from, to, rate: symbol, length: symbol, velocity);
     /// A missing normal part.
@@ -180,6 +180,7 @@ fn variant(mistake: MistakeWords, blanks: &[String]) -> (MistakeWords, Vec<&str>
         (M::normal_outward, &["", vectors]) => (M::normals_outward, vec![vectors]),
         (M::omega_not_squared, &["", vectors]) => (M::omegas_not_squared, vec![vectors]),
         (M::normal_forgotten, &["", vectors]) => (M::normals_forgotten, vec![vectors]),
+        (M::half_the_radius, &[_, _, _, length]) => (M::half_the_radius, vec![length]),
         (M::diameter, &["", "", _, length]) => (M::diameter_throughout, vec![length]),
         (M::mirrored_image, [_, _, _, "end"]) => (M::beyond_end, blanks),
         (M::wrong_ratio, [_, _, _, "inverse"]) => (M::inverse_ratio, blanks),

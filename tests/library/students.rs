@@ -13,11 +13,11 @@ use kinegon::exercise::{Exercise, Exercises};
 use kinegon::quantity::Quantity;
 
 /// Of 100 sheets with mistakes, so many may be told something false with a probability of ½ or more.
-const WRONG: f64 = 12.0;
+const WRONG: f64 = 6.0;
 /// Of 100 honest sheets, so many may be told of a mistake.
-const ACCUSED: f64 = 5.0;
+const ACCUSED: f64 = 1.0;
 /// By how much the probabilities that are told may be too large on average.
-const TOO_SURE: f64 = 0.1;
+const TOO_SURE: f64 = 0.03;
 /// How far a sample may be off besides, in standard deviations.
 const SPREAD: f64 = 2.5;
 

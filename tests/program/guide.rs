@@ -97,7 +97,7 @@ fn run(commands: &str, code: i32, folder: &Path) -> Outcome {
     let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
     let mut outcome = Outcome { printed: String::new(), failure: None };
     for line in commands.lines() {
-        let is_meant = ["kinegon ", "mkdir "].iter().any(|command| line.starts_with(command));
+        let is_meant = ["kinegon ", "mkdir ", "cp "].iter().any(|command| line.starts_with(command));
         assert!(is_meant, "`{line}` is not for this test: say `not run` and why");
         let mut shell = std::process::Command::new("sh");
         shell.args(["-c", line]).current_dir(folder).env("PATH", &path).env_remove("CLICOLOR_FORCE");
