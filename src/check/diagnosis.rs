@@ -26,6 +26,10 @@ const NEGLIGIBLE: f64 = 1e-5;
 /// fit by chance much more rarely.
 const OUTSIDE: [[f64; 2]; 2] = [[0.1, 0.12], [0.03, 0.04]];
 
+/// The power of a probability that is left, by hand, for rivals that nobody has listed: where some of the catalogue are
+/// near, so are others.
+const RIVALS: f64 = 3.5;
+
 /// The part of it where only the place of a mistake is told.
 const UNKNOWN_OUTSIDE: f64 = 0.4;
 
@@ -58,7 +62,7 @@ impl Search<'_> {
         let probability = |findings: &[Finding]| {
             let holds = |g: &&Group<'_>| findings.iter().all(|f| g.is_alike || has_cause(g, f));
             let all: f64 = groups.iter().filter(holds).map(|g| g.probability).sum();
-            all.min(1.0) * honest(findings, hand)
+            honest(all.min(1.0), findings, hand)
         };
         // Together they must be probable, too: the later ones are left out first.
         while !told.is_empty() && probability(&told) < TOLD {
@@ -74,7 +78,7 @@ impl Search<'_> {
                 probability: if is_told {
                     probability(&told)
                 } else {
-                    group.probability * honest(&group.findings, hand)
+                    honest(group.probability, &group.findings, hand)
                 },
                 is_alike: is_told,
             })
@@ -217,11 +221,14 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
     told
 }
 
-/// The share of students that made these mistakes, of those in whose values they are seen.
-fn honest(findings: &[Finding], hand: &Hand) -> f64 {
-    let [first, further] = OUTSIDE[usize::from(!hand.is_by_hand())];
+/// The share of students that made these mistakes, of those for whom they have this probability among all that was
+/// tried.
+fn honest(probability: f64, findings: &[Finding], hand: &Hand) -> f64 {
+    let is_by_hand = hand.is_by_hand();
+    let [first, further] = OUTSIDE[usize::from(!is_by_hand)];
     let names_any = findings.iter().any(|f| f.candidate.mistake != Mistake::Unknown);
     let first = if names_any { first } else { UNKNOWN_OUTSIDE * first };
     let others = findings.len().saturating_sub(1) as i32;
-    (1.0 - first) * libm::pow(1.0 - further, f64::from(others))
+    let rivals = if is_by_hand && names_any { libm::pow(probability, RIVALS) } else { probability };
+    rivals * (1.0 - first) * libm::pow(1.0 - further, f64::from(others))
 }

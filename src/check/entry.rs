@@ -2,7 +2,7 @@ use super::answer_key::AnswerKey;
 use super::precision::{Precision, most_digits, whole_rounding};
 use super::sheet::{CheckError, Given, Measured, Positive};
 use super::shown::ShownNames;
-use super::template::FormNames;
+use super::template::{FormNames, UNDER_SLIDER};
 use super::unit;
 use crate::construction::{Sheet, image_name};
 use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
@@ -154,7 +154,7 @@ impl Reader<'_> {
             Some(name) => (name, true),
             None => (compact.as_str(), false),
         };
-        let (asked, expected, sheet, step) = self.quantity(name)?;
+        let (asked, expected, sheet, step) = self.quantity(self.under_slider(name).unwrap_or(name))?;
         let kind = asked.kind();
         let has_length = asked.is_length_on_sheet();
         let on_paper =
@@ -189,6 +189,16 @@ impl Reader<'_> {
             row: self.names.rows.of(&self.key.solution.construction, asked.name()).to_owned(),
             asked,
         })
+    }
+
+    /// The row of the form that a name means which has the pole in place of the image of the ground under a slider. In
+    /// forms that have names with that image the pole is itself.
+    fn under_slider(&self, name: &str) -> Option<&str> {
+        if self.measured.values.iter().any(|given| given.name.contains(UNDER_SLIDER)) {
+            return None;
+        }
+        let solution = self.key.solution;
+        self.names.rows.from_pole(&solution.construction, &ShownNames::of(solution).usual(name))
     }
 
     /// The factor from a written number to the scene's units, and the factor if the unit beside it were left out.

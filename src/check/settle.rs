@@ -111,7 +111,7 @@ impl<'a> Settling<'a> {
         for (x, f) in grid.windows(2).zip(apart.windows(2)) {
             if f[0].is_finite() && f[1].is_finite() && f[0] * f[1] < 0.0 {
                 let tolerance = 0.1 * self.scorer.data[datum].rounding;
-                roots.extend(root([x[0], x[1]], [f[0], f[1]], tolerance, &at).map(|amount| vec![amount]));
+                roots.extend(root([x[0], x[1]], [f[0], f[1]], tolerance, at).map(|amount| vec![amount]));
             }
         }
         roots.truncate(4);

@@ -3,6 +3,7 @@
 //! Quantities keep their names in results; a form writes `vplan(o,b)` where the figure's notation calls the pole o. A
 //! form may have either name, and the usual ones of poles in all notations.
 
+use super::template::FormNames;
 use crate::construction::{Plan, Sheet, Solution};
 use crate::quantity::{Asked, Spot, What};
 use crate::words::{Notation, Wording, with_prime};
@@ -94,13 +95,15 @@ impl<'a> ShownNames<'a> {
     }
 
     /// The name by which a form in the figure's notation asks for a quantity; its usual name where that is not plain.
-    pub fn in_form(&self, name: &str) -> String {
+    pub fn in_form(&self, name: &str, rows: &FormNames) -> String {
         let shown = || {
             let parts = Parts::of(name)?;
             let sheet = parts.sheet()?;
             let ends = parts.ends.iter().map(|end| Some(self.point(sheet, end)?.replace('′', "'")));
             let shown = parts.with_ends(&ends.collect::<Option<Vec<String>>>()?);
-            (self.usual(&shown) == name).then_some(shown)
+            let usual = self.usual(&shown);
+            let is_from_pole = || rows.from_pole(&self.solution.construction, &usual) == Some(name);
+            (usual == name || is_from_pole()).then_some(shown)
         };
         shown().unwrap_or_else(|| name.to_owned())
     }

@@ -21,6 +21,9 @@ pub fn form_name(construction: &Construction, name: &str) -> String {
     FormNames::new(construction).of(construction, name).to_owned()
 }
 
+/// In the names of images of the ground under a slider, as `c_ground`.
+pub(super) const UNDER_SLIDER: &str = "_ground";
+
 /// The rows of a construction's form, to look many names up.
 #[derive(Debug)]
 pub(super) struct FormNames(Vec<FormRow>);
@@ -28,6 +31,14 @@ pub(super) struct FormNames(Vec<FormRow>);
 impl FormNames {
     pub fn new(construction: &Construction) -> FormNames {
         FormNames(rows(construction))
+    }
+
+    /// The row of a segment from the image of the ground under a slider, for a name that has the pole in its place: the
+    /// two are one point, and the sheet shows the pole.
+    pub fn from_pole<'n>(&'n self, construction: &Construction, name: &str) -> Option<&'n str> {
+        let segment = Segment::of(construction, name)?;
+        let row = self.0.iter().find(|row| row.segment == Some(segment))?;
+        (row.name != name && row.name.contains(UNDER_SLIDER)).then_some(row.name.as_str())
     }
 
     /// The name by which the form asks for a quantity, as [`form_name`].
@@ -166,7 +177,8 @@ impl EmptyForm<'_> {
     /// The names of the quantities, in the notation of the figure.
     fn names(&self) -> Vec<String> {
         let shown = ShownNames::of(self.solution);
-        form_names(&self.solution.construction).iter().map(|name| shown.in_form(name)).collect()
+        let rows = FormNames::new(&self.solution.construction);
+        rows.0.iter().map(|row| shown.in_form(&row.name, &rows)).collect()
     }
 }
 

@@ -136,7 +136,7 @@ fn page_names(forms: &[&str]) -> Vec<String> {
         *count.entry(safe(&stem(form)).to_lowercase()).or_default() += 1;
     }
     let mut taken = BTreeSet::new();
-    let mut name = |form: &&str| {
+    let name = |form: &&str| {
         let mut name = safe(&stem(form));
         if count[&name.to_lowercase()] > 1 {
             name = format!("{name}-{}", ending(form));
@@ -145,7 +145,7 @@ fn page_names(forms: &[&str]) -> Vec<String> {
         let free = [name.clone()].into_iter().chain(numbered).find(|name| taken.insert(name.to_lowercase()));
         free.unwrap_or(name)
     };
-    forms.iter().map(|form| name(form)).collect()
+    forms.iter().map(name).collect()
 }
 
 /// A file name that every system takes: folders, signs with a meaning and ends of blanks or dots are replaced.

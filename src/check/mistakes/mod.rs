@@ -87,7 +87,7 @@ pub(super) const CATALOGUE: [Listed; 45] = listed! {
     Truncated "truncated" 1.0 copying::truncated => truncated,
     WrongUnit "wrong-unit" 5.0 copying::unit => wrong_unit,
     OtherUnit "other-unit" 3.0 copying::other_unit => other_unit,
-    Unknown "unknown" 12.0 unknown::everywhere => unknown,
+    Unknown "unknown" 5.0 unknown::everywhere => unknown,
 };
 
 impl Mistake {
