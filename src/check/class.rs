@@ -57,6 +57,8 @@ pub struct ClassFound {
     pub within: usize,
     /// How many are off.
     pub off: usize,
+    /// How many are rates of the right size whose sense is not told.
+    pub sense_missing: usize,
     /// The first mistake that was probably made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first: Option<ClassMistake>,
@@ -130,6 +132,7 @@ impl ClassRow {
                 right: count(Verdict::Right),
                 within: count(Verdict::WithinTolerance),
                 off: count(Verdict::Off),
+                sense_missing: count(Verdict::SenseMissing),
                 first: findings.first().map(mistake),
                 told: done.as_ref().map(|done| ShownNames::of(key.solution).text(done)).unwrap_or_default(),
                 done,
@@ -160,7 +163,7 @@ impl ClassRow {
         let exercise = if columns.exercise { "exercise," } else { "" };
         let marks = if columns.marks { ",marks,marks_of" } else { "" };
         format!(
-            "file,{exercise}name,passed,values,right,within,off,step,mistake,done,further,probability,unexplained{marks},message\n"
+            "file,{exercise}name,passed,values,right,within,off,step,mistake,done,further,probability,unexplained{marks},message,sense_missing\n"
         )
     }
 
@@ -195,7 +198,7 @@ impl ClassRow {
         if columns.marks {
             cells.extend([marks(|m| m.earned), marks(|m| m.of)]);
         }
-        cells.push(text(self.message.as_deref()));
+        cells.extend([text(self.message.as_deref()), number(|f| f.sense_missing)]);
         let mut writer = csv::Writer::from_writer(Vec::new());
         let written = writer.write_record(&cells);
         written.expect("writing to memory does not fail");

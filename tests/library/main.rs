@@ -22,6 +22,7 @@ mod given_angle;
 mod hall;
 mod higher_class;
 mod hodographs;
+mod honest_checks;
 mod invariants;
 mod lectured;
 mod levers;

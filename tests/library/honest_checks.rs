@@ -1,0 +1,117 @@
+//! What a check must not say: mistakes of sheets that pass, of forms that tell nothing, or that a written value refutes; and what it must
+//! know of the hand.
+
+use crate::support::files;
+use crate::support::random::Random;
+use crate::support::stages::{answer_key, solved};
+use kinegon::Solution;
+use kinegon::check::{AnswerKey, Checked, Given, Measured, Mistake, Student, Verdict, check};
+
+fn scene(name: &str) -> Solution {
+    solved(&files::read(&format!("templates/{name}.json"))).expect("a starting scene is sound")
+}
+
+/// A drawing without mistakes by a hand of so many millimetres and degrees.
+fn drawn(key: &AnswerKey<'_>, hand: f64, seed: u64) -> Measured {
+    let mut random = Random(seed);
+    let student = Student::new(key).expect("it can be drawn");
+    student.draw(&[], [hand; 2], &mut || random.within(1.0), &[])
+}
+
+fn told(checked: &Checked) -> Vec<Mistake> {
+    checked.diagnosis.best.findings.iter().map(|finding| finding.candidate.mistake).collect()
+}
+
+#[test]
+fn the_scatter_of_the_values_shows_the_hand() {
+    let solution = scene("watt-1");
+    let key = answer_key(&solution, 5);
+    for hand in [0.15, 0.3, 0.6, 1.0] {
+        // Single sheets have few values: the middle of nine.
+        let mut found: Vec<f64> = (0..9)
+            .map(|seed| {
+                let checked = check(&drawn(&key, hand, 100 + seed), &key).expect("values that are understood");
+                checked.accuracy.expect("enough values").mm
+            })
+            .collect();
+        found.sort_by(f64::total_cmp);
+        assert!((0.6..1.7).contains(&(found[4] / hand)), "{hand}: {found:?}");
+    }
+}
+
+#[test]
+fn a_blunt_pencil_is_no_mistake_unless_the_teacher_says_so() {
+    let solution = scene("four-bar");
+    let (mut failed, mut strictly_failed) = (0, 0);
+    for seed in 0..12 {
+        let key = answer_key(&solution, 5);
+        let measured = drawn(&key, 0.9, seed);
+        let checked = check(&measured, &key).expect("values that are understood");
+        assert_eq!(told(&checked), [], "{seed}");
+        failed += usize::from(!checked.is_passed());
+        let strict = AnswerKey { latitude: 1.0, ..key };
+        strictly_failed += usize::from(!check(&measured, &strict).expect("the same values").is_passed());
+    }
+    assert!(failed <= 1 && strictly_failed >= 3, "{failed} and {strictly_failed} of 12");
+}
+
+#[test]
+fn a_form_with_one_number_everywhere_shows_no_mistake() {
+    let solution = scene("four-bar");
+    let key = answer_key(&solution, 5);
+    let mut measured = drawn(&key, 0.0, 0);
+    measured.values.iter_mut().for_each(|given| given.text = "1".to_owned());
+    let checked = check(&measured, &key).expect("values that are understood");
+    assert!(!checked.is_passed());
+    assert_eq!(told(&checked), []);
+}
+
+#[test]
+fn a_coriolis_part_that_is_written_was_not_forgotten() {
+    let solution = scene("slotted-lever");
+    let key = answer_key(&solution, 5);
+    let student = Student::new(&key).expect("it can be drawn");
+    let ways = student.ways(Mistake::CoriolisForgotten);
+    let forgotten = student.draw(&[&ways[0]], [0.0; 2], &mut || 0.0, &[]);
+    let checked = check(&forgotten, &key).expect("values that are understood");
+    assert_eq!(told(&checked), [Mistake::CoriolisForgotten]);
+    // The same sheet, but for the right Coriolis part on it.
+    let right = drawn(&key, 0.0, 0);
+    let is_part = |given: &Given| given.name.starts_with("aplan(b,");
+    let place = right.values.iter().position(is_part).expect("it is asked for");
+    let mut contradicting = forgotten;
+    contradicting.values[place] = right.values[place].clone();
+    let checked = check(&contradicting, &key).expect("values that are understood");
+    assert!(!told(&checked).contains(&Mistake::CoriolisForgotten), "{:?}", told(&checked));
+    assert!(checked.values.iter().any(|value| value.verdict == Verdict::Off));
+}
+
+#[test]
+fn a_slip_at_any_vector_is_found_and_followed() {
+    let solution = scene("four-bar");
+    let key = answer_key(&solution, 5);
+    let student = Student::new(&key).expect("it can be drawn");
+    let mut found = 0;
+    let ways = student.ways(Mistake::Diameter);
+    let ways = ways.iter().filter(|way| way.step > 2);
+    for way in ways {
+        // Twice a normal part is the diameter; 1.37 times it is nothing that anybody knows.
+        let double = student.draw(&[way], [0.0; 2], &mut || 0.0, &[]);
+        assert!(check(&double, &key).is_ok_and(|checked| told(&checked) == [Mistake::Diameter]));
+        found += 1;
+    }
+    assert!(found > 0);
+    let right = drawn(&key, 0.0, 0);
+    let place = right.values.iter().position(|given| given.name == "omega(2)").expect("it is asked for");
+    let number: f64 = right.values[place].text.parse().expect("a number");
+    let wrong = student.draw(&[], [0.0; 2], &mut || 0.0, &[(place, 1.37 * number)]);
+    let mut measured = wrong;
+    measured.values[place].text = format!("{:+.4}", 1.37 * number);
+    let checked = check(&measured, &key).expect("values that are understood");
+    assert_eq!(told(&checked), [Mistake::Unknown]);
+    let finding = &checked.diagnosis.best.findings[0];
+    assert_eq!(finding.candidate.blanks, ["omega(2)"]);
+    // The coupler's normal part, the point c and both angular accelerations follow.
+    assert!(finding.follows.len() >= 5, "{:?}", finding.follows);
+    assert!(checked.diagnosis.unexplained.is_empty());
+}
