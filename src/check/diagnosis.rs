@@ -28,9 +28,13 @@ const OUTSIDE: [[f64; 2]; 2] = [[0.1, 0.12], [0.03, 0.04]];
 
 /// The power of a probability that is left, by hand, for rivals that nobody has listed: where some of the catalogue are
 /// near, so are others.
-const RIVALS: f64 = 3.5;
+const RIVALS: f64 = 1.5;
 
-/// The part of it where only the place of a mistake is told.
+/// The part of a probability that is left, by hand, for each cause from which no other value follows: one value alone
+/// fits by chance more often.
+const ALONE: f64 = 0.88;
+
+/// The part of the share where only the place of a mistake is told.
 const UNKNOWN_OUTSIDE: f64 = 0.4;
 
 /// Explanations that are told in the same words.
@@ -230,5 +234,7 @@ fn honest(probability: f64, findings: &[Finding], hand: &Hand) -> f64 {
     let first = if names_any { first } else { UNKNOWN_OUTSIDE * first };
     let others = findings.len().saturating_sub(1) as i32;
     let rivals = if is_by_hand && names_any { libm::pow(probability, RIVALS) } else { probability };
-    rivals * (1.0 - first) * libm::pow(1.0 - further, f64::from(others))
+    let is_alone = |f: &&Finding| f.follows.is_empty() && f.candidate.mistake != Mistake::Unknown;
+    let alone = if is_by_hand { findings.iter().filter(is_alone).count() as i32 } else { 0 };
+    rivals * libm::pow(ALONE, f64::from(alone)) * (1.0 - first) * libm::pow(1.0 - further, f64::from(others))
 }
