@@ -198,7 +198,7 @@ impl Reader<'_> {
             return None;
         }
         let solution = self.key.solution;
-        self.names.rows.from_pole(&solution.construction, &ShownNames::of(solution).usual(name))
+        self.names.rows.row_with_pole(&solution.construction, &ShownNames::of(solution).usual(name))
     }
 
     /// The factor from a written number to the scene's units, and the factor if the unit beside it were left out.

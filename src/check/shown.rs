@@ -102,7 +102,7 @@ impl<'a> ShownNames<'a> {
             let ends = parts.ends.iter().map(|end| Some(self.point(sheet, end)?.replace('′', "'")));
             let shown = parts.with_ends(&ends.collect::<Option<Vec<String>>>()?);
             let usual = self.usual(&shown);
-            let is_from_pole = || rows.from_pole(&self.solution.construction, &usual) == Some(name);
+            let is_from_pole = || rows.row_with_pole(&self.solution.construction, &usual) == Some(name);
             (usual == name || is_from_pole()).then_some(shown)
         };
         shown().unwrap_or_else(|| name.to_owned())

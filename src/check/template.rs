@@ -35,7 +35,7 @@ impl FormNames {
 
     /// The row of a segment from the image of the ground under a slider, for a name that has the pole in its place: the
     /// two are one point, and the sheet shows the pole.
-    pub fn from_pole<'n>(&'n self, construction: &Construction, name: &str) -> Option<&'n str> {
+    pub fn row_with_pole<'n>(&'n self, construction: &Construction, name: &str) -> Option<&'n str> {
         let segment = Segment::of(construction, name)?;
         let row = self.0.iter().find(|row| row.segment == Some(segment))?;
         (row.name != name && row.name.contains(UNDER_SLIDER)).then_some(row.name.as_str())
