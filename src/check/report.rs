@@ -173,11 +173,22 @@ impl ReportText<'_> {
             (0, _) if self.has_nothing_to_explain() => self.own.check_nothing().to_owned(),
             (0, Some(&first)) => {
                 let entry = &self.checked.values[first].entry;
-                self.own.check_none(&entry.step.to_string(), &self.shown.quantity(&entry.asked))
+                let (step, name) = (entry.step.to_string(), self.shown.quantity(&entry.asked));
+                if self.is_alone() {
+                    self.own.check_none_alone(&step, &name)
+                } else {
+                    self.own.check_none(&step, &name)
+                }
             }
             (0 | 1, _) => self.own.check_probably().to_owned(),
             _ => self.own.check_no_single().to_owned(),
         }
+    }
+
+    /// Whether one value alone is off and nothing explains it: the heading says all of it.
+    fn is_alone(&self) -> bool {
+        let diagnosis = &self.checked.diagnosis;
+        diagnosis.best.findings.is_empty() && diagnosis.unexplained.len() == 1 && self.count(Verdict::Off) == 1
     }
 
     fn has_nothing_to_explain(&self) -> bool {
@@ -243,7 +254,7 @@ impl ReportText<'_> {
     /// The sentence about the unexplained values, if there are any.
     pub(super) fn unexplained(&self) -> Option<String> {
         let values = &self.checked.diagnosis.unexplained;
-        (!values.is_empty()).then(|| self.own.check_unexplained(&self.names(values)))
+        (!values.is_empty() && !self.is_alone()).then(|| self.own.check_unexplained(&self.names(values)))
     }
 
     pub(super) fn sure(&self, explanation: &Explanation) -> String {

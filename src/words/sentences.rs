@@ -367,6 +367,8 @@ sentences! {
     check_no_single;
     /// Where no cause can be told: the step and the first value that is off.
     check_none(number, value);
+    /// The same where no other value is off.
+    check_none_alone(number, value);
     /// The step of a mistake.
     check_step(number);
     /// In place of a step: the whole drawing.
