@@ -91,7 +91,7 @@ fn a_geared_five_bar_is_where_its_lengths_and_wheels_put_it() {
         // The wheel's group, then the dyad; both plans and rates come out of the construction too.
         let links: Vec<String> = s.mechanism.groups.iter().map(|g| g.link_names(&s.mechanism)).collect();
         assert_eq!(links, ["4", "2, 3"]);
-        let bounds = bounds(&s.mechanism, &s.pose, &s.motion);
+        let bounds = bounds(&s.scene, &s.mechanism, &s.pose, &s.motion);
         let [omega, alpha] = bounds.spin(s.mechanism.link("2").expect("2"));
         assert!(omega > 0.0 && omega < 1e-12 && alpha > omega && alpha < 1e-11, "{omega} {alpha}");
         for agreement in &s.construction.agreement {

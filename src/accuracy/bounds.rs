@@ -1,162 +1,124 @@
-use super::group::add_group_bounds;
+use super::enclosure::Enclosure;
 use crate::construction::Special;
-use crate::geometry::{Point, UNIT_ROUNDOFF};
-use crate::mechanism::{BodyId, JointId, Mechanism, SliderId};
+use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, Vector, degrees_of};
+use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use crate::motion::{Motion, Order};
 use crate::position::Pose;
+use crate::scene::Scene;
 
-/// Bounds of the errors of all rates, velocities and accelerations of a motion, in the scene's units, angles in rad.
+/// Bounds of the whole error of every number of a pose and its motion, in the scene's units, angles in degrees: of
+/// places, rates, velocities and accelerations. Infinite where none can be given.
 ///
-/// Places and rates that the scene gives count as exact; so do the coordinates of a drawn configuration.
+/// An error is the distance from what follows exactly from the numbers of the scene as they are written: as decimals, or
+/// as f64 reads them, whichever is farther. So rounding of the scene's numbers, of lengths and angles that follow from
+/// them, of the position and of rates all count in. Vectors have one bound, that of each component. A number that the
+/// scene gives has the bound 0.
 #[derive(Clone, Debug)]
 pub struct Bounds<'a> {
-    pub(super) mechanism: &'a Mechanism,
-    pub(super) pose: &'a Pose,
-    pub(super) motion: &'a Motion,
-    pub(super) bodies: Vec<BodyErrors>,
-    pub(super) slides: Vec<SlideErrors>,
+    mechanism: &'a Mechanism,
+    pose: &'a Pose,
+    motion: &'a Motion,
+    enclosure: Option<Enclosure>,
 }
 
-/// Bounds of the errors of a body: of its rotation, and of its reference point,
-/// [`BodyMotion::at`](crate::motion::BodyMotion::at).
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct BodyErrors {
-    /// Of its angle, in radians.
-    pub turn: f64,
-    pub omega: f64,
-    pub alpha: f64,
-    pub place: PlaceErrors,
-}
-
-/// Bounds of the errors of a slider.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct SlideErrors {
-    pub position: f64,
-    pub velocity: f64,
-    pub acceleration: f64,
-}
-
-/// Bounds of the errors of a point's position, velocity and acceleration, in any direction.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct PlaceErrors {
-    pub position: f64,
-    pub velocity: f64,
-    pub acceleration: f64,
-}
-
-/// Bounds of the errors of every rate, velocity and acceleration of `motion`.
+/// Bounds of the errors of `pose` and `motion`, which belong to `mechanism`, which was made from `scene`.
 ///
-/// Where a link's angle is given in place of a drive's, that drive's angle counts as exact.
+/// The mechanism's drives may have been given other positions and rates since: these then count as given.
 #[must_use]
-pub fn bounds<'a>(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Bounds<'a> {
-    let mut bounds = Bounds {
-        mechanism,
-        pose,
-        motion,
-        bodies: vec![BodyErrors::default(); mechanism.bodies.len()],
-        slides: vec![SlideErrors::default(); mechanism.sliders.len()],
-    };
-    for group in &mechanism.groups {
-        add_group_bounds(&mut bounds, group);
-    }
-    bounds
+pub fn bounds<'a>(scene: &Scene, mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Bounds<'a> {
+    let enclosure = Enclosure::new(scene, mechanism, pose, motion.order);
+    Bounds { mechanism, pose, motion, enclosure }
 }
 
 impl Bounds<'_> {
-    /// Bounds of the errors of a body's angular velocity and acceleration.
+    /// The true position and motion, if they can be bounded.
+    #[must_use]
+    pub fn enclosure(&self) -> Option<&Enclosure> {
+        self.enclosure.as_ref()
+    }
+
+    /// The bound that the enclosure gives; infinite where it gives none.
+    fn from<T>(&self, of: impl Fn(&Enclosure) -> Option<T>, error: impl Fn(T) -> f64) -> f64 {
+        let bound = self.enclosure.as_ref().and_then(of).map_or(f64::INFINITY, error);
+        if bound.is_nan() { f64::INFINITY } else { bound }
+    }
+
+    /// Of a point's coordinates.
+    #[must_use]
+    pub fn place(&self, point: PointId) -> f64 {
+        let place = self.pose.point(point).coords;
+        self.from(|e| Some(e.place(point)), |ball| of_vector(ball, place))
+    }
+
+    /// Of the angle of a link's axis, in degrees; `None` for a body without one.
+    #[must_use]
+    pub fn angle(&self, body: BodyId) -> Option<f64> {
+        let axis = self.pose.axes[body.0]?;
+        // Roundings of the arctangent and of the degrees.
+        let rounding = 4.0 * UNIT_ROUNDOFF * degrees_of(axis).abs();
+        let off = |e: &Enclosure| e.angle_from(self.mechanism, body, axis);
+        Some(self.from(off, |error| error + rounding))
+    }
+
+    /// Of a slider's position along its guide; `None` where there is no point to count from.
+    #[must_use]
+    pub fn slide_position(&self, slider: SliderId) -> Option<f64> {
+        let position = self.pose.slides[slider.0]?;
+        Some(self.from(|e| e.slide(slider), |ball| of_number(ball, position)))
+    }
+
+    /// Of a body's angular velocity and acceleration.
     #[must_use]
     pub fn spin(&self, body: BodyId) -> [f64; 2] {
-        let errors = &self.bodies[body.0];
-        [errors.omega, errors.alpha]
+        let motion = self.motion.body(body);
+        [(0, motion.omega), (1, motion.alpha)]
+            .map(|(order, rate)| self.from(|e| Some(e.spin(body)[order]), |ball| of_number(ball, rate)))
     }
 
-    /// Bounds of the errors of a slider's velocity and acceleration along its guide.
+    /// Of a slider's velocity and acceleration along its guide.
     #[must_use]
     pub fn slide(&self, slider: SliderId) -> [f64; 2] {
-        let errors = &self.slides[slider.0];
-        [errors.velocity, errors.acceleration]
+        let slide = self.motion.slide(slider);
+        [(0, slide.velocity), (1, slide.acceleration)]
+            .map(|(order, rate)| self.from(|e| Some(e.slide_rates(slider)[order]), |ball| of_number(ball, rate)))
     }
 
-    /// Bounds of the errors of velocity and acceleration, in each component, of the body's point at `p`; rounding
-    /// included.
+    /// Of velocity and acceleration of a point that moves with a body.
     #[must_use]
-    pub fn motion_at(&self, body: BodyId, p: Point) -> [f64; 2] {
-        let errors = self.inherited_at(body, p);
-        let motion = self.motion.body(body);
-        let velocity = motion.velocity.norm() + motion.swing(p).norm();
-        let turning = motion.tangential(p).norm() + motion.normal(p).norm();
-        let acceleration = motion.acceleration.norm() + turning;
-        // Roundings in the motion of the reference point and in the relative motion of `p`.
-        let rounding = 8.0 * UNIT_ROUNDOFF;
-        [errors.velocity + rounding * velocity, errors.acceleration + rounding * acceleration]
+    pub fn motion_of(&self, body: BodyId, point: PointId) -> [f64; 2] {
+        let (motion, at) = (self.motion.body(body), self.pose.point(point));
+        self.motion_at(body, |e| Some(e.place(point)), [motion.velocity_at(at), motion.acceleration_at(at)])
     }
 
-    /// The same for a special point of a construction; `None` at infinity.
-    ///
-    /// A cut line that is displaced by δ, or turned by an error t at the distance r, moves the crossing by (δ + r t) /
-    /// |sine|.
+    fn motion_at(
+        &self,
+        body: BodyId,
+        place: impl Fn(&Enclosure) -> Option<Pair<Ball>>,
+        values: [Vector; 2],
+    ) -> [f64; 2] {
+        [0, 1].map(|order| {
+            let of = |e: &Enclosure| Some(e.motion_at(body, place(e)?)[order]);
+            self.from(of, |ball| of_vector(ball, values[order]))
+        })
+    }
+
+    /// Of place, velocity and acceleration of a special point of a construction; `None` at infinity.
     #[must_use]
-    pub fn special(&self, special: &Special) -> Option<[f64; 2]> {
-        let place = special.place.finite()?;
-        let (size, sine) = (place.coords.norm(), special.crossing.sine().abs());
-        let cuts = special.cuts.iter().map(|cut| {
-            let start = cut.start().map_or(place, |p| self.pose.point(p));
-            let reach = (place - start).norm();
-            let [carrier, link] = [cut.carrier, special.link].map(|b| self.bodies[b.0].turn);
-            let off = self.inherited_at(cut.leg.base, start).position;
-            let rounding = 8.0 * UNIT_ROUNDOFF * (size + reach + start.coords.norm());
-            off + reach * carrier.max(link) + rounding
-        });
-        let moved = cuts.sum::<f64>() / sine;
+    pub fn special(&self, special: &Special) -> Option<[f64; 3]> {
+        let at = special.place.finite()?;
         let motion = self.motion.body(special.link);
-        let omega = motion.omega.abs();
-        let [velocity, acceleration] = self.motion_at(special.link, place);
-        Some([velocity + omega * moved, acceleration + (motion.alpha.abs() + omega * omega) * moved])
+        let place = |e: &Enclosure| e.special(special);
+        let [velocity, acceleration] =
+            self.motion_at(special.link, place, [motion.velocity_at(at), motion.acceleration_at(at)]);
+        Some([self.from(place, |ball| of_vector(ball, at.coords)), velocity, acceleration])
     }
 
-    /// Bound of the error, in each component, of a slider's Coriolis acceleration 2 ω ẑ × v_r.
+    /// Of a slider's Coriolis acceleration 2 ω ẑ × v_r.
     #[must_use]
     pub fn coriolis(&self, slider: SliderId) -> f64 {
         let on = self.mechanism.slider(slider).on;
-        let size = self.motion.coriolis(self.pose, slider, on).norm();
-        let (errors, slide) = (&self.bodies[on.0], &self.slides[slider.0]);
-        let omega = self.motion.body(on).omega.abs();
-        let velocity = self.motion.slide(slider).velocity.abs();
-        let rates = 2.0 * (omega * slide.velocity + velocity * errors.omega);
-        rates + size * (errors.turn + 4.0 * UNIT_ROUNDOFF)
-    }
-
-    /// Errors of a body's point at `p` inherited from body and reference point, without the rounding of `p` itself.
-    pub(super) fn inherited_at(&self, body: BodyId, p: Point) -> PlaceErrors {
-        let (motion, errors) = (self.motion.body(body), &self.bodies[body.0]);
-        let reach = (p - motion.at).norm();
-        let omega = motion.omega.abs();
-        let turning = motion.alpha.abs() + omega * omega;
-        PlaceErrors {
-            position: errors.place.position + reach * errors.turn,
-            velocity: errors.place.velocity + reach * (errors.omega + omega * errors.turn),
-            acceleration: errors.place.acceleration
-                + reach * (errors.alpha + 2.0 * omega * errors.omega + turning * errors.turn),
-        }
-    }
-
-    /// Errors at `joint` inherited from body `from`, for the body on the joint's other side.
-    pub(super) fn inherited_across(&self, joint: JointId, from: BodyId) -> PlaceErrors {
-        let p = self.pose.point(self.mechanism.joint_point(joint));
-        let mut errors = self.inherited_at(from, p);
-        if let Some(id) = self.mechanism.joint(joint).slider {
-            let (slide, sliding) = (self.motion.slide(id), &self.slides[id.0]);
-            let turn = self.bodies[from.0].turn;
-            let twice = 2.0 * self.motion.body(from).omega.abs();
-            let rate = slide.velocity.abs();
-            errors.position += sliding.position;
-            errors.velocity += sliding.velocity + rate * turn;
-            errors.acceleration += sliding.acceleration
-                + slide.acceleration.abs() * turn
-                + twice * (sliding.velocity + rate * turn)
-                + 2.0 * rate * self.bodies[from.0].omega;
-        }
-        errors
+        let value = self.motion.coriolis(self.pose, slider, on);
+        self.from(|e| Some(e.coriolis(slider, on)), |ball| of_vector(ball, value))
     }
 
     /// Whether accelerations have been computed.
@@ -164,4 +126,17 @@ impl Bounds<'_> {
     pub fn has_accelerations(&self) -> bool {
         self.motion.order == Order::Acceleration
     }
+}
+
+/// The bound of the error of a number with the true value `ball`; zero for one that the scene gives, which is printed as
+/// it is written.
+fn of_number(ball: Ball, value: f64) -> f64 {
+    if ball == Ball::written(value) { 0.0 } else { ball.error_from(value) }
+}
+
+/// The larger of the bounds of both components.
+fn of_vector(ball: Pair<Ball>, value: Vector) -> f64 {
+    // `max` ignores NaN.
+    let [x, y] = [of_number(ball.x, value.x), of_number(ball.y, value.y)];
+    if x.is_nan() || y.is_nan() { f64::NAN } else { x.max(y) }
 }

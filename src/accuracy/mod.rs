@@ -1,8 +1,12 @@
-//! In: a mechanism, its pose and its motion, whose rates have bounds of their rounding errors. Out: [`Bounds`] for
-//! every velocity and acceleration. They add to the rates' own bounds that positions found from lengths are rounded and
-//! that the motion of a group's outer bodies is inexact. No rate is computed here.
+//! In: a scene and its solution, in numbers of f64. Out: [`Bounds`] of the whole error of every number: what reading the
+//! scene, finding the position and computing the motion have lost. They are distances from an [`Enclosure`] of the true
+//! position and motion, computed with twice the digits.
 
 mod bounds;
-mod group;
+mod enclosure;
+mod frame;
+mod given;
+mod placed;
 
 pub use bounds::{Bounds, bounds};
+pub use enclosure::Enclosure;

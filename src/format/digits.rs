@@ -17,7 +17,7 @@ impl Solution {
     #[must_use]
     pub fn digits(&self) -> String {
         let Solution { scene, mechanism, pose, motion, construction } = self;
-        let bounds = &bounds(mechanism, pose, motion);
+        let bounds = &bounds(scene, mechanism, pose, motion);
         let mut table = Table { units: scene.units, bounds, motion, lines: Vec::new() };
         for (link, body) in mechanism.links() {
             // Only the motion of a stub's point is known.
@@ -40,22 +40,22 @@ impl Solution {
         }
         for point in (0..mechanism.points.len()).map(PointId) {
             if let Some(body) = holder(mechanism, point) {
-                table.point(mechanism.point_name(point), body, pose.point(point));
+                table.point(mechanism.point_name(point), body, pose.point(point), bounds.motion_of(body, point));
             }
         }
         for slider in &mechanism.sliders {
             let (at, on) = (mechanism.point_name(slider.at), mechanism.body(slider.on));
             if !on.points.contains(&slider.at) {
                 let name = coincident_name(at, &on.name);
-                table.point(&name, slider.on, pose.point(slider.at));
+                table.point(&name, slider.on, pose.point(slider.at), bounds.motion_of(slider.on, slider.at));
             }
         }
         for special in construction.special.iter().flatten() {
             if special.is_assur
                 && let Some(place) = special.place.finite()
             {
-                let errors = bounds.special(special).unwrap_or_default();
-                table.place(&special.name, special.link, place, errors);
+                let [_, velocity, acceleration] = bounds.special(special).unwrap_or_default();
+                table.point(&special.name, special.link, place, [velocity, acceleration]);
             }
         }
         table.text()
@@ -84,6 +84,8 @@ impl Table<'_> {
             return;
         }
         let (value, bound) = match certain(value, bound) {
+            // The value is left out: nothing is known of its digits.
+            _ if bound.is_infinite() => ("?".to_owned(), "no bound can be given here".to_owned()),
             Certain::Digits(value) => (value, format!("± {}", written(bound, NumberStyle::bound()))),
             Certain::None(within) => ("0".to_owned(), format!("± {within}, no digit is certain")),
         };
@@ -106,11 +108,7 @@ impl Table<'_> {
         self.line(format!("{name}.y"), vector.y, bound, kind);
     }
 
-    fn point(&mut self, name: &str, body: BodyId, p: Point) {
-        self.place(name, body, p, self.bounds.motion_at(body, p));
-    }
-
-    fn place(&mut self, name: &str, body: BodyId, p: Point, [velocity, acceleration]: [f64; 2]) {
+    fn point(&mut self, name: &str, body: BodyId, p: Point, [velocity, acceleration]: [f64; 2]) {
         let motion = self.motion.body(body);
         let (v, a) = (motion.velocity_at(p), motion.acceleration_at(p));
         self.vector(&format!("v({name})"), v, velocity, Kind::Velocity);

@@ -1,7 +1,8 @@
 use super::digits::holder;
 use super::pencil::PencilResult;
 use crate::construction::{Solution, coincident_name};
-use crate::geometry::{Place, Vector, degrees_of};
+use crate::accuracy::{Bounds, bounds};
+use crate::geometry::{Place, Point, Vector, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
 use crate::motion::Order;
 use indexmap::IndexMap;
@@ -9,6 +10,12 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The result of `kinegon solve`: every number at full precision, in the scene's units.
+///
+/// A `…_error` bounds the whole error of the number beside it, against what follows exactly from the numbers of the
+/// scene as they are written: positions found from lengths, drive angles found from a link's angle, rounded turns per
+/// minute and roundings of every kind count in. Of a vector it bounds each component. It is zero for a number that the
+/// scene gives, and null where no bound can be given: next to a limit position or a singular one, and at the end of very
+/// long chains.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct ResultFile {
     /// Version of this format.
@@ -47,16 +54,25 @@ pub struct LinkResult {
     /// Angle of its axis from +x in degrees, in (−180, 180].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub angle: Option<f64>,
+    /// Bound on the error of `angle`, in degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_error: Option<f64>,
     /// Angular velocity, counter-clockwise positive.
     pub omega: f64,
-    /// Bound on the error of `omega`; zero where it is given.
+    /// Bound on the error of `omega`.
+    #[schemars(with = "Option<f64>")]
     pub omega_error: f64,
+    /// The part of it that is left where the positions of this file and the rates of the scene count as exact.
+    pub omega_error_at_position: f64,
     /// Angular acceleration.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub alpha: Option<f64>,
-    /// Bound on the error of `alpha`; zero where it is given.
+    /// Bound on the error of `alpha`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub alpha_error: Option<f64>,
+    /// The part of it that is left where the positions of this file and the rates of the scene count as exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alpha_error_at_position: Option<f64>,
 }
 
 /// The motion of a point.
@@ -65,15 +81,24 @@ pub struct PointResult {
     /// Where it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub position: Option<[f64; 2]>,
+    /// Bound on the error of both coordinates.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position_error: Option<f64>,
     /// The direction in which it lies at infinity, in place of a position.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_infinity: Option<[f64; 2]>,
     /// Its velocity.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub velocity: Option<[f64; 2]>,
+    /// Bound on the error of both components of `velocity`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub velocity_error: Option<f64>,
     /// Its acceleration.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration: Option<[f64; 2]>,
+    /// Bound on the error of both components of `acceleration`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub acceleration_error: Option<f64>,
     /// The link of which it is a point, where its name does not say so.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub on: Option<String>,
@@ -87,19 +112,31 @@ pub struct SliderResult {
     /// Its position along the guide, counted from the guide's `through`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub position: Option<f64>,
+    /// Bound on the error of `position`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position_error: Option<f64>,
     /// Sliding velocity, positive along the guide.
     pub velocity: f64,
     /// Bound on the error of `velocity`.
+    #[schemars(with = "Option<f64>")]
     pub velocity_error: f64,
+    /// The part of it that is left where the positions of this file and the rates of the scene count as exact.
+    pub velocity_error_at_position: f64,
     /// Sliding acceleration.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration: Option<f64>,
     /// Bound on the error of `acceleration`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration_error: Option<f64>,
+    /// The part of it that is left where the positions of this file and the rates of the scene count as exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub acceleration_error_at_position: Option<f64>,
     /// Coriolis acceleration 2 ω ẑ × v_r, a vector.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coriolis: Option<[f64; 2]>,
+    /// Bound on the error of both components of `coriolis`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coriolis_error: Option<f64>,
 }
 
 /// An Assur group and how well its motion is determined.
@@ -151,28 +188,38 @@ impl Solution {
     pub fn result(&self) -> ResultFile {
         let Solution { scene, mechanism, pose, motion, construction } = self;
         let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
+        let bounds = &bounds(scene, mechanism, pose, motion);
         let links = mechanism.links().filter(|(_, body)| body.role != Role::Stub).map(|(id, body)| {
-            let (rates, errors) = (motion.body(id), motion.errors[id.0]);
+            let (rates, at_position) = (motion.body(id), motion.errors[id.0]);
+            let [omega_error, alpha_error] = bounds.spin(id);
             let link = LinkResult {
                 angle: pose.axes[id.0].map(degrees_of),
+                angle_error: bounds.angle(id),
                 omega: rates.omega,
-                omega_error: errors.omega,
+                omega_error,
+                omega_error_at_position: at_position.omega,
                 alpha: second(rates.alpha),
-                alpha_error: second(errors.alpha),
+                alpha_error: second(alpha_error),
+                alpha_error_at_position: second(at_position.alpha),
             };
             (body.name.clone(), link)
         });
         let sliders = (0..mechanism.sliders.len()).map(|index| {
             let id = SliderId(index);
             let (slider, slide) = (mechanism.slider(id), motion.slide(id));
+            let [velocity_error, acceleration_error] = bounds.slide(id);
             let result = SliderResult {
                 on: mechanism.body(slider.on).name.clone(),
                 position: pose.slides[index],
+                position_error: bounds.slide_position(id),
                 velocity: slide.velocity,
-                velocity_error: slide.velocity_error,
+                velocity_error,
+                velocity_error_at_position: slide.velocity_error,
                 acceleration: second(slide.acceleration),
-                acceleration_error: second(slide.acceleration_error),
+                acceleration_error: second(acceleration_error),
+                acceleration_error_at_position: second(slide.acceleration_error),
                 coriolis: second(0.0).map(|_| pair(motion.coriolis(pose, id, slider.on))),
+                coriolis_error: second(bounds.coriolis(id)),
             };
             (mechanism.slider_name(id), result)
         });
@@ -199,7 +246,7 @@ impl Solution {
             kinegon: 1,
             units: ResultUnits { length: scene.units.length.as_str(), time: scene.units.time.as_str() },
             links: links.collect(),
-            points: points(self),
+            points: points(self, bounds),
             sliders: sliders.collect(),
             groups: groups.collect(),
             quantities: IndexMap::new(),
@@ -210,35 +257,49 @@ impl Solution {
 }
 
 /// All points: joints, points of guides under sliders, special points.
-fn points(solution: &Solution) -> IndexMap<String, PointResult> {
+fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointResult> {
     let Solution { mechanism, pose, motion, construction, .. } = solution;
     let mut points = IndexMap::new();
-    let moving = |body: BodyId, place: crate::geometry::Point, on: Option<BodyId>| PointResult {
+    let has_accelerations = motion.order == Order::Acceleration;
+    let moving = |body: BodyId, place: Point, on: Option<BodyId>, errors: [f64; 3]| PointResult {
         position: Some([place.x, place.y]),
+        position_error: Some(errors[0]),
         at_infinity: None,
         velocity: Some(pair(motion.body(body).velocity_at(place))),
-        acceleration: (motion.order == Order::Acceleration).then(|| pair(motion.body(body).acceleration_at(place))),
+        velocity_error: Some(errors[1]),
+        acceleration: has_accelerations.then(|| pair(motion.body(body).acceleration_at(place))),
+        acceleration_error: has_accelerations.then_some(errors[2]),
         on: on.map(|b| mechanism.body(b).name.clone()),
+    };
+    let point_of = |body: BodyId, point: PointId, on: Option<BodyId>| {
+        let [velocity, acceleration] = bounds.motion_of(body, point);
+        moving(body, pose.point(point), on, [bounds.place(point), velocity, acceleration])
     };
     for point in (0..mechanism.points.len()).map(PointId) {
         if let Some(body) = holder(mechanism, point) {
             let name = mechanism.point_name(point).to_owned();
-            points.insert(name, moving(body, pose.point(point), None));
+            points.insert(name, point_of(body, point, None));
         }
     }
     for slider in &mechanism.sliders {
         let name = coincident_name(mechanism.point_name(slider.at), &mechanism.body(slider.on).name);
-        let under = moving(slider.on, pose.point(slider.at), Some(slider.on));
+        let under = point_of(slider.on, slider.at, Some(slider.on));
         points.entry(name).or_insert(under);
     }
     for special in construction.special.iter().flatten().filter(|s| s.is_assur) {
         let result = match special.place {
-            Place::At(place) => moving(special.link, place, Some(special.link)),
+            Place::At(place) => {
+                let errors = bounds.special(special).unwrap_or_default();
+                moving(special.link, place, Some(special.link), errors)
+            }
             Place::AtInfinity(direction) => PointResult {
                 position: None,
+                position_error: None,
                 at_infinity: Some(pair(direction)),
                 velocity: None,
+                velocity_error: None,
                 acceleration: None,
+                acceleration_error: None,
                 on: Some(mechanism.body(special.link).name.clone()),
             },
         };

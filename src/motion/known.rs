@@ -1,60 +1,61 @@
-use super::errors::guide;
 use super::moving::{BoundedMotion, BoundedSlide};
-use crate::mechanism::{Body, BodyId, Mechanism, Role, Slider, SliderId};
-use crate::position::Pose;
+use super::places::Places;
+use crate::mechanism::{BodyId, Mechanism, PointId, Role, Slider, SliderId};
 
 /// The motion of a body that the scene gives; rest for a body of a group, whose motion is unknown.
-pub(super) fn known_motion(mechanism: &Mechanism, pose: &Pose, body: &Body) -> BoundedMotion {
+pub(super) fn known_motion(mechanism: &Mechanism, places: &impl Places, id: BodyId) -> BoundedMotion {
+    let body = mechanism.body(id);
     match &body.role {
         Role::Ground | Role::Member => BoundedMotion::default(),
         Role::Driver { pivot, omega, alpha, .. } => {
-            let pivot = pose.point(*pivot);
-            let turning =
-                BoundedMotion { at: pivot, omega: (*omega).into(), alpha: (*alpha).into(), ..BoundedMotion::default() };
+            let turning = BoundedMotion {
+                at: places.place(*pivot),
+                omega: places.omega(id, *omega),
+                alpha: places.given(*alpha),
+                ..BoundedMotion::default()
+            };
             // The reference point is the point farthest from the pivot, where a group is usually joined.
-            let at = body.points.iter().map(|&p| pose.point(p));
-            let at = at.fold(
-                pivot,
-                |best, p| {
-                    if (p - pivot).norm_squared() > (best - pivot).norm_squared() { p } else { best }
-                },
-            );
-            turning.referred_to(at)
+            let arm = |p: PointId| places.points()[p.0] - places.points()[pivot.0];
+            let farther = |best: PointId, &p: &PointId| {
+                if arm(p).norm_squared() > arm(best).norm_squared() { p } else { best }
+            };
+            turning.referred_to(places.place(body.points.iter().fold(*pivot, farther)))
         }
         Role::Pushed { slider, from } => {
-            let source = known_motion(mechanism, pose, mechanism.body(*from));
-            let slide = driven_motion(mechanism.slider(*slider));
-            motion_across(mechanism, pose, *slider, *from, &source, &slide)
+            let source = known_motion(mechanism, places, *from);
+            let slide = driven_motion(places, mechanism.slider(*slider));
+            motion_across(mechanism, places, *slider, *from, &source, &slide)
         }
         Role::Moving { at, velocity, acceleration, omega, alpha } => BoundedMotion {
-            at: *at,
-            velocity: (*velocity).into(),
-            acceleration: (*acceleration).into(),
-            omega: (*omega).into(),
-            alpha: (*alpha).into(),
+            at: places.given_pair(at.coords),
+            velocity: places.given_pair(*velocity),
+            acceleration: places.given_pair(*acceleration),
+            omega: places.given(*omega),
+            alpha: places.given(*alpha),
         },
         Role::Carrier { velocity, acceleration } => BoundedMotion {
-            at: pose.point(body.points[0]),
-            velocity: (*velocity).into(),
-            acceleration: (*acceleration).into(),
+            at: places.place(body.points[0]),
+            velocity: places.given_pair(*velocity),
+            acceleration: places.given_pair(*acceleration),
             ..BoundedMotion::default()
         },
         Role::Stub => {
-            let carrier = mechanism
-                .bodies
-                .iter()
-                .find(|b| matches!(b.role, Role::Carrier { .. }) && b.points[0] == body.points[0]);
-            carrier.map_or(BoundedMotion::default(), |carrier| known_motion(mechanism, pose, carrier))
+            let carries = |b: &BodyId| {
+                let other = mechanism.body(*b);
+                matches!(other.role, Role::Carrier { .. }) && other.points[0] == body.points[0]
+            };
+            let carrier = mechanism.body_ids().find(carries);
+            carrier.map_or(BoundedMotion::default(), |carrier| known_motion(mechanism, places, carrier))
         }
     }
 }
 
 /// The given motion of a driven slider; zero for a free one.
-pub(super) fn driven_motion(slider: &Slider) -> BoundedSlide {
+pub(super) fn driven_motion(places: &impl Places, slider: &Slider) -> BoundedSlide {
     let drive = slider.drive.as_ref();
     drive.map_or(BoundedSlide::default(), |drive| BoundedSlide {
-        velocity: drive.speed.into(),
-        acceleration: drive.acceleration.into(),
+        velocity: places.given(drive.speed),
+        acceleration: places.given(drive.acceleration),
     })
 }
 
@@ -63,15 +64,16 @@ pub(super) fn driven_motion(slider: &Slider) -> BoundedSlide {
 /// a = a_from + u s̈ + 2 ω ṡ J u, where the last term is the Coriolis acceleration.
 pub(super) fn motion_across(
     mechanism: &Mechanism,
-    pose: &Pose,
+    places: &impl Places,
     slider: SliderId,
     from: BodyId,
     source: &BoundedMotion,
     slide: &BoundedSlide,
 ) -> BoundedMotion {
     let Slider { at, on, .. } = *mechanism.slider(slider);
-    let u = guide(pose, slider, if on == from { 1.0 } else { -1.0 });
-    let moved = source.referred_to(pose.point(at));
+    let guide = places.guide(slider);
+    let u = if on == from { guide } else { -guide };
+    let moved = source.referred_to(places.place(at));
     let coriolis = u.quarter_turn() * (source.omega * slide.velocity).twice();
     BoundedMotion {
         velocity: moved.velocity + u * slide.velocity,

@@ -9,6 +9,7 @@ mod error;
 mod errors;
 mod known;
 mod moving;
+mod places;
 mod refine;
 mod sides;
 mod singular;
@@ -17,7 +18,11 @@ mod solve;
 pub use closed_form::ClosedForm;
 pub use error::MotionError;
 pub use errors::MotionErrors;
+pub use places::Places;
 pub use solve::motion;
+
+pub(crate) use moving::State;
+pub(crate) use solve::bounded_motion;
 
 use crate::geometry::{Point, Vector, quarter_turn};
 use crate::mechanism::{BodyId, SliderId};

@@ -4,8 +4,8 @@ use crate::mechanism::{BodyId, SliderId};
 
 /// A [`BodyMotion`] before rounding, with bounds of its errors.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct BoundedMotion {
-    pub at: Point,
+pub(crate) struct BoundedMotion {
+    pub at: Pair<Ball>,
     pub velocity: Pair<Ball>,
     pub acceleration: Pair<Ball>,
     pub omega: Ball,
@@ -14,24 +14,24 @@ pub(super) struct BoundedMotion {
 
 impl BoundedMotion {
     /// Velocity of the point at `p` relative to the reference point.
-    pub fn swing(&self, p: Point) -> Pair<Ball> {
+    pub fn swing(&self, p: Pair<Ball>) -> Pair<Ball> {
         if p == self.at {
             return Pair::default();
         }
-        Pair::between(self.at, p).quarter_turn() * self.omega
+        (p - self.at).quarter_turn() * self.omega
     }
 
     /// Acceleration of the point at `p` relative to the reference point.
-    pub fn turning(&self, p: Point) -> Pair<Ball> {
+    pub fn turning(&self, p: Pair<Ball>) -> Pair<Ball> {
         if p == self.at {
             return Pair::default();
         }
-        let arm = Pair::between(self.at, p);
+        let arm = p - self.at;
         arm.quarter_turn() * self.alpha - arm * (self.omega * self.omega)
     }
 
     /// The same motion with reference point `p`.
-    pub fn referred_to(&self, p: Point) -> BoundedMotion {
+    pub fn referred_to(&self, p: Pair<Ball>) -> BoundedMotion {
         BoundedMotion {
             at: p,
             velocity: self.velocity + self.swing(p),
@@ -42,7 +42,7 @@ impl BoundedMotion {
 
     fn rounded(&self) -> (BodyMotion, MotionErrors) {
         let motion = BodyMotion {
-            at: self.at,
+            at: Point::from(self.at.rounded()),
             velocity: self.velocity.rounded(),
             acceleration: self.acceleration.rounded(),
             omega: self.omega.high,
@@ -60,7 +60,7 @@ impl BoundedMotion {
 
 /// A [`SlideMotion`] before rounding, with bounds of its errors.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct BoundedSlide {
+pub(crate) struct BoundedSlide {
     pub velocity: Ball,
     pub acceleration: Ball,
 }
@@ -78,7 +78,7 @@ impl BoundedSlide {
 
 /// The motions known so far. Later groups use these unrounded numbers, so that nothing is rounded twice.
 #[derive(Clone, Debug)]
-pub(super) struct State {
+pub(crate) struct State {
     /// By body.
     pub bodies: Vec<BoundedMotion>,
     /// By slider.

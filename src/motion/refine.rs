@@ -1,9 +1,8 @@
 use super::ClosedForm;
-use super::errors::guide_error;
+use super::places::Places;
 use super::sides::{Balls, Sides, residuals};
-use crate::geometry::{Ball, LinearSystem, Numbers, UNIT_ROUNDOFF, Vector, quarter_turn};
-use crate::mechanism::{LoopEquations, SlideRate, Spin};
-use crate::position::Pose;
+use crate::geometry::{Ball, LinearSystem, Numbers, Pair, UNIT_ROUNDOFF};
+use crate::mechanism::{Arm, LoopEquations, SlideRate, Spin};
 use smallvec::smallvec;
 
 /// Solves a group's loop equations almost to the last digit by iterative refinement.
@@ -11,25 +10,25 @@ use smallvec::smallvec;
 /// The residual of the solution is computed with twice the digits, the same factors give a correction, and so on
 /// (Wilkinson 1963; Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, §12.1). Each pass multiplies the
 /// error by about u·condition.
-pub(super) struct Solver<'a> {
+pub(super) struct Solver<'a, P> {
     equations: &'a LoopEquations,
     system: &'a LinearSystem,
-    pose: &'a Pose,
+    places: &'a P,
     closed: Option<ClosedForm>,
     /// Refinement ends after a correction smaller than this part of the solution.
     last_correction: f64,
 }
 
-impl<'a> Solver<'a> {
-    pub fn new(equations: &'a LoopEquations, system: &'a LinearSystem, pose: &'a Pose) -> Self {
+impl<'a, P: Places> Solver<'a, P> {
+    pub fn new(equations: &'a LoopEquations, system: &'a LinearSystem, places: &'a P) -> Self {
         // A correction δ leaves an error of about u·condition·δ. The error of the velocities enters the accelerations
         // multiplied by the condition once more, and should stay some bits below the last digit.
         let condition = system.condition();
         Self {
             equations,
             system,
-            pose,
-            closed: ClosedForm::new(equations, &pose.points, &pose.guides),
+            places,
+            closed: ClosedForm::new(equations, places.points(), places.guides()),
             last_correction: 1.0 / (16.0 * condition * condition),
         }
     }
@@ -56,7 +55,7 @@ impl<'a> Solver<'a> {
                 return solution;
             }
             before = change;
-            rest = residuals(self.equations, self.pose, sides, &solution);
+            rest = residuals(self.equations, self.places, sides, &solution);
         }
     }
 
@@ -66,32 +65,70 @@ impl<'a> Solver<'a> {
         let mut uncertain: Numbers = rest.numbers().map(Ball::error).collect();
         self.add_coefficient_errors(&mut uncertain, correction);
         let errors = self.system.error_bound(correction, &right, &uncertain);
+        let growth = if P::UNCERTAIN { 1.0 / (1.0 - self.steepness()).max(0.0) } else { 1.0 };
         for (x, error) in solution.iter_mut().zip(errors) {
-            *x = x.widened(error);
+            *x = x.widened(growth * error);
         }
+    }
+
+    /// By what part of itself the inverse of the matrix may change within the bounds of the places, to first order: at
+    /// most the condition times the sum of the columns' relative errors.
+    fn steepness(&self) -> f64 {
+        let mut columns = vec![[0.0_f64; 2]; self.equations.unknowns];
+        for terms in &self.equations.loops {
+            let mut add = |unknown: usize, [exact, error]: [f64; 2]| {
+                let [size, sum] = &mut columns[unknown];
+                (*size, *sum) = (size.max(exact), *sum + error);
+            };
+            for arm in &terms.arms {
+                if let Spin::Unknown(unknown) = arm.spin {
+                    let [exact, rounded] = self.arms(arm);
+                    let [x, y] = exact.errors_from(rounded.rounded());
+                    add(unknown, [rounded.rounded().amax(), x + y]);
+                }
+            }
+            for slide in &terms.slides {
+                if let SlideRate::Unknown(unknown) = slide.rate {
+                    let [x, y] = self.places.guide(slide.slider).errors_from(self.places.guides()[slide.slider.0]);
+                    add(unknown, [1.0, x + y]);
+                }
+            }
+        }
+        let relative = columns.iter().filter(|[size, _]| *size > 0.0).map(|[size, error]| error / size);
+        2.0 * self.system.condition() * relative.sum::<f64>()
     }
 
     /// Adds the effect of rounded coefficients: their errors times the correction.
     fn add_coefficient_errors(&self, uncertain: &mut Numbers, correction: &[f64]) {
         for (terms, uncertain) in self.equations.loops.iter().zip(uncertain.chunks_mut(2)) {
-            let mut add = |v: Vector| {
-                uncertain[0] += v.x.abs();
-                uncertain[1] += v.y.abs();
+            let mut add = |[x, y]: [f64; 2], times: f64| {
+                uncertain[0] += x * times.abs();
+                uncertain[1] += y * times.abs();
             };
             for arm in &terms.arms {
                 if let Spin::Unknown(unknown) = arm.spin {
-                    // One rounding for the difference of two places, one for each further arm of the same rotation.
+                    let [exact, rounded] = self.arms(arm);
+                    // One rounding for each further arm of the same rotation.
                     let alike = terms.arms.iter().filter(|other| other.spin == arm.spin);
-                    let error = alike.count() as f64 * UNIT_ROUNDOFF * correction[unknown];
-                    add(quarter_turn(self.pose.arm(arm.from, arm.to)) * error);
+                    let rounding = alike.count() as f64 * UNIT_ROUNDOFF;
+                    let [x, y] = exact.errors_from(rounded.rounded());
+                    let sum = [x + rounding * rounded.x.high.abs(), y + rounding * rounded.y.high.abs()];
+                    add(sum, correction[unknown]);
                 }
             }
             for slide in &terms.slides {
                 if let SlideRate::Unknown(unknown) = slide.rate {
-                    let u = self.pose.guide(slide.slider);
-                    add(u * (guide_error(u) * correction[unknown]));
+                    let u = self.places.guides()[slide.slider.0];
+                    add(self.places.guide(slide.slider).errors_from(u), correction[unknown]);
                 }
             }
         }
+    }
+
+    /// An arm turned by +90°: as it is, and as it stands in the matrix.
+    fn arms(&self, arm: &Arm) -> [Pair<Ball>; 2] {
+        let points = self.places.points();
+        let rounded = Pair::from(points[arm.to.0] - points[arm.from.0]);
+        [self.places.arm(arm.from, arm.to).quarter_turn(), rounded.quarter_turn()]
     }
 }

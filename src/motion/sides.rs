@@ -1,8 +1,7 @@
-use super::errors::guide;
 use super::moving::State;
+use super::places::Places;
 use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, LoopEquations, LoopTerms, SlideRate, Spin, TieTerms};
-use crate::position::Pose;
 use smallvec::SmallVec;
 
 /// A number for each unknown of a group.
@@ -23,27 +22,27 @@ impl Sides {
 }
 
 /// The right sides of the velocity equations; known bodies move as in `state`.
-pub(super) fn velocity_sides(equations: &LoopEquations, pose: &Pose, state: &State) -> Sides {
+pub(super) fn velocity_sides(equations: &LoopEquations, places: &impl Places, state: &State) -> Sides {
     Sides {
-        loops: equations.loops.iter().map(|terms| velocity_side(terms, pose, state)).collect(),
+        loops: equations.loops.iter().map(|terms| velocity_side(terms, places, state)).collect(),
         ties: equations.ties.iter().map(|terms| tie_side(terms, |body| state.body(body).omega)).collect(),
     }
 }
 
 /// The right sides of the acceleration equations; `rates` is the solution of the velocity equations.
-pub(super) fn acceleration_sides(equations: &LoopEquations, pose: &Pose, state: &State, rates: &[Ball]) -> Sides {
+pub(super) fn acceleration_sides(equations: &LoopEquations, places: &impl Places, state: &State, rates: &[Ball]) -> Sides {
     Sides {
-        loops: equations.loops.iter().map(|terms| acceleration_side(terms, pose, state, rates)).collect(),
+        loops: equations.loops.iter().map(|terms| acceleration_side(terms, places, state, rates)).collect(),
         ties: equations.ties.iter().map(|terms| tie_side(terms, |body| state.body(body).alpha)).collect(),
     }
 }
 
 /// The residuals of the equations for the unknowns `x`.
-pub(super) fn residuals(equations: &LoopEquations, pose: &Pose, sides: &Sides, x: &[Ball]) -> Sides {
+pub(super) fn residuals(equations: &LoopEquations, places: &impl Places, sides: &Sides, x: &[Ball]) -> Sides {
     let loops = equations.loops.iter().zip(&sides.loops);
     let ties = equations.ties.iter().zip(&sides.ties);
     Sides {
-        loops: loops.map(|(terms, &side)| loop_residual(terms, pose, side, x)).collect(),
+        loops: loops.map(|(terms, &side)| loop_residual(terms, places, side, x)).collect(),
         ties: ties.map(|(terms, &side)| tie_residual(terms, side, x)).collect(),
     }
 }
@@ -65,39 +64,39 @@ fn tie_side(terms: &TieTerms, rate: impl Fn(BodyId) -> Ball) -> Ball {
 }
 
 /// side − Σ ω J r − Σ ṡ u with the unknowns `x`.
-fn loop_residual(terms: &LoopTerms, pose: &Pose, side: Pair<Ball>, x: &[Ball]) -> Pair<Ball> {
+fn loop_residual(terms: &LoopTerms, places: &impl Places, side: Pair<Ball>, x: &[Ball]) -> Pair<Ball> {
     let mut rest = side;
     for arm in &terms.arms {
         if let Spin::Unknown(unknown) = arm.spin {
-            let turned = pose.exact_arm(arm.from, arm.to).quarter_turn();
+            let turned = places.arm(arm.from, arm.to).quarter_turn();
             rest = rest - turned * x[unknown];
         }
     }
     for slide in &terms.slides {
         if let SlideRate::Unknown(unknown) = slide.rate {
-            rest = rest - guide(pose, slide.slider, slide.sign) * x[unknown];
+            rest = rest - places.guide(slide.slider) * (x[unknown] * slide.sign.into());
         }
     }
     rest
 }
 
 /// The right side of a loop's velocity equations: v_end − v_start − Σ ω J r − Σ ṡ u of known rotations and slides.
-fn velocity_side(terms: &LoopTerms, pose: &Pose, state: &State) -> Pair<Ball> {
+fn velocity_side(terms: &LoopTerms, places: &impl Places, state: &State) -> Pair<Ball> {
     let mut side = Pair::default();
     if let Some([start, end]) = terms.ends {
-        let (first, last) = (pose.point(terms.first), pose.point(terms.last));
+        let (first, last) = (places.place(terms.first), places.place(terms.last));
         let [start, end] = [start, end].map(|b| state.body(b));
         side = (end.velocity - start.velocity) + (end.swing(last) - start.swing(first));
     }
     for arm in &terms.arms {
         if let Spin::Known(body) = arm.spin {
-            let turned = pose.exact_arm(arm.from, arm.to).quarter_turn();
+            let turned = places.arm(arm.from, arm.to).quarter_turn();
             side = side - turned * state.body(body).omega;
         }
     }
     for slide in &terms.slides {
         if let SlideRate::Driven([speed, _]) = slide.rate {
-            side = side - guide(pose, slide.slider, slide.sign) * speed.into();
+            side = side - places.guide(slide.slider) * (places.given(speed) * slide.sign.into());
         }
     }
     side
@@ -105,10 +104,10 @@ fn velocity_side(terms: &LoopTerms, pose: &Pose, state: &State) -> Pair<Ball> {
 
 /// The right side of a loop's acceleration equations: a_end − a_start + Σ ω² r − Σ 2 ω ṡ J u, and − Σ α J r − Σ s̈ u of
 /// known rotations and slides.
-fn acceleration_side(terms: &LoopTerms, pose: &Pose, state: &State, rates: &[Ball]) -> Pair<Ball> {
+fn acceleration_side(terms: &LoopTerms, places: &impl Places, state: &State, rates: &[Ball]) -> Pair<Ball> {
     let mut side = Pair::default();
     if let Some([start, end]) = terms.ends {
-        let (first, last) = (pose.point(terms.first), pose.point(terms.last));
+        let (first, last) = (places.place(terms.first), places.place(terms.last));
         let [start, end] = [start, end].map(|b| state.body(b));
         let turning = end.turning(last) - start.turning(first);
         side = (end.acceleration - start.acceleration) + turning;
@@ -118,7 +117,7 @@ fn acceleration_side(terms: &LoopTerms, pose: &Pose, state: &State, rates: &[Bal
         Spin::Known(body) => state.body(body).omega,
     };
     for arm in &terms.arms {
-        let r = pose.exact_arm(arm.from, arm.to);
+        let r = places.arm(arm.from, arm.to);
         let omega = omega(arm.spin);
         side = side + r * (omega * omega);
         if let Spin::Known(body) = arm.spin {
@@ -126,12 +125,12 @@ fn acceleration_side(terms: &LoopTerms, pose: &Pose, state: &State, rates: &[Bal
         }
     }
     for slide in &terms.slides {
-        let u = guide(pose, slide.slider, slide.sign);
+        let u = places.guide(slide.slider) * slide.sign.into();
         let rate = match slide.rate {
             SlideRate::Unknown(unknown) => rates[unknown],
             SlideRate::Driven([speed, acceleration]) => {
-                side = side - u * acceleration.into();
-                speed.into()
+                side = side - u * places.given(acceleration);
+                places.given(speed)
             }
         };
         side = side - u.quarter_turn() * (omega(slide.spin) * rate).twice();

@@ -1,5 +1,6 @@
 use super::known::{driven_motion, known_motion, motion_across};
 use super::moving::{BoundedMotion, BoundedSlide, State};
+use super::places::Places;
 use super::refine::Solver;
 use super::sides::{acceleration_sides, velocity_sides};
 use super::singular::singular;
@@ -26,14 +27,13 @@ const LARGEST: f64 = 1e150;
 /// [`MotionError::Singular`] names the links and the critical lines of a group in a singular position;
 /// [`MotionError::Overflow`] the links whose rates leave the range of f64.
 pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion, MotionError> {
-    let bodies = mechanism.bodies.iter();
-    let mut state = State {
-        bodies: bodies.map(|b| known_motion(mechanism, pose, b)).collect(),
-        slides: mechanism.sliders.iter().map(driven_motion).collect(),
-    };
+    let mut state = known_state(mechanism, pose);
     let (mut groups, mut warnings) = (Vec::new(), Vec::new());
     for group in &mechanism.groups {
-        let condition = move_group(mechanism, group, pose, order, &mut state)?;
+        let condition = move_group(mechanism, group, pose, order, &mut state).map_err(|unsolved| match unsolved {
+            Unsolved::Singular(condition) => singular(mechanism, group, pose, condition),
+            Unsolved::Overflow => MotionError::Overflow { links: group.link_names(mechanism) },
+        })?;
         if condition > NEARLY_SINGULAR_CONDITION {
             let digits = -libm::log10(condition * UNIT_ROUNDOFF);
             warnings.push(format!(
@@ -48,6 +48,31 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
         Some(link) => Err(MotionError::Overflow { links: mechanism.body(link).name.clone() }),
         None => Ok(motion),
     }
+}
+
+/// All motions with bounds of their errors, before rounding; `None` where a group is singular within the bounds of the
+/// places, or numbers leave the range of f64.
+pub(crate) fn bounded_motion(mechanism: &Mechanism, places: &impl Places, order: Order) -> Option<State> {
+    let mut state = known_state(mechanism, places);
+    for group in &mechanism.groups {
+        move_group(mechanism, group, places, order, &mut state).ok()?;
+    }
+    Some(state)
+}
+
+/// The motions that the scene gives; rest for all others.
+fn known_state(mechanism: &Mechanism, places: &impl Places) -> State {
+    State {
+        bodies: mechanism.body_ids().map(|id| known_motion(mechanism, places, id)).collect(),
+        slides: mechanism.sliders.iter().map(|slider| driven_motion(places, slider)).collect(),
+    }
+}
+
+/// Why a group has no motion.
+enum Unsolved {
+    /// With this condition number of its equations.
+    Singular(f64),
+    Overflow,
 }
 
 /// A body with a velocity or an acceleration above [`LARGEST`] or not finite.
@@ -68,34 +93,30 @@ fn overflowing_body(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Opti
 fn move_group(
     mechanism: &Mechanism,
     group: &Group,
-    pose: &Pose,
+    places: &impl Places,
     order: Order,
     state: &mut State,
-) -> Result<f64, MotionError> {
+) -> Result<f64, Unsolved> {
     let equations = LoopEquations::new(mechanism, group);
-    let singular = |condition| singular(mechanism, group, pose, condition);
-    let system = equations.factored(&pose.points, &pose.guides).ok_or_else(|| {
+    let system = equations.factored(places.points(), places.guides()).ok_or_else(|| {
         // An infinite matrix comes from places too far apart, not from a singular position.
-        let matrix = equations.matrix(&pose.points, &pose.guides);
-        if matrix.iter().all(|x| x.is_finite()) {
-            singular(f64::INFINITY)
-        } else {
-            MotionError::Overflow { links: group.link_names(mechanism) }
-        }
+        let matrix = equations.matrix(places.points(), places.guides());
+        let is_finite = matrix.iter().all(|x| x.is_finite());
+        if is_finite { Unsolved::Singular(f64::INFINITY) } else { Unsolved::Overflow }
     })?;
     let condition = system.condition();
     if condition.is_nan() || condition >= SINGULAR_CONDITION {
-        return Err(singular(condition));
+        return Err(Unsolved::Singular(condition));
     }
-    let solver = Solver::new(&equations, &system, pose);
-    let rates = solver.solve(&velocity_sides(&equations, pose, state));
+    let solver = Solver::new(&equations, &system, places);
+    let rates = solver.solve(&velocity_sides(&equations, places, state));
     let accelerations = match order {
         Order::Velocity => smallvec![Ball::default(); equations.unknowns],
-        Order::Acceleration => solver.solve(&acceleration_sides(&equations, pose, state, &rates)),
+        Order::Acceleration => solver.solve(&acceleration_sides(&equations, places, state, &rates)),
     };
     let mut all = rates.iter().chain(&accelerations);
     if !all.all(|x| x.high.is_finite() && x.error().is_finite()) {
-        return Err(MotionError::Overflow { links: group.link_names(mechanism) });
+        return Err(Unsolved::Overflow);
     }
 
     for &link in &group.bodies {
@@ -111,14 +132,14 @@ fn move_group(
             state.slides[slider.0] = BoundedSlide { velocity: rates[unknown], acceleration: accelerations[unknown] };
         }
     }
-    set_reference_motions(mechanism, group, pose, state);
+    set_reference_motions(mechanism, group, places, state);
     Ok(condition)
 }
 
 /// Sets each link's reference point and its motion, along the loops: from the start, but for the last link from the
 /// end. Links of a compound link follow from the one that the loop enters; a link in no loop follows over the joint
 /// that connects it with known motion.
-fn set_reference_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, state: &mut State) {
+fn set_reference_motions(mechanism: &Mechanism, group: &Group, places: &impl Places, state: &mut State) {
     let mut placed: Vec<BodyId> = Vec::new();
     let mut place = |joint: JointId, from: BodyId, to: BodyId, placed: &mut Vec<BodyId>| {
         if placed.contains(&to) {
@@ -126,10 +147,10 @@ fn set_reference_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, stat
         }
         placed.push(to);
         let [from, entered] = [from, to].map(|link| mechanism.side(joint, link));
-        motion_over_joint(mechanism, pose, state, joint, from, entered);
+        motion_over_joint(mechanism, places, state, joint, from, entered);
         for link in mechanism.compound(to) {
             for slide in mechanism.way(entered, link) {
-                motion_over_slider(mechanism, pose, state, slide.slider, slide.from, slide.to);
+                motion_over_slider(mechanism, places, state, slide.slider, slide.from, slide.to);
             }
         }
     };
@@ -151,24 +172,31 @@ fn set_reference_motions(mechanism: &Mechanism, group: &Group, pose: &Pose, stat
 }
 
 /// Sets the motion of body `to` at `joint`, from that of body `from`.
-fn motion_over_joint(mechanism: &Mechanism, pose: &Pose, state: &mut State, joint: JointId, from: BodyId, to: BodyId) {
+fn motion_over_joint(
+    mechanism: &Mechanism,
+    places: &impl Places,
+    state: &mut State,
+    joint: JointId,
+    from: BodyId,
+    to: BodyId,
+) {
     if let Some(slider) = mechanism.joint(joint).slider {
-        return motion_over_slider(mechanism, pose, state, slider, from, to);
+        return motion_over_slider(mechanism, places, state, slider, from, to);
     }
     let rotation = *state.body(to);
-    let moved = state.body(from).referred_to(pose.point(mechanism.joint_point(joint)));
+    let moved = state.body(from).referred_to(places.place(mechanism.joint_point(joint)));
     state.bodies[to.0] = BoundedMotion { omega: rotation.omega, alpha: rotation.alpha, ..moved };
 }
 
 /// Sets the motion of body `to`, from that of body `from` on the other side of a slider; both have the same rotation.
 fn motion_over_slider(
     mechanism: &Mechanism,
-    pose: &Pose,
+    places: &impl Places,
     state: &mut State,
     slider: SliderId,
     from: BodyId,
     to: BodyId,
 ) {
     let (source, slide) = (state.body(from), state.slide(slider));
-    state.bodies[to.0] = motion_across(mechanism, pose, slider, from, source, slide);
+    state.bodies[to.0] = motion_across(mechanism, places, slider, from, source, slide);
 }

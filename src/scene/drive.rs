@@ -41,6 +41,8 @@ pub struct Drive {
     pub angle_deg: Option<f64>,
     /// Angular velocity, in radians per unit of time, counter-clockwise positive.
     pub omega: f64,
+    /// Turns per minute, where the scene gives these in place of `omega`, which is then rounded.
+    pub rpm: Option<f64>,
     /// Angular acceleration, in radians per unit of time squared; zero unless given.
     pub alpha: f64,
 }
@@ -101,7 +103,7 @@ impl LinkDriveFile {
                 return Err(Wrong::value(&[], format!("the drive of link {link} has no speed")).hint(hint));
             }
         };
-        Ok(Drive { angle_deg: self.angle, omega, alpha: self.alpha.unwrap_or(0.0) })
+        Ok(Drive { angle_deg: self.angle, omega, rpm: self.rpm, alpha: self.alpha.unwrap_or(0.0) })
     }
 
     fn pushing(&self, link: &str) -> Result<SliderDrive, Wrong> {

@@ -1,0 +1,132 @@
+//! What the scene gives, with the errors of reading it: lengths, coordinates and angles as [`Ball`]s.
+
+use super::frame::Frame;
+use crate::geometry::{Ball, Number, Pair, Point, RADIANS_PER_SECOND, RADIANS_PER_TURN};
+use crate::mechanism::{BodyId, Guide, Mechanism, PointId, Slider, SliderId};
+use crate::scene::{self, Along, At, GivenBy, Length, On, Scene, Shape, TimeUnit};
+
+/// A place or a vector.
+pub(super) type Vector = Pair<Ball>;
+
+/// A scene and the mechanism in which its positions are found.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Given<'a> {
+    pub scene: &'a Scene,
+    pub mechanism: &'a Mechanism,
+}
+
+/// A place or vector of the scene.
+pub(super) fn written(v: [f64; 2]) -> Vector {
+    Pair { x: Ball::written(v[0]), y: Ball::written(v[1]) }
+}
+
+impl Given<'_> {
+    /// The coordinates of a body's points in its own frame, in the order of its points.
+    pub fn locals(&self, id: BodyId) -> Vec<Vector> {
+        let body = self.mechanism.body(id);
+        let link = self.scene.links.get(&body.name).filter(|_| !body.is_nameless());
+        let place = |p: &Point| written([p.x, p.y]);
+        match link.map(|link| (&link.shape, link.points.as_slice())) {
+            Some((Shape::Lengths(lengths), [a, b])) => {
+                vec![Vector::default(), Pair { x: length(lengths, a, b), y: Ball::default() }]
+            }
+            Some((Shape::Lengths(lengths), [a, b, c])) => {
+                let [ab, ac, bc] = [(a, b), (a, c), (b, c)].map(|(p, q)| length(lengths, p, q));
+                let side = body.local[2].y;
+                vec![Vector::default(), Pair { x: ab, y: Ball::default() }, corner(ab, ac, bc, side)]
+            }
+            _ => body.local.iter().map(place).collect(),
+        }
+    }
+
+    /// A slider's guide in the frame of its body: the place from which its position counts, and the unit direction.
+    /// `local` gives the places of that body's points.
+    pub fn line(&self, id: SliderId, local: impl Fn(PointId) -> Option<Vector>) -> [Vector; 2] {
+        let slider = self.mechanism.slider(id);
+        let (rough, along) = slider.line();
+        let Some(given) = self.scene.sliders.get(id.0) else {
+            // The carriage of a given angle has guides along the axes.
+            return [written([rough.x, rough.y]), along.into()];
+        };
+        let point = |name: &String| self.mechanism.point(name).and_then(&local);
+        let through = match (&given.through, &given.along) {
+            (Some(At::Place(p)), _) => Some(written(*p)),
+            (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => point(p),
+            (None, _) => self.mechanism.body(slider.on).points.first().and_then(|&p| local(p)),
+        };
+        let direction = match &given.along {
+            Along::Points(a, b) => point(a).zip(point(b)).map(|(a, b)| (b - a).unit()),
+            Along::Direction(d) => Some(written(*d).unit()),
+            Along::Degrees(angle) => Some(Pair::direction_of_degrees(Ball::written(*angle))),
+        };
+        [through.unwrap_or_default(), direction.unwrap_or_else(|| along.into())]
+    }
+
+    /// The direction of a guide as drawn, where `places` are the points.
+    pub fn drawn_guide(&self, id: SliderId, places: &[Vector]) -> Vector {
+        let slider = self.mechanism.slider(id);
+        let between = |a: PointId, b: PointId| (places[b.0] - places[a.0]).unit();
+        match (slider.guide, self.scene.sliders.get(id.0).map(|given: &scene::Slider| &given.along)) {
+            (Guide::DrawnBetween(a, b), _) => between(a, b),
+            (_, Some(Along::Direction(d))) => written(*d).unit(),
+            (_, Some(Along::Degrees(angle))) => {
+                let turn = Pair::direction_of_degrees(Ball::written(*angle));
+                let on_ground = self.scene.sliders[id.0].on == On::Ground;
+                match self.mechanism.body(slider.on).points.as_slice() {
+                    [a, b, ..] if !on_ground => between(*a, *b).turn(turn),
+                    _ => turn,
+                }
+            }
+            _ => slider.line().1.into(),
+        }
+    }
+
+    /// The placement of a slider's link in the frame of the guide's body, at position `s`; `line` is the guide, `at` the
+    /// sliding point in the link's frame.
+    pub fn on_guide(slider: &Slider, [through, along]: [Vector; 2], at: Vector, s: Ball) -> Frame {
+        let turn = along.turn(Pair::direction_of_degrees(Ball::written(slider.turned)));
+        Frame::pinned(turn, at, through + along * s)
+    }
+
+    /// The angular velocity that a scene gives for a driven body, which the mechanism has as `omega`. Turns per minute
+    /// were rounded when they were read.
+    pub fn omega(&self, id: BodyId, omega: f64) -> Ball {
+        let drive = self.scene.links.get(&self.mechanism.body(id).name).and_then(|link| link.drive);
+        // The mechanism may have been given another rate since.
+        match drive.filter(|drive| drive.omega == omega).and_then(|drive| drive.rpm) {
+            Some(rpm) => {
+                let unit = match self.scene.units.time {
+                    TimeUnit::S => RADIANS_PER_SECOND,
+                    TimeUnit::Min => RADIANS_PER_TURN,
+                };
+                Ball::from(omega).widened((Ball::written(rpm) * unit).error_from(omega))
+            }
+            None => Ball::written(omega),
+        }
+    }
+
+    /// Whether positions are found from lengths.
+    pub fn is_by_lengths(&self) -> bool {
+        self.mechanism.given_by == GivenBy::Lengths
+    }
+}
+
+/// The given length between two points, which a checked scene has.
+fn length(lengths: &[Length], a: &str, b: &str) -> Ball {
+    let found = lengths.iter().find(|l| (l.from == a && l.to == b) || (l.from == b && l.to == a));
+    Ball::written(found.map_or(0.0, |l| l.value))
+}
+
+/// The third corner of a triangle with base `ab` on the x axis and sides `ac`, `bc`, on the side of the sign of `side`;
+/// on the base where `side` is zero.
+fn corner(ab: Ball, ac: Ball, bc: Ball, side: f64) -> Vector {
+    let half = Ball::from(0.5);
+    let x = half * (ab + (ac - bc) * (ac + bc) / ab);
+    if side == 0.0 {
+        return Pair { x, y: Ball::default() };
+    }
+    // Heron's formula.
+    let sixteen_squares = (ab + ac + bc) * (ac + bc - ab) * (ab + bc - ac) * (ab + ac - bc);
+    let y = half * sixteen_squares.sqrt() / ab;
+    Pair { x, y: if side < 0.0 { -y } else { y } }
+}

@@ -1,0 +1,368 @@
+//! True places of a mechanism near a pose, with bounds of their errors.
+//!
+//! From lengths, Newton's method goes on from the pose's angles and slides with twice the digits of f64, until only the
+//! errors of what the scene gives are left; |A⁻¹| takes these to the angles and slides (Higham, *Accuracy and Stability
+//! of Numerical Algorithms*, 2002, §7.1). As drawn, the places are those of the scene.
+
+use super::frame::Frame;
+use super::given::{Given, Vector, written};
+use crate::geometry::{Ball, Numbers, Pair, Point, UNIT_ROUNDOFF, span};
+use crate::mechanism::{BodyId, Group, JointId, LoopEquations, Mechanism, PointId, Role, SliderId};
+use crate::position::Pose;
+
+/// Most Newton steps: from a pose that is right to rounding three are needed, near a limit some more.
+const STEPS: usize = 12;
+
+/// Newton's method ends after a correction below this, in radians or parts of the mechanism's size.
+const LAST_CORRECTION: f64 = UNIT_ROUNDOFF * UNIT_ROUNDOFF;
+
+/// How much of itself the inverse of the matrix may change within the bounds, for these still to be told.
+const STEEPEST: f64 = 0.5;
+
+/// The true places of points and guides, with the bounds of their errors.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    /// By point.
+    pub points: Vec<Vector>,
+    /// By slider: the unit direction of its guide.
+    pub guides: Vec<Vector>,
+    /// By slider: its position along the guide; of a drawn configuration, where there is a point to count from.
+    pub slides: Vec<Option<Ball>>,
+    /// By body: cosine and sine of its angle; none in a drawn configuration.
+    pub turns: Vec<Option<Vector>>,
+}
+
+impl Placed {
+    /// The true places near `pose`; `None` where they cannot be bounded: next to a limit position, or where numbers
+    /// leave the range of f64.
+    pub fn new(given: &Given<'_>, pose: &Pose) -> Option<Placed> {
+        if given.is_by_lengths() { Finder::new(*given, pose).placed() } else { Some(Placed::drawn(given)) }
+    }
+
+    fn drawn(given: &Given<'_>) -> Placed {
+        let mechanism = given.mechanism;
+        let place = |p: &Option<Point>| p.map_or_else(Vector::default, |p| written([p.x, p.y]));
+        let points: Vec<Vector> = mechanism.given.iter().map(place).collect();
+        let guides: Vec<Vector> = mechanism.slider_ids().map(|id| given.drawn_guide(id, &points)).collect();
+        let slides = mechanism.sliders.iter().zip(&guides).map(|(slider, along)| {
+            let from = slider.counted_from?;
+            Some((points[slider.at.0] - points[from.0]).dot(*along))
+        });
+        Placed { slides: slides.collect(), turns: vec![None; mechanism.bodies.len()], points, guides }
+    }
+}
+
+/// Finds the places of one group after the other.
+struct Finder<'a> {
+    mechanism: &'a Mechanism,
+    pose: &'a Pose,
+    /// By body: its points in its own frame.
+    locals: Vec<Vec<Vector>>,
+    /// By slider: its guide in the frame of its body.
+    lines: Vec<[Vector; 2]>,
+    /// By body: its placement, as far as it is found.
+    frames: Vec<Option<Frame>>,
+    slides: Vec<Ball>,
+}
+
+impl<'a> Finder<'a> {
+    fn new(given: Given<'a>, pose: &'a Pose) -> Finder<'a> {
+        let mechanism = given.mechanism;
+        let locals: Vec<Vec<Vector>> = mechanism.body_ids().map(|id| given.locals(id)).collect();
+        let line = |id: SliderId| {
+            let on = mechanism.slider(id).on;
+            given.line(id, |point| local(mechanism, &locals, on, point))
+        };
+        let slide = |id: SliderId| {
+            let position = mechanism.slider(id).drive.and_then(|drive| drive.position);
+            let found = || pose.slides.get(id.0).copied().flatten().unwrap_or(0.0).into();
+            position.map_or_else(found, Ball::written)
+        };
+        Finder {
+            lines: mechanism.slider_ids().map(line).collect(),
+            slides: mechanism.slider_ids().map(slide).collect(),
+            frames: vec![None; mechanism.bodies.len()],
+            mechanism,
+            pose,
+            locals,
+        }
+    }
+
+    fn placed(mut self) -> Option<Placed> {
+        for id in self.mechanism.body_ids() {
+            let frame = match self.mechanism.body(id).role {
+                Role::Ground => Frame::identity(),
+                Role::Driver { pivot, angle, .. } => {
+                    let turn = Pair::direction_of_degrees(Ball::written(angle?));
+                    let Point { coords } = self.mechanism.given[pivot.0]?;
+                    Frame::pinned(turn, self.local(id, pivot)?, written([coords.x, coords.y]))
+                }
+                _ => continue,
+            };
+            self.frames[id.0] = Some(frame);
+            self.place_compound(id);
+        }
+        for group in &self.mechanism.groups {
+            self.find(group)?;
+        }
+        let points = self.points();
+        Some(Placed {
+            guides: self.mechanism.slider_ids().map(|id| self.guide(id)).collect(),
+            slides: self.slides.iter().copied().map(Some).collect(),
+            turns: self.frames.iter().map(|frame| frame.map(|f| f.turn)).collect(),
+            points,
+        })
+    }
+
+    fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
+        local(self.mechanism, &self.locals, body, point)
+    }
+
+    /// The places of all points whose bodies are placed; the origin for others.
+    fn points(&self) -> Vec<Vector> {
+        let mechanism = self.mechanism;
+        let given = |p: &Option<Point>| p.map_or_else(Vector::default, |p| written([p.x, p.y]));
+        let mut points: Vec<Vector> = mechanism.given.iter().map(given).collect();
+        // The same body decides as in a pose.
+        let (known, members): (Vec<BodyId>, Vec<BodyId>) = mechanism.body_ids().partition(|&b| mechanism.is_known(b));
+        for body in members.into_iter().rev().chain(known.into_iter().rev()) {
+            if let Some(frame) = self.frames[body.0] {
+                for (point, &local) in mechanism.body(body).points.iter().zip(&self.locals[body.0]) {
+                    points[point.0] = frame.place(local);
+                }
+            }
+        }
+        points
+    }
+
+    /// The direction of a slider's guide; that in its own frame while its body is not placed.
+    fn guide(&self, id: SliderId) -> Vector {
+        let [_, along] = self.lines[id.0];
+        self.frames[self.mechanism.slider(id).on.0].map_or(along, |frame| frame.turn.turn(along))
+    }
+
+    /// The placement of the body on the other side of a slider, seen from that of `from`.
+    fn across(&self, id: SliderId, from: BodyId) -> Frame {
+        let slider = self.mechanism.slider(id);
+        let at = self.local(slider.link, slider.at).unwrap_or_default();
+        let forward = Given::on_guide(slider, self.lines[id.0], at, self.slides[id.0]);
+        if slider.on == from { forward } else { forward.inverse() }
+    }
+
+    /// Places the links of a compound link of which one is placed.
+    fn place_compound(&mut self, placed: BodyId) {
+        for link in self.mechanism.compound(self.mechanism.lead(placed)) {
+            let mut frame = self.frames[placed.0];
+            for slide in self.mechanism.way(placed, link) {
+                frame = frame.map(|f| f.of(&self.across(slide.slider, slide.from)));
+            }
+            self.frames[link.0] = frame;
+        }
+    }
+
+    /// Finds a group's angles and slides and places its links.
+    fn find(&mut self, group: &Group) -> Option<()> {
+        let equations = LoopEquations::new(self.mechanism, group);
+        let mut spins: Vec<Option<Vector>> = (0..equations.unknowns).map(|u| self.start(&equations, u)).collect();
+        let mut before = f64::INFINITY;
+        for _ in 0..STEPS {
+            let gaps = self.gaps(group, &equations, &spins)?;
+            let (points, guides) = self.rounded();
+            let size = span(points.iter().copied());
+            let system = equations.factored(&points, &guides)?;
+            let right: Numbers = gaps.iter().map(|gap| gap.high).collect();
+            let correction = system.solve(&right);
+            let relative = |errors: &[f64]| {
+                let parts = errors.iter().zip(&spins).map(|(x, spin)| x.abs() / if spin.is_some() { 1.0 } else { size });
+                parts.fold(0.0, f64::max)
+            };
+            let change = relative(&correction);
+            if !change.is_finite() {
+                return None;
+            }
+            if change <= LAST_CORRECTION || change > 0.5 * before {
+                let uncertain: Numbers = gaps.iter().map(|gap| gap.error()).collect();
+                let bounds = system.error_bound(&correction, &right, &uncertain);
+                let bounds: Vec<f64> = bounds.iter().zip(&correction).map(|(b, c)| b + c.abs()).collect();
+                // Within the bounds the matrix turns and stretches by about as much.
+                let steepness = 4.0 * system.condition() * relative(&bounds);
+                if steepness.is_nan() || steepness > STEEPEST {
+                    return None;
+                }
+                let bounds: Vec<f64> = bounds.iter().map(|b| b / (1.0 - steepness)).collect();
+                self.widen(&equations, &mut spins, &bounds);
+                return self.gaps(group, &equations, &spins).map(|_| ());
+            }
+            before = change;
+            self.correct(&equations, &mut spins, &correction);
+        }
+        None
+    }
+
+    /// Cosine and sine of an unknown angle in the pose; none for a slide.
+    fn start(&self, equations: &LoopEquations, unknown: usize) -> Option<Vector> {
+        let link = equations.link_of(unknown)?;
+        let axis = self.pose.axes.get(link.0).copied().flatten()?;
+        Some(sharp(Vector::from(axis).unit()))
+    }
+
+    fn correct(&mut self, equations: &LoopEquations, spins: &mut [Option<Vector>], correction: &[f64]) {
+        for (spin, &step) in spins.iter_mut().zip(correction) {
+            // The rotation by the arctangent of the correction.
+            *spin = spin.map(|turn| sharp((turn + turn.quarter_turn() * step.into()).unit()));
+        }
+        for id in self.mechanism.slider_ids() {
+            if let Some(unknown) = equations.slide_unknown(id) {
+                let moved = self.slides[id.0] + correction[unknown].into();
+                self.slides[id.0] = Ball { radius: 0.0, ..moved };
+            }
+        }
+    }
+
+    fn widen(&mut self, equations: &LoopEquations, spins: &mut [Option<Vector>], bounds: &[f64]) {
+        for (spin, &bound) in spins.iter_mut().zip(bounds) {
+            *spin = spin.map(|turn| turn.unit().widened(bound));
+        }
+        for id in self.mechanism.slider_ids() {
+            if let Some(unknown) = equations.slide_unknown(id) {
+                self.slides[id.0] = self.slides[id.0].widened(bounds[unknown]);
+            }
+        }
+    }
+
+    /// Places the group's links by its angles and slides; the gaps left in its loops and ties, in the order of the
+    /// equations. `None` where a link has no angle.
+    fn gaps(&mut self, group: &Group, equations: &LoopEquations, spins: &[Option<Vector>]) -> Option<Vec<Ball>> {
+        let turns = self.turns(group, equations, spins);
+        let mut placed: Vec<BodyId> = Vec::new();
+        let mut gaps = vec![Ball::default(); 2 * group.loops.len()];
+        let mut waiting: Vec<_> = group.loops.iter().enumerate().collect();
+        // A loop that closes on a link of the group needs that link's place first.
+        while let Some(next) = waiting.iter().position(|(_, c)| !c.closed || placed.contains(&c.bodies[0])) {
+            let (index, chain) = waiting.remove(next);
+            let last = chain.joints.len() - 1;
+            for (i, &joint) in chain.joints[..last].iter().enumerate() {
+                self.place_over(joint, chain.bodies[i], chain.bodies[i + 1], &turns, &mut placed)?;
+            }
+            let [reached, end] = [chain.bodies[last], chain.bodies[last + 1]]
+                .map(|body| self.joint_place(chain.joints[last], self.mechanism.side(chain.joints[last], body)));
+            let gap = end? - reached?;
+            [gaps[2 * index], gaps[2 * index + 1]] = [gap.x, gap.y];
+        }
+        for (joint, from, to) in group.hanging(self.mechanism) {
+            self.place_over(joint, from, to, &turns, &mut placed)?;
+        }
+        let ties = group.joints.iter().filter_map(|&joint| self.mechanism.joint(joint).tie.as_ref());
+        for tie in ties.filter(|tie| tie.as_alike().is_none()) {
+            let apart = Vector::from(crate::geometry::Vector::new(tie.apart.re, tie.apart.im)).unit();
+            let mut left = apart;
+            for &(body, weight) in &tie.turns {
+                let turn = turns[body.0].or(self.frames[body.0].map(|f| f.turn))?;
+                let back = if weight > 0 { turn.reversed() } else { turn };
+                left = (0..weight.unsigned_abs()).fold(left, |left, _| left.turn(back));
+            }
+            // The angle's sine, as large as the angle up to its third power.
+            gaps.push(if left.x.high < 0.0 { Ball { radius: f64::INFINITY, ..left.y } } else { left.y });
+        }
+        Some(gaps)
+    }
+
+    /// By body: cosine and sine of the angle, for bodies of the group: unknown angles, and what sliders make turn alike.
+    fn turns(&self, group: &Group, equations: &LoopEquations, spins: &[Option<Vector>]) -> Vec<Option<Vector>> {
+        let mut turns: Vec<Option<Vector>> = self.frames.iter().map(|frame| frame.map(|f| f.turn)).collect();
+        for body in &group.bodies {
+            turns[body.0] = None;
+        }
+        for (unknown, spin) in spins.iter().enumerate() {
+            if let (Some(link), Some(turn)) = (equations.link_of(unknown), spin) {
+                turns[link.0] = Some(*turn);
+            }
+        }
+        loop {
+            let mut found = false;
+            for id in self.mechanism.slider_ids() {
+                let slider = self.mechanism.slider(id);
+                for (from, to) in [(slider.on, slider.link), (slider.link, slider.on)] {
+                    if let (Some(turn), None, true) = (turns[from.0], turns[to.0], group.bodies.contains(&to)) {
+                        turns[to.0] = Some(turn.turn(self.across(id, from).turn));
+                        found = true;
+                    }
+                }
+            }
+            if !found {
+                return turns;
+            }
+        }
+    }
+
+    /// Places link `to` and its compound link by a joint with a placed body.
+    fn place_over(
+        &mut self,
+        joint: JointId,
+        from: BodyId,
+        to: BodyId,
+        turns: &[Option<Vector>],
+        placed: &mut Vec<BodyId>,
+    ) -> Option<()> {
+        if placed.contains(&to) {
+            return Some(());
+        }
+        placed.push(to);
+        let [from, entered] = [from, to].map(|link| self.mechanism.side(joint, link));
+        let base = self.frames[from.0]?;
+        self.frames[entered.0] = Some(match self.mechanism.joint(joint).slider {
+            Some(slider) => base.of(&self.across(slider, from)),
+            None => {
+                let pin = self.mechanism.joint_point(joint);
+                Frame::pinned(turns[entered.0]?, self.local(entered, pin)?, base.place(self.local(from, pin)?))
+            }
+        });
+        let all = self.mechanism.compound(to);
+        for link in all {
+            let mut frame = self.frames[entered.0];
+            for slide in self.mechanism.way(entered, link) {
+                frame = frame.map(|f| f.of(&self.across(slide.slider, slide.from)));
+            }
+            self.frames[link.0] = frame;
+        }
+        Some(())
+    }
+
+    /// The place of a joint on one of its bodies: the pin or the sliding point; on the guide's body the place of the
+    /// guide at the slider's position.
+    fn joint_place(&self, joint: JointId, body: BodyId) -> Option<Vector> {
+        let frame = self.frames[body.0]?;
+        let on_guide = self.mechanism.joint(joint).slider.filter(|&id| self.mechanism.slider(id).on == body);
+        let local = match on_guide {
+            Some(id) => {
+                let [through, along] = self.lines[id.0];
+                through + along * self.slides[id.0]
+            }
+            None => self.local(body, self.mechanism.joint_point(joint))?,
+        };
+        Some(frame.place(local))
+    }
+
+    /// All points, from the first one, and all guides, rounded.
+    fn rounded(&self) -> (Vec<Point>, Vec<crate::geometry::Vector>) {
+        let guides = self.mechanism.slider_ids().map(|id| self.guide(id).rounded()).collect();
+        (relative(&self.points()), guides)
+    }
+}
+
+/// Places from the first one of them, rounded.
+pub(super) fn relative(points: &[Vector]) -> Vec<Point> {
+    let origin = points.first().copied().unwrap_or_default();
+    points.iter().map(|&p| Point::from((p - origin).rounded())).collect()
+}
+
+/// The middles of both components, taken as exact.
+fn sharp(v: Vector) -> Vector {
+    Pair { x: Ball { radius: 0.0, ..v.x }, y: Ball { radius: 0.0, ..v.y } }
+}
+
+/// The place of a body's point in the body's own frame.
+fn local(mechanism: &Mechanism, locals: &[Vec<Vector>], body: BodyId, point: PointId) -> Option<Vector> {
+    let index = mechanism.body(body).points.iter().position(|&p| p == point)?;
+    locals[body.0].get(index).copied()
+}
