@@ -62,7 +62,7 @@ pub struct LinkResult {
     /// Bound on the error of `omega`.
     #[schemars(with = "Option<f64>")]
     pub omega_error: f64,
-    /// The part of it that is left where the positions of this file and the rates of the scene count as exact.
+    /// Bound on its error where the positions of this file and the rates of the scene count as exact.
     pub omega_error_at_position: f64,
     /// Angular acceleration.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -70,7 +70,7 @@ pub struct LinkResult {
     /// Bound on the error of `alpha`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub alpha_error: Option<f64>,
-    /// The part of it that is left where the positions of this file and the rates of the scene count as exact.
+    /// Bound on its error where the positions of this file and the rates of the scene count as exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub alpha_error_at_position: Option<f64>,
 }
@@ -120,7 +120,7 @@ pub struct SliderResult {
     /// Bound on the error of `velocity`.
     #[schemars(with = "Option<f64>")]
     pub velocity_error: f64,
-    /// The part of it that is left where the positions of this file and the rates of the scene count as exact.
+    /// Bound on its error where the positions of this file and the rates of the scene count as exact.
     pub velocity_error_at_position: f64,
     /// Sliding acceleration.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -128,7 +128,7 @@ pub struct SliderResult {
     /// Bound on the error of `acceleration`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration_error: Option<f64>,
-    /// The part of it that is left where the positions of this file and the rates of the scene count as exact.
+    /// Bound on its error where the positions of this file and the rates of the scene count as exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration_error_at_position: Option<f64>,
     /// Coriolis acceleration 2 ω ẑ × v_r, a vector.

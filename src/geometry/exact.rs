@@ -1,6 +1,6 @@
 //! Numbers as a person writes them, and directions of angles, with twice the digits of f64 and bounds of their errors.
 
-use super::{Ball, Number, Pair};
+use super::{Ball, Number, Pair, UNIT_ROUNDOFF};
 
 /// π/180 as a sum of two f64, and the bound of the rest.
 const RADIANS_PER_DEGREE: Ball =
@@ -14,21 +14,35 @@ pub const RADIANS_PER_SECOND: Ball =
 pub const RADIANS_PER_TURN: Ball =
     Ball { high: 6.283_185_307_179_586, low: 2.449_293_598_294_706_4e-16, radius: 6e-33 };
 
+/// Below this the rests of numbers lose digits.
+const SMALLEST: f64 = 1e-270;
+
 impl Ball {
     /// The number that a person wrote and that was read as `x`: `x` with the distance of the shortest decimal that
     /// reads as `x`.
     ///
     /// So it holds `x` itself and the decimal, as 0.1 and the f64 next to it. Whole numbers, halves, quarters and so on
-    /// are exact.
+    /// are exact. A number of 16 digits or more was computed: it may be off by a rounding.
     #[must_use]
     pub fn written(x: f64) -> Ball {
         let is_whole = x.trunc() == x && x.abs() < 1e15;
         if is_whole || !x.is_finite() {
             return x.into();
         }
+        if x.abs() < SMALLEST {
+            return Ball::from(x).widened(SMALLEST * UNIT_ROUNDOFF);
+        }
         let text = format!("{:e}", x.abs());
-        let decimal = decimal(&text).unwrap_or(Ball { high: x.abs(), low: 0.0, radius: x.abs() * f64::EPSILON });
-        Ball::from(x).widened((decimal - Ball::from(x.abs())).error_from(0.0))
+        let off = (decimal(&text) - Ball::from(x.abs())).error_from(0.0);
+        let is_computed = text.bytes().filter(u8::is_ascii_digit).count() > 16;
+        Ball::from(x).widened(if is_computed { off.max(UNIT_ROUNDOFF * x.abs()) } else { off })
+    }
+
+    /// The shortest decimal that reads as `x`.
+    #[must_use]
+    pub fn decimal(x: f64) -> Ball {
+        let size = decimal(&format!("{:e}", x.abs()));
+        if x < 0.0 { -size } else { size }
     }
 
     /// Bound of the distance of the number from `value`.
@@ -46,33 +60,23 @@ impl Ball {
 }
 
 /// A decimal as in `3.125e-2`, of at most 17 digits, from its text.
-fn decimal(text: &str) -> Option<Ball> {
-    let (mantissa, power) = text.split_once('e')?;
-    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let digits: i64 = mantissa.replace('.', "").parse().ok()?;
+fn decimal(text: &str) -> Ball {
+    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
+    let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits = format!("{whole}{decimals}").parse::<i64>().unwrap_or_default();
     let high = digits as f64;
     // At most 17 digits: the rest is far below 2^53.
-    let whole = Ball { high, low: (digits - high as i64) as f64, radius: 0.0 };
-    let power = power.parse::<i32>().ok()? - i32::try_from(decimals).ok()?;
-    let scale = power_of_ten(power.unsigned_abs());
-    Some(if power < 0 { whole / scale } else { whole * scale })
+    let number = Ball { high, low: (digits - high as i64) as f64, radius: 0.0 };
+    let power = power.parse::<i32>().unwrap_or_default() - decimals.len() as i32;
+    (0..power.unsigned_abs()).step_by(EXACT).fold(number, |number, done| {
+        let step = (power.unsigned_abs() - done).min(EXACT as u32);
+        let scale = Ball::from((0..step).fold(1.0, |scale, _| 10.0 * scale));
+        if power < 0 { number / scale } else { number * scale }
+    })
 }
 
-/// 10^power; exact up to 10^22.
-fn power_of_ten(power: u32) -> Ball {
-    const EXACT: [f64; 23] = [
-        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
-        1e20, 1e21, 1e22,
-    ];
-    let mut product = Ball::from(1.0);
-    let mut left = power as usize;
-    while left > 0 {
-        let step = left.min(EXACT.len() - 1);
-        product = product * Ball::from(EXACT[step]);
-        left -= step;
-    }
-    product
-}
+/// Powers of ten up to this one are exact in f64.
+const EXACT: usize = 22;
 
 impl Pair<Ball> {
     /// Cosine and sine of an angle in degrees.
@@ -128,5 +132,47 @@ impl Pair<Ball> {
     #[must_use]
     pub fn errors_from(self, v: super::Vector) -> [f64; 2] {
         [self.x.error_from(v.x), self.y.error_from(v.y)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_decimal_and_its_f64_are_both_within() {
+        // 0.1 is 0.1000000000000000055511151231257827… in binary.
+        let tenth = Ball::written(0.1);
+        assert!(tenth.high == 0.1 && (tenth.radius / 5.551_115_123_125_783e-18 - 1.0).abs() < 1e-12, "{tenth:?}");
+        for exact in [0.0, 3.0, -2.5, 31.3125, 24.000_488_281_25, 1e14] {
+            assert!(Ball::written(exact).radius <= 1e-28 * exact.abs(), "{exact}");
+        }
+        let third = Ball::written(1.0 / 3.0);
+        assert!(third.radius >= UNIT_ROUNDOFF / 3.0 && third.radius < UNIT_ROUNDOFF, "{third:?}");
+        for x in [1e-260, 1.7e200, -123.456, 0.3] {
+            let (written, decimal) = (Ball::written(x), Ball::decimal(x));
+            assert!(written.radius <= UNIT_ROUNDOFF * x.abs(), "{written:?}");
+            assert!((decimal - written).high.abs() <= written.radius, "{written:?} {decimal:?}");
+        }
+    }
+
+    #[test]
+    fn directions_have_twenty_nine_digits() {
+        // cos 30° = √3/2, sin 30° = 1/2; cos 45° = √½.
+        let [half, three] = [0.5, 3.0].map(Ball::from);
+        for (degrees, cosine, sine) in [
+            (30.0, half * three.sqrt(), half),
+            (-330.0, half * three.sqrt(), half),
+            (120.0, -half, half * three.sqrt()),
+            (-135.0, -half.sqrt(), -half.sqrt()),
+            (270.0, Ball::default(), Ball::from(-1.0)),
+        ] {
+            let Pair { x, y } = Pair::direction_of_degrees(Ball::from(degrees));
+            for (got, truth) in [(x, cosine), (y, sine)] {
+                assert!((got - truth).error_from(0.0) < 1e-29 && got.error_from(truth.high) < 1e-15, "{degrees} {got:?}");
+            }
+        }
+        let near = Pair::direction_of_degrees(Ball::from(30.0).widened(1e-12));
+        assert!(near.y.radius > 1.7e-14 && near.y.radius < 1.8e-14);
     }
 }

@@ -12,6 +12,7 @@ use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::words::number;
+use crate::geometry::{Ball, Pair};
 use super::write::{Write, Written, write_forms};
 
 /// Values by name, in file order. A builder can give a name twice; a text with a name twice is refused.
@@ -120,7 +121,8 @@ impl From<[f64; 2]> for Direction {
     }
 }
 
-/// The vector of this size at this angle from +x, in degrees; at multiples of 90° its zero component is exact.
+/// The vector of this size at this angle from +x, in degrees, each component rounded once; at multiples of 90° its zero
+/// component is exact.
 #[must_use]
 pub fn polar(size: f64, angle_deg: f64) -> [f64; 2] {
     let angle = angle_deg % 360.0;
@@ -129,7 +131,10 @@ pub fn polar(size: f64, angle_deg: f64) -> [f64; 2] {
         90.0 | -270.0 => [0.0, size],
         180.0 | -180.0 => [0.0 - size, 0.0],
         270.0 | -90.0 => [0.0, 0.0 - size],
-        _ => [size * libm::cos(angle.to_radians()), size * libm::sin(angle.to_radians())],
+        _ => {
+            let Pair { x, y } = Pair::direction_of_degrees(Ball::decimal(angle)) * Ball::decimal(size);
+            [x.high, y.high]
+        }
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::support::files;
 use crate::support::stages::solved;
-use kinegon::accuracy::bounds;
 use kinegon::cycle::{Drive, Path, alone};
 use kinegon::geometry::{Point, Vector, span};
 use kinegon::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
@@ -12,9 +11,9 @@ use kinegon::quantity::State;
 /// How far a drive is moved to each side: degrees, or parts of the mechanism's size.
 const TO_EACH_SIDE: [f64; 2] = [8.0, 0.01];
 
-/// How far apart rates may be, in stated bounds, in which rounded places count: here the loop equations begin at such, the way at
-/// angles and slides.
-const BOUNDS: f64 = 1.0;
+/// How far apart rates may be, in parts of the largest and by the condition: the loop equations begin at rounded places, the way
+/// at angles and slides.
+const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 
 /// How near the order of differences is to 2.
 const ORDER_WITHIN: f64 = 0.1;
@@ -72,27 +71,32 @@ fn rates_on_the_way_are_those_of_the_loop_equations() {
             let pose = position.pose();
             let motion = motion(mechanism, &pose, Order::Acceleration)
                 .unwrap_or_else(|error| panic!("{name} at {value}: {error}"));
-            let bounds = bounds(mechanism, &pose, &motion);
-            let near = |what: &str, got: f64, other: f64, bound: f64| {
-                let rounding = 4.0 * f64::EPSILON * other.abs();
+            // A group's errors are enlarged by its condition, and by those of the groups on which it hangs.
+            let condition: f64 = motion.groups.iter().map(|g| g.condition).product();
+            let rates = mechanism.links().map(|(id, _)| motion.body(id));
+            let largest = rates.fold([0.0, 0.0], |[first, second]: [f64; 2], body| {
+                [first.max(body.omega.abs()), second.max(body.alpha.abs()).max(body.omega * body.omega)]
+            });
+            let near = |what: &str, got: f64, other: f64, order: usize, arm: f64| {
+                let bound = ROUNDINGS * condition.powi(order as i32 + 1) * (largest[order] * arm + other.abs());
                 let off = (got - other).abs();
                 assert!(
-                    off <= BOUNDS * bound + rounding,
-                    "{name} at {value}: {what} is {got:e} or {other:e}, {off:e} apart with a bound of {bound:e}"
+                    off <= bound,
+                    "{name} at {value}: {what} is {got:e} or {other:e}, {off:e} apart, allowed is {bound:e}"
                 );
             };
             for (id, body) in mechanism.links() {
-                let ([omega, alpha], errors) = (position.spin(id), bounds.spin(id));
+                let [omega, alpha] = position.spin(id);
                 let is = |what| format!("{what} of {}", body.name);
-                near(&is("ω"), omega, motion.body(id).omega, errors[0]);
-                near(&is("α"), alpha, motion.body(id).alpha, errors[1]);
+                near(&is("ω"), omega, motion.body(id).omega, 0, 1.0);
+                near(&is("α"), alpha, motion.body(id).alpha, 1, 1.0);
             }
+            let size = span(pose.points.iter().copied());
             for id in (0..mechanism.sliders.len()).map(SliderId) {
                 let ([first, second], other) = (position.slide_rates(id), motion.slide(id));
                 let is = |what| format!("{what} of {}", mechanism.slider_name(id));
-                let errors = bounds.slide(id);
-                near(&is("v_r"), first, other.velocity, errors[0]);
-                near(&is("a_r"), second, other.acceleration, errors[1]);
+                near(&is("v_r"), first, other.velocity, 0, size);
+                near(&is("a_r"), second, other.acceleration, 1, size);
             }
         }
     });

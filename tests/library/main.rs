@@ -41,6 +41,7 @@ mod step_names;
 mod students;
 mod templates;
 mod values;
+mod whole_errors;
 mod worked;
 mod worksheets;
 

@@ -1,0 +1,586 @@
+//! How a scene truly stands and moves, with 256 bits, from its file alone: every link has a place and an angle of its own,
+//! every joint its equations. No loops, groups or frames of the library are used; only the position to start from.
+
+use dashu_float::FBig;
+use dashu_float::round::mode::HalfEven;
+use nalgebra::{DMatrix, DVector};
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// A number of 256 bits.
+pub type Real = FBig<HalfEven, 2>;
+pub type Pair = [Real; 2];
+
+const BITS: usize = 256;
+
+/// Newton's method ends after a correction below this.
+const LAST: f64 = 1e-45;
+
+/// What a number of the scene means.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reading {
+    /// The decimal that stands there.
+    Decimal,
+    /// The f64 as which it is read.
+    Binary,
+}
+
+pub fn exactly(x: f64) -> Real {
+    Real::try_from(x).expect("finite").with_precision(BITS).value()
+}
+
+/// The nearest f64.
+pub fn rounded(x: &Real) -> f64 {
+    x.to_f64().value()
+}
+
+/// By how much a number is wrong.
+pub fn error(number: f64, truth: &Real) -> f64 {
+    rounded(&(exactly(number) - truth.clone())).abs()
+}
+
+impl Reading {
+    fn number(self, value: &Value) -> Real {
+        let x = value.as_f64().expect("a number");
+        if self == Reading::Binary {
+            return exactly(x);
+        }
+        let text = format!("{x:e}");
+        let (mantissa, power) = text.split_once('e').expect("a power");
+        let decimals = mantissa.split_once('.').map_or(0, |(_, rest)| rest.len() as i32);
+        let digits: i64 = mantissa.replace('.', "").parse().expect("digits");
+        let power = power.parse::<i32>().expect("a power") - decimals;
+        let scale = (0..power.abs()).fold(exactly(1.0), |scale, _| scale * exactly(10.0));
+        let whole = Real::from(digits).with_precision(BITS).value();
+        if power < 0 { whole / scale } else { whole * scale }
+    }
+
+    fn pair(self, value: &Value) -> Pair {
+        [self.number(&value[0]), self.number(&value[1])]
+    }
+
+    /// Cosine and sine of an angle in degrees, by Taylor's series of a sixteenth of it.
+    fn direction(self, degrees: &Value) -> Pair {
+        let turned = self.number(degrees) * pi() / exactly(180.0 * 16.0);
+        let square = turned.clone() * turned.clone();
+        let series = |first: u32| {
+            (0..40).rev().fold(exactly(1.0), |rest, term| {
+                let k = f64::from(first + 2 * term);
+                exactly(1.0) - square.clone() * rest / exactly(k * (k + 1.0))
+            })
+        };
+        let mut direction = [series(1), turned.clone() * series(2)];
+        for _ in 0..4 {
+            direction = turn(&direction, &direction);
+        }
+        direction
+    }
+}
+
+/// Cosine and sine of an angle in degrees.
+pub fn direction(reading: Reading, degrees: &Value) -> Pair {
+    reading.direction(degrees)
+}
+
+/// Machin's formula.
+fn pi() -> Real {
+    let arctangent = |k: f64| {
+        let square = exactly(k * k);
+        let (mut power, mut sum) = (exactly(1.0) / exactly(k), exactly(0.0));
+        for term in 0..120 {
+            let part = power.clone() / exactly(f64::from(2 * term + 1));
+            sum = if term % 2 == 0 { sum + part } else { sum - part };
+            power /= square.clone();
+        }
+        sum
+    };
+    exactly(16.0) * arctangent(5.0) - exactly(4.0) * arctangent(239.0)
+}
+
+/// `v` turned by the angle of `by`.
+fn turn(by: &Pair, v: &Pair) -> Pair {
+    [&by[0] * &v[0] - &by[1] * &v[1], &by[0] * &v[1] + &by[1] * &v[0]]
+}
+
+fn quarter(v: &Pair) -> Pair {
+    [-v[1].clone(), v[0].clone()]
+}
+
+pub fn plus(a: &Pair, b: &Pair) -> Pair {
+    [&a[0] + &b[0], &a[1] + &b[1]]
+}
+
+pub fn minus(a: &Pair, b: &Pair) -> Pair {
+    [&a[0] - &b[0], &a[1] - &b[1]]
+}
+
+fn times(v: &Pair, s: &Real) -> Pair {
+    [&v[0] * s, &v[1] * s]
+}
+
+pub fn dot(a: &Pair, b: &Pair) -> Real {
+    &a[0] * &b[0] + &a[1] * &b[1]
+}
+
+pub fn cross(a: &Pair, b: &Pair) -> Real {
+    &a[0] * &b[1] - &a[1] * &b[0]
+}
+
+fn unit(v: &Pair) -> Pair {
+    let length = dot(v, v).sqrt();
+    [&v[0] / &length, &v[1] / &length]
+}
+
+/// A link (the frame is the first): its points on itself, and where it is.
+struct Link {
+    name: String,
+    points: Vec<(String, Pair)>,
+    origin: Pair,
+    /// Cosine and sine of its angle.
+    angle: Pair,
+    rates: [Rates; 2],
+}
+
+/// Rates of a link: of its origin and of its angle.
+#[derive(Clone)]
+struct Rates {
+    origin: Pair,
+    turn: Real,
+}
+
+impl Link {
+    fn place(&self, own: &Pair) -> Pair {
+        plus(&self.origin, &turn(&self.angle, own))
+    }
+
+    fn own(&self, name: &str) -> Option<&Pair> {
+        self.points.iter().find(|(n, _)| n == name).map(|(_, own)| own)
+    }
+
+    /// Velocity and acceleration of its point at `place`.
+    fn motion(&self, place: &Pair) -> [Pair; 2] {
+        let [first, second] = &self.rates;
+        let arm = minus(place, &self.origin);
+        let velocity = plus(&first.origin, &times(&quarter(&arm), &first.turn));
+        let swing = minus(&times(&quarter(&arm), &second.turn), &times(&arm, &(&first.turn * &first.turn)));
+        [velocity, plus(&second.origin, &swing)]
+    }
+}
+
+/// A guide and what slides on it.
+struct Guide {
+    name: String,
+    /// The sliding link, which keeps its angle; none for a pin.
+    link: Option<usize>,
+    /// Some link with the sliding point, and the point on it.
+    carrier: usize,
+    at: String,
+    on: usize,
+    /// On the link with the guide: a place of the guide and its unit direction.
+    through: Pair,
+    along: Pair,
+    /// From the guide to the sliding link.
+    turned: Pair,
+    /// Position, speed and acceleration.
+    drive: Option<[Real; 3]>,
+}
+
+/// An equation: its gap, its coefficients by unknown rate, and its right sides for velocities and accelerations.
+struct Equation {
+    gap: Real,
+    terms: Vec<(usize, Real)>,
+    sides: [Real; 2],
+}
+
+/// A scene from lengths or as drawn.
+pub struct Truth {
+    links: Vec<Link>,
+    guides: Vec<Guide>,
+    /// Links with a given angle, and those that are driven: angular velocity and acceleration.
+    angles: Vec<(usize, Pair)>,
+    drives: Vec<(usize, [Real; 2])>,
+    is_drawn: bool,
+}
+
+/// The true motion of a point.
+pub struct PointTruth {
+    pub place: Pair,
+    pub motion: [Pair; 2],
+}
+
+/// The true motion of a slider.
+pub struct SliderTruth {
+    pub name: String,
+    pub position: Option<Real>,
+    pub rates: [Real; 2],
+    pub coriolis: Pair,
+}
+
+impl Truth {
+    /// The truth of a scene near an approximate position: `places` by name of the points, `axes` by link. `None` where
+    /// Newton's method does not get there.
+    pub fn new(
+        scene: &Value,
+        reading: Reading,
+        places: &BTreeMap<String, [f64; 2]>,
+        axes: &BTreeMap<String, [f64; 2]>,
+    ) -> Option<Truth> {
+        let mut truth = Truth::read(scene, reading, places, axes);
+        if !truth.is_drawn {
+            truth.find_places()?;
+        }
+        truth.find_rates()?;
+        Some(truth)
+    }
+
+    fn read(
+        scene: &Value,
+        reading: Reading,
+        places: &BTreeMap<String, [f64; 2]>,
+        axes: &BTreeMap<String, [f64; 2]>,
+    ) -> Truth {
+        let is_drawn = scene.get("points").is_some();
+        let none = || [exactly(0.0), exactly(0.0)];
+        let still = Rates { origin: none(), turn: exactly(0.0) };
+        let drawn = |name: &str| reading.pair(&scene["points"][name]);
+        let link = |name: &str, points: Vec<(String, Pair)>| {
+            let exact = |[x, y]: [f64; 2]| [exactly(x), exactly(y)];
+            let angle = match axes.get(name) {
+                Some(&axis) if !is_drawn => unit(&exact(axis)),
+                _ => [exactly(1.0), exactly(0.0)],
+            };
+            let origin = match points.first() {
+                Some((first, own)) if name != "ground" && !is_drawn => minus(&exact(places[first]), &turn(&angle, own)),
+                _ => none(),
+            };
+            Link { name: name.to_owned(), points, origin, angle, rates: [still.clone(), still.clone()] }
+        };
+        let ground: Vec<(String, Pair)> = match &scene["ground"] {
+            Value::Object(ground) => ground.iter().map(|(name, at)| (name.clone(), reading.pair(at))).collect(),
+            names => texts(names).map(|name| (name.to_owned(), drawn(name))).collect(),
+        };
+        let mut links = vec![link("ground", ground)];
+        for (name, given) in scene["links"].as_object().expect("links") {
+            let own = match is_drawn {
+                true => texts(&given["points"]).map(|p| (p.to_owned(), drawn(p))).collect(),
+                false => shape(given, reading, places),
+            };
+            links.push(link(name, own));
+        }
+        let index = |name: &str| links.iter().position(|l| l.name == name).expect("a link");
+        let mut truth = Truth { guides: Vec::new(), angles: Vec::new(), drives: Vec::new(), is_drawn, links: Vec::new() };
+        for (name, given) in scene["links"].as_object().expect("links") {
+            if let Some(angle) = given.get("angle").or(given["drive"].get("angle")) {
+                truth.angles.push((index(name), reading.direction(angle)));
+            }
+            let drive = &given["drive"];
+            let number = |key: &str| drive.get(key).map(|value| reading.number(value));
+            let turns = || number("rpm").map(|rpm| rpm * pi() / exactly(30.0));
+            if let Some(omega) = number("omega").or_else(turns) {
+                truth.drives.push((index(name), [omega, number("alpha").unwrap_or(exactly(0.0))]));
+            }
+        }
+        for given in scene["sliders"].as_array().into_iter().flatten() {
+            truth.guides.push(guide(given, reading, &links, is_drawn));
+        }
+        truth.links = links;
+        truth
+    }
+
+    /// The unknowns of a link begin here; the frame has none.
+    fn column(link: usize) -> Option<usize> {
+        link.checked_sub(1).map(|moving| 3 * moving)
+    }
+
+    /// The coefficients of the component along `direction` of the velocity of a link's point at `place`, times `sign`.
+    fn add(&self, terms: &mut Vec<(usize, Real)>, link: usize, place: &Pair, direction: &Pair, sign: f64) {
+        if let Some(column) = Truth::column(link) {
+            let arm = minus(place, &self.links[link].origin);
+            let sign = exactly(sign);
+            terms.push((column, &direction[0] * &sign));
+            terms.push((column + 1, &direction[1] * &sign));
+            terms.push((column + 2, cross(&arm, direction) * sign));
+        }
+    }
+
+    fn add_turn(terms: &mut Vec<(usize, Real)>, link: usize, sign: f64) {
+        if let Some(column) = Truth::column(link) {
+            terms.push((column + 2, exactly(sign)));
+        }
+    }
+
+    /// The part of the acceleration at `place` that the angular velocity gives, along `direction`.
+    fn normal(&self, link: usize, place: &Pair, direction: &Pair) -> Real {
+        let omega = &self.links[link].rates[0].turn;
+        -dot(&minus(place, &self.links[link].origin), direction) * omega * omega
+    }
+
+    /// The equations of all joints; of the drives with their positions, or with their rates.
+    fn equations(&self, of_places: bool) -> Vec<Equation> {
+        let mut equations = Vec::new();
+        let zero = || exactly(0.0);
+        for (link, other, name) in self.pins() {
+            let place = |i: usize| self.links[i].place(self.links[i].own(&name).expect("its point"));
+            let [p, q] = [place(link), place(other)];
+            for direction in [[exactly(1.0), zero()], [zero(), exactly(1.0)]] {
+                let mut terms = Vec::new();
+                self.add(&mut terms, link, &p, &direction, 1.0);
+                self.add(&mut terms, other, &q, &direction, -1.0);
+                let second = self.normal(other, &q, &direction) - self.normal(link, &p, &direction);
+                equations.push(Equation { gap: dot(&minus(&q, &p), &direction), terms, sides: [zero(), second] });
+            }
+        }
+        for guide in &self.guides {
+            let [along, through] = self.guide_line(guide);
+            let place = self.links[guide.carrier].place(self.links[guide.carrier].own(&guide.at).expect("its point"));
+            let slid = dot(&minus(&place, &through), &along);
+            let omega = &self.links[guide.on].rates[0].turn;
+            let [carrier, on] = [guide.carrier, guide.on].map(|link| self.links[link].motion(&place));
+            let speed = dot(&minus(&carrier[0], &on[0]), &along);
+            let across = quarter(&along);
+            let mut row = |direction: &Pair, gap: Real, sides: [Real; 2]| {
+                let mut terms = Vec::new();
+                self.add(&mut terms, guide.carrier, &place, direction, 1.0);
+                self.add(&mut terms, guide.on, &place, direction, -1.0);
+                let [first, second] = sides;
+                let normal = self.normal(guide.on, &place, direction) - self.normal(guide.carrier, &place, direction);
+                equations.push(Equation { gap, terms, sides: [first, second + normal] });
+            };
+            // The Coriolis acceleration 2 ω v_r stands across the guide.
+            let coriolis = exactly(2.0) * omega * &speed;
+            row(&across, -dot(&minus(&place, &through), &across), [zero(), coriolis]);
+            if let Some([position, speed, acceleration]) = &guide.drive {
+                row(&along, position - slid, [speed.clone(), acceleration.clone()]);
+            }
+            if let Some(link) = guide.link {
+                let mut terms = Vec::new();
+                Truth::add_turn(&mut terms, link, 1.0);
+                Truth::add_turn(&mut terms, guide.on, -1.0);
+                let wanted = turn(&turn(&self.links[guide.on].angle, &guide.along), &guide.turned);
+                equations.push(Equation {
+                    gap: cross(&self.links[link].angle, &wanted),
+                    terms,
+                    sides: [zero(), zero()],
+                });
+            }
+        }
+        let mut turned = |link: usize, gap: Real, sides: [Real; 2]| {
+            let mut terms = Vec::new();
+            Truth::add_turn(&mut terms, link, 1.0);
+            equations.push(Equation { gap, terms, sides });
+        };
+        if of_places {
+            for (link, angle) in &self.angles {
+                turned(*link, cross(&self.links[*link].angle, angle), [zero(), zero()]);
+            }
+        } else {
+            for (link, rates) in &self.drives {
+                turned(*link, zero(), rates.clone());
+            }
+        }
+        equations
+    }
+
+    /// Each further link with a point, with the first one that has it.
+    fn pins(&self) -> Vec<(usize, usize, String)> {
+        let mut first: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut pins = Vec::new();
+        for (index, link) in self.links.iter().enumerate() {
+            for (name, _) in &link.points {
+                match first.get(name.as_str()) {
+                    Some(&other) => pins.push((index, other, name.clone())),
+                    None => {
+                        first.insert(name, index);
+                    }
+                }
+            }
+        }
+        pins
+    }
+
+    /// The direction of a guide and a place on it.
+    fn guide_line(&self, guide: &Guide) -> [Pair; 2] {
+        let on = &self.links[guide.on];
+        [turn(&on.angle, &guide.along), on.place(&guide.through)]
+    }
+
+    fn find_places(&mut self) -> Option<()> {
+        for _ in 0..40 {
+            let equations = self.equations(true);
+            let matrix = Factors::new(&equations, 3 * (self.links.len() - 1))?;
+            let steps = matrix.solve(equations.iter().map(|e| e.gap.clone()).collect());
+            let mut largest: f64 = 0.0;
+            let span = self.links.iter().map(|l| rounded(&dot(&l.origin, &l.origin)).sqrt()).fold(1.0, f64::max);
+            for (index, link) in self.links.iter_mut().enumerate().skip(1) {
+                let column = 3 * (index - 1);
+                link.origin = plus(&link.origin, &[steps[column].clone(), steps[column + 1].clone()]);
+                let turned = plus(&link.angle, &times(&quarter(&link.angle), &steps[column + 2]));
+                link.angle = unit(&turned);
+                let sizes = [rounded(&steps[column]) / span, rounded(&steps[column + 1]) / span, rounded(&steps[column + 2])];
+                largest = sizes.into_iter().fold(largest, |l, x| l.max(x.abs()));
+            }
+            if largest.is_nan() || largest > 1e-2 {
+                return None;
+            }
+            if largest < LAST {
+                return Some(());
+            }
+        }
+        None
+    }
+
+    fn find_rates(&mut self) -> Option<()> {
+        for order in 0..2 {
+            let equations = self.equations(false);
+            let matrix = Factors::new(&equations, 3 * (self.links.len() - 1))?;
+            let sides: Vec<Real> = equations.iter().map(|e| e.sides[order].clone()).collect();
+            // What f64 factors leave of the equations is solved for again.
+            let mut rates = vec![exactly(0.0); sides.len()];
+            for _ in 0..40 {
+                let rest = equations.iter().zip(&sides).map(|(e, side)| {
+                    e.terms.iter().fold(side.clone(), |rest, (column, value)| rest - value * &rates[*column])
+                });
+                let more = matrix.solve(rest.collect());
+                for (rate, more) in rates.iter_mut().zip(&more) {
+                    *rate = &*rate + more;
+                }
+            }
+            for (index, link) in self.links.iter_mut().enumerate().skip(1) {
+                let [x, y, turn] = [0, 1, 2].map(|k| rates[3 * (index - 1) + k].clone());
+                link.rates[order] = Rates { origin: [x, y], turn };
+            }
+        }
+        Some(())
+    }
+
+    /// Angular velocity and acceleration of a link, and cosine and sine of its angle.
+    pub fn link(&self, name: &str) -> Option<([Real; 2], Pair)> {
+        let link = self.links.iter().find(|l| l.name == name)?;
+        Some(([0, 1].map(|order: usize| link.rates[order].turn.clone()), link.angle.clone()))
+    }
+
+    /// A point of some link.
+    pub fn point(&self, name: &str) -> Option<PointTruth> {
+        let link = self.links.iter().find(|l| l.own(name).is_some())?;
+        let place = link.place(link.own(name)?);
+        Some(PointTruth { motion: link.motion(&place), place })
+    }
+
+    /// The point of a link at a place.
+    pub fn point_of(&self, link: &str, place: &Pair) -> Option<[Pair; 2]> {
+        Some(self.links.iter().find(|l| l.name == link)?.motion(place))
+    }
+
+    /// The direction of guide `index`.
+    pub fn along(&self, index: usize) -> Pair {
+        self.guide_line(&self.guides[index])[0].clone()
+    }
+
+    pub fn sliders(&self) -> impl Iterator<Item = SliderTruth> {
+        self.guides.iter().map(|guide| {
+            let [along, through] = self.guide_line(guide);
+            let place = self.links[guide.carrier].place(self.links[guide.carrier].own(&guide.at).expect("its point"));
+            let [carrier, on] = [guide.carrier, guide.on].map(|link| self.links[link].motion(&place));
+            let rates = [0, 1].map(|order: usize| dot(&minus(&carrier[order], &on[order]), &along));
+            let twice = exactly(2.0) * &self.links[guide.on].rates[0].turn;
+            SliderTruth {
+                name: guide.name.clone(),
+                position: (!self.is_drawn).then(|| dot(&minus(&place, &through), &along)),
+                coriolis: times(&quarter(&along), &(twice * &rates[0])),
+                rates,
+            }
+        })
+    }
+}
+
+fn texts(names: &Value) -> impl Iterator<Item = &str> {
+    names.as_array().into_iter().flatten().filter_map(Value::as_str)
+}
+
+/// The points of a link on itself.
+fn shape(link: &Value, reading: Reading, places: &BTreeMap<String, [f64; 2]>) -> Vec<(String, Pair)> {
+    let zero = || exactly(0.0);
+    if let Some(shape) = link["shape"].as_object() {
+        return shape.iter().map(|(name, at)| (name.clone(), reading.pair(at))).collect();
+    }
+    let names: Vec<&str> = texts(&link["points"]).collect();
+    let length = |a: &str, b: &str| {
+        let keys = [format!("{a}-{b}"), format!("{b}-{a}"), format!("{a}{b}"), format!("{b}{a}")];
+        reading.number(keys.iter().find_map(|key| link["lengths"].get(key)).expect("a length"))
+    };
+    match names.as_slice() {
+        [a, b] => vec![((*a).to_owned(), [zero(), zero()]), ((*b).to_owned(), [length(a, b), zero()])],
+        [a, b, c] => {
+            let [ab, ac, bc] = [length(a, b), length(a, c), length(b, c)];
+            let x = (&ab * &ab + &ac * &ac - &bc * &bc) / (exactly(2.0) * &ab);
+            let y = (&ac * &ac - &x * &x).sqrt();
+            let [p, q, r] = [a, b, c].map(|name| places[*name]);
+            let area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+            let y = if area < 0.0 { -y } else { y };
+            let named = |name: &str, at: Pair| (name.to_owned(), at);
+            vec![named(a, [zero(), zero()]), named(b, [ab, zero()]), named(c, [x, y])]
+        }
+        more => more.iter().map(|name| ((*name).to_owned(), [zero(), zero()])).collect(),
+    }
+}
+
+fn guide(given: &Value, reading: Reading, links: &[Link], is_drawn: bool) -> Guide {
+    let index = |name: &str| links.iter().position(|l| l.name == name).expect("a link");
+    let on_name = given["on"].as_str().expect("on");
+    let on = index(on_name);
+    let link = given["link"].as_str();
+    let at = given["at"].as_str().or(given["pin"].as_str()).expect("a point").to_owned();
+    let carrier = link.map(index).or_else(|| links.iter().position(|l| l.own(&at).is_some())).expect("a link");
+    let own = |name: &str| links[on].own(name).expect("a point of the guide").clone();
+    let ends = |key: &str| match key.split_once('-') {
+        Some((a, b)) => [own(a), own(b)],
+        None => [own(&key[..1]), own(&key[1..])],
+    };
+    let along = match &given["along"] {
+        Value::String(key) => unit(&minus(&ends(key)[1], &ends(key)[0])),
+        Value::Array(direction) => unit(&[reading.number(&direction[0]), reading.number(&direction[1])]),
+        // As drawn, degrees count from the axis of the link.
+        Value::Number(_) if is_drawn && on > 0 && links[on].points.len() > 1 => {
+            let axis = unit(&minus(&links[on].points[1].1, &links[on].points[0].1));
+            turn(&axis, &reading.direction(&given["along"]))
+        }
+        Value::Number(_) => reading.direction(&given["along"]),
+        _ => [exactly(1.0), exactly(0.0)],
+    };
+    let through = match (&given["through"], &given["along"]) {
+        (Value::String(name), _) => own(name),
+        (Value::Array(_), _) => reading.pair(&given["through"]),
+        (_, Value::String(key)) => ends(key)[0].clone(),
+        _ => links[on].points.first().map_or([exactly(0.0), exactly(0.0)], |(_, own)| own.clone()),
+    };
+    let turned = given.get("turned").map_or([exactly(1.0), exactly(0.0)], |turned| reading.direction(turned));
+    let drive = given.get("drive").map(|drive| {
+        ["position", "speed", "acceleration"].map(|key| drive.get(key).map_or(exactly(0.0), |x| reading.number(x)))
+    });
+    let sliding = link.unwrap_or(&at);
+    Guide { name: format!("{sliding}/{on_name}"), link: link.map(index), carrier, at, on, through, along, turned, drive }
+}
+
+/// The equations' matrix, factored in f64: its solutions are corrections.
+struct Factors {
+    factors: nalgebra::LU<f64, nalgebra::Dyn, nalgebra::Dyn>,
+}
+
+impl Factors {
+    fn new(equations: &[Equation], unknowns: usize) -> Option<Factors> {
+        assert_eq!(equations.len(), unknowns, "as many equations as unknowns");
+        let mut matrix = DMatrix::zeros(unknowns, unknowns);
+        for (row, equation) in equations.iter().enumerate() {
+            for (column, value) in &equation.terms {
+                matrix[(row, *column)] += rounded(value);
+            }
+        }
+        let factors = matrix.lu();
+        factors.is_invertible().then_some(Factors { factors })
+    }
+
+    fn solve(&self, sides: Vec<Real>) -> Vec<Real> {
+        let sides = DVector::from_iterator(sides.len(), sides.iter().map(rounded));
+        self.factors.solve(&sides).expect("it is invertible").iter().map(|&x| exactly(x)).collect()
+    }
+}
