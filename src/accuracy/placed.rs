@@ -99,8 +99,7 @@ impl<'a> Finder<'a> {
                 }
                 _ => continue,
             };
-            self.frames[id.0] = Some(frame);
-            self.place_compound(id);
+            self.settle((id, frame), id, &mut Vec::new());
         }
         for group in &self.mechanism.groups {
             self.find(group)?;
@@ -147,17 +146,6 @@ impl<'a> Finder<'a> {
         let at = self.local(slider.link, slider.at).unwrap_or_default();
         let forward = Given::on_guide(slider, self.lines[id.0], at, self.slides[id.0]);
         if slider.on == from { forward } else { forward.inverse() }
-    }
-
-    /// Places the links of a compound link of which one is placed.
-    fn place_compound(&mut self, placed: BodyId) {
-        for link in self.mechanism.compound(self.mechanism.lead(placed)) {
-            let mut frame = self.frames[placed.0];
-            for slide in self.mechanism.way(placed, link) {
-                frame = frame.map(|f| f.of(&self.across(slide.slider, slide.from)));
-            }
-            self.frames[link.0] = frame;
-        }
     }
 
     /// Finds a group's angles and slides and places its links.
@@ -241,16 +229,23 @@ impl<'a> Finder<'a> {
         while let Some(next) = waiting.iter().position(|(_, c)| !c.closed || placed.contains(&c.bodies[0])) {
             let (index, chain) = waiting.remove(next);
             let last = chain.joints.len() - 1;
-            for (i, &joint) in chain.joints[..last].iter().enumerate() {
-                self.place_over(joint, chain.bodies[i], chain.bodies[i + 1], &turns, &mut placed)?;
+            // Each loop goes its own way, also over links that another loop has placed.
+            let start = self.mechanism.side(chain.joints[0], chain.bodies[0]);
+            let mut at = (start, self.frames[start.0]?);
+            for (&joint, &link) in chain.joints[..last].iter().zip(&chain.bodies[1..]) {
+                at = self.over(joint, at, link, &turns)?;
+                self.settle(at, link, &mut placed);
             }
-            let [reached, end] = [chain.bodies[last], chain.bodies[last + 1]]
-                .map(|body| self.joint_place(chain.joints[last], self.mechanism.side(chain.joints[last], body)));
-            let gap = end? - reached?;
+            let joint = chain.joints[last];
+            let reached = self.joint_place(joint, self.within(at, self.mechanism.side(joint, chain.bodies[last])));
+            let end = self.mechanism.side(joint, chain.bodies[last + 1]);
+            let gap = self.joint_place(joint, (end, self.frames[end.0]?)) - reached;
             [gaps[2 * index], gaps[2 * index + 1]] = [gap.x, gap.y];
         }
         for (joint, from, to) in group.hanging(self.mechanism) {
-            self.place_over(joint, from, to, &turns, &mut placed)?;
+            let base = self.mechanism.side(joint, from);
+            let at = self.over(joint, (base, self.frames[base.0]?), to, &turns)?;
+            self.settle(at, to, &mut placed);
         }
         let ties = group.joints.iter().filter_map(|&joint| self.mechanism.joint(joint).tie.as_ref());
         for tie in ties.filter(|tie| tie.as_alike().is_none()) {
@@ -295,52 +290,57 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// Places link `to` and its compound link by a joint with a placed body.
-    fn place_over(
-        &mut self,
+    /// Over a joint from a placed body of a compound link to link `to`: the body that is entered, placed.
+    fn over(
+        &self,
         joint: JointId,
-        from: BodyId,
+        from: (BodyId, Frame),
         to: BodyId,
         turns: &[Option<Vector>],
-        placed: &mut Vec<BodyId>,
-    ) -> Option<()> {
-        if placed.contains(&to) {
-            return Some(());
-        }
-        placed.push(to);
-        let [from, entered] = [from, to].map(|link| self.mechanism.side(joint, link));
-        let base = self.frames[from.0]?;
-        self.frames[entered.0] = Some(match self.mechanism.joint(joint).slider {
-            Some(slider) => base.of(&self.across(slider, from)),
+    ) -> Option<(BodyId, Frame)> {
+        let lead = self.mechanism.lead(from.0);
+        let (base, frame) = self.within(from, self.mechanism.side(joint, lead));
+        let entered = self.mechanism.side(joint, to);
+        let placed = match self.mechanism.joint(joint).slider {
+            Some(slider) => frame.of(&self.across(slider, base)),
             None => {
                 let pin = self.mechanism.joint_point(joint);
-                Frame::pinned(turns[entered.0]?, self.local(entered, pin)?, base.place(self.local(from, pin)?))
+                Frame::pinned(turns[entered.0]?, self.local(entered, pin)?, frame.place(self.local(base, pin)?))
             }
-        });
-        let all = self.mechanism.compound(to);
-        for link in all {
-            let mut frame = self.frames[entered.0];
-            for slide in self.mechanism.way(entered, link) {
-                frame = frame.map(|f| f.of(&self.across(slide.slider, slide.from)));
-            }
-            self.frames[link.0] = frame;
+        };
+        Some((entered, placed))
+    }
+
+    /// Another body of the same compound link, placed from the one that is.
+    fn within(&self, (from, frame): (BodyId, Frame), to: BodyId) -> (BodyId, Frame) {
+        let way = self.mechanism.way(from, to).into_iter();
+        (to, way.fold(frame, |frame, slide| frame.of(&self.across(slide.slider, slide.from))))
+    }
+
+    /// Keeps the places of link `link` and its compound link, unless they are there.
+    fn settle(&mut self, at: (BodyId, Frame), link: BodyId, placed: &mut Vec<BodyId>) {
+        if placed.contains(&link) {
+            return;
         }
-        Some(())
+        placed.push(link);
+        for body in self.mechanism.compound(link) {
+            self.frames[body.0] = Some(self.within(at, body).1);
+        }
     }
 
     /// The place of a joint on one of its bodies: the pin or the sliding point; on the guide's body the place of the
     /// guide at the slider's position.
-    fn joint_place(&self, joint: JointId, body: BodyId) -> Option<Vector> {
-        let frame = self.frames[body.0]?;
+    fn joint_place(&self, joint: JointId, (body, frame): (BodyId, Frame)) -> Vector {
         let on_guide = self.mechanism.joint(joint).slider.filter(|&id| self.mechanism.slider(id).on == body);
         let local = match on_guide {
             Some(id) => {
                 let [through, along] = self.lines[id.0];
                 through + along * self.slides[id.0]
             }
-            None => self.local(body, self.mechanism.joint_point(joint))?,
+            // The carriage of a given angle has no point of its own: its origin slides.
+            None => self.local(body, self.mechanism.joint_point(joint)).unwrap_or_default(),
         };
-        Some(frame.place(local))
+        frame.place(local)
     }
 
     /// All points, from the first one, and all guides, rounded.

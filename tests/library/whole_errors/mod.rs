@@ -7,6 +7,7 @@
 mod grow;
 mod truth;
 
+use crate::support::files;
 use crate::support::random::Random;
 use crate::support::stages::solved;
 use crate::support::survey::tried;
@@ -142,6 +143,48 @@ fn of_random_mechanisms_from_lengths_and_as_drawn() {
         }
     });
     all.demand();
+}
+
+/// Scenes with groups of higher class, cylinders and levers among them, with their cranks anywhere.
+#[test]
+fn of_starting_scenes_and_driven_sliders() {
+    let mut scenes = files::templates();
+    scenes.extend(files::scenes("tests/driven_sliders"));
+    let mut seen = Seen::default();
+    let dice = &mut Random(16);
+    for (name, text) in &scenes {
+        let mut scene: Value = serde_json::from_str(text).expect("a scene is JSON");
+        remove_notes(&mut scene);
+        if scene.get("points").is_some() {
+            continue;
+        }
+        for turn in 0..tried(3, 60) {
+            let mut scene = scene.clone();
+            scene.as_object_mut().expect("an object").shift_remove("want");
+            for link in scene["links"].as_object_mut().expect("links").values_mut() {
+                if let Some(angle) = link.get_mut("drive").and_then(|drive| drive.get_mut("angle")) {
+                    let turned = angle.as_f64().expect("degrees") + dice.within(20.0);
+                    *angle = json!((turned * 10.0).round() / 10.0);
+                }
+            }
+            match solved(&scene.to_string()) {
+                Ok(solution) => compare(&format!("lengths {name} {turn}"), &scene, &solution, 0, &mut seen),
+                Err(_) => seen.refused += 1,
+            }
+        }
+    }
+    seen.demand();
+}
+
+/// Notes may stand in every object, beside points too.
+fn remove_notes(value: &mut Value) {
+    if let Some(object) = value.as_object_mut() {
+        object.shift_remove("note");
+        object.values_mut().for_each(remove_notes);
+    }
+    if let Some(list) = value.as_array_mut() {
+        list.iter_mut().for_each(remove_notes);
+    }
 }
 
 fn see(number: u64, seen: &mut Seen) {

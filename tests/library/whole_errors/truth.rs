@@ -56,7 +56,8 @@ impl Reading {
     }
 
     fn pair(self, value: &Value) -> Pair {
-        [self.number(&value[0]), self.number(&value[1])]
+        // A lone number is a distance along the axis.
+        if value.is_number() { [self.number(value), exactly(0.0)] } else { [self.number(&value[0]), self.number(&value[1])] }
     }
 
     /// Cosine and sine of an angle in degrees, by Taylor's series of a sixteenth of it.
@@ -262,7 +263,7 @@ impl Truth {
         let mut links = vec![link("ground", ground)];
         for (name, given) in scene["links"].as_object().expect("links") {
             let own = match is_drawn {
-                true => texts(&given["points"]).map(|p| (p.to_owned(), drawn(p))).collect(),
+                true => texts(given.get("points").unwrap_or(given)).map(|p| (p.to_owned(), drawn(p))).collect(),
                 false => shape(given, reading, places),
             };
             links.push(link(name, own));
@@ -281,7 +282,13 @@ impl Truth {
             }
         }
         for given in scene["sliders"].as_array().into_iter().flatten() {
-            truth.guides.push(guide(given, reading, &links, is_drawn));
+            // A drive may stand in the sliding link.
+            let mut given = given.clone();
+            let drive = given["link"].as_str().map(|link| scene["links"][link]["drive"].clone()).unwrap_or_default();
+            if drive.get("speed").is_some() {
+                given["drive"] = drive;
+            }
+            truth.guides.push(guide(&given, reading, &links, is_drawn));
         }
         truth.links = links;
         truth
@@ -503,7 +510,7 @@ fn shape(link: &Value, reading: Reading, places: &BTreeMap<String, [f64; 2]>) ->
     if let Some(shape) = link["shape"].as_object() {
         return shape.iter().map(|(name, at)| (name.clone(), reading.pair(at))).collect();
     }
-    let names: Vec<&str> = texts(&link["points"]).collect();
+    let names: Vec<&str> = texts(link.get("points").unwrap_or(link)).collect();
     let length = |a: &str, b: &str| {
         let keys = [format!("{a}-{b}"), format!("{b}-{a}"), format!("{a}{b}"), format!("{b}{a}")];
         reading.number(keys.iter().find_map(|key| link["lengths"].get(key)).expect("a length"))
@@ -513,7 +520,10 @@ fn shape(link: &Value, reading: Reading, places: &BTreeMap<String, [f64; 2]>) ->
         [a, b, c] => {
             let [ab, ac, bc] = [length(a, b), length(a, c), length(b, c)];
             let x = (&ab * &ab + &ac * &ac - &bc * &bc) / (exactly(2.0) * &ab);
-            let y = (&ac * &ac - &x * &x).sqrt();
+            let square = &ac * &ac - &x * &x;
+            // Lengths that fail to close by rounding only make a straight link.
+            let is_straight = rounded(&square) < 1e-11 * rounded(&(&ac * &ac));
+            let y = if is_straight { zero() } else { square.sqrt() };
             let [p, q, r] = [a, b, c].map(|name| places[*name]);
             let area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
             let y = if area < 0.0 { -y } else { y };
