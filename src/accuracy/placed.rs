@@ -161,7 +161,8 @@ impl<'a> Finder<'a> {
             let right: Numbers = gaps.iter().map(|gap| gap.high).collect();
             let correction = system.solve(&right);
             let relative = |errors: &[f64]| {
-                let parts = errors.iter().zip(&spins).map(|(x, spin)| x.abs() / if spin.is_some() { 1.0 } else { size });
+                let parts =
+                    errors.iter().zip(&spins).map(|(x, spin)| x.abs() / if spin.is_some() { 1.0 } else { size });
                 parts.fold(0.0, f64::max)
             };
             let change = relative(&correction);

@@ -1,7 +1,7 @@
 use super::digits::holder;
 use super::pencil::PencilResult;
-use crate::construction::{Solution, coincident_name};
 use crate::accuracy::{Bounds, bounds};
+use crate::construction::{Solution, coincident_name};
 use crate::geometry::{Place, Point, Vector, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
 use crate::motion::Order;

@@ -169,7 +169,10 @@ mod tests {
         ] {
             let Pair { x, y } = Pair::direction_of_degrees(Ball::from(degrees));
             for (got, truth) in [(x, cosine), (y, sine)] {
-                assert!((got - truth).error_from(0.0) < 1e-29 && got.error_from(truth.high) < 1e-15, "{degrees} {got:?}");
+                assert!(
+                    (got - truth).error_from(0.0) < 1e-29 && got.error_from(truth.high) < 1e-15,
+                    "{degrees} {got:?}"
+                );
             }
         }
         let near = Pair::direction_of_degrees(Ball::from(30.0).widened(1e-12));

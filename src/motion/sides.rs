@@ -30,7 +30,12 @@ pub(super) fn velocity_sides(equations: &LoopEquations, places: &impl Places, st
 }
 
 /// The right sides of the acceleration equations; `rates` is the solution of the velocity equations.
-pub(super) fn acceleration_sides(equations: &LoopEquations, places: &impl Places, state: &State, rates: &[Ball]) -> Sides {
+pub(super) fn acceleration_sides(
+    equations: &LoopEquations,
+    places: &impl Places,
+    state: &State,
+    rates: &[Ball],
+) -> Sides {
     Sides {
         loops: equations.loops.iter().map(|terms| acceleration_side(terms, places, state, rates)).collect(),
         ties: equations.ties.iter().map(|terms| tie_side(terms, |body| state.body(body).alpha)).collect(),

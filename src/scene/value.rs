@@ -12,8 +12,8 @@ use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::words::number;
-use crate::geometry::{Ball, Pair};
 use super::write::{Write, Written, write_forms};
+use crate::geometry::{Ball, Pair};
 
 /// Values by name, in file order. A builder can give a name twice; a text with a name twice is refused.
 #[derive(Debug, Clone)]

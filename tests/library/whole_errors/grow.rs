@@ -158,7 +158,8 @@ impl Grown {
             // A dyad.
             0..=2 => {
                 let [a, b] = [0, 1].map(|_| self.new_link(dice));
-                let kinds = [[false; 3], [false, false, true], [false, true, false], [true, false, true], [false, true, true]];
+                let kinds =
+                    [[false; 3], [false, false, true], [false, true, false], [true, false, true], [false, true, true]];
                 let kinds = kinds[dice.below(kinds.len())];
                 self.join_outside(dice, a, there, kinds[0]);
                 self.join(dice, a, b, kinds[1]);
@@ -262,7 +263,8 @@ impl Grown {
         let names: Vec<&str> = link.points.iter().map(|(name, _)| name.as_str()).collect();
         // Guides on a link need coordinates of its own.
         let carries = self.sliders.iter().any(|s| std::ptr::eq(link, &self.links[s.on]));
-        let is_plain = !carries && self.sliders.iter().all(|s| s.link.is_none_or(|l| !std::ptr::eq(link, &self.links[l])));
+        let is_plain =
+            !carries && self.sliders.iter().all(|s| s.link.is_none_or(|l| !std::ptr::eq(link, &self.links[l])));
         let mut given = Map::new();
         match names.len() {
             0 | 1 => {
@@ -349,7 +351,8 @@ fn move_away(scene: &mut Value, by: Pair) {
     }
     for slider in scene["sliders"].as_array_mut().expect("a list") {
         if slider["on"] == "ground" {
-            slider["through"] = json!([0, 1].map(|i| short(slider["through"][i].as_f64().expect("a number") + by[i], 2)));
+            slider["through"] =
+                json!([0, 1].map(|i| short(slider["through"][i].as_f64().expect("a number") + by[i], 2)));
         }
     }
 }

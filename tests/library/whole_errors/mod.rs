@@ -346,7 +346,12 @@ fn compare_special(name: &str, solution: &Solution, result: &ResultFile, truths:
         let label = format!("{name}: {}", special.name);
         seen.pair(&label, got.position, got.position_error, &[a, b]);
         seen.pair(&format!("{label} v"), got.velocity, got.velocity_error, &motions.each_ref().map(|m| m[0].clone()));
-        seen.pair(&format!("{label} a"), got.acceleration, got.acceleration_error, &motions.each_ref().map(|m| m[1].clone()));
+        seen.pair(
+            &format!("{label} a"),
+            got.acceleration,
+            got.acceleration_error,
+            &motions.each_ref().map(|m| m[1].clone()),
+        );
     }
 }
 

@@ -57,7 +57,11 @@ impl Reading {
 
     fn pair(self, value: &Value) -> Pair {
         // A lone number is a distance along the axis.
-        if value.is_number() { [self.number(value), exactly(0.0)] } else { [self.number(&value[0]), self.number(&value[1])] }
+        if value.is_number() {
+            [self.number(value), exactly(0.0)]
+        } else {
+            [self.number(&value[0]), self.number(&value[1])]
+        }
     }
 
     /// Cosine and sine of an angle in degrees, by Taylor's series of a sixteenth of it.
@@ -269,7 +273,8 @@ impl Truth {
             links.push(link(name, own));
         }
         let index = |name: &str| links.iter().position(|l| l.name == name).expect("a link");
-        let mut truth = Truth { guides: Vec::new(), angles: Vec::new(), drives: Vec::new(), is_drawn, links: Vec::new() };
+        let mut truth =
+            Truth { guides: Vec::new(), angles: Vec::new(), drives: Vec::new(), is_drawn, links: Vec::new() };
         for (name, given) in scene["links"].as_object().expect("links") {
             if let Some(angle) = given.get("angle").or(given["drive"].get("angle")) {
                 truth.angles.push((index(name), reading.direction(angle)));
@@ -423,7 +428,8 @@ impl Truth {
                 link.origin = plus(&link.origin, &[steps[column].clone(), steps[column + 1].clone()]);
                 let turned = plus(&link.angle, &times(&quarter(&link.angle), &steps[column + 2]));
                 link.angle = unit(&turned);
-                let sizes = [rounded(&steps[column]) / span, rounded(&steps[column + 1]) / span, rounded(&steps[column + 2])];
+                let sizes =
+                    [rounded(&steps[column]) / span, rounded(&steps[column + 1]) / span, rounded(&steps[column + 2])];
                 largest = sizes.into_iter().fold(largest, |l, x| l.max(x.abs()));
             }
             if largest.is_nan() || largest > 1e-2 {
@@ -568,7 +574,17 @@ fn guide(given: &Value, reading: Reading, links: &[Link], is_drawn: bool) -> Gui
         ["position", "speed", "acceleration"].map(|key| drive.get(key).map_or(exactly(0.0), |x| reading.number(x)))
     });
     let sliding = link.unwrap_or(&at);
-    Guide { name: format!("{sliding}/{on_name}"), link: link.map(index), carrier, at, on, through, along, turned, drive }
+    Guide {
+        name: format!("{sliding}/{on_name}"),
+        link: link.map(index),
+        carrier,
+        at,
+        on,
+        through,
+        along,
+        turned,
+        drive,
+    }
 }
 
 /// The equations' matrix, factored in f64: its solutions are corrections.
