@@ -15,6 +15,9 @@ pub(super) fn ways_together(construction: &Construction, exact: &Values, mechani
             _ => None,
         })
         .collect();
+    if plots.is_empty() {
+        return Vec::new();
+    }
     let count = 2 * plots.len();
     // AᵀA of the constraint matrix A: both have the same null space.
     let mut squares = DMatrix::<f64>::zeros(count, count);

@@ -1,5 +1,6 @@
 use super::files;
 use super::message::{Failure, note};
+use super::output::FileSet;
 use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
@@ -96,10 +97,11 @@ impl Figures {
         Figures { output: output.to_owned(), options: options.clone() }
     }
 
-    /// Writes figures by their names in all formats, each with its further sheets, but not over the files `inputs` that
-    /// were read; `page` makes the web page of the figure of an index.
+    /// Writes figures by their names in all formats, each with its further sheets, as files of a set, but not over the
+    /// files `inputs` that were read; `page` makes the web page of the figure of an index.
     pub(super) fn write(
         &self,
+        files: &mut FileSet,
         inputs: &[(&str, &Path)],
         drawings: Vec<(String, Vec<Drawing>)>,
         page: impl Fn(usize) -> Result<String, Failure>,
@@ -116,7 +118,7 @@ impl Figures {
                 }
             }
         }
-        self.finish(inputs, &written)
+        self.put(files, inputs, &written)
     }
 
     /// The file of a drawing in a format other than a page.
@@ -150,6 +152,7 @@ impl Figures {
     /// Writes drawings as SVG with a group for each step of the construction.
     pub(super) fn write_layered(
         &self,
+        files: &mut FileSet,
         inputs: &[(&str, &Path)],
         drawings: Vec<(String, Vec<Drawing>)>,
     ) -> Result<(), Failure> {
@@ -166,7 +169,7 @@ impl Figures {
                 written.push((path, format::layered_svg(drawing, self.text()).into_bytes()));
             }
         }
-        self.finish(inputs, &written)
+        self.put(files, inputs, &written)
     }
 
     /// How letters are written, of SVG and of a page.
@@ -174,8 +177,13 @@ impl Figures {
         if self.options.outlines { Text::Outlines } else { Text::Letters }
     }
 
-    /// Writes files, but not over those that were read.
-    fn finish(&self, inputs: &[(&str, &Path)], written: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
+    /// Puts files into a set, but not over those that were read.
+    fn put(
+        &self,
+        files: &mut FileSet,
+        inputs: &[(&str, &Path)],
+        written: &[(PathBuf, Vec<u8>)],
+    ) -> Result<(), Failure> {
         if self.output == Path::new("-") {
             let [(_, bytes)] = written else {
                 return Err(Failure::Misuse(
@@ -191,7 +199,7 @@ impl Figures {
                 files::refuse_overwriting(what, input, path)?;
             }
         }
-        files::write(written)
+        files.add_all(written)
     }
 
     /// The paths of a drawing's files with their formats; `drawings` is the number of drawings.
