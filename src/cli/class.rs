@@ -5,7 +5,7 @@ use super::check::read;
 use super::feedback::Pages;
 use super::files;
 use super::message::{Failure, note};
-use super::output::FileSet;
+use super::output::{self, FileSet};
 use super::pieces::{Output, Pieces};
 use crate::check::{Checked, ClassColumns, ClassRow, ClassSummary, Feedback, MarkScheme, Measured, Prepared};
 use crate::words::Wording;
@@ -71,10 +71,10 @@ pub(super) enum ReportFormat {
 impl ReportFormat {
     /// The format that the ending of the output file names; on stdout JSON if `as_json`, else CSV.
     pub(super) fn of(output: &Path, as_json: bool) -> Result<ReportFormat, Failure> {
-        if output == Path::new("-") {
+        let ending = output.extension().unwrap_or_default().to_string_lossy();
+        if output == Path::new("-") || ending.is_empty() && output::is_special(output) {
             return Ok(if as_json { ReportFormat::Json } else { ReportFormat::Csv });
         }
-        let ending = output.extension().unwrap_or_default().to_string_lossy();
         let format = match ending.as_ref() {
             "csv" => ReportFormat::Csv,
             "json" => ReportFormat::Json,

@@ -1,6 +1,6 @@
 use super::files;
 use super::message::{Failure, note};
-use super::output::FileSet;
+use super::output::{self, FileSet};
 use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
@@ -137,7 +137,7 @@ impl Figures {
 
     /// The paths of a figure's sheets: the second has `-2` before its ending. Only the first is written on stdout.
     fn sheet_paths(&self, first: PathBuf, sheets: usize) -> impl Iterator<Item = PathBuf> {
-        let on_stdout = self.output == Path::new("-");
+        let on_stdout = self.is_stream();
         if on_stdout && sheets > 1 {
             note("the table is on a second sheet, which is not on stdout; name a folder or a file to have it");
         }
@@ -184,14 +184,15 @@ impl Figures {
         inputs: &[(&str, &Path)],
         written: &[(PathBuf, Vec<u8>)],
     ) -> Result<(), Failure> {
-        if self.output == Path::new("-") {
-            let [(_, bytes)] = written else {
+        if self.is_stream() {
+            let [(path, bytes)] = written else {
                 return Err(Failure::Misuse(
                     "only one figure fits on stdout".into(),
                     Some("name one scene and one step, or a folder to write to".into()),
                 ));
             };
-            return files::print(bytes);
+            let is_stdout = self.output == Path::new("-");
+            return if is_stdout { files::print(bytes) } else { files.add(path, bytes) };
         }
         let style = self.options.style.as_deref().map(|style| ("style", Path::new(style)));
         for (path, _) in written {
@@ -202,9 +203,14 @@ impl Figures {
         files.add_all(written)
     }
 
+    /// Whether figures go to stdout, to a pipe or to a device, so that there is only one.
+    fn is_stream(&self) -> bool {
+        self.output == Path::new("-") || output::is_special(&self.output)
+    }
+
     /// The paths of a drawing's files with their formats; `drawings` is the number of drawings.
     fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, FigureFormat)>, Failure> {
-        if self.output == Path::new("-") {
+        if self.is_stream() {
             let format = match self.options.format.as_slice() {
                 [format] => *format,
                 _ => FigureFormat::Svg,

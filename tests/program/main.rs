@@ -18,6 +18,8 @@ mod command_line_variants;
 mod exercises;
 #[cfg(unix)] // it has a shell run what pages say
 mod guide;
+#[cfg(unix)] // limits, signals, links and modes
+mod outputs;
 mod overlays;
 mod step_sheets;
 mod students;

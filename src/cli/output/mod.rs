@@ -69,11 +69,10 @@ impl FileSet {
 
     /// Writes a file that does not exist yet; an existing one is refused.
     pub(super) fn add_first(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-        let place = Place::of(path).map_err(|error| unwritable(path, &error))?;
-        let is_there = matches!(&place, Place::File { replaced: Some(_), .. });
-        if is_there || path.is_symlink() {
+        if path.symlink_metadata().is_ok() && !is_special(path) {
             return Err(is_there_already(path));
         }
+        let place = Place::of(path).map_err(|error| unwritable(path, &error))?;
         self.write(path, place, bytes, true)
     }
 
@@ -109,13 +108,7 @@ impl FileSet {
         let stage = match self.stages.iter().position(|stage| stage.base() == base) {
             Some(stage) => stage,
             None => {
-                let stage = Stage::new(base).map_err(|error| {
-                    Failure::Outside(format!(
-                        "{} cannot be written: nothing can be put into the folder {}: {error}",
-                        path.display(),
-                        base.display()
-                    ))
-                })?;
+                let stage = Stage::new(base).map_err(|error| nothing_fits(path, base, &error))?;
                 self.stages.push(stage);
                 self.stages.len() - 1
             }
@@ -191,6 +184,18 @@ impl Write for Sink {
             Sink::Direct(direct) => direct.flush(),
         }
     }
+}
+
+fn nothing_fits(path: &Path, folder: &Path, error: &io::Error) -> Failure {
+    let (path, folder, error) = (path.display(), folder.display(), error.to_string());
+    // The name of a staging folder says nothing.
+    let error = error.split(" at path ").next().unwrap_or_default();
+    Failure::Outside(format!("{path} cannot be written: nothing can be put into the folder {folder}: {error}"))
+}
+
+/// Whether a path for output is a pipe or a device, as `/dev/stdout`.
+pub(super) fn is_special(path: &Path) -> bool {
+    matches!(Place::of(path), Ok(Place::Special))
 }
 
 fn is_there_already(path: &Path) -> Failure {

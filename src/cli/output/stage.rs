@@ -83,6 +83,8 @@ impl Stage {
     /// Creates a file with the mode of the one that it will replace, and with its owner where that is allowed.
     pub(super) fn create(&self, inside: &Path, replaced: Option<&Metadata>) -> io::Result<File> {
         let path = self.new_path(inside);
+        // A signal that removes the folder must not find it growing.
+        let _known = known();
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder)?;
         }
