@@ -311,8 +311,8 @@ fn signals_leave_nothing() {
         assert_eq!(message.trim(), "error: stopped before the files were complete; none was written", "{command}");
         assert_same(&folder, &before, command);
     }
-    names.dedup();
-    assert_eq!(names.len(), 3, "names can be guessed: {names:?}");
+    names.sort();
+    assert!(names.windows(2).all(|pair| pair[0] != pair[1]), "names can be guessed: {names:?}");
 }
 
 /// What `nohup` has started goes on when the terminal is closed.
@@ -386,17 +386,14 @@ fn a_huge_table_must_be_asked_for() {
     let sweep = |arguments: &[&str]| {
         kinegon().args(["sweep", FIGURE_2]).args(arguments).current_dir(&folder).output().expect("it runs")
     };
-    for (place, format, words) in
-        [("t.csv", "csv", "27 516 416 427 rows and about"), ("-", "jsonl", "27 516 416 427 rows and about")]
-    {
-        let start = Instant::now();
+    for (place, format) in [("t.csv", "csv"), ("-", "jsonl")] {
         let output = sweep(&["--step", "1e-8", "-o", place, "--format", format]);
         let message = stderr(&output);
         assert_eq!(output.status.code(), Some(2), "{message}");
-        for words in [words, "--step", "--want", "--yes"] {
+        for words in ["27 516 416 427 rows and about", "--step", "--want", "--yes"] {
             assert!(message.contains(words), "no `{words}` in {message}");
         }
-        assert!(output.stdout.is_empty() && start.elapsed() < SOON);
+        assert!(output.stdout.is_empty());
     }
     assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 0);
     // The number of bytes is that of a table that is written: here of its 10 001 rows in the middle.

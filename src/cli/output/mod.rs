@@ -80,7 +80,7 @@ impl FileSet {
         match place {
             Place::Special => self.direct.push((path.to_owned(), bytes.to_owned())),
             Place::File { base, inside, replaced } => {
-                let mut stream = self.open(path, &base, &inside, replaced.as_ref(), is_first)?;
+                let mut stream = self.open(path, &base, &inside, replaced.as_deref(), is_first)?;
                 stream.write_all(bytes).map_err(|error| unwritable(path, &error))?;
                 stream.end()?;
             }
@@ -92,7 +92,7 @@ impl FileSet {
     pub(super) fn begin(&mut self, path: &Path) -> Result<Stream, Failure> {
         match Place::of(path).map_err(|error| unwritable(path, &error))? {
             Place::Special => Stream::direct(path),
-            Place::File { base, inside, replaced } => self.open(path, &base, &inside, replaced.as_ref(), false),
+            Place::File { base, inside, replaced } => self.open(path, &base, &inside, replaced.as_deref(), false),
         }
     }
 

@@ -15,7 +15,7 @@ pub(super) enum Place {
         /// The way from it: folders that are not there yet, and the file's name.
         inside: PathBuf,
         /// The file that is there now.
-        replaced: Option<Metadata>,
+        replaced: Option<Box<Metadata>>,
     },
 }
 
@@ -44,7 +44,7 @@ impl Place {
                 let (Some(base), Some(name)) = (file.parent(), file.file_name()) else {
                     return Err(ErrorKind::InvalidInput.into());
                 };
-                Ok(Place::File { base: base.to_owned(), inside: name.into(), replaced: Some(found) })
+                Ok(Place::File { base: base.to_owned(), inside: name.into(), replaced: Some(Box::new(found)) })
             }
             Err(error) => match path.ancestors().skip(1).find(|folder| folder.is_file()) {
                 Some(file) => Err(no_folder(file)),
