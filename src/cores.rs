@@ -13,10 +13,15 @@ thread_local! {
 /// Does work on one core.
 #[cfg(feature = "parallel")]
 fn on_one_core<P>(work: impl FnOnce() -> P) -> P {
-    let before = IS_INSIDE.replace(true);
-    let done = work();
-    IS_INSIDE.set(before);
-    done
+    /// Sets it back, also where the work panics.
+    struct Inside(bool);
+    impl Drop for Inside {
+        fn drop(&mut self) {
+            IS_INSIDE.set(self.0);
+        }
+    }
+    let _inside = Inside(IS_INSIDE.replace(true));
+    work()
 }
 
 /// What `each` makes of the items, in their order.

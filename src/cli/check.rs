@@ -1,3 +1,4 @@
+use super::caught::caught;
 use super::class::{Class, Form, ReportFormat, Subject, measured, shown};
 use super::correction::Correction;
 use super::exercises::{ExerciseFiles, ExerciseFolder};
@@ -5,6 +6,7 @@ use super::feedback::FeedbackOptions;
 use super::files::{self, Source};
 use super::forms::{forms_below, forms_in};
 use super::message::{Failure, warn};
+use super::output::FileSet;
 use super::pencil::Hand;
 use super::wording::Words;
 use super::work::{Mode, show_warnings, solve};
@@ -140,13 +142,15 @@ impl Check {
             check::report(&checked, &key, &wording) + &marks
         };
         show_warnings(solution);
-        self.correction.write(solution, [scene, path], measured, &key, &checked)?;
+        let mut files = FileSet::default();
+        self.correction.write(&mut files, solution, [scene, path], measured, &key, &checked)?;
         if let Some(pages) = pages {
             let feedback = Feedback::new(measured, &key, &checked, marks.as_ref(), &wording);
             let feedback = feedback.map_err(|error| misuse(text, &error))?;
-            files::write(&pages.of(0, &feedback)?)?;
+            files.add_all(&pages.of(0, &feedback)?)?;
         }
         files::print(printed.as_bytes())?;
+        files.finish()?;
         if checked.is_passed() { Ok(()) } else { Err(Failure::NotPassed) }
     }
 
@@ -266,10 +270,10 @@ impl Check {
             if !used.contains(index) {
                 return Err(String::new());
             }
-            self.solved(&exercise.scene).map_err(|failure| {
-                let place = exercise.scene.display().to_string();
-                format!("its exercise {} cannot be solved: {}", exercise.name, failure.line(&place))
-            })
+            let place = exercise.scene.display().to_string();
+            let solved = caught(|| self.solved(&exercise.scene));
+            let solved = solved.and_then(|solved| solved.map_err(|failure| failure.line(&place)));
+            solved.map_err(|why| format!("its exercise {} cannot be solved: {why}", exercise.name))
         });
         for (exercise, solution) in exercises.all.iter().zip(&solved) {
             let warnings = solution.iter().flat_map(Solution::warnings);

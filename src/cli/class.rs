@@ -1,9 +1,11 @@
 //! Checks all forms of a folder and writes a table with a row for each.
 
+use super::caught::caught;
 use super::check::read;
 use super::feedback::Pages;
 use super::files;
-use super::message::{Failure, note, warn};
+use super::message::{Failure, note};
+use super::output::{self, FileSet};
 use super::pieces::{Output, Pieces};
 use crate::check::{Checked, ClassColumns, ClassRow, ClassSummary, Feedback, MarkScheme, Measured, Prepared};
 use crate::words::Wording;
@@ -52,8 +54,11 @@ pub(super) struct Subject<'a> {
     pub scheme: Option<MarkScheme>,
 }
 
-/// What a form comes to: its row, and the files of its page.
-type Done = (ClassRow, Result<Vec<(PathBuf, Vec<u8>)>, Failure>);
+/// The files of a student's page.
+type Page = Vec<(PathBuf, Vec<u8>)>;
+
+/// What a form comes to.
+type Done = (ClassRow, Page);
 
 /// The file format of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,10 +71,10 @@ pub(super) enum ReportFormat {
 impl ReportFormat {
     /// The format that the ending of the output file names; on stdout JSON if `as_json`, else CSV.
     pub(super) fn of(output: &Path, as_json: bool) -> Result<ReportFormat, Failure> {
-        if output == Path::new("-") {
+        let ending = output.extension().unwrap_or_default().to_string_lossy();
+        if output == Path::new("-") || ending.is_empty() && output::is_special(output) {
             return Ok(if as_json { ReportFormat::Json } else { ReportFormat::Csv });
         }
-        let ending = output.extension().unwrap_or_default().to_string_lossy();
         let format = match ending.as_ref() {
             "csv" => ReportFormat::Csv,
             "json" => ReportFormat::Json,
@@ -95,7 +100,8 @@ impl Class<'_> {
     /// Checks all forms and writes the report. A form that is not understood does not stop the others.
     pub(super) fn run(&self) -> Result<(), Failure> {
         self.refuse_overwriting_form()?;
-        let mut out = Output::new(self.output)?;
+        let mut set = FileSet::default();
+        let mut out = Output::new(&mut set, self.output)?;
         let (mut summary, mut is_wanted) = (ClassSummary::default(), true);
         is_wanted &= match self.format {
             ReportFormat::Csv => out.put(&ClassRow::csv_head(self.columns))?,
@@ -104,27 +110,24 @@ impl Class<'_> {
         };
         let count = self.forms.len();
         let all = Pieces { count, size: 1, per_core: 32, unit: (count > 20).then_some("files") };
-        let done = all.each(
+        all.each(
             |one| self.row(one.start),
             |(row, page): Done| {
-                files::write(&page?)?;
+                set.add_all(&page)?;
                 let is_first = summary.files == 0;
                 summary.add(&row);
                 // With stdout closed the checks go on, for the exit code.
                 is_wanted = is_wanted && out.put(&self.written(&row, is_first))?;
                 Ok(true)
             },
-        );
-        if let (Some(pages), Err(Failure::Interrupted)) = (&self.pages, &done) {
-            warn(&format!("{} of {count} pages are in {}", summary.files, pages.folder().display()));
-        }
-        done?;
+        )?;
         let summary = summary.finished();
         if self.format == ReportFormat::Json && is_wanted {
             let summary = serde_json::to_string(&summary).expect("text keys");
             out.put(&format!("\n  ],\n  \"summary\": {summary}\n}}\n"))?;
         }
-        out.finish()?;
+        out.end()?;
+        set.finish()?;
         summary.lines(self.words).iter().for_each(|line| note(line));
         match (summary.broken, summary.off) {
             (0, 0) => Ok(()),
@@ -160,33 +163,46 @@ impl Class<'_> {
         ))
     }
 
-    /// The row and the page of a form.
+    /// The row and the page of a form. Whatever goes wrong with it is said there, and ends nothing else.
     fn row(&self, index: usize) -> Done {
+        let done = caught(|| self.checked(index)).unwrap_or_else(Err);
+        done.unwrap_or_else(|message| self.broken(index, message))
+    }
+
+    /// The row and the page of a form that is checked, or why it is not.
+    fn checked(&self, index: usize) -> Result<Done, String> {
         let form = &self.forms[index];
-        let subject = match &form.exercise {
-            Ok(exercise) => self.exercises[*exercise].as_ref().map_err(String::as_str),
-            Err(why) => Err(why.as_str()),
-        };
-        let measured = measured(&form.path);
-        let message = match (&measured, subject) {
-            (Ok(measured), Ok(subject)) => match subject.key.check(measured) {
-                Ok(checked) => {
-                    let (name, file) = (measured.name.as_deref(), form.file.clone());
-                    let (key, words) = (subject.key.key(), &subject.words);
-                    let row = ClassRow::checked(file, name, &checked, key, words, subject.scheme.as_ref());
-                    return (row.of(subject.name), self.page(index, subject, measured, &checked));
-                }
-                Err(error) => Failure::Misuse(error.to_string(), error.hint).line(""),
-            },
-            (Err(message), _) => message.clone(),
-            (_, Err(message)) => message.to_owned(),
-        };
-        let subject = subject.ok();
-        let name = measured.as_ref().ok().and_then(|measured| measured.name.as_deref());
-        let page = self.pages.as_ref().map_or(Ok(Vec::new()), |pages| {
+        let measured = measured(&form.path)?;
+        let exercise = form.exercise.clone()?;
+        let subject = self.exercises[exercise].as_ref().map_err(String::clone)?;
+        let checked = subject.key.check(&measured);
+        let checked = checked.map_err(|error| Failure::Misuse(error.to_string(), error.hint).line(""))?;
+        let (name, file) = (measured.name.as_deref(), form.file.clone());
+        let row = ClassRow::checked(file, name, &checked, subject.key.key(), &subject.words, subject.scheme.as_ref());
+        let page = self.page(index, subject, &measured, &checked);
+        let page = page.map_err(|failure| format!("its page cannot be made: {}", failure.line("")))?;
+        Ok((row.of(subject.name), page))
+    }
+
+    /// The row and the page of a form that is not understood.
+    fn broken(&self, index: usize, mut message: String) -> Done {
+        let form = &self.forms[index];
+        let exercise = form.exercise.as_ref().ok().and_then(|exercise| self.exercises.get(*exercise));
+        let subject = exercise.and_then(|subject| subject.as_ref().ok());
+        let page = || -> Result<Page, Failure> {
+            let Some(pages) = &self.pages else {
+                return Ok(Vec::new());
+            };
+            let measured = measured(&form.path).ok();
+            let name = measured.as_ref().and_then(|measured| measured.name.as_deref()).unwrap_or(form.title());
             let scene = subject.map(|subject| &subject.key.key().solution.scene);
             let words = subject.map_or(self.words, |subject| &subject.words);
-            pages.of(index, &Feedback::refused(scene, name.unwrap_or(form.title()), &message, words))
+            pages.of(index, &Feedback::refused(scene, name, &message, words))
+        };
+        let page = caught(page).and_then(|page| page.map_err(|failure| failure.line("")));
+        let page = page.unwrap_or_else(|why| {
+            message = format!("{message}; it has no page: {why}");
+            Vec::new()
         });
         (ClassRow::broken(form.file.clone(), &message).of(subject.and_then(|subject| subject.name)), page)
     }
@@ -198,7 +214,7 @@ impl Class<'_> {
         subject: &Subject<'_>,
         measured: &Measured,
         checked: &Checked,
-    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+    ) -> Result<Page, Failure> {
         let Some(pages) = &self.pages else {
             return Ok(Vec::new());
         };
@@ -228,10 +244,13 @@ pub(super) fn measured(path: &Path) -> Result<Measured, String> {
     if let Ok(found) = fs::metadata(path)
         && !found.is_file()
     {
+        if let Some(error) = fs::read_dir(path).err().filter(|_| found.is_dir()) {
+            return Err(format!("it is a folder that cannot be listed: {error}"));
+        }
         let what = if found.is_dir() { "a folder" } else { "special" };
         return Err(format!("it is {what}, no file with values"));
     }
-    let read = files::read_form(path).and_then(|text| read(path, &text));
+    let read = caught(|| files::read_form(path).and_then(|text| read(path, &text)))?;
     read.map_err(|failure| failure.line(&path.display().to_string()))
 }
 
@@ -240,4 +259,35 @@ pub(super) fn shown(path: &Path, folder: &Path) -> String {
     let inside = path.strip_prefix(folder).unwrap_or(path);
     let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
     parts.join("/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Class, Form, ReportFormat};
+    use crate::check::ClassColumns;
+    use crate::scene::Figure;
+    use crate::words::Wording;
+    use std::path::Path;
+
+    /// The defect is an exercise that is not there.
+    #[test]
+    fn a_panic_over_a_form_is_its_row() {
+        let path = std::env::temp_dir().join(format!("kinegon-{}-form.json", std::process::id()));
+        std::fs::write(&path, r#"{"kinegon_measured": 1, "values": {"omega(2)": 1}}"#).expect("written");
+        let forms = [Form { path, file: "Ana.json".into(), exercise: Ok(7) }];
+        let class = Class {
+            folder: Path::new("."),
+            forms: &forms,
+            exercises: &[],
+            columns: ClassColumns { exercise: false, marks: false },
+            format: ReportFormat::Csv,
+            output: Path::new("-"),
+            pages: None,
+            words: &Wording::of(&Figure::default()),
+        };
+        let (row, _) = class.row(0);
+        let _ = std::fs::remove_file(&forms[0].path);
+        let row = serde_json::to_string(&row).expect("text keys");
+        assert!(row.contains("the program itself fails on it at src/cli/class.rs"), "{row}");
+    }
 }

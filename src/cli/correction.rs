@@ -1,5 +1,6 @@
 use super::figures::{FigureOptions, Figures, stem};
 use super::message::{Failure, warn};
+use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
 use crate::check::{self, AnswerKey, Checked, Measured};
 use crate::construction::Solution;
@@ -47,9 +48,10 @@ impl Correction {
         Ok(())
     }
 
-    /// Draws the checked values if that was asked for. The files of the scene and of the values are not written over.
+    /// Draws the checked values into a set of files if that was asked for. The files of the scene and of the values are not written over.
     pub(super) fn write(
         &self,
+        files: &mut FileSet,
         solution: &Solution,
         [scene_file, values_file]: [&Path; 2],
         measured: &Measured,
@@ -87,7 +89,7 @@ impl Correction {
             .chain((2..).map(|number| format!("{name}-values-{number}")));
         let inputs = [("scene", scene_file), ("form", values_file)];
         let drawings = names.zip(sheets.into_iter().map(|sheet| vec![sheet])).collect();
-        Figures::at(output, &self.forms).write(&inputs, drawings, |_| {
+        Figures::at(output, &self.forms).write(files, &inputs, drawings, |_| {
             Err(Failure::Misuse(
                 "a check has no page to step through".into(),
                 Some("the formats are svg, png, pdf and tikz".into()),

@@ -1,5 +1,6 @@
 use super::figures::{Figures, stem};
 use super::message::Failure;
+use super::output::FileSet;
 use super::paper::Paper;
 use super::sweep::{Range, refuse_nothing, split_names};
 use super::wording::Words;
@@ -78,7 +79,9 @@ impl CurvesCommand {
                 Some("`kinegon draw --format html` makes one of the figure".into()),
             ))
         };
-        self.figures.write(&[("scene", scene)], vec![(name, vec![drawing])], page)?;
+        let mut files = FileSet::default();
+        self.figures.write(&mut files, &[("scene", scene)], vec![(name, vec![drawing])], page)?;
+        files.finish()?;
         self.range.report_events(&branch, range, "figure")
     }
 }

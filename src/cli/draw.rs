@@ -1,6 +1,7 @@
 use super::figures::{Figures, GivenStyle, stem};
 use super::files::{self, Source};
 use super::message::{Failure, note, warn};
+use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
 use super::sweep::{refuse_nothing, split_names};
 use super::wording::{Words, one_of};
@@ -116,15 +117,18 @@ impl Draw {
         }
         style.put_on(drawings.iter_mut().flat_map(|(_, sheets)| sheets));
         let inputs: Vec<(&str, &Path)> = scene.iter().map(|scene| ("scene", scene.as_path())).collect();
+        let mut files = FileSet::default();
         if self.layered {
-            return self.figures.write_layered(&inputs, drawings);
+            self.figures.write_layered(&mut files, &inputs, drawings)?;
+            return files.finish();
         }
         let are_finished = drawings.len() == solved.len();
         let page = |index: usize| match solved.get(index) {
             Some((source, solution)) if are_finished => self.page(source, solution, &style),
             _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
-        self.figures.write(&inputs, drawings, page)
+        self.figures.write(&mut files, &inputs, drawings, page)?;
+        files.finish()
     }
 
     /// The scene and the steps that are asked for. In `--steps scene.json` the scene is no kind of steps.

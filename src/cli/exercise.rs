@@ -2,6 +2,7 @@ use super::figures::{GivenStyle, stem};
 use super::files::{self, Source};
 use super::message::Failure;
 use super::new;
+use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
 use super::wording::Words;
 use super::work::solve;
@@ -77,12 +78,12 @@ impl ExerciseCommand {
                 return Err(Failure::Misuse(message, Some(hint.into())));
             }
         }
+        let mut files = FileSet::default();
         for number in 1..=self.count {
             let exercise = exercises.next().map_err(failed)?;
-            let written = files_of(&exercise, &style, &folder(number))?;
-            files::write(&written)?;
+            files.add_all(&files_of(&exercise, &style, &folder(number))?)?;
         }
-        Ok(())
+        files.finish()
     }
 
     /// The scene that is varied, and the name of its exercises.

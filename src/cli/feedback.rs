@@ -87,10 +87,6 @@ pub(super) struct Pages {
 }
 
 impl Pages {
-    pub(super) fn folder(&self) -> &Path {
-        &self.folder
-    }
-
     fn path(&self, form: usize, format: PageFormat) -> PathBuf {
         self.folder.join(format!("{}.{}", self.names[form], format.ending()))
     }

@@ -1,5 +1,6 @@
 use super::files;
 use super::message::{Failure, note};
+use super::output::{self, FileSet};
 use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
@@ -96,10 +97,11 @@ impl Figures {
         Figures { output: output.to_owned(), options: options.clone() }
     }
 
-    /// Writes figures by their names in all formats, each with its further sheets, but not over the files `inputs` that
-    /// were read; `page` makes the web page of the figure of an index.
+    /// Writes figures by their names in all formats, each with its further sheets, as files of a set, but not over the
+    /// files `inputs` that were read; `page` makes the web page of the figure of an index.
     pub(super) fn write(
         &self,
+        files: &mut FileSet,
         inputs: &[(&str, &Path)],
         drawings: Vec<(String, Vec<Drawing>)>,
         page: impl Fn(usize) -> Result<String, Failure>,
@@ -116,7 +118,7 @@ impl Figures {
                 }
             }
         }
-        self.finish(inputs, &written)
+        self.put(files, inputs, &written)
     }
 
     /// The file of a drawing in a format other than a page.
@@ -135,7 +137,7 @@ impl Figures {
 
     /// The paths of a figure's sheets: the second has `-2` before its ending. Only the first is written on stdout.
     fn sheet_paths(&self, first: PathBuf, sheets: usize) -> impl Iterator<Item = PathBuf> {
-        let on_stdout = self.output == Path::new("-");
+        let on_stdout = self.is_stream();
         if on_stdout && sheets > 1 {
             note("the table is on a second sheet, which is not on stdout; name a folder or a file to have it");
         }
@@ -150,6 +152,7 @@ impl Figures {
     /// Writes drawings as SVG with a group for each step of the construction.
     pub(super) fn write_layered(
         &self,
+        files: &mut FileSet,
         inputs: &[(&str, &Path)],
         drawings: Vec<(String, Vec<Drawing>)>,
     ) -> Result<(), Failure> {
@@ -166,7 +169,7 @@ impl Figures {
                 written.push((path, format::layered_svg(drawing, self.text()).into_bytes()));
             }
         }
-        self.finish(inputs, &written)
+        self.put(files, inputs, &written)
     }
 
     /// How letters are written, of SVG and of a page.
@@ -174,16 +177,22 @@ impl Figures {
         if self.options.outlines { Text::Outlines } else { Text::Letters }
     }
 
-    /// Writes files, but not over those that were read.
-    fn finish(&self, inputs: &[(&str, &Path)], written: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
-        if self.output == Path::new("-") {
-            let [(_, bytes)] = written else {
+    /// Puts files into a set, but not over those that were read.
+    fn put(
+        &self,
+        files: &mut FileSet,
+        inputs: &[(&str, &Path)],
+        written: &[(PathBuf, Vec<u8>)],
+    ) -> Result<(), Failure> {
+        if self.is_stream() {
+            let [(path, bytes)] = written else {
                 return Err(Failure::Misuse(
                     "only one figure fits on stdout".into(),
                     Some("name one scene and one step, or a folder to write to".into()),
                 ));
             };
-            return files::print(bytes);
+            let is_stdout = self.output == Path::new("-");
+            return if is_stdout { files::print(bytes) } else { files.add(path, bytes) };
         }
         let style = self.options.style.as_deref().map(|style| ("style", Path::new(style)));
         for (path, _) in written {
@@ -191,12 +200,17 @@ impl Figures {
                 files::refuse_overwriting(what, input, path)?;
             }
         }
-        files::write(written)
+        files.add_all(written)
+    }
+
+    /// Whether figures go to stdout, to a pipe or to a device, so that there is only one.
+    fn is_stream(&self) -> bool {
+        self.output == Path::new("-") || output::is_special(&self.output)
     }
 
     /// The paths of a drawing's files with their formats; `drawings` is the number of drawings.
     fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, FigureFormat)>, Failure> {
-        if self.output == Path::new("-") {
+        if self.is_stream() {
             let format = match self.options.format.as_slice() {
                 [format] => *format,
                 _ => FigureFormat::Svg,

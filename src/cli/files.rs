@@ -1,8 +1,8 @@
 use super::message::Failure;
 use crate::scene::MAX_BYTES;
 use std::fs;
-use std::io::{self, BufWriter, Read, Write};
-use std::path::{Path, PathBuf};
+use std::io::{self, Read, Write};
+use std::path::Path;
 
 /// The text of a file that was read.
 #[derive(Clone, Debug)]
@@ -99,67 +99,6 @@ pub(super) fn refuse_overwriting(what: &str, input: &Path, output: &Path) -> Res
     Ok(())
 }
 
-/// A file that is written piece by piece: as a part file beside its place, which is moved there when it is complete and
-/// removed if it is not.
-pub(super) struct PartFile {
-    place: PathBuf,
-    part: PathBuf,
-    file: Option<BufWriter<fs::File>>,
-}
-
-impl PartFile {
-    pub(super) fn new(place: &Path) -> Result<PartFile, Failure> {
-        let failed = |error| unwritable(place, &error);
-        if place.is_dir() {
-            return Err(failed(io::ErrorKind::IsADirectory.into()));
-        }
-        if let Some(folder) = place.parent() {
-            fs::create_dir_all(folder).map_err(failed)?;
-        }
-        // A device or a pipe must not be replaced by a file, so it is written directly.
-        let is_special = fs::metadata(place).is_ok_and(|found| !found.is_file());
-        let part = if is_special { place.to_owned() } else { part_path(place) };
-        let file = fs::File::create(&part).map_err(failed)?;
-        Ok(PartFile { place: place.to_owned(), part, file: Some(BufWriter::new(file)) })
-    }
-
-    /// Moves the complete file to its place.
-    pub(super) fn finish(mut self) -> Result<(), Failure> {
-        let written = self.file.take().map_or(Ok(()), |mut file| file.flush());
-        let moved = written.and_then(|()| match self.part == self.place {
-            true => Ok(()),
-            false => fs::rename(&self.part, &self.place),
-        });
-        moved.map_err(|error| unwritable(&self.place, &error))
-    }
-}
-
-impl Write for PartFile {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.as_mut().map_or(Ok(0), |file| file.write(bytes))
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.as_mut().map_or(Ok(()), |file| file.flush())
-    }
-}
-
-impl Drop for PartFile {
-    fn drop(&mut self) {
-        // A part file that was moved is no longer there, which is no error.
-        if self.part != self.place {
-            let _ = fs::remove_file(&self.part);
-        }
-    }
-}
-
-/// The path of the part file.
-fn part_path(place: &Path) -> PathBuf {
-    let mut part = place.to_owned().into_os_string();
-    part.push(format!(".{}.part", std::process::id()));
-    part.into()
-}
-
 /// Whether two paths lead to the same existing file.
 pub(super) fn is_same(one: &Path, other: &Path) -> bool {
     let [one, other] = [one, other].map(|path| path.canonicalize().ok());
@@ -171,35 +110,7 @@ pub(super) fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.as_os_str().to_string_lossy().ends_with('/')
 }
 
+/// The failure to write an output.
 pub(super) fn unwritable(place: &Path, error: &io::Error) -> Failure {
     Failure::Outside(format!("{} cannot be written: {error}", place.display()))
-}
-
-/// Writes files, each complete or not at all.
-pub(super) fn write(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
-    for (path, bytes) in files {
-        let mut file = PartFile::new(path)?;
-        file.write_all(bytes).map_err(|error| unwritable(path, &error))?;
-        file.finish()?;
-    }
-    Ok(())
-}
-
-/// Writes a file that does not exist yet; an existing one is not changed.
-pub(super) fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let failed = |error: io::Error| match error.kind() {
-        io::ErrorKind::AlreadyExists => Failure::Misuse(
-            format!("{} is there already and is not overwritten", path.display()),
-            Some("choose another name, or remove the file".into()),
-        ),
-        _ => unwritable(path, &error),
-    };
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder).map_err(failed)?;
-    }
-    let mut file = fs::File::create_new(path).map_err(failed)?;
-    file.write_all(bytes).map_err(|error| {
-        let _ = fs::remove_file(path);
-        failed(error)
-    })
 }

@@ -15,12 +15,19 @@ pub(super) fn forms_in(folder: &Path, others: &[&Path]) -> Result<Vec<PathBuf>, 
 }
 
 /// The forms of a folder and of the folders in it, ordered by path: files as for [`forms_in`]. Links to folders are not
-/// followed.
+/// followed; a folder in it that cannot be listed is itself among them, so that a row says so.
 pub(super) fn forms_below(folder: &Path, others: &[&Path]) -> Result<Vec<PathBuf>, Failure> {
     let others = complete(others);
     let (mut forms, mut folders) = (Vec::new(), vec![folder.to_owned()]);
     while let Some(inside) = folders.pop() {
-        for path in entries(&inside)? {
+        let entries = match entries(&inside) {
+            Err(_) if inside != folder => {
+                forms.push(inside);
+                continue;
+            }
+            entries => entries?,
+        };
+        for path in entries {
             let is_folder = fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir());
             if is_folder && !is_hidden(&path) {
                 folders.push(path);

@@ -4,6 +4,7 @@ use crate::cycle::CycleError;
 use crate::mechanism::StructureError;
 use crate::scene::SceneError;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use std::io::Write;
 
 /// Why a command did not do its task.
 #[derive(Debug)]
@@ -20,8 +21,6 @@ pub(super) enum Failure {
     NotPassed,
     /// A class with files that are not understood; the report says which.
     NotUnderstood,
-    /// Ctrl-C.
-    Interrupted,
 }
 
 impl Failure {
@@ -40,8 +39,6 @@ impl Failure {
             },
             Failure::Misuse(..) | Failure::NotUnderstood => 2,
             Failure::Outside(_) | Failure::Partly(_) | Failure::NotPassed => 1,
-            // The exit code by which shells report a program that Ctrl-C has ended.
-            Failure::Interrupted => 130,
         }
     }
 
@@ -51,9 +48,7 @@ impl Failure {
             Failure::Scene(_, error) => (error.to_string(), None),
             Failure::Misuse(message, hint) => (message.clone(), hint.as_deref()),
             Failure::Outside(message) | Failure::Partly(message) => (message.clone(), None),
-            Failure::NotPassed | Failure::NotUnderstood | Failure::Interrupted => {
-                return String::new();
-            }
+            Failure::NotPassed | Failure::NotUnderstood => return String::new(),
         };
         let message = message.strip_prefix(place).unwrap_or(&message);
         let message = message.trim_start_matches([':', ' ']);
@@ -73,9 +68,22 @@ pub(super) fn show(failure: &Failure) {
         Failure::Scene(source, error) => shown(&source.name, &source.text, error),
         Failure::Misuse(message, hint) => without_place(message, hint.as_deref()),
         Failure::Outside(message) | Failure::Partly(message) => without_place(message, None),
-        Failure::Interrupted => without_place("stopped before the table was complete; no file was written", None),
     };
-    anstream::eprintln!("{report}");
+    say(&report);
+}
+
+/// Shows on stderr that a signal has ended the program.
+pub(super) fn stopped(is_complete: bool) {
+    let message = match is_complete {
+        false => "stopped before the files were complete; none was written",
+        true => "stopped; the files are complete",
+    };
+    say(&without_place(message, None));
+}
+
+/// Writes a report to stderr. Where that is closed, as behind a terminal that is gone, nobody can be told.
+fn say(report: &str) {
+    let _ = writeln!(anstream::stderr(), "{report}");
 }
 
 /// The message that the program shows on stderr for an error of the scene in the file `name`, with the lines of `text`
@@ -91,13 +99,13 @@ pub fn shown(name: &str, text: &str, error: &Error) -> String {
 /// Shows a remark on stderr.
 pub(super) fn note(text: &str) {
     let report = [Group::with_title(Level::NOTE.primary_title(text))];
-    anstream::eprintln!("{}", Renderer::styled().render(&report));
+    say(&Renderer::styled().render(&report));
 }
 
 /// Shows a warning on stderr.
 pub(super) fn warn(text: &str) {
     let report = [Group::with_title(Level::WARNING.primary_title(text))];
-    anstream::eprintln!("{}", Renderer::styled().render(&report));
+    say(&Renderer::styled().render(&report));
 }
 
 fn without_place(message: &str, hint: Option<&str>) -> String {

@@ -1,10 +1,10 @@
 //! In: a command line. Out: files, text on stdout, messages on stderr, an exit code. Only this folder reads and writes
-//! files. Apart from tables, reports on classes and series of exercises, a command does all its work before it writes
-//! the first byte.
+//! files. A command writes all of its files or none (`output/`).
 //!
 //! Exit codes: 0 done; 1 not assembled, singular, not passed, or not written; 2 a scene or a command that is not
-//! understood; 130 stopped by Ctrl-C.
+//! understood; 128 and a signal's number where that has stopped it, as 130 for Ctrl-C.
 
+mod caught;
 mod check;
 mod class;
 mod correction;
@@ -19,6 +19,7 @@ mod files;
 mod forms;
 mod message;
 mod new;
+mod output;
 mod paper;
 mod pencil;
 mod pieces;
@@ -73,6 +74,7 @@ enum Task {
 #[must_use]
 pub fn run() -> ExitCode {
     let command = Command::parse();
+    output::survive_size_limits();
     let done = match &command.task {
         Task::New(new) => new.run(),
         Task::Draw(draw) => draw.run(),
@@ -89,6 +91,7 @@ pub fn run() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
+            output::wait_if_stopped();
             message::show(&failure);
             ExitCode::from(failure.exit_code())
         }

@@ -1,5 +1,6 @@
 use super::files;
 use super::message::Failure;
+use super::output::FileSet;
 use crate::scene::Scene;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -68,7 +69,9 @@ impl New {
         }
         let is_folder = files::is_folder(&self.output);
         let path = if is_folder { self.output.join(format!("{name}.json")) } else { self.output.clone() };
-        files::write_new(&path, text.as_bytes())
+        let mut files = FileSet::default();
+        files.add_first(&path, text.as_bytes())?;
+        files.finish()
     }
 }
 

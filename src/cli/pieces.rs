@@ -1,60 +1,60 @@
-use super::files::{self, PartFile};
+use super::files;
 use super::message::Failure;
+use super::output::{FileSet, Stream};
 use crate::cores::on_all_cores;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A file or stdout that is written piece by piece.
-pub(super) enum Output<'a> {
+pub(super) enum Output {
     Stdout,
-    File(PartFile, &'a Path),
+    File(Stream),
 }
 
-impl<'a> Output<'a> {
-    /// A file, or stdout for `-`.
-    pub(super) fn new(place: &'a Path) -> Result<Self, Failure> {
+impl Output {
+    /// A file of a set, or stdout for `-`.
+    pub(super) fn new(files: &mut FileSet, place: &Path) -> Result<Output, Failure> {
         if place == Path::new("-") {
             return Ok(Output::Stdout);
         }
-        Ok(Output::File(PartFile::new(place)?, place))
+        Ok(Output::File(files.begin(place)?))
     }
 
     /// Writes text; false if the reader has closed stdout.
     pub(super) fn put(&mut self, text: &str) -> Result<bool, Failure> {
         match self {
             Output::Stdout => files::try_print(text.as_bytes()),
-            Output::File(file, place) => match file.write_all(text.as_bytes()) {
-                Err(error) => Err(files::unwritable(place, &error)),
+            Output::File(file) => match file.write_all(text.as_bytes()) {
+                Err(error) => Err(files::unwritable(file.path(), &error)),
                 Ok(()) => Ok(true),
             },
         }
     }
 
-    /// Moves a complete file to its place.
-    pub(super) fn finish(self) -> Result<(), Failure> {
+    /// Hands a complete file over to the disk. It is in its place when its set is finished.
+    pub(super) fn end(self) -> Result<(), Failure> {
         match self {
             Output::Stdout => Ok(()),
-            Output::File(file, _) => file.finish(),
+            Output::File(file) => file.end(),
         }
     }
 }
 
 #[cfg(feature = "arrow")]
-impl Write for Output<'_> {
+impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         match self {
             Output::Stdout => std::io::stdout().write(bytes),
-            Output::File(file, _) => file.write(bytes),
+            Output::File(file) => file.write(bytes),
         }
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
         match self {
             Output::Stdout => std::io::stdout().flush(),
-            Output::File(file, _) => file.flush(),
+            Output::File(file) => file.flush(),
         }
     }
 }
@@ -72,25 +72,17 @@ pub(super) struct Pieces {
 }
 
 impl Pieces {
-    /// Computes the pieces on all cores and passes them to `put` in order, until `put` returns false or Ctrl-C stops
-    /// the work.
+    /// Computes the pieces on all cores and passes them to `put` in order, until `put` returns false.
     pub(super) fn each<P: Send>(
         &self,
         piece: impl Fn(Range<usize>) -> P + Send + Sync,
         mut put: impl FnMut(P) -> Result<bool, Failure>,
     ) -> Result<(), Failure> {
-        static STOPPED: AtomicBool = AtomicBool::new(false);
-        // If no handler can be set, Ctrl-C ends the program at once.
-        let _ = ctrlc::set_handler(|| STOPPED.store(true, Ordering::Relaxed));
-        let is_stopped = || STOPPED.load(Ordering::Relaxed);
         let items = |first: &usize| *first..(first + self.size).min(self.count);
         let progress = self.progress();
         for start in (0..self.count).step_by(self.size * self.window()) {
             let firsts: Vec<usize> = (start..self.count).step_by(self.size).take(self.window()).collect();
-            for done in on_all_cores(&firsts, |first| (!is_stopped()).then(|| piece(items(first)))) {
-                let Some(done) = done.filter(|_| !is_stopped()) else {
-                    return Err(Failure::Interrupted);
-                };
+            for done in on_all_cores(&firsts, |first| piece(items(first))) {
                 if !put(done)? {
                     return Ok(());
                 }

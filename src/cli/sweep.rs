@@ -39,6 +39,9 @@ pub(super) struct SweepCommand {
     /// Form of the table; without it that of the file's ending, else CSV.
     #[arg(long, value_enum)]
     format: Option<TableFormat>,
+    /// Write a table of more than 1 GB, too.
+    #[arg(long)]
+    yes: bool,
 }
 
 /// Which motion of which scene.
@@ -179,6 +182,9 @@ impl SweepCommand {
         let steps = steps.map_err(|error| driven.fail(error))?;
         let sweep = Sweep::new(&branch, steps, driven.names.as_deref()).map_err(|error| driven.fail(error))?;
         files::refuse_overwriting("scene", &self.range.scene, &self.output)?;
+        if !self.yes {
+            table::refuse_huge(&sweep, format)?;
+        }
         table::write(&sweep, format, &self.output)?;
         self.range.report_events(&branch, [from, to], "table")
     }

@@ -1,6 +1,7 @@
 #[cfg(feature = "arrow")]
 use super::files;
 use super::message::Failure;
+use super::output::FileSet;
 use super::pieces::{Output, Pieces};
 use crate::cycle::{Numbers, Sweep};
 use crate::format;
@@ -57,7 +58,8 @@ impl TableFormat {
 
 /// Writes a table to a file, or to stdout for `-`, piece by piece; a file is complete or not written at all.
 pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<(), Failure> {
-    let mut out = Output::new(place)?;
+    let mut files = FileSet::default();
+    let mut out = Output::new(&mut files, place)?;
     #[cfg(feature = "arrow")]
     if matches!(format, TableFormat::Arrow | TableFormat::Parquet) {
         let unwritable = |error: format::ColumnsError| match error {
@@ -73,18 +75,58 @@ pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<
             |rows| sweep.rows(rows),
             |numbers: Numbers| columns.rows(&numbers).map(|()| true).map_err(unwritable),
         )?;
-        return columns.finish().map_err(unwritable)?.finish();
+        columns.finish().map_err(unwritable)?.end()?;
+        return files.finish();
     }
     if format == TableFormat::Csv && !out.put(&format::csv_header(sweep))? {
         return Ok(());
     }
     let text = |rows| format.text(sweep, &sweep.rows(rows));
     pieces(sweep).each(text, |piece: String| out.put(&piece))?;
-    out.finish()
+    out.end()?;
+    files.finish()
 }
 
 /// The rows of a table in pieces, with a progress bar if there are many.
 fn pieces(sweep: &Sweep) -> Pieces {
     let count = sweep.steps().count();
     Pieces { count, size: ROWS, per_core: 4, unit: (count * sweep.header().len() >= LONG).then_some("rows") }
+}
+
+/// Bytes from which a table is written only if that is asked for.
+const HUGE: f64 = 1e9;
+
+/// Refuses a table that would fill a disk: its bytes are those of some rows, from all over it, times their number.
+pub(super) fn refuse_huge(sweep: &Sweep, format: TableFormat) -> Result<(), Failure> {
+    const SPOTS: usize = 16;
+    let count = sweep.steps().count();
+    let columns = sweep.header().len();
+    // No number takes 1 kB with its name.
+    if (count as f64) * (columns as f64) < HUGE / 1e3 {
+        return Ok(());
+    }
+    let row = |spot: usize| (count - 1) / (SPOTS - 1) * spot;
+    let bytes: usize = match format {
+        #[cfg(feature = "arrow")]
+        TableFormat::Arrow | TableFormat::Parquet => SPOTS * columns * size_of::<f64>(),
+        _ => (0..SPOTS).map(|spot| format.text(sweep, &sweep.rows(row(spot)..row(spot) + 1)).len()).sum(),
+    };
+    let bytes = count as f64 * bytes as f64 / SPOTS as f64;
+    if bytes <= HUGE {
+        return Ok(());
+    }
+    Err(Failure::Misuse(
+        format!("the table would have {} rows and about {} GB", grouped(count), grouped((bytes / 1e9).ceil() as usize)),
+        Some(
+            "take a larger --step, a part of the range (--from, --to) or fewer quantities (--want); with --yes it is written"
+                .into(),
+        ),
+    ))
+}
+
+/// A whole number with its digits in groups of three.
+fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let is_gap = |at: usize| at > 0 && (digits.len() - at).is_multiple_of(3);
+    digits.char_indices().flat_map(|(at, digit)| is_gap(at).then_some(' ').into_iter().chain([digit])).collect()
 }

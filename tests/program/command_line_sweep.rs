@@ -191,7 +191,7 @@ fn limits_and_extreme_positions_are_told() {
 /// A table that would take hours.
 fn long() -> Command {
     let mut command = kinegon();
-    command.args(["sweep", FIGURE_2, "--step", "1e-8"]);
+    command.args(["sweep", FIGURE_2, "--step", "1e-8", "--yes"]);
     command
 }
 

@@ -18,7 +18,11 @@ mod command_line_variants;
 mod exercises;
 #[cfg(unix)] // it has a shell run what pages say
 mod guide;
+#[cfg(unix)] // limits, links and modes
+mod outputs;
 mod overlays;
+#[cfg(unix)]
+mod signals;
 mod step_sheets;
 mod students;
 mod styles;
