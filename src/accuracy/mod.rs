@@ -4,5 +4,7 @@
 
 mod bounds;
 mod group;
+mod quantity;
 
 pub use bounds::{Bounds, bounds};
+pub use quantity::is_bounded;

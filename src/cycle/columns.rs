@@ -1,8 +1,9 @@
 use super::{Path, Position};
+use crate::accuracy::{bounds, is_bounded};
 use crate::construction::{Construction, Extent, construct};
 use crate::geometry::Row;
 use crate::motion::{Order, motion};
-use crate::quantity::{Asked, Quantity, QuantityError};
+use crate::quantity::{Asked, Quantity, QuantityError, Snapshot};
 
 /// A quantity that is asked for at every position of a sweep: a number or a vector.
 #[derive(Clone, Debug)]
@@ -17,6 +18,19 @@ impl Column {
         let parts: &[&str] = if self.asked.is_vector() { &[".x", ".y"] } else { &[""] };
         parts.iter().map(|part| format!("{}{part}", self.asked.name()))
     }
+
+    /// The name of the bound of its error; `None` of a quantity without one.
+    #[must_use]
+    pub fn error_name(&self) -> Option<String> {
+        is_bounded(&self.asked).then(|| format!("{}_error", self.asked.name()))
+    }
+}
+
+/// A value with the bound of its error, where it has one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounded {
+    pub value: Quantity,
+    pub error: Option<f64>,
 }
 
 /// Quantities that are read together at positions of a path.
@@ -63,6 +77,27 @@ impl<'a> Columns<'a> {
             });
             (column, found)
         })
+    }
+
+    /// As [`Self::values`], each with the bound of its error: of a vector in each component. Rates are those of
+    /// [`motion`], which are bounded.
+    pub fn values_with_errors<R: Row>(&self, position: Option<Position<'_, R>>) -> Vec<(&Column, Option<Bounded>)> {
+        let Columns { path: Path { mechanism, .. }, list, .. } = self;
+        let moved = position.and_then(|position| {
+            let pose = position.pose();
+            let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
+            let built = self.constructs.then(|| construct(mechanism, &pose, &motion, Extent::Points));
+            Some((pose, motion, built))
+        });
+        let Some((pose, motion, built)) = &moved else {
+            return list.iter().map(|column| (column, None)).collect();
+        };
+        let (state, bounds) = (Snapshot { pose, motion }, bounds(mechanism, pose, motion));
+        let bounded = |column: &Column| {
+            let value = column.asked.value(&state, built.as_ref(), None).ok()?;
+            Some(Bounded { value, error: bounds.of(&column.asked) })
+        };
+        list.iter().map(|column| (column, bounded(column))).collect()
     }
 
     /// The construction at a position; `None` where it is singular.
