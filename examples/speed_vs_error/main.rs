@@ -1,5 +1,5 @@
 //! Measures, in one run, how long several methods take for velocities and accelerations of fourth-class groups and how wrong they are.
-//! `cargo run --release --example speed_vs_error` prints a table and writes out/speed-vs-error (.svg, .png, .json) and docs/accuracy (.md, .svg).
+//! `cargo run --release --example speed_vs_error` prints a table and writes out/speed-vs-error (.svg, .png, .json) and docs/accuracy (.md, .svg, -condition.svg).
 
 mod assembled;
 mod condition;
