@@ -17,11 +17,11 @@ pub const WAYS: [&str; 3] = ["Kinegon, one position", "Kinegon, table", "joint e
 
 /// What they are, each with its source.
 pub const WAYS_SAY: [&str; 3] = [
-    "`position::pose` or `cycle::Walker` and `motion::motion`, with bounds ([src/motion/solve.rs](../src/motion/solve.rs))",
-    "`cycle::Sweep`, the batch kernel in registers ([src/kernel/close.rs](../src/kernel/close.rs), \
-     [rates.rs](../src/kernel/rates.rs))",
+    "`position::pose` or `cycle::Walker` and `motion::motion`, with bounds (`src/motion/solve.rs`)",
+    "`cycle::Sweep`, the batch kernel in registers (`src/kernel/close.rs`, \
+     `src/kernel/rates.rs`)",
     "all joints' equations in f64: Newton's method for positions, nalgebra's LU \
-     ([assembled.rs](../examples/speed_vs_error/assembled.rs))",
+     (`examples/speed_vs_error/assembled.rs`)",
 ];
 
 /// Errors at one position: |computed − true| over the largest true number of that kind, ω or α, the worst of both.
