@@ -68,7 +68,7 @@ fn pi() -> Precise {
         let mut sum = power.clone();
         for k in 1..120 {
             power = -(power / number(n * n));
-            sum = sum + power.clone() / number(f64::from(2 * k + 1));
+            sum += power.clone() / number(f64::from(2 * k + 1));
         }
         sum
     };
