@@ -107,7 +107,12 @@ impl<T: Real> State<T> {
 impl<T: Real> Given<T> {
     /// The motions that a mechanism's turning drives and known points have at these places.
     pub fn new(mechanism: &Mechanism, points: &[[f64; 2]], guides: &[[f64; 2]]) -> Given<T> {
-        let points: Vec<Vector<T>> = points.iter().map(|p| exactly(*p)).collect();
+        let vectors = |all: &[[f64; 2]]| all.iter().map(|v| exactly(*v)).collect();
+        Given::at(mechanism, vectors(points), vectors(guides))
+    }
+
+    /// The same at places in these numbers.
+    pub fn at(mechanism: &Mechanism, points: Vec<Vector<T>>, guides: Vec<Vector<T>>) -> Given<T> {
         let known = mechanism.bodies.iter().map(|body| {
             let pair = |v: &kinegon::geometry::Vector| exactly([v.x, v.y]);
             match &body.role {
@@ -131,7 +136,7 @@ impl<T: Real> Given<T> {
                 _ => State::rest(exactly([0.0; 2])),
             }
         });
-        Given { known: known.collect(), guides: guides.iter().map(|g| exactly(*g)).collect(), points }
+        Given { known: known.collect(), guides, points }
     }
 }
 

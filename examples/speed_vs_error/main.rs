@@ -1,6 +1,9 @@
 //! Measures, in one run, how long several methods take for velocities and accelerations of fourth-class groups and how wrong they are.
-//! `cargo run --release --example speed_vs_error` prints a table and writes out/speed-vs-error (.svg, .png, .json) and docs/accuracy (.md, .svg).
+//! `cargo run --release --example speed_vs_error` prints a table and writes out/speed-vs-error (.svg, .png, .json) and docs/accuracy (.md, .svg, -condition.svg).
 
+mod assembled;
+mod condition;
+mod differences;
 mod document;
 mod families;
 mod general;
@@ -10,11 +13,15 @@ mod groups;
 mod hand;
 mod joints;
 mod kernel;
+mod lengths;
 #[expect(dead_code, reason = "tests use more of it")]
 mod measure;
 mod methods;
 mod naive;
 mod picture;
+#[expect(dead_code, reason = "tests use more of it")]
+#[path = "../../tests/support/planted.rs"]
+mod planted;
 #[path = "../../tests/support/random.rs"]
 mod random;
 mod single;
@@ -23,13 +30,14 @@ mod survey;
 mod truth;
 
 use kinegon::format;
+use lengths::Lengths;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
 use survey::{Survey, times};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let survey = Survey::new();
+    let (survey, lengths) = (Survey::new(), Lengths::new());
     let times = times();
     let machine = machine();
     print!("{}", document::table(&survey, &times));
@@ -42,9 +50,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::write(root.join("docs/accuracy.svg"), drawing.svg())?;
     #[cfg(feature = "png")]
     fs::write(out.join("speed-vs-error.png"), drawing.png(200.0)?)?;
+    fs::write(root.join("docs/accuracy-condition.svg"), condition::picture(&survey, &lengths).svg())?;
     let numbers = document::numbers(&survey, &times, &machine);
     fs::write(out.join("speed-vs-error.json"), format::json(&numbers))?;
-    let page = document::accuracy(&survey) + &document::speed(&times, &machine);
+    let page = document::accuracy(&survey) + &document::from_lengths(&lengths) + &document::speed(&times, &machine);
     fs::write(root.join("docs/accuracy.md"), page)?;
     Ok(())
 }

@@ -5,7 +5,7 @@ use super::groups::Group;
 use super::joints::{Given, JointEquations};
 use super::measure::{Case, Rates};
 use super::single::Single;
-use super::{kernel, naive};
+use super::{differences, kernel, naive};
 use kinegon::motion::{Order, motion};
 
 /// A way to the numbers; by hand is none of them, see `hand`.
@@ -17,6 +17,8 @@ pub enum Method {
     Lu,
     /// The same by orthogonal factors.
     Qr,
+    /// The loop equations on differences, by triangular factors.
+    Differences,
     /// The library's `motion`, with condition and error bounds.
     Library,
     /// The library's kernel alone.
@@ -26,8 +28,8 @@ pub enum Method {
 }
 
 impl Method {
-    pub const ALL: [Method; 6] =
-        [Method::Naive, Method::Lu, Method::Qr, Method::Library, Method::Kernel, Method::Single];
+    pub const ALL: [Method; 7] =
+        [Method::Naive, Method::Lu, Method::Qr, Method::Differences, Method::Library, Method::Kernel, Method::Single];
 
     /// A short name.
     pub fn name(self) -> &'static str {
@@ -35,6 +37,7 @@ impl Method {
             Method::Naive => "special points, naive",
             Method::Lu => "joint equations, LU",
             Method::Qr => "joint equations, QR",
+            Method::Differences => "differences, LU",
             Method::Library => "Kinegon with bounds",
             Method::Kernel => "Kinegon",
             Method::Single => "Kinegon in f32",
@@ -52,13 +55,32 @@ impl Method {
                 "two equations for each joint, twelve unknowns, as general programs for mechanisms set them up; nalgebra's LU"
             }
             Method::Qr => "the same by nalgebra's QR",
+            Method::Differences => {
+                "four loop equations in four rates on differences of places and motions, as anyone writes them who subtracts first; \
+                 nalgebra's LU"
+            }
             Method::Library => {
                 "`motion::motion`: the loop equations with condition number and a bound of every rate's error"
             }
             Method::Kernel => {
                 "the loop equations alone, reduced to two by `geometry::Reduced`, as tables and curves of a cycle use them"
             }
-            Method::Single => "the same code with numbers of 24 bits; positions are subtracted in f64",
+            Method::Single => {
+                "the same code with numbers of 24 bits; positions are subtracted in f64. It is no quicker: one group at a time \
+                 fills no register, an f32 operation takes as long as an f64 one, and every number is converted"
+            }
+        }
+    }
+
+    /// Its source.
+    pub fn source(self) -> &'static str {
+        match self {
+            Method::Naive => "examples/speed_vs_error/naive.rs",
+            Method::Lu | Method::Qr => "examples/speed_vs_error/general.rs",
+            Method::Differences => "examples/speed_vs_error/differences.rs",
+            Method::Library => "src/motion/solve.rs",
+            Method::Kernel => "examples/speed_vs_error/kernel.rs",
+            Method::Single => "examples/speed_vs_error/single.rs",
         }
     }
 }
@@ -91,6 +113,7 @@ impl Prepared {
             Method::Naive => naive::rates(pins, &mut naive::Exact).unwrap_or_else(none),
             Method::Lu => general::rates(&self.equations, &self.given, pins, Solver::Lu),
             Method::Qr => general::rates(&self.equations, &self.given, pins, Solver::Qr),
+            Method::Differences => differences::rates(pins),
             Method::Library => {
                 let motion = motion(&self.case.mechanism, &self.case.pose, Order::Acceleration);
                 motion.map_or_else(|_| none(), |motion| self.case.rates_of(&motion))

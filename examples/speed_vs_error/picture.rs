@@ -2,9 +2,8 @@
 
 use super::document::duration;
 use super::families::Family;
-use super::hand;
 use super::methods::Method;
-use super::survey::{Survey, median};
+use super::survey::Survey;
 use kinegon::drawing::{Drawing, Pen, PlacedText, Point, Rect, RichText, Shape};
 
 /// Size of the sheet in mm: that of a slide, 16 to 9.
@@ -16,10 +15,8 @@ const TEXT: f64 = 4.2;
 /// Radii of the marks of random groups and of hard families.
 const RADII: [f64; 2] = [1.5, 1.0];
 
-/// Decades of time, in nanoseconds, before the axis is broken; the place of its break and that of a drawing by hand.
+/// Decades of time, in nanoseconds.
 const TIMES: [f64; 2] = [1.0, 4.0];
-const BREAK: f64 = 178.0;
-const BY_HAND: f64 = 193.0;
 
 /// Decades of errors, and the height of those without a number.
 const ERRORS: [f64; 2] = [-2.0, 16.0];
@@ -33,14 +30,13 @@ fn style(method: Method) -> usize {
         Method::Lu => 2,
         Method::Single => 3,
         Method::Qr => 4,
+        Method::Differences => 5,
     }
 }
 
-const HAND_STYLE: usize = 5;
-
 fn across(nanoseconds: f64) -> f64 {
     let share = (libm::log10(nanoseconds) - TIMES[0]) / (TIMES[1] - TIMES[0]);
-    FRAME.x0 + share * (BREAK - FRAME.x0)
+    FRAME.x0 + share * FRAME.width()
 }
 
 fn height(decades: f64) -> f64 {
@@ -69,12 +65,6 @@ pub fn picture(survey: &Survey, times: &[f64]) -> Drawing {
         let errors = Family::ALL.map(|family| (family, survey.worst(family, method)));
         marks(&mut drawing, style(method), x, &errors);
     }
-    let errors = Family::ALL.map(|family| {
-        let errors = survey.of(family).flat_map(|row| &row.hand_units[1]);
-        // A family that no drawing shows has no mark.
-        (family, median(errors.copied()).unwrap_or(f64::NAN))
-    });
-    marks(&mut drawing, HAND_STYLE, BY_HAND, &errors);
     remarks(&mut drawing, survey, times);
     legend(&mut drawing, times);
     drawing
@@ -100,15 +90,7 @@ fn axes(drawing: &mut Drawing) {
         let time = libm::exp10(f64::from(power));
         tick(drawing, across(time), &duration_tick(power));
     }
-    tick(drawing, BY_HAND, &duration(hand::TIME));
     drawing.draw(Pen::Frame, Shape::Polygon(corners()));
-    // The axis of times is broken.
-    for x in [BREAK + 3.0, BREAK + 4.2] {
-        for y in [FRAME.y0, FRAME.y1] {
-            let (a, b) = (Point::new(x - 0.8, y + 1.6), Point::new(x + 0.8, y - 1.6));
-            drawing.draw(Pen::Zero, Shape::Line(a, b));
-        }
-    }
     let heading =
         "Largest error in units of u·condition, against the time for velocities and accelerations of one group";
     text(drawing, Pen::Heading, heading, Point::new(left - 24.0, 5.6));
@@ -178,7 +160,7 @@ fn legend(drawing: &mut Drawing, times: &[f64]) {
         (style(Method::Naive), named(Method::Naive)),
         (style(Method::Single), named(Method::Single)),
         (style(Method::Lu), named(Method::Lu)),
-        (HAND_STYLE, format!("by hand, 0.25 mm: {}", duration(hand::TIME))),
+        (style(Method::Differences), named(Method::Differences)),
         (style(Method::Qr), named(Method::Qr)),
     ];
     for (index, (style, says)) in entries.into_iter().enumerate() {
@@ -191,7 +173,7 @@ fn legend(drawing: &mut Drawing, times: &[f64]) {
         text(drawing, Pen::Caption, &says, Point::new(x + 3.0, y));
     }
     let y = FRAME.y1 + 13.5 + 5.8 * 3.0;
-    let key = "full: random groups; hollow: families of hard ones; each at its worst, by hand in the middle";
+    let key = "full: random groups; hollow: families of hard ones; each at its worst; f32 in units of f64";
     text(drawing, Pen::Caption, key, Point::new(FRAME.x0 + 3.0, y));
 }
 

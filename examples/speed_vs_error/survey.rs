@@ -128,11 +128,19 @@ pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     values.get(values.len() / 2).copied()
 }
 
+/// The value below which a share of all lies; `None` of nothing.
+pub fn quantile(values: &[f64], share: f64) -> Option<f64> {
+    let mut values = values.to_vec();
+    values.sort_by(f64::total_cmp);
+    let last = values.len().checked_sub(1)?;
+    Some(values[libm::round(share * last as f64) as usize])
+}
+
 /// Groups that are solved in turn when time is taken.
-const TIMED: usize = 256;
+pub const TIMED: usize = 256;
 
 /// Rounds over them that are timed; the quickest counts, the others were disturbed.
-const ROUNDS: usize = 200;
+pub const ROUNDS: usize = 200;
 
 /// Nanoseconds for velocities and accelerations of a group, by method.
 pub fn times() -> [f64; METHODS] {

@@ -34,8 +34,12 @@ pub struct Truth {
 impl Truth {
     /// `None` where the equations are singular.
     pub fn new(mechanism: &Mechanism, points: &[[f64; 2]], guides: &[[f64; 2]]) -> Option<Truth> {
+        Truth::of(mechanism, Given::new(mechanism, points, guides))
+    }
+
+    /// The same for positions of as many digits.
+    pub fn of(mechanism: &Mechanism, given: Given<Precise>) -> Option<Truth> {
         let equations = JointEquations::new(mechanism);
-        let given = Given::new(mechanism, points, guides);
         let size = equations.size();
         let mut matrix = vec![vec![Precise::exactly(0.0); size]; size];
         equations.matrix(&given, |row, column, value| {

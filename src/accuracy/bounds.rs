@@ -15,9 +15,9 @@ use crate::scene::Scene;
 /// scene gives has the bound 0.
 #[derive(Clone, Debug)]
 pub struct Bounds<'a> {
-    mechanism: &'a Mechanism,
-    pose: &'a Pose,
-    motion: &'a Motion,
+    pub(super) mechanism: &'a Mechanism,
+    pub(super) pose: &'a Pose,
+    pub(super) motion: &'a Motion,
     enclosure: Option<Enclosure>,
 }
 

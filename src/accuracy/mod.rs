@@ -7,6 +7,8 @@ mod enclosure;
 mod frame;
 mod given;
 mod placed;
+mod quantity;
 
 pub use bounds::{Bounds, bounds};
 pub use enclosure::Enclosure;
+pub use quantity::is_bounded;

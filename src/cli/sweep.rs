@@ -1,5 +1,5 @@
 use super::files::{self, Source};
-use super::message::{Failure, note};
+use super::message::{Failure, note, warn};
 use super::table::{self, TableFormat};
 use super::work::{Mode, start};
 use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
@@ -33,6 +33,10 @@ pub(super) struct SweepCommand {
     /// range.
     #[arg(long, allow_hyphen_values = true)]
     step: Option<f64>,
+    /// Add a column behind each quantity with the bound of its error, as omega(4)_error; of a vector it holds for each
+    /// component.
+    #[arg(long)]
+    errors: bool,
     /// File to write, or `-` for stdout.
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     output: PathBuf,
@@ -106,7 +110,7 @@ impl Range {
     pub(super) fn report_events(&self, branch: &Branch, range: [f64; 2], product: &str) -> Result<(), Failure> {
         let inside = range[0].min(range[1])..=range[0].max(range[1]);
         let mut events = branch.events();
-        events.retain(|event| !event.is_end() && inside.contains(&event.at));
+        events.retain(|event| !event.is_end() && branch.touches(event, range));
         for event in events.iter().take(NOTES) {
             note(&event.text(&branch.drive.at(event.at)));
         }
@@ -124,13 +128,28 @@ impl Range {
         if self.is_given() && range.into_iter().any(beyond) {
             let [from, to] = range.map(|v| branch.drive.amount(v));
             return Err(Failure::Partly(format!(
-                "only a part of the range from {from} to {to} can be reached, and only it is in the {product}: {}",
-                ends.join("; ")
+                "only a part of the range from {from} to {to} can be reached, and only it is in the {product}: {}{}",
+                ends.join("; "),
+                other_way_round(branch, range).unwrap_or_default()
             )));
         }
         ends.iter().for_each(|end| note(end));
         Ok(())
     }
+}
+
+/// What of a range beyond a limit can be reached the other way round, and what to type for it.
+fn other_way_round(branch: &Branch, range: [f64; 2]) -> Option<String> {
+    let detour = branch.other_way_round(range)?;
+    let named = |ends: [f64; 2]| ends.map(|v| branch.drive.amount(v)).join(" to ");
+    // Whole degrees inside the limits.
+    let [low, high] = [detour.both[0].ceil() + 0.0, detour.both[1].floor() + 0.0];
+    Some(format!(
+        "; from {} the drive gets the other way round, as {}\n  \
+         try: --from {low} --to {high}, or neither of them for the whole way between the limits",
+        named(detour.asked),
+        named(detour.part),
+    ))
 }
 
 impl DrivenScene {
@@ -181,6 +200,7 @@ impl SweepCommand {
         let steps = if has_ends { Steps::multiples(from, to, step) } else { Steps::new(from, to, step) };
         let steps = steps.map_err(|error| driven.fail(error))?;
         let sweep = Sweep::new(&branch, steps, driven.names.as_deref()).map_err(|error| driven.fail(error))?;
+        let sweep = if self.errors { with_errors(sweep, &driven.scene) } else { sweep };
         files::refuse_overwriting("scene", &self.range.scene, &self.output)?;
         if !self.yes {
             table::refuse_huge(&sweep, format)?;
@@ -202,6 +222,15 @@ impl SweepCommand {
             )
         })
     }
+}
+
+/// The table with bounds of errors; warns of quantities that have none.
+fn with_errors<'a>(sweep: Sweep<'a>, scene: &'a Scene) -> Sweep<'a> {
+    for column in sweep.columns().iter().filter(|c| c.error_name().is_none()) {
+        let name = column.asked.name();
+        warn(&format!("`{name}` has no stated bound of its error, so the table has no column {name}_error"));
+    }
+    sweep.with_errors(scene)
 }
 
 /// The step of a table: 1° for an angle; for a slider the largest of 1, 2 or 5 times a power of ten that is at most a

@@ -1,8 +1,10 @@
 use super::{Path, Position};
+use crate::accuracy::{bounds, is_bounded};
 use crate::construction::{Construction, Extent, construct};
 use crate::geometry::Row;
 use crate::motion::{Order, motion};
-use crate::quantity::{Asked, Quantity, QuantityError};
+use crate::quantity::{Asked, Quantity, QuantityError, Snapshot};
+use crate::scene::Scene;
 
 /// A quantity that is asked for at every position of a sweep: a number or a vector.
 #[derive(Clone, Debug)]
@@ -17,6 +19,19 @@ impl Column {
         let parts: &[&str] = if self.asked.is_vector() { &[".x", ".y"] } else { &[""] };
         parts.iter().map(|part| format!("{}{part}", self.asked.name()))
     }
+
+    /// The name of the bound of its error; `None` of a quantity without one.
+    #[must_use]
+    pub fn error_name(&self) -> Option<String> {
+        is_bounded(&self.asked).then(|| format!("{}_error", self.asked.name()))
+    }
+}
+
+/// A value with the bound of its error, where it has one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounded {
+    pub value: Quantity,
+    pub error: Option<f64>,
 }
 
 /// Quantities that are read together at positions of a path.
@@ -63,6 +78,34 @@ impl<'a> Columns<'a> {
             });
             (column, found)
         })
+    }
+
+    /// As [`Self::values`], each with the bound of its error: of a vector in each component. Rates are those of
+    /// [`motion`], which are bounded.
+    /// `scene` is the path's, `value` that of its drive.
+    pub fn values_with_errors<R: Row>(
+        &self,
+        scene: &Scene,
+        value: f64,
+        position: Option<Position<'_, R>>,
+    ) -> Vec<(&Column, Option<Bounded>)> {
+        let Columns { path, list, .. } = self;
+        let mechanism = &path.mechanism_at(value);
+        let moved = position.and_then(|position| {
+            let pose = position.pose();
+            let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
+            let built = self.constructs.then(|| construct(mechanism, &pose, &motion, Extent::Points));
+            Some((pose, motion, built))
+        });
+        let Some((pose, motion, built)) = &moved else {
+            return list.iter().map(|column| (column, None)).collect();
+        };
+        let (state, bounds) = (Snapshot { pose, motion }, bounds(scene, mechanism, pose, motion));
+        let bounded = |column: &Column| {
+            let value = column.asked.value(&state, built.as_ref(), None).ok()?;
+            Some(Bounded { value, error: bounds.of(&column.asked) })
+        };
+        list.iter().map(|column| (column, bounded(column))).collect()
     }
 
     /// The construction at a position; `None` where it is singular.

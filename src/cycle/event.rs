@@ -1,6 +1,6 @@
 use super::drive::{shortened, snapped};
 use super::{Path, Walker};
-use crate::geometry::{Vector, degrees_of};
+use crate::geometry::{UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::kernel::{Single, Unknown};
 use crate::mechanism::SliderId;
 use std::cmp::Reverse;
@@ -96,6 +96,9 @@ const PARTS: usize = 8;
 /// Relative tolerance for rest: a link or slider whose rate stays below this part of the fastest rate does not move.
 const AT_REST: f64 = 1e-9;
 
+/// Roundings that enter a rate.
+const ROUNDINGS: f64 = 64.0;
+
 /// Most Newton or bisection steps to an extreme position.
 const STEPS: usize = 60;
 
@@ -121,7 +124,7 @@ pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
             for k in 0..PARTS {
                 let (low, high) = (place(k), place(k + 1).min(segment.to));
                 let (first, last) = (segment.rate(unknown, low), segment.rate(unknown, high));
-                if (first < 0.0) == (last < 0.0) {
+                if (first < 0.0) == (last < 0.0) || !turns_back(&mut walker, unknown, [low, high], fastest(unknown)) {
                     continue;
                 }
                 let Some(at) = standstill(&mut walker, unknown, low, high, path.unit()) else {
@@ -158,6 +161,19 @@ fn rate(block: &Single, unknown: Unknown) -> [f64; 2] {
         Unknown::Spin(class) => [block.omegas[class][0], block.alphas[class][0]],
         Unknown::Slide(slider) => [block.speeds[slider][0], block.accelerations[slider][0]],
     }
+}
+
+/// Whether the rate of an unknown has different signs at these values of the drive, by more than its error: of the
+/// `fastest` rate about u over the squared sharpness. `false` where one of them has no motion.
+fn turns_back(walker: &mut Walker, unknown: Unknown, ends: [f64; 2], fastest: f64) -> bool {
+    let mut sign = |value: f64| -> Option<f64> {
+        let (block, sharpness) = walker.unit_motion_with_sharpness(value)?;
+        let [rate, _] = rate(block, unknown);
+        let error = ROUNDINGS * UNIT_ROUNDOFF * fastest.max(rate.abs()) / sharpness;
+        (rate.abs() > error).then_some(rate.signum())
+    };
+    let [low, high] = ends.map(&mut sign);
+    low.zip(high).is_some_and(|(low, high)| low != high)
 }
 
 /// The value of the drive between `low` and `high` where an unknown's rate is zero: Newton's method, kept in its

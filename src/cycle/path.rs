@@ -1,12 +1,14 @@
 use super::event::extreme_positions;
 use super::segment::{Node, Segment};
 use super::start::{stands, start};
-use super::trace::{Traced, trace};
+use super::trace::{Traced, fastest, trace};
+use super::walker::BLANK;
 use super::{CycleError, Drive, Event, Happening, Position, Walker};
 use crate::geometry::{Lanes, Many, OneByOne, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, Role};
 use crate::position::Pose;
+use std::f64::consts::TAU;
 
 /// The widest range that is followed, in turns to each side.
 const MOST_TURNS: f64 = 100.0;
@@ -16,6 +18,10 @@ const FAR: f64 = 10.0;
 
 /// Distance that the branch is first followed the other way, in turns: enough for the longest leap.
 const RUN_UP: f64 = 0.01;
+
+/// Mean sine of a group's equations, times the rate of the fastest link where that is more than one, below which positions
+/// are closed with twice the digits.
+const DELICATE: f64 = 0.1;
 
 /// The motion of a mechanism along one branch while a drive moves, as far as it has been followed.
 ///
@@ -123,6 +129,27 @@ impl<'a> Path<'a> {
         }
     }
 
+    /// The mechanism with its drives where they stand at a value of the moved one.
+    pub(super) fn mechanism_at(&self, value: f64) -> Mechanism {
+        let mut mechanism = Mechanism { placing: None, ..self.mechanism.clone() };
+        for (index, [start, ratio]) in self.inputs.iter().enumerate() {
+            let own = if index == self.drive.input { value } else { (value - self.origin) * ratio + start };
+            match self.kernel.inputs[index].kind {
+                InputKind::Turning { .. } => {
+                    if let Role::Driver { angle, .. } = &mut mechanism.bodies[self.kernel.inputs[index].body.0].role {
+                        *angle = Some(own);
+                    }
+                }
+                InputKind::Sliding { slider } => {
+                    if let Some(drive) = &mut mechanism.sliders[slider].drive {
+                        drive.position = Some(own);
+                    }
+                }
+            }
+        }
+        mechanism
+    }
+
     /// Computes all rates in `block` for a speed of the moved drive of 1° or one unit of length per unit of time.
     #[inline(always)]
     pub(super) fn unit_rates(&self, block: &mut Single) {
@@ -191,7 +218,7 @@ impl<'a> Path<'a> {
     }
 
     /// Follows the branch once around, or from end to end; that of a slider must have two ends.
-    fn once(&mut self) -> Result<[f64; 2], CycleError> {
+    pub(super) fn once(&mut self) -> Result<[f64; 2], CycleError> {
         let far = if self.drive.turns { 1.0 } else { FAR } * self.unit();
         self.follow_to(self.origin + far);
         if self.drive.turns && self.end(true).is_none() {
@@ -264,12 +291,25 @@ impl<'a> Path<'a> {
         self.ends[usize::from(up)] = end;
         let segment = |pair: &[Node]| {
             let mut segment = Segment::new(&self.kernel, &pair[0], &pair[1]);
+            segment.delicate = pair.iter().any(|node| self.is_delicate(node));
             if self.changes.iter().any(|c| segment.holds(c.at)) {
                 segment.sure = 0.0;
             }
             segment
         };
         self.segments = self.nodes.windows(2).map(segment).collect();
+    }
+
+    /// Whether rounded gaps of the loops move a link much further than rounding of the drive does, as next to a change
+    /// point: the one is u over the sharpness, the other u times the rate.
+    fn is_delicate(&self, node: &Node) -> bool {
+        let per_turn = self.unit() / if self.drive.turns { TAU } else { 1.0 };
+        (0..node.determinants.len()).any(|group| {
+            let rate = fastest(self, node, group) * per_turn;
+            // The squared sharpness is a product of a sine for each pair of unknowns, squared; this is their mean.
+            let sine = libm::pow(node.determinants[group][1], 1.0 / self.kernel.unknowns[group].len() as f64);
+            sine * rate.max(1.0) < DELICATE
+        })
     }
 
     /// The drive's value in the scene.
@@ -315,6 +355,15 @@ impl<'a> Path<'a> {
     pub(super) fn limit(&self, above: bool) -> Option<f64> {
         let end = self.end(above)?;
         matches!(end.what, Happening::Limit { .. }).then_some(end.at)
+    }
+
+    /// Whether an event leaves a mark on results within `range`: it lies there, or it is a change point so close to it
+    /// that results are left out.
+    #[must_use]
+    pub fn touches(&self, event: &Event, range: [f64; 2]) -> bool {
+        let near = if matches!(event.what, Happening::Change { .. }) { BLANK * self.unit() } else { 0.0 };
+        let [low, high] = [range[0].min(range[1]), range[0].max(range[1])];
+        (low - near..=high + near).contains(&event.at)
     }
 
     /// A walker, one position at a time.

@@ -27,6 +27,8 @@ pub(super) struct Segment {
     /// Largest first Newton step from a prediction after which only rounding is left, in radians or parts of the
     /// group's size.
     pub sure: f64,
+    /// Whether positions are closed once more with gaps of twice the digits.
+    pub delicate: bool,
     turns: Vec<(usize, [Quintic; 2])>,
     slides: Vec<(usize, Quintic)>,
 }
@@ -72,6 +74,7 @@ impl Segment {
             from: start.value,
             to: end.value,
             sure: 0.6 * (UNIT_ROUNDOFF * sharpness).sqrt(),
+            delicate: false,
             turns: Vec::new(),
             slides: Vec::new(),
         };

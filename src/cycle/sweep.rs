@@ -3,6 +3,7 @@ use super::{Drive, Path, Position, Steps};
 use crate::geometry::{MANY, Row};
 use crate::mechanism::{GROUND, Mechanism, PointId, SliderId};
 use crate::quantity::{Quantity, QuantityError};
+use crate::scene::Scene;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -12,6 +13,8 @@ pub struct Sweep<'a> {
     path: &'a Path<'a>,
     steps: Steps,
     columns: Columns<'a>,
+    /// The scene, where each quantity is followed by the bound of its error.
+    errors: Option<&'a Scene>,
 }
 
 /// Numbers of a table, row after row; `None` where a position is singular or a quantity has no value.
@@ -40,7 +43,15 @@ impl<'a> Sweep<'a> {
         // A plan point that does not exist is found in the first row with plans, before anything is written.
         let first = (0..steps.count().min(MANY)).map(|row| steps.value(row));
         columns.check(first)?;
-        Ok(Sweep { path, steps, columns })
+        Ok(Sweep { path, steps, columns, errors: None })
+    }
+
+    /// The same table with a further number for each quantity that has one: the bound of its error, of a vector that of
+    /// each component, as [`Bounds`](crate::accuracy::Bounds) has it. The drive's value counts as given; `scene` is that of
+    /// the path's mechanism. It takes some hundred times as long.
+    #[must_use]
+    pub fn with_errors(self, scene: &'a Scene) -> Self {
+        Sweep { errors: Some(scene), ..self }
     }
 
     /// The values of the drive.
@@ -65,14 +76,21 @@ impl<'a> Sweep<'a> {
     #[must_use]
     pub fn header(&self) -> Vec<String> {
         let drive = std::iter::once(self.path.drive.quantity());
-        drive.chain(self.columns().iter().flat_map(Column::names)).collect()
+        let columns = self.columns().iter();
+        drive.chain(columns.flat_map(|c| c.names().chain(self.error_name(c)))).collect()
+    }
+
+    /// The name of the number that bounds a column's error, if the table has it.
+    #[must_use]
+    pub fn error_name(&self, column: &Column) -> Option<String> {
+        self.errors.and_then(|_| column.error_name())
     }
 
     /// The numbers of these rows.
     #[must_use]
     pub fn rows(&self, rows: Range<usize>) -> Numbers {
         let mut numbers = Numbers::with_capacity(rows.len() * self.header().len());
-        let bare = self.columns().iter().all(|c| c.asked.is_of_links_alone());
+        let bare = self.errors.is_none() && self.columns().iter().all(|c| c.asked.is_of_links_alone());
         let mut many = if bare { self.path.many_walker_without_places() } else { self.path.many_walker() };
         let mut one = self.path.walker();
         let mut next = rows.start;
@@ -111,14 +129,26 @@ impl<'a> Sweep<'a> {
     /// Appends the row of a position to `numbers`.
     fn read<R: Row>(&self, value: f64, position: Option<Position<R>>, numbers: &mut Numbers) {
         numbers.push(Some(value));
-        let finite = |x: f64| x.is_finite().then_some(x);
-        for (column, found) in self.columns.values(position) {
-            match found {
-                Some(Quantity::Number(x)) => numbers.push(finite(x)),
-                Some(Quantity::Vector(v)) => numbers.extend([finite(v.x), finite(v.y)]),
-                None => numbers.extend(column.names().map(|_| None)),
+        let Some(scene) = self.errors else {
+            self.columns.values(position).for_each(|(column, found)| push(column, found, numbers));
+            return;
+        };
+        for (column, found) in self.columns.values_with_errors(scene, value, position) {
+            push(column, found.map(|f| f.value), numbers);
+            if column.error_name().is_some() {
+                numbers.push(found.and_then(|f| f.error).filter(|error| error.is_finite()));
             }
         }
+    }
+}
+
+/// Appends a column's numbers.
+fn push(column: &Column, found: Option<Quantity>, numbers: &mut Numbers) {
+    let finite = |x: f64| x.is_finite().then_some(x);
+    match found {
+        Some(Quantity::Number(x)) => numbers.push(finite(x)),
+        Some(Quantity::Vector(v)) => numbers.extend([finite(v.x), finite(v.y)]),
+        None => numbers.extend(column.names().map(|_| None)),
     }
 }
 

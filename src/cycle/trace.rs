@@ -167,7 +167,7 @@ fn links_near_singularity(path: &Path, node: &Node) -> String {
 }
 
 /// The fastest rate of a group's unknowns; slides count in parts of the mechanism's size.
-fn fastest(path: &Path, node: &Node, group: usize) -> f64 {
+pub(super) fn fastest(path: &Path, node: &Node, group: usize) -> f64 {
     let size = path.size();
     let rate = |unknown: &Unknown| match *unknown {
         Unknown::Spin(class) => node.block.omegas[class][0].abs(),

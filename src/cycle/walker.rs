@@ -4,8 +4,8 @@ use crate::kernel::{Block, Kernel, Single};
 use fearless_simd::{Level, dispatch};
 
 /// Distance from a change point within which there are no results, in turns: the rounding error of accelerations is
-/// about u / distance³.
-const BLANK: f64 = 1e-4;
+/// about u / distance², that of groups with ties u / distance³.
+pub(super) const BLANK: f64 = 1e-4;
 
 /// Computes positions and rates anywhere on a path, one position at a time or [`MANY`]; it owns the memory for them.
 #[derive(Clone, Debug)]
@@ -45,6 +45,9 @@ impl<'a, R: Row> Walker<'a, R> {
         self.path.set_inputs(lanes, &mut self.block, values);
         segment.predict(lanes, values, &mut self.block);
         let found = self.kernel.assemble(lanes, &mut self.block, segment.sure);
+        if found.closed && segment.delicate {
+            self.kernel.refine(&mut self.block);
+        }
         found.closed
     }
 
@@ -102,6 +105,14 @@ impl Walker<'_> {
         self.positions(&[value])?;
         self.path.unit_rates(&mut self.block);
         Some(&self.block)
+    }
+
+    /// The same, and the least squared sharpness of a group: 1 far from singular positions, 0 in them.
+    pub(super) fn unit_motion_with_sharpness(&mut self, value: f64) -> Option<(&Single, f64)> {
+        self.unit_motion(value)?;
+        let determinants = self.kernel.determinants(&self.block);
+        let sharpness = determinants.iter().fold(1.0, |least: f64, [_, sharpness]| least.min(*sharpness));
+        Some((&self.block, sharpness))
     }
 }
 

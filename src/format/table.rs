@@ -31,8 +31,10 @@ pub fn csv_rows(sweep: &Sweep, numbers: &[Option<f64>]) -> String {
 #[must_use]
 pub fn json_lines(sweep: &Sweep, numbers: &[Option<f64>]) -> String {
     let mut keys = vec![(sweep.drive().quantity(), false)];
-    let columns = sweep.columns().iter();
-    keys.extend(columns.map(|c| (c.asked.name().to_owned(), c.asked.is_vector())));
+    for column in sweep.columns() {
+        keys.push((column.asked.name().to_owned(), column.asked.is_vector()));
+        keys.extend(sweep.error_name(column).map(|name| (name, false)));
+    }
     let mut text = String::with_capacity(numbers.len() * 30);
     let mut buffer = zmij::Buffer::new();
     for row in numbers.chunks_exact(sweep.header().len()) {

@@ -139,7 +139,7 @@ pub fn portions<L: Lanes, R: Row>() -> Range<usize> {
 }
 
 #[inline(always)]
-fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
+pub(super) fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let turn = &block.turns[placing.class];
     let (local, reach) = (&block.lengths.reaches[placing.reach], &mut block.reaches[placing.reach]);
     for k in portions::<L, R>() {
@@ -266,7 +266,7 @@ fn least_squared_sharpness<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
 
 /// Magnitude of corrections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Size {
+pub(super) enum Size {
     /// Their squares are below rounding.
     Tiny,
     /// Less than [`SMALL`].
@@ -276,7 +276,7 @@ enum Size {
 
 /// Adds the corrections to the unknowns.
 #[inline(always)]
-fn correct<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, size: Size) {
+pub(super) fn correct<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, size: Size) {
     for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
             Unknown::Slide(slider) => {

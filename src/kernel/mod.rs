@@ -13,6 +13,7 @@ mod close;
 mod columns;
 mod compile;
 mod rates;
+mod refine;
 mod solve;
 
 pub use action::Unknown;

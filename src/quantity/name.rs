@@ -174,6 +174,12 @@ impl Asked {
         &self.what
     }
 
+    /// The same quantity, as a vector where a number of one is asked for.
+    #[must_use]
+    pub fn without_component(&self) -> Asked {
+        Asked { component: None, ..self.clone() }
+    }
+
     /// The number of a vector that it asks for, if any.
     #[must_use]
     pub fn component(&self) -> Option<Component> {

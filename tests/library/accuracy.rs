@@ -1,18 +1,24 @@
 //! What the library claims of its accuracy, on families of hard fourth-class groups (`examples/speed_vs_error/families.rs`).
 
 use crate::speed_vs_error::families::Family;
+use crate::speed_vs_error::lengths::Lengths;
 use crate::speed_vs_error::methods::{Method, Prepared};
 use crate::speed_vs_error::survey::{Survey, median};
 use crate::speed_vs_error::truth::{Precise, Truth, rounded};
-use crate::speed_vs_error::{document, joints};
+use crate::speed_vs_error::{assembled, document, joints};
 use crate::support::exact::minus;
 use crate::support::files::{self, scene_text};
 use crate::support::random::Random;
+use crate::support::stages::solved;
 use crate::support::survey::tried;
+use kinegon::Solution;
 use kinegon::mechanism::mechanism;
 use kinegon::position::pose;
 use kinegon::scene::{Along, Scene};
 use serde_json::Value;
+
+/// Half the distance from 1 to the next f64.
+const U: f64 = f64::EPSILON / 2.0;
 
 /// Largest error of velocities and of accelerations, in units u·condition.
 const CLAIM: f64 = 1.0;
@@ -163,6 +169,51 @@ fn the_reference_has_all_published_digits() {
     }
     println!("{compared} numbers of the reference have all published digits");
     assert!(compared > 2500);
+}
+
+/// The reference of positions from lengths, where the motion is known: in a parallelogram the rocker turns as the crank does; a rod as
+/// long as the crank, on a guide through the crank's pivot, turns the other way.
+#[test]
+fn the_reference_from_lengths_is_right() {
+    let parallelogram = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [120, 90] },
+        "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": 77.7, "omega": 3, "alpha": -2 } },
+                   "2": { "points": ["B", "C"], "lengths": { "BC": 150 } },
+                   "3": { "points": ["D", "C"], "lengths": { "CD": 60 } } },
+        "near": { "C": [133, 149] } }"#;
+    let rod = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0] },
+        "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 50 }, "drive": { "angle": 77.7, "omega": 3, "alpha": -2 } },
+                   "3": { "points": ["B", "C"], "lengths": { "BC": 50 } }, "4": { "points": ["C"] } },
+        "sliders": [{ "link": "4", "at": "C", "on": "ground", "through": "A", "along": 0 }],
+        "near": { "C": [21, 0] } }"#;
+    for (text, sign) in [(parallelogram, 1.0), (rod, -1.0)] {
+        let Solution { mechanism, pose, .. } = solved(text).expect("it can be solved");
+        let truth = assembled::truth(&mechanism, &pose, |_| 77.7).expect("it closes");
+        let body = &truth.bodies[mechanism.link("3").expect("a link").0];
+        for (rate, expected) in [(&body.omega, 3.0 * sign), (&body.alpha, -2.0 * sign)] {
+            let off = rounded(&(rate.clone() - <Precise as joints::Real>::exactly(expected)));
+            assert!(off.abs() < 1e-45, "{text}: {off:e}");
+        }
+    }
+}
+
+/// What the page says of positions from lengths, on fewer of them.
+#[test]
+fn from_lengths_errors_stay_below_the_square_of_the_condition() {
+    let lengths = Lengths::with([4, 1], 6);
+    let mut count = 0;
+    for reading in lengths.readings() {
+        let allowed = 100.0 * U * reading.condition * reading.condition;
+        assert!(reading.errors[..2].iter().all(|error| *error <= allowed), "{reading:?} {allowed:e}");
+        count += 1;
+    }
+    assert_eq!(count, 13 + 9 * 6 + 7 + 7);
+    // Next to a change point a table keeps digits that equations in f64 lose.
+    let (_, nearest) = lengths.approaches[1].rows.last().expect("rows");
+    assert!(nearest.errors[1] * 100.0 < nearest.errors[2], "{nearest:?}");
+    for class in &lengths.classes {
+        let kept = class.given.iter().all(|(condition, [ours, _])| *ours <= U * condition);
+        assert!(kept, "{}: {:?}", class.name, class.given);
+    }
 }
 
 #[test]

@@ -61,13 +61,16 @@ mod examples {
 #[expect(dead_code, reason = "the example draws a picture besides")]
 #[path = "../../examples/speed_vs_error"]
 mod speed_vs_error {
-    use crate::support::{groups, random};
+    use crate::support::{groups, planted, random};
+    pub mod assembled;
+    mod differences;
     pub mod document;
     pub mod families;
     mod general;
     mod hand;
     pub mod joints;
     mod kernel;
+    pub mod lengths;
     mod measure;
     pub mod methods;
     mod naive;

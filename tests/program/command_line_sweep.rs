@@ -160,6 +160,64 @@ fn a_range_beyond_a_limit_is_kept_in_part() {
     assert_eq!(names(&folder), ["table.csv"]);
 }
 
+/// A four-bar whose crank goes from 51.3° by 180° to 308.7°.
+const AROUND: &str = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [50, 0] },
+    "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 40 }, "drive": { "angle": 100, "omega": 1 } },
+               "2": { "points": ["B", "C"], "lengths": { "BC": 70 } }, "3": { "points": ["D", "C"], "lengths": { "DC": 30 } } },
+    "near": { "C": [60, 30] } }"#;
+
+/// What can be reached the other way round is said, and what to type for it works.
+#[test]
+fn the_other_way_round_is_offered() {
+    let folder = scratch("sweep-around");
+    let scene = folder.join("scene.json");
+    std::fs::write(&scene, AROUND).expect("written");
+    let run = |arguments: &[&str]| kinegon().arg("sweep").arg(&scene).args(arguments).output().expect("it runs");
+    let output = run(&["--from", "-180", "--to", "180", "--want", "omega(3)"]);
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    for words in ["from -180° to -51.31", "the other way round, as 180° to 308.68", "--from 52 --to 308"] {
+        assert!(message.contains(words), "no `{words}` in: {message}");
+    }
+    let output = run(&["--from", "52", "--to", "308", "--want", "omega(3)"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_eq!(stdout(&output).lines().count(), 1 + 257);
+}
+
+/// Lengths next to those of a parallelogram: the blank row at the edge of the range is explained, and no stop is made up.
+#[test]
+fn a_near_change_point_is_told() {
+    let folder = scratch("sweep-near");
+    let scene = folder.join("scene.json");
+    let text = AROUND.replace("\"D\": [50, 0]", "\"D\": [150, 0]").replace("\"AB\": 40", "\"AB\": 60");
+    let text = text.replace("\"BC\": 70", "\"BC\": 150.000000001").replace("\"DC\": 30", "\"DC\": 60");
+    let text = text.replace("\"angle\": 100", "\"angle\": 30").replace("[60, 30]", "[202, 30]");
+    std::fs::write(&scene, text).expect("written");
+    let output = kinegon().arg("sweep").arg(&scene).args(["--from", "0", "--to", "60", "--want", "omega(2)"]).output();
+    let output = output.expect("it runs");
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    assert_eq!(stdout(&output).lines().nth(1), Some("0.0,"));
+    assert!(
+        message.contains("change point at angle(1) = 0°") || message.contains("change point at angle(1) = -0."),
+        "{message}"
+    );
+    assert!(!message.contains("extreme"), "{message}");
+}
+
+/// A quantity without a bound is named, and has no column of errors.
+#[test]
+fn errors_have_their_columns() {
+    let output = sweep(&["--from", "69", "--to", "70", "--want", "omega(4), v(D), vplan(b,s3)", "--errors"]);
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    assert!(message.contains("`vplan(b,s3)` has no stated bound"), "{message}");
+    let text = stdout(&output);
+    assert_eq!(text.lines().next(), Some("angle(1),omega(4),omega(4)_error,v(D).x,v(D).y,v(D)_error,\"vplan(b,s3)\""));
+    let last: Vec<f64> = text.lines().last().expect("a row").split(',').map(|n| n.parse().expect("a number")).collect();
+    assert!((last[1] - -0.474_663_754_894).abs() < 1e-12 && last[2] > 0.0 && last[2] < 1e-12, "{last:?}");
+}
+
 #[test]
 fn limits_and_extreme_positions_are_told() {
     let output = sweep(&["--want", "omega(4)"]);

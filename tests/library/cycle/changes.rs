@@ -3,7 +3,7 @@
 use super::ends::{TURNS, apart, slider_crank};
 use super::four_bars::FourBar;
 use super::{TURN, U, path, posed};
-use kinegon::cycle::{Happening, Path};
+use kinegon::cycle::{Happening, Path, Steps, Sweep};
 use kinegon::mechanism::SliderId;
 use kinegon::quantity::State;
 
@@ -100,6 +100,74 @@ fn a_parallelogram() {
             assert!(off[k].abs() < allowed[k], "{value}: {off:?} {allowed:?}");
         }
     }
+}
+
+/// Near a change point positions are known to rounding, one by one and many together, so rates lose one power of the
+/// distance less.
+#[test]
+fn accuracy_is_even() {
+    let bar = FourBar { crank: 60.0, coupler: 150.0, rocker: 60.0, ground: 150.0 };
+    let (place, _) = bar.joint(60.0, 1.0).expect("it can be assembled");
+    let scene = bar.scene(60.0, place).replace("\"omega\": 1", "\"omega\": 1, \"alpha\": 1");
+    let (mechanism, pose) = posed(&scene);
+    let rocker = mechanism.link("3").expect("a link");
+    let mut path = path(&mechanism, &pose);
+    path.cover(Some(-2.0), Some(20.0)).expect("it can be followed");
+    let values: Vec<f64> = (5..500).map(|k| 0.01 * f64::from(k)).collect();
+    let check = |value: f64, position: &dyn State| {
+        let angle = value.to_radians();
+        let axis = position.axis(rocker).expect("an axis");
+        let [omega, alpha] = position.spin(rocker);
+        let off = [libm::atan2(axis.y, axis.x) - angle, omega - 1.0, alpha - 1.0];
+        let allowed = [4.0 * U, 4.0 * U / angle, 4.0 * U / (angle * angle)];
+        for k in 0..3 {
+            assert!(off[k].abs() <= allowed[k], "{value}: {off:?} {allowed:?}");
+        }
+    };
+    let mut walker = path.walker();
+    for value in &values {
+        check(*value, &walker.position(*value).expect("it is on the path"));
+    }
+    let names = ["angle(3)", "omega(3)", "alpha(3)"].map(String::from);
+    let steps = Steps::new(0.05, 5.0, 0.01).expect("steps");
+    let table = Sweep::new(&path, steps, Some(&names)).expect("quantities");
+    for row in table.rows(0..table.steps().count()).chunks(4) {
+        let [value, angle, omega, alpha] = [0, 1, 2, 3].map(|k| row[k].expect("a number"));
+        let turned = value.to_radians();
+        let off = [angle.to_radians() - turned, omega - 1.0, alpha - 1.0];
+        let allowed = [4.0 * U, 4.0 * U / turned, 4.0 * U / (turned * turned)];
+        for k in 0..3 {
+            assert!(off[k].abs() <= allowed[k], "{value}: {off:?} {allowed:?}");
+        }
+    }
+}
+
+/// Lengths that miss a change point by little: only what is there is told.
+#[test]
+fn next_to_a_parallelogram() {
+    let path_of = |coupler: f64, check: &dyn Fn(&Path)| {
+        let scene = FourBar { crank: 60.0, coupler, rocker: 60.0, ground: 150.0 };
+        let (place, _) = scene.joint(30.0, 1.0).expect("it can be assembled");
+        let (mechanism, pose) = posed(&scene.scene(30.0, place));
+        let mut path = path(&mechanism, &pose);
+        path.cover(Some(0.0), Some(60.0)).expect("it can be followed");
+        check(&path);
+    };
+    // Links 2 and 3 turn the same way all along: nothing stops.
+    path_of(150.000000001, &|path| {
+        let stops = path.events().into_iter().filter(|e| matches!(e.what, Happening::TurnsBack { .. }));
+        assert_eq!(stops.collect::<Vec<_>>(), []);
+        let change = path.events().into_iter().find(|e| matches!(e.what, Happening::Change { .. }));
+        let change = change.expect("a change point");
+        assert!(path.touches(&change, [0.0, 60.0]) && !path.touches(&change, [1.0, 60.0]), "{change:?}");
+    });
+    // The rocker stops where crank and coupler lie in line, 210 mm less the gap long.
+    path_of(149.999999999, &|path| {
+        let stops = path.events().into_iter().filter(|e| matches!(e.what, Happening::TurnsBack { .. }));
+        let stops: Vec<f64> = stops.map(|e| e.at).collect();
+        let expected = libm::sqrt(2.0 * 1e-9 * 120.0 / (2.0 * 150.0 * 210.0)).to_degrees();
+        assert!(stops.len() == 1 && (stops[0] - expected).abs() < 1e-4 * expected, "{stops:?} {expected}");
+    });
 }
 
 /// With a rod as long as the crank the piston passes the crank's pivot, x = 2 a cos θ; or it stays there and the rod turns with the crank.

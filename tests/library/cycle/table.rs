@@ -166,6 +166,77 @@ fn rows_are_positions() {
     }
 }
 
+/// With errors every quantity is followed by a bound that holds, next to a change point too; not so small as to be chance.
+#[test]
+fn errors_are_bounded() {
+    let scene = parallelogram();
+    let (mechanism, pose) = posed(&scene);
+    let mut path = path(&mechanism, &pose);
+    path.cover(Some(-5.0), Some(175.0)).expect("it can be followed");
+    let names = ["angle(3)", "omega(3)", "alpha(3)", "v(C)", "x(C)", "a(C).size", "vplan(b,c)"];
+    let table = sweep(&path, steps(0.05, 170.0, 0.05), &names).with_errors();
+    let header = "angle(1),angle(3),angle(3)_error,omega(3),omega(3)_error,alpha(3),alpha(3)_error,v(C).x,v(C).y,v(C)_error,\
+                  x(C),x(C)_error,a(C).size,a(C).size_error,\"vplan(b,c)\"\n";
+    assert_eq!(format::csv_header(&table), header);
+    let numbers = table.rows(0..table.steps().count());
+    let mut shares: Vec<f64> = Vec::new();
+    for row in numbers.chunks(table.header().len()) {
+        let number = |k: usize| row[k].expect("a number");
+        let value = number(0);
+        let (sine, cosine) = libm::sincos(value.to_radians());
+        // Crank and rocker 30 long turn with 1 rad/s, 80 apart.
+        let pairs = [
+            (number(1) - value, 2),
+            (number(3) - 1.0, 4),
+            (number(5), 6),
+            (number(7) + 30.0 * sine, 9),
+            (number(8) - 30.0 * cosine, 9),
+            (number(10) - 80.0 - 30.0 * cosine, 11),
+            (number(12) - 30.0, 13),
+        ];
+        for (off, bound) in pairs {
+            // The truth itself is rounded.
+            assert!(off.abs() <= number(bound) + 64.0 * f64::EPSILON, "{value}: {off:e} {:e}", number(bound));
+        }
+        shares.push(number(6) * sine * sine * sine / f64::EPSILON);
+    }
+    shares.sort_by(f64::total_cmp);
+    // The bound of α₃ grows with the third power of the distance, since the places that it rests on are rounded.
+    assert!(shares[shares.len() / 2] < 1e3, "{:e}", shares[shares.len() / 2]);
+    let json = format::json_lines(&table, &numbers);
+    let first: serde_json::Value = json.lines().next().and_then(|l| serde_json::from_str(l).ok()).expect("JSON");
+    assert!(first["v(C)"].is_array() && first["v(C)_error"].is_number(), "{first}");
+    assert_eq!(first.as_object().expect("an object").len(), 1 + 2 * 6 + 1);
+}
+
+/// What lies beyond a limit may be reached the other way round.
+#[test]
+fn the_other_way_round() {
+    // The crank stops where the pins of coupler and rocker are 40 apart: cos θ = (50² + 40² − 40²) / (2 · 50 · 40).
+    let bar = super::four_bars::FourBar { crank: 40.0, coupler: 70.0, rocker: 30.0, ground: 50.0 };
+    let limit = libm::acos(0.625).to_degrees();
+    let (place, _) = bar.joint(100.0, 1.0).expect("it can be assembled");
+    let (mechanism, pose) = posed(&bar.scene(100.0, place));
+    let detour = |from: f64, to: f64| {
+        let mut path = path(&mechanism, &pose);
+        path.cover(Some(from), Some(to)).expect("it can be followed");
+        path.other_way_round([from, to])
+    };
+    for (range, part, asked) in [
+        ([-180.0, 180.0], [180.0, 360.0 - limit], [-180.0, -limit]),
+        ([-90.0, 120.0], [270.0, 360.0 - limit], [-90.0, -limit]),
+        ([180.0, 400.0 + limit], [limit, 40.0 + limit], [360.0 + limit, 400.0 + limit]),
+    ] {
+        let found = detour(range[0], range[1]).expect("it can be reached");
+        for k in 0..2 {
+            assert!((found.part[k] - part[k]).abs() < 1e-6, "{range:?} {found:?}");
+            assert!((found.asked[k] - asked[k]).abs() < 1e-6, "{range:?} {found:?}");
+        }
+    }
+    assert_eq!(detour(0.0, 300.0), None);
+    assert_eq!(detour(60.0, 400.0), None);
+}
+
 #[test]
 fn unknown_quantities_are_refused() {
     let (mechanism, pose) = posed(FIGURE_2);
