@@ -3,7 +3,7 @@ use super::message::{Failure, warn};
 use crate::construction::Solution;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::Order;
-use crate::position::{Pose, numbered_pose, pose};
+use crate::position::{Pose, numbered_pose, pose, with_nearest_sides};
 use crate::scene::{Figure, Scene};
 use clap::Args;
 use std::path::Path;
@@ -51,7 +51,7 @@ pub(super) fn start(path: &Path, mode: Option<usize>) -> Result<(Source, (Scene,
 
 fn posed(source: &Source, mode: Option<usize>) -> Result<(Scene, Mechanism, Pose), crate::Error> {
     let scene = Scene::read(&source.text)?;
-    let mechanism = mechanism(&scene)?;
+    let mechanism = with_nearest_sides(&scene, mechanism(&scene)?);
     let pose = match mode {
         Some(mode) => numbered_pose(&mechanism, &scene.near, mode)?,
         None => pose(&mechanism, &scene.near)?,

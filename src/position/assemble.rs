@@ -13,8 +13,8 @@ use crate::scene::{GivenBy, Near};
 /// Most assemblies of a whole mechanism that are listed.
 const MOST_LISTED: usize = 4096;
 
-/// Most work, as [`Tree::work`] counts it, for the number of all assemblies: that of some 18 dyads in a chain.
-const MOST_WORK: usize = 80_000_000;
+/// Most work, as [`Tree::work`] counts it, for the number of all assemblies: that of a chain of 18 dyads or more.
+const MOST_WORK: usize = 40_000_000;
 
 /// The same for a number that only stands in a warning.
 const LITTLE_WORK: usize = 2_000_000;
@@ -33,7 +33,8 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
     check_size(mechanism)?;
     let rough = Rough::new(mechanism.for_positions(), near);
     let mut tree = Tree::new(mechanism.for_positions(), &rough);
-    let (mut way, remarks) = if rough.is_empty() { first(mechanism, &mut tree) } else { closest(mechanism, &mut tree, &rough) }?;
+    let (mut way, remarks) =
+        if rough.is_empty() { first(mechanism, &mut tree) } else { closest(mechanism, &mut tree, &rough) }?;
     if mechanism.placing.is_some() {
         let assembly = number(&mut tree, &way);
         way.assemblies = vec![assembly; mechanism.groups.len()];

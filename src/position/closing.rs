@@ -1,8 +1,8 @@
 use super::extent::Extent;
 use super::frames::{Frames, pinned};
-use crate::geometry::{Point, UNIT_ROUNDOFF, Vector};
+use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::kernel::{Kernel, Single, Unknown};
-use crate::mechanism::{BodyId, Mechanism, PointId};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, SliderId};
 
 /// Most Newton steps: from a simple root of a polynomial two or three are needed, from a double root ten.
 const STEPS: usize = 16;
@@ -37,6 +37,13 @@ struct Surroundings {
     bodies: Vec<BodyId>,
     /// The points of its links.
     points: Vec<PointId>,
+    /// The lengths that its loops add up: those of its bodies, with the zeros of their guides.
+    lengths: f64,
+    /// The length of its shortest link that has one.
+    shortest: f64,
+    sliders: Vec<SliderId>,
+    /// Whether its rotations are tied otherwise than alike.
+    is_geared: bool,
 }
 
 impl<'a> Closer<'a> {
@@ -50,7 +57,7 @@ impl<'a> Closer<'a> {
             mechanism,
             block: Single::new(&kernel),
             known: Extent::of(places.map(|(_, place)| place - origin)),
-            surroundings: surroundings(mechanism),
+            surroundings: surroundings(mechanism, origin),
             kernel,
         }
     }
@@ -91,6 +98,50 @@ impl<'a> Closer<'a> {
             Point::new(x, y)
         });
         self.known.with(places).size()
+    }
+
+    /// One rounding in the gap of an assembly of the group, in the same measure as the assembly's: a part of all lengths
+    /// and coordinates that its loops add up.
+    pub(super) fn rounding(&self, group: usize, assembled: &Assembled) -> f64 {
+        let Surroundings { lengths, sliders, is_geared, .. } = &self.surroundings[group];
+        if *is_geared {
+            return f64::INFINITY;
+        }
+        let members = self.mechanism.groups[group].bodies.iter().copied();
+        let places = assembled.frames.places(self.mechanism, members);
+        let own = Extent::of(places.map(|(_, place)| place - self.kernel.origin));
+        let slides: f64 = sliders.iter().map(|id| assembled.slides[id.0].abs()).sum();
+        // Coordinates far from either origin are rounded by more.
+        let origins = [Point::origin(), Point::from(-self.kernel.origin)];
+        let sum = own.with(origins).size() + lengths + slides;
+        UNIT_ROUNDOFF * sum / self.known.joined(own).size()
+    }
+
+    /// The length of a group's shortest link that has one; else infinite.
+    pub(super) fn shortest(&self, group: usize) -> f64 {
+        self.surroundings[group].shortest
+    }
+
+    /// The gap of a group between two of its assemblies, not quite half-way: just there the equations of a double root
+    /// are singular.
+    pub(super) fn gap_between(&mut self, group: usize, [a, b]: [&Assembled; 2]) -> f64 {
+        self.load(group, a);
+        let first = self.state(group);
+        self.load(group, b);
+        let second = self.state(group);
+        let between = first.iter().zip(&second).map(|(p, q)| p * 0.6 + q * 0.4).collect();
+        self.restore(group, between);
+        for unknown in &self.kernel.unknowns[group] {
+            if let Unknown::Spin(class) = *unknown {
+                let [[x], [y]] = self.block.turns[class];
+                let turn = Vector::new(x, y).normalize();
+                self.block.turns[class] = [[turn.x], [turn.y]];
+            }
+        }
+        self.kernel.place(&mut self.block, group);
+        let size = self.size(group);
+        let [gap, turn] = self.kernel.step(&mut self.block, group);
+        (gap / size).max(turn)
     }
 
     /// What Newton's steps change.
@@ -157,7 +208,7 @@ impl<'a> Closer<'a> {
 }
 
 /// By group: what is around its links.
-fn surroundings(mechanism: &Mechanism) -> Vec<Surroundings> {
+fn surroundings(mechanism: &Mechanism, origin: Vector) -> Vec<Surroundings> {
     let mut holders = vec![Vec::new(); mechanism.points.len()];
     for id in mechanism.body_ids() {
         mechanism.body(id).points.iter().for_each(|point| holders[point.0].push(id));
@@ -176,7 +227,22 @@ fn surroundings(mechanism: &Mechanism) -> Vec<Surroundings> {
         let mut bodies: Vec<BodyId> = all.chain(group.bodies.iter().copied()).collect();
         bodies.sort_unstable();
         bodies.dedup();
-        Surroundings { bodies, points }
+        let sliders: Vec<SliderId> = group.joints.iter().filter_map(|&joint| mechanism.joint(joint).slider).collect();
+        let zero = |id: &SliderId| {
+            let slider = mechanism.slider(*id);
+            let from = if slider.on == GROUND { origin } else { Vector::zeros() };
+            (slider.line().0.coords - from).norm()
+        };
+        let spans = group.bodies.iter().map(|&body| span(mechanism.body(body).local.iter().copied()));
+        let ties = group.joints.iter().filter_map(|&joint| mechanism.joint(joint).tie.as_ref());
+        Surroundings {
+            bodies,
+            points,
+            shortest: spans.clone().filter(|&length| length > 0.0).fold(f64::INFINITY, f64::min),
+            lengths: spans.sum::<f64>() + sliders.iter().map(zero).sum::<f64>(),
+            sliders,
+            is_geared: ties.into_iter().any(|tie| tie.as_alike().is_none()),
+        }
     });
     around.collect()
 }

@@ -31,7 +31,9 @@ pub enum AssemblyError {
         count: usize,
     },
     /// The assembly modes are too many to go through them up to this number.
-    #[error("assembly mode {mode} is too far on: counting was stopped after {count}\n  try: rough places in `near`, which choose without counting")]
+    #[error(
+        "assembly mode {mode} is too far on: counting was stopped after {count}\n  try: rough places in `near`, which choose without counting"
+    )]
     TooManyModes {
         /// The number asked for.
         mode: usize,
@@ -39,7 +41,9 @@ pub enum AssemblyError {
         count: usize,
     },
     /// No assembly was found among many ways to put the first groups together.
-    #[error("no way to assemble all links was found: the first ones can be put together in too many ways\n  try: rough places of their points in `near`")]
+    #[error(
+        "no way to assemble all links was found: the first ones can be put together in too many ways\n  try: rough places of their points in `near`"
+    )]
     TooMuchWork,
     /// The search has found no assembly mode of a group of higher class.
     #[error(

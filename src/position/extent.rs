@@ -21,6 +21,11 @@ impl Extent {
         self
     }
 
+    /// The box of both.
+    pub(super) fn joined(self, other: Extent) -> Extent {
+        self.with(other.corners.into_iter().flatten())
+    }
+
     /// Its diagonal: the size of the set of points, as [`span`] gives it.
     pub(super) fn size(self) -> f64 {
         span(self.corners.into_iter().flatten())

@@ -2,7 +2,7 @@ use super::modes::NoMode;
 use super::tree::{Placed, Tree, Way};
 
 /// Most work, as [`Tree::work`] counts it, before a listing ends although there may be more assemblies.
-const MOST_WORK: usize = 80_000_000;
+const MOST_WORK: usize = 40_000_000;
 
 /// All assemblies of a mechanism, one after another in the order of their numbers: that of the first group's modes,
 /// then of the second's, and so on.

@@ -19,9 +19,11 @@ mod pose;
 mod roots;
 mod rough;
 mod search;
+mod sides;
 mod tree;
 
 pub use assemble::{Listed, counted_poses, numbered_pose, pose, poses};
 pub use count::Count;
 pub use error::AssemblyError;
 pub use pose::{Assembly, Pose};
+pub use sides::with_nearest_sides;

@@ -14,12 +14,30 @@ use crate::mechanism::{Class, Group, LoopEquations, Mechanism};
 /// leaves, less than the gap a billionth of a degree beyond a limit position.
 const CLOSED: f64 = 1e-12;
 
+/// Roundings that the gap of a closed loop holds at most.
+const ROUNDINGS: f64 = 8.0;
+
+/// Roundings from which on a gap between two assemblies is one.
+const SEEN: f64 = 4.0;
+
+/// Largest product of a gap that rounding does not explain, in parts of the group's shortest link, and the square of the
+/// condition number. At a root it is much less; where loops miss each other by a little, as beyond a limit position, it
+/// is about 1 at least.
+const SHARP: f64 = 1e-3;
+
 /// Two assemblies are the same mode if their points differ by less than this part of the mechanism's size and their
 /// one-point links by less than [`SAME_TURN`].
 const SAME: f64 = 1e-8;
 
+/// Two assemblies whose points differ by less than this part of the size may be one double root: they are if what lies
+/// between them closes, too, as far as rounding can tell.
+const NEIGHBOURS: f64 = 1e-4;
+
 /// In radians; at a double root angles are only as exact as the square root of a rounding.
 const SAME_TURN: f64 = 1e-6;
+
+/// The same for assemblies that may be one double root.
+const NEAR_TURN: f64 = 1e-3;
 
 /// Condition number above which the group counts as movable at fixed drives: with gaps of [`CLOSED`] a movable group
 /// exceeds it, two modes that nearly coincide do not.
@@ -148,24 +166,47 @@ impl<'s, 'a> Modes<'s, 'a> {
         if group.class == Class::Higher {
             // The steps from a distant start may have ended before full accuracy.
             assembled = self.assembler.closer.closed(self.index, assembled);
+        } else if !self.is_root(&assembled, gap) {
+            return false;
         }
         for lever in &self.assembler.groups[self.index].levers {
             assembled = lever.positive(mechanism, assembled);
         }
         let points = self.places(&assembled);
-        let near = SAME * self.size(&points);
-        let mut found = self.found.iter().zip(&self.points);
-        let is_known = found.any(|(other, places)| {
-            let mut pairs = places.iter().zip(&points);
-            pairs.all(|(p, q)| (p - q).norm() <= near) && same_turns(mechanism, group, other, &assembled)
-        });
+        let size = self.size(&points);
+        let is_known = (0..self.found.len()).any(|other| self.is_same(other, &assembled, &points, size));
         if !is_known {
             // Only a search asks for it.
-            self.is_regular = self.is_regular || group.class == Class::Higher && self.is_regular_at(&assembled);
+            self.is_regular = self.is_regular || group.class == Class::Higher && self.condition(&assembled) < MOVABLE;
             self.found.push(assembled);
             self.points.push(points);
         }
         true
+    }
+
+    /// Whether an assembly with a small gap closes, and does not only come near it.
+    fn is_root(&self, assembled: &Assembled, gap: f64) -> bool {
+        gap <= ROUNDINGS * self.assembler.closer.rounding(self.index, assembled) || {
+            let size = self.size(&self.places(assembled));
+            let missed = gap * (size / self.assembler.closer.shortest(self.index)).max(1.0);
+            let condition = self.condition(assembled);
+            missed * condition * condition <= SHARP
+        }
+    }
+
+    /// Whether an assembly with its points at `points` is one that was found before.
+    fn is_same(&mut self, other: usize, assembled: &Assembled, points: &[Point], size: f64) -> bool {
+        let group = self.group;
+        let pairs = self.points[other].iter().zip(points);
+        let apart = pairs.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+        let found = &self.found[other];
+        let Assembler { mechanism, closer, .. } = &mut *self.assembler;
+        if apart <= SAME * size && same_turns(mechanism, group, found, assembled, SAME_TURN) {
+            return true;
+        }
+        let is_near = apart <= NEIGHBOURS * size && same_turns(mechanism, group, found, assembled, NEAR_TURN);
+        let least = SEEN * closer.rounding(self.index, assembled);
+        is_near && closer.gap_between(self.index, [found, assembled]) <= least.min(CLOSED)
     }
 
     /// The places of the group's points.
@@ -180,10 +221,11 @@ impl<'s, 'a> Modes<'s, 'a> {
         self.assembler.known.with(points.iter().copied()).size()
     }
 
-    fn is_regular_at(&self, assembled: &Assembled) -> bool {
+    /// The condition number of the loop equations.
+    fn condition(&self, assembled: &Assembled) -> f64 {
         let (points, guides) = places(self.assembler.mechanism, &assembled.frames);
         let system = self.assembler.groups[self.index].equations.factored(&points, &guides);
-        system.is_some_and(|system| system.condition() < MOVABLE)
+        system.map_or(f64::INFINITY, |system| system.condition())
     }
 
     /// All modes in order. A lever whose angle `near` gives is listed in both orientations.
@@ -211,14 +253,14 @@ impl<'s, 'a> Modes<'s, 'a> {
     }
 }
 
-/// Whether the one-point links of two assemblies have the same angles.
-fn same_turns(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled) -> bool {
+/// Whether the one-point links of two assemblies have the same angles to `most` radians.
+fn same_turns(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled, most: f64) -> bool {
     let mut one_point = group.bodies.iter().filter(|&&link| mechanism.body(link).points.len() == 1);
     one_point.all(|&link| {
         let rotation = |assembled: &Assembled| assembled.frames.of(link).map(|f| f.rotation);
         rotation(a).zip(rotation(b)).is_none_or(|(a, b)| {
             let (along, across) = (a.re - b.re, a.im - b.im);
-            along * along + across * across <= SAME_TURN * SAME_TURN
+            along * along + across * across <= most * most
         })
     })
 }

@@ -5,9 +5,9 @@ use super::tree::{Placed, Tree, Way};
 use crate::geometry::Point;
 use crate::mechanism::{BodyId, PointId};
 
-/// Most work, as [`Tree::work`] counts it, before the nearest assembly found so far is taken without a proof: it tries
-/// all assemblies of some 18 dyads in a chain.
-const MOST_WORK: usize = 40_000_000;
+/// Most work, as [`Tree::work`] counts it, before the nearest assembly found so far is taken without a proof: that of
+/// trying all assemblies of a chain of 18 dyads.
+const MOST_WORK: usize = 30_000_000;
 
 /// The assembly nearest to the rough places.
 pub(super) struct Nearest {
@@ -60,7 +60,8 @@ struct Search {
 impl Search {
     /// Goes on to a part of what is being tried: a group with all that hangs on it.
     fn enter(&mut self, tree: &mut Tree<'_>, wishes: &Wishes, group: usize) {
-        let Some((level, trial)) = self.levels.last_mut().and_then(|level| Some((level.bounds(), level.trial.as_ref()?)))
+        let Some((level, trial)) =
+            self.levels.last_mut().and_then(|level| Some((level.bounds(), level.trial.as_ref()?)))
         else {
             return;
         };
@@ -275,7 +276,8 @@ impl Wishes {
     /// down.
     fn choice(&self, tree: &Tree<'_>, before: Laid, placed: Placed) -> Choice {
         let frame = |body: BodyId| placed.frames.iter().find(|(other, _)| *other == body).map(|(_, frame)| frame);
-        let distance = |&(body, local, place): &(BodyId, Point, Point)| Some((frame(body)? * local - place).norm_squared());
+        let distance =
+            |&(body, local, place): &(BodyId, Point, Point)| Some((frame(body)? * local - place).norm_squared());
         let mut cost: f64 = self.points[placed.group].iter().filter_map(distance).sum();
         let mut laid = before;
         if tree.has_angles() {
@@ -283,12 +285,59 @@ impl Wishes {
                 let chord = frame(link).map_or(0.0, |frame| chord(frame, angle));
                 laid.chords += chord * chord;
             }
-            let points = placed.frames.iter().flat_map(|(body, frame)| {
-                tree.mechanism.body(*body).local.iter().map(move |local| frame * local)
-            });
+            let points = placed
+                .frames
+                .iter()
+                .flat_map(|(body, frame)| tree.mechanism.body(*body).local.iter().map(move |local| frame * local));
             laid.extent = before.extent.with(points);
             cost += (laid.cost() - before.cost()).max(0.0);
         }
         Choice { cost, laid, placed }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::mechanism;
+    use crate::scene::Scene;
+    use serde_json::json;
+
+    /// A crank with dyads one behind the other, all alike, whose joints are near at `noise` from where they are.
+    fn chain(dyads: usize, noise: f64) -> Scene {
+        let mut scene = json!({
+            "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0] }, "near": {},
+            "links": { "1": { "points": ["A", "P0"], "lengths": { "A-P0": 10 }, "drive": { "angle": 90, "omega": 1 } } }
+        });
+        let mut before = Point::new(0.0, 10.0);
+        for index in 1..=dyads {
+            let (pivot, joint) = (Point::new(40.0 * index as f64, 0.0), Point::new(40.0 * index as f64 + 3.0, 28.0));
+            let link = |from: &str, at: Point| {
+                let to = format!("P{index}");
+                json!({ "points": [from, to], "lengths": { format!("{from}-{to}"): (joint - at).norm() } })
+            };
+            scene["ground"][format!("G{index}")] = json!([pivot.x, pivot.y]);
+            scene["links"][format!("a{index}")] = link(&format!("P{}", index - 1), before);
+            scene["links"][format!("b{index}")] = link(&format!("G{index}"), pivot);
+            let side = if index % 2 == 0 { noise } else { -noise };
+            scene["near"][format!("P{index}")] = json!([joint.x + side, joint.y - side]);
+            before = joint;
+        }
+        Scene::read(&scene.to_string()).expect("a scene")
+    }
+
+    /// Each group is put down once: two modes, each closed from one start.
+    #[test]
+    fn the_work_grows_with_the_number_of_groups() {
+        for (dyads, noise) in [(20, 0.0), (200, 0.0), (200, 4.0)] {
+            let scene = chain(dyads, noise);
+            let mechanism = mechanism(&scene).expect("a mechanism");
+            let rough = Rough::new(&mechanism, &scene.near);
+            let mut tree = Tree::new(&mechanism, &rough);
+            let found = nearest(&mut tree, &rough).expect("it can be assembled");
+            assert!(found.is_proven);
+            let starts = tree.work() / mechanism.bodies.len();
+            assert!(starts <= 3 * dyads, "{starts} starts for {dyads} dyads");
+        }
     }
 }

@@ -93,12 +93,7 @@ impl Rough {
 
     /// The warning that the nearest assembly is far from `near`: as a whole, or else in one of its places. `count` says
     /// how many assemblies there are.
-    pub(super) fn remark(
-        &self,
-        mechanism: &Mechanism,
-        nearest: &Way,
-        count: impl FnOnce() -> Count,
-    ) -> Option<String> {
+    pub(super) fn remark(&self, mechanism: &Mechanism, nearest: &Way, count: impl FnOnce() -> Count) -> Option<String> {
         let (points, _) = places(mechanism, &nearest.frames);
         let size = span(points.iter().copied());
         let distance = self.distance(mechanism, nearest);
