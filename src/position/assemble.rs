@@ -104,7 +104,7 @@ pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<
     check_size(mechanism)?;
     let rough = Rough::new(mechanism.for_positions(), near);
     let mut tree = Tree::new(mechanism.for_positions(), &rough);
-    let mut listing = Listing::new(&mut tree);
+    let mut listing = Listing::new(&mut tree, MOST_WORK);
     let mut count = 0;
     let found = listing.by_ref().inspect(|_| count += 1).take(mode).last().filter(|_| mode > 0);
     let Some(mut way) = found.filter(|_| count == mode) else {
@@ -158,14 +158,13 @@ fn closest(mechanism: &Mechanism, tree: &mut Tree<'_>, rough: &Rough) -> Result<
 }
 
 fn unproven() -> String {
-    "`near` leaves too many assemblies open to compare them all: the one taken may not be the nearest\n  try: rough places of more points \
-     in `near`"
+    "`near` leaves too many assemblies open to compare them all, and the one taken may not be the nearest: give rough places of more points in it"
         .to_owned()
 }
 
 /// The first assemblies, `most` at most, and whether these are all.
 fn listed(mechanism: &Mechanism, tree: &mut Tree<'_>, most: usize) -> Result<(Vec<Way>, bool), AssemblyError> {
-    let mut listing = Listing::new(tree);
+    let mut listing = Listing::new(tree, MOST_WORK);
     let ways: Vec<Way> = listing.by_ref().take(most).collect();
     if ways.is_empty() {
         return Err(no_assembly(mechanism, listing));
@@ -192,7 +191,7 @@ fn no_assembly(whole: &Mechanism, listing: Listing<'_, '_>) -> AssemblyError {
 
 /// The number of an assembly among all; none where these are too many to count.
 fn number(tree: &mut Tree<'_>, way: &Way) -> Option<Assembly> {
-    let mut listing = Listing::new(tree);
+    let mut listing = Listing::new(tree, LITTLE_WORK);
     let same = |other: &Way| other.assemblies == way.assemblies;
     let mode = listing.position(|other| same(&other))? + 1;
     let rest = listing.by_ref().count();

@@ -1,9 +1,6 @@
 use super::modes::NoMode;
 use super::tree::{Placed, Tree, Way};
 
-/// Most work, as [`Tree::work`] counts it, before a listing ends although there may be more assemblies.
-const MOST_WORK: usize = 40_000_000;
-
 /// All assemblies of a mechanism, one after another in the order of their numbers: that of the first group's modes,
 /// then of the second's, and so on.
 pub(super) struct Listing<'t, 'a> {
@@ -18,9 +15,10 @@ pub(super) struct Listing<'t, 'a> {
 }
 
 impl<'t, 'a> Listing<'t, 'a> {
-    pub(super) fn new(tree: &'t mut Tree<'a>) -> Listing<'t, 'a> {
+    /// It ends after so much further work as [`Tree::work`] counts it, although there may be more assemblies.
+    pub(super) fn new(tree: &'t mut Tree<'a>, most_work: usize) -> Listing<'t, 'a> {
         tree.clear();
-        let most_work = tree.work() + MOST_WORK;
+        let most_work = tree.work() + most_work;
         let mut listing = Listing { tree, most_work, levels: Vec::new(), failure: None, is_stopped: false };
         listing.enter(0);
         listing

@@ -39,7 +39,7 @@ pub fn with_nearest_sides(scene: &Scene, mechanism: Mechanism) -> Mechanism {
         if others.fold(f64::INFINITY, f64::min) < CLEAR * least {
             chosen.warnings.push(format!(
                 "link {name}: its points lie nearly on a line, and `near` fits its triangle and the mirror image almost equally well; \
-                 the nearer one is taken\n  try: its `shape`, or places in `near` with more digits"
+                 the nearer one is taken. Give its `shape`, or places in `near` with more digits, to choose"
             ));
         }
     }
