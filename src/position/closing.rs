@@ -122,6 +122,25 @@ impl<'a> Closer<'a> {
         self.surroundings[group].shortest
     }
 
+    /// The next Newton step from an assembly of a group: radians, of sliders parts of the shortest link. Infinite where the
+    /// equations are singular.
+    pub(super) fn next_step(&mut self, group: usize, assembled: &Assembled) -> f64 {
+        self.load(group, assembled);
+        let before = self.state(group);
+        let [gap, turn] = self.kernel.step(&mut self.block, group);
+        if !(gap.is_finite() && turn.is_finite()) {
+            return f64::INFINITY;
+        }
+        let shortest = self.shortest(group);
+        let after = self.state(group);
+        let unknowns = self.kernel.unknowns[group].iter().zip(before.iter().zip(&after));
+        let steps = unknowns.map(|(unknown, (before, after))| match unknown {
+            Unknown::Spin(_) => (after - before).norm(),
+            Unknown::Slide(_) => (after - before).norm() / shortest,
+        });
+        steps.fold(0.0, f64::max)
+    }
+
     /// The gap of a group between two of its assemblies, not quite half-way: just there the equations of a double root
     /// are singular.
     pub(super) fn gap_between(&mut self, group: usize, [a, b]: [&Assembled; 2]) -> f64 {

@@ -20,10 +20,10 @@ const ROUNDINGS: f64 = 8.0;
 /// Roundings from which on a gap between two assemblies is one.
 const SEEN: f64 = 4.0;
 
-/// Largest product of a gap that rounding does not explain, in parts of the group's shortest link, and the square of the
-/// condition number. At a root it is much less; where loops miss each other by a little, as beyond a limit position, it
-/// is about 1 at least.
-const SHARP: f64 = 1e-3;
+/// Largest ratio of the square of the next Newton step, in radians, and a gap that rounding does not explain, in parts of
+/// the group's shortest link. At a root it is much less; where loops miss each other by a little, as beyond a limit
+/// position, it is about 1 at least.
+const SHARP: f64 = 1e-2;
 
 /// Two assemblies are the same mode if their points differ by less than this part of the mechanism's size and their
 /// one-point links by less than [`SAME_TURN`].
@@ -185,12 +185,12 @@ impl<'s, 'a> Modes<'s, 'a> {
     }
 
     /// Whether an assembly with a small gap closes, and does not only come near it.
-    fn is_root(&self, assembled: &Assembled, gap: f64) -> bool {
-        gap <= ROUNDINGS * self.assembler.closer.rounding(self.index, assembled) || {
-            let size = self.size(&self.places(assembled));
-            let missed = gap * (size / self.assembler.closer.shortest(self.index)).max(1.0);
-            let condition = self.condition(assembled);
-            missed * condition * condition <= SHARP
+    fn is_root(&mut self, assembled: &Assembled, gap: f64) -> bool {
+        let size = self.size(&self.places(assembled));
+        let Assembler { closer, .. } = &mut *self.assembler;
+        gap <= ROUNDINGS * closer.rounding(self.index, assembled) || {
+            let missed = gap * (size / closer.shortest(self.index)).max(1.0);
+            closer.next_step(self.index, assembled).powi(2) <= SHARP * missed
         }
     }
 
