@@ -2,7 +2,7 @@ use crate::Error;
 use crate::construction::Solution;
 use crate::mechanism::mechanism;
 use crate::motion::Order;
-use crate::position::pose;
+use crate::position::{pose, with_nearest_sides};
 use crate::scene::Scene;
 
 /// Solves a scene: position, velocities, accelerations and both plans.
@@ -18,7 +18,7 @@ use crate::scene::Scene;
 /// # Errors
 /// It is no mechanism, cannot be assembled, or is in a singular position.
 pub fn solve(scene: &Scene) -> Result<Solution, Error> {
-    let mechanism = mechanism(scene)?;
+    let mechanism = with_nearest_sides(scene, mechanism(scene)?);
     let pose = pose(&mechanism, &scene.near)?;
     Ok(Solution::new(scene.clone(), mechanism, pose, Order::Acceleration)?)
 }

@@ -2,7 +2,7 @@ use super::files;
 use super::message::{Failure, warn};
 use crate::format;
 use crate::mechanism::mechanism;
-use crate::position::poses;
+use crate::position::{counted_poses, with_nearest_sides};
 use crate::scene::Scene;
 use clap::Args;
 use std::path::PathBuf;
@@ -38,9 +38,9 @@ impl Modes {
         let source = files::read(&self.scene)?;
         let stages = || -> Result<_, crate::Error> {
             let scene = Scene::read(&source.text)?;
-            let mechanism = mechanism(&scene)?;
-            let poses = poses(&mechanism, &scene.near)?;
-            Ok((format::modes(&scene, &mechanism, &poses), mechanism.warnings))
+            let mechanism = with_nearest_sides(&scene, mechanism(&scene)?);
+            let listed = counted_poses(&mechanism, &scene.near)?;
+            Ok((format::listed_modes(&scene, &mechanism, &listed), mechanism.warnings))
         };
         let (text, warnings) = stages().map_err(|error| source.fail(error))?;
         warnings.iter().for_each(|w| warn(w));

@@ -3,8 +3,8 @@ use super::message::{Failure, warn};
 use crate::construction::Solution;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::Order;
-use crate::position::{AssemblyError, Pose, pose, poses};
-use crate::scene::{Figure, Near, Scene};
+use crate::position::{Pose, numbered_pose, pose, with_nearest_sides};
+use crate::scene::{Figure, Scene};
 use clap::Args;
 use std::path::Path;
 
@@ -51,23 +51,12 @@ pub(super) fn start(path: &Path, mode: Option<usize>) -> Result<(Source, (Scene,
 
 fn posed(source: &Source, mode: Option<usize>) -> Result<(Scene, Mechanism, Pose), crate::Error> {
     let scene = Scene::read(&source.text)?;
-    let mechanism = mechanism(&scene)?;
+    let mechanism = with_nearest_sides(&scene, mechanism(&scene)?);
     let pose = match mode {
-        Some(mode) => assembly_mode(&mechanism, &scene.near, mode)?,
+        Some(mode) => numbered_pose(&mechanism, &scene.near, mode)?,
         None => pose(&mechanism, &scene.near)?,
     };
     Ok((scene, mechanism, pose))
-}
-
-/// The assembly mode of that number, counted from 1.
-fn assembly_mode(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<Pose, crate::Error> {
-    let mut poses = poses(mechanism, near)?;
-    let count = poses.len();
-    if (1..=count).contains(&mode) {
-        Ok(poses.swap_remove(mode - 1))
-    } else {
-        Err(AssemblyError::NoSuchMode { mode, count }.into())
-    }
 }
 
 /// Shows the warnings of a solution on stderr.

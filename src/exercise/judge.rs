@@ -7,7 +7,7 @@ use crate::construction::{Action, Construction, Solution, Tolerance};
 use crate::drawing::{Drawing, exercise_scale, exercise_sheet, key_scales, shows_special_points};
 use crate::mechanism::mechanism;
 use crate::motion::Order;
-use crate::position::pose;
+use crate::position::{pose, with_nearest_sides};
 use crate::quantity::{Asked, Pencil, Quantity, Scales, What, pencil};
 use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
 
@@ -82,6 +82,7 @@ impl Exercise {
         // A sheet for the hand has letters for the hand, in a style for the hall too.
         scene.figure.sizes.get_or_insert_default();
         let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
+        let mechanism = with_nearest_sides(&scene, mechanism);
         let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
         let mut solution = Solution::new(scene, mechanism, pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
         let conditions = solution.motion.groups.iter().map(|group| group.condition);

@@ -40,7 +40,7 @@ pub use self::png::PngError;
 pub use self::result::{
     GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult, result_schema,
 };
-pub use self::structure::{modes, structure};
+pub use self::structure::{listed_modes, modes, structure};
 pub use self::svg::{Text, layered_svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines};
 

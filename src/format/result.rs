@@ -161,7 +161,7 @@ pub struct GroupResult {
     /// the whole mechanism.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mode: Option<usize>,
-    /// How many assembly modes there are; of a group of higher class, how many were found.
+    /// How many assembly modes there are; of a group of higher class, how many were found. None where there are too many to count.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub modes: Option<usize>,
 }

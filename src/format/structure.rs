@@ -1,6 +1,6 @@
 use crate::geometry::degrees_of;
 use crate::mechanism::{Body, BodyId, Class, Group, Joint, Mechanism, Role};
-use crate::position::Pose;
+use crate::position::{Count, Listed, Pose};
 use crate::scene::Scene;
 use std::fmt::Write;
 
@@ -90,14 +90,25 @@ fn joints(mechanism: &Mechanism, group: &Group) -> String {
 /// groups' links; below it the warning, if any, that there may be more modes.
 #[must_use]
 pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
+    let count = Count { number: poses.len() as u64, is_exact: true };
+    written(scene, mechanism, poses, count)
+}
+
+/// The same, with the number of all modes where not all are listed.
+#[must_use]
+pub fn listed_modes(scene: &Scene, mechanism: &Mechanism, listed: &Listed) -> String {
+    written(scene, mechanism, &listed.poses, listed.count)
+}
+
+fn written(scene: &Scene, mechanism: &Mechanism, poses: &[Pose], count: Count) -> String {
     let mut text = String::new();
     let unit = scene.units.length.as_str();
-    let _ = writeln!(
-        text,
-        "{} assembly mode{}; coordinates in {unit}, angles in degrees",
-        poses.len(),
-        if poses.len() == 1 { "" } else { "s" }
-    );
+    let plural = if count.number == 1 { "" } else { "s" };
+    let first = match poses.len() {
+        all if all as u64 == count.number && count.is_exact => String::new(),
+        listed => format!(", listed are the first {listed}"),
+    };
+    let _ = writeln!(text, "{count} assembly mode{plural}{first}; coordinates in {unit}, angles in degrees");
     // A driving link without a given angle is one of the links whose positions are sought.
     let mechanism = mechanism.for_positions();
     for (index, pose) in poses.iter().enumerate() {

@@ -3,7 +3,7 @@ use super::grouping::group;
 use super::joint::{add_given, add_pins};
 use super::placing::placing;
 use super::radians::radians_warnings;
-use super::shape::local_points;
+use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
 use super::{Body, BodyId, Group, JointId, Mechanism, PointId, Role, StructureError};
 use crate::geometry::Point;
@@ -18,10 +18,22 @@ pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
     mechanism_with(scene, |mechanism| add_given(scene, mechanism))
 }
 
+/// The mechanism with the triangles of these links mirrored.
+///
+/// # Errors
+/// As [`mechanism`].
+pub(crate) fn mirrored_mechanism(scene: &Scene, links: &[&str]) -> Result<Mechanism, StructureError> {
+    built(scene, links, |mechanism| add_given(scene, mechanism))
+}
+
 /// The mechanism with the joints that `add` adds to the bodies, and the pins, which follow from shared points.
 pub(crate) fn mechanism_with(scene: &Scene, add: impl FnOnce(&mut Mechanism)) -> Result<Mechanism, StructureError> {
+    built(scene, &[], add)
+}
+
+fn built(scene: &Scene, mirrored: &[&str], add: impl FnOnce(&mut Mechanism)) -> Result<Mechanism, StructureError> {
     let mut builder = Builder::new(scene);
-    builder.add_bodies()?;
+    builder.add_bodies(mirrored)?;
     builder.mechanism.warnings.extend(radians_warnings(scene));
     let mut mechanism = builder.mechanism;
     add(&mut mechanism);
@@ -99,6 +111,7 @@ impl<'a> Builder<'a> {
             joints: Vec::new(),
             groups: Vec::new(),
             placing: None,
+            doubtful_sides: Vec::new(),
             warnings: Vec::new(),
         };
         Self { scene, mechanism }
@@ -119,7 +132,7 @@ impl<'a> Builder<'a> {
         self.mechanism.bodies.push(Body { name: name.to_owned(), points, local, role, block: false });
     }
 
-    fn add_bodies(&mut self) -> Result<(), StructureError> {
+    fn add_bodies(&mut self, mirrored: &[&str]) -> Result<(), StructureError> {
         let scene = self.scene;
         let drawn = scene.given_by == GivenBy::Drawing;
         let ground_places: Vec<Point> =
@@ -131,12 +144,18 @@ impl<'a> Builder<'a> {
             let local = if drawn {
                 Vec::new()
             } else {
-                let (local, is_ambiguous) = local_points(link, |p| {
+                let (mut local, side) = local_points(link, |p| {
                     let given = |places: &IndexMap<_, [f64; 2]>| places.get(p).map(|&p| p.into());
                     let place = given(&scene.coordinates).or_else(|| driven.get(p).copied());
                     place.or_else(|| given(&scene.near.points))
                 });
-                if is_ambiguous {
+                if side == Side::Doubtful {
+                    self.mechanism.doubtful_sides.push(BodyId(self.mechanism.bodies.len()));
+                }
+                if mirrored.contains(&name.as_str()) {
+                    local.iter_mut().for_each(|point| point.y = -point.y);
+                }
+                if side == Side::Unknown {
                     self.mechanism.warnings.push(format!(
                         "link {name}: its lengths fit a triangle and its mirror image; the counter-clockwise one {} is taken. \
                          Give rough places of its points in `near` to choose",

@@ -1,4 +1,4 @@
-use super::shape::{direction, local_points};
+use super::shape::{Side, direction, local_points};
 use super::{Mechanism, Role, StructureError};
 use crate::geometry::{Point, Vector, direction_of_degrees};
 use crate::scene::{self, Along, At, GivenBy, On, Scene};
@@ -157,8 +157,8 @@ pub(super) fn places_from_drives(scene: &Scene) -> IndexMap<&str, Point> {
             continue;
         };
         // If the side of a triangle's third point is open, only the points of the axis are determined.
-        let (mut local, is_ambiguous) = local_points(link, |_| None);
-        if is_ambiguous {
+        let (mut local, side) = local_points(link, |_| None);
+        if side == Side::Unknown {
             local.truncate(2);
         }
         let points = || link.points.iter().zip(&local);

@@ -18,6 +18,7 @@ mod structure;
 pub use build::mechanism;
 #[cfg(test)]
 pub(crate) use build::mechanism_with;
+pub(crate) use build::mirrored_mechanism;
 pub use compound::DrivenSlide;
 pub use error::StructureError;
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
@@ -65,6 +66,9 @@ pub struct Mechanism {
     /// How positions are found where a link's angle is given in place of a drive's position; `None` if every drive has
     /// its position.
     pub placing: Option<Box<Placing>>,
+    /// The links whose three lengths fit a triangle and its mirror image, so flat that rough places hardly tell which:
+    /// the side that they are on was taken.
+    pub doubtful_sides: Vec<BodyId>,
     /// Remarks for the author of the scene that do not stop the computation.
     pub warnings: Vec<String>,
 }

@@ -1,15 +1,23 @@
-use super::closing::places;
+use super::count::{Count, counted};
 use super::drawn::drawn_pose;
-use super::frames::{Frames, driven_position};
-use super::modes::{NoMode, modes};
-use super::rough::Rough;
+use super::listing::Listing;
+use super::modes::NoMode;
+use super::nearest::nearest;
+use super::rough::{LISTED, Rough, not_chosen};
+use super::tree::{Tree, Way};
 use super::{Assembly, AssemblyError, Pose};
-use crate::geometry::{Vector, span};
-use crate::mechanism::{BodyId, Class, Mechanism, Role, SliderId};
+use crate::geometry::span;
+use crate::mechanism::{Mechanism, Role, SliderId};
 use crate::scene::{GivenBy, Near};
 
-/// Most assemblies of a whole mechanism that are listed; of more, those nearest to the rough places are kept.
-const MOST_WAYS: usize = 4096;
+/// Most assemblies of a whole mechanism that are listed.
+const MOST_LISTED: usize = 4096;
+
+/// Most work, as [`Tree::work`] counts it, for the number of all assemblies: that of a chain of 18 dyads or more.
+const MOST_WORK: usize = 40_000_000;
+
+/// The same for a number that only stands in a warning.
+const LITTLE_WORK: usize = 2_000_000;
 
 /// Lengths must lie between the inverse of this and this: closing a loop takes their fourth powers.
 const LARGEST: f64 = 1e70;
@@ -17,146 +25,183 @@ const LARGEST: f64 = 1e70;
 /// The pose of a mechanism: as drawn, or assembled from its lengths in the way nearest to `near`.
 ///
 /// Nearest is the least sum of squared distances from all rough places together; without any the first assembly is
-/// taken.
+/// taken. That no other assembly is nearer is proven, or a warning says that it is not.
 pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
     if mechanism.given_by == GivenBy::Drawing {
         return Ok(drawn_pose(mechanism));
     }
+    check_size(mechanism)?;
     let rough = Rough::new(mechanism.for_positions(), near);
-    let mut ways = ways(mechanism, &rough)?;
-    let (chosen, remark) = rough.choose(mechanism.for_positions(), &ways);
-    let mut pose = ways.swap_remove(chosen).pose(mechanism);
-    pose.warnings.extend(remark);
+    let mut tree = Tree::new(mechanism.for_positions(), &rough);
+    let (mut way, remarks) =
+        if rough.is_empty() { first(mechanism, &mut tree) } else { closest(mechanism, &mut tree, &rough) }?;
+    if mechanism.placing.is_some() {
+        let assembly = number(&mut tree, &way);
+        way.assemblies = vec![assembly; mechanism.groups.len()];
+    }
+    let mut pose = way.pose(mechanism);
+    pose.warnings.extend(remarks);
     Ok(pose)
 }
 
-/// Every real assembly of a mechanism from its lengths; of a drawn configuration its one pose.
+/// Assemblies of a mechanism, and how many there are.
+#[derive(Clone, Debug)]
+pub struct Listed {
+    /// All assemblies; of more than 4096 the first so many.
+    pub poses: Vec<Pose>,
+    /// How many there are.
+    pub count: Count,
+}
+
+/// Every real assembly of a mechanism from its lengths, of more than 4096 the first so many; of a drawn configuration
+/// its one pose.
 ///
 /// The modes of a group are numbered by the angle of its first rotating link, counter-clockwise from +x; the
 /// mechanism's assemblies by the modes of its groups, of which the first group's is the most significant. Where a
 /// link's angle is given in place of a drive's, the groups are those of [`Placing`](crate::mechanism::Placing), and
-/// each group of the pose has the number of the mechanism's assembly.
+/// each group of the pose has the number of the mechanism's assembly, unless there are too many to count.
 ///
 /// A slotted lever with one point coincides with itself turned by 180° and counts once, with its slider on the positive
 /// side of the guide's `through`; both orientations are listed where `near` gives its angle.
 pub fn poses(mechanism: &Mechanism, near: &Near) -> Result<Vec<Pose>, AssemblyError> {
+    Ok(counted_poses(mechanism, near)?.poses)
+}
+
+/// The assemblies that [`poses`] lists, and how many there are in all.
+pub fn counted_poses(mechanism: &Mechanism, near: &Near) -> Result<Listed, AssemblyError> {
     if mechanism.given_by == GivenBy::Drawing {
-        return Ok(vec![drawn_pose(mechanism)]);
+        return Ok(Listed { poses: vec![drawn_pose(mechanism)], count: Count { number: 1, is_exact: true } });
     }
-    let ways = ways(mechanism, &Rough::new(mechanism.for_positions(), near))?;
-    Ok(ways.into_iter().map(|way| way.pose(mechanism)).collect())
-}
-
-/// An assembly of the whole mechanism, or of its first groups.
-#[derive(Clone)]
-pub(super) struct Way {
-    pub frames: Frames,
-    slides: Vec<f64>,
-    /// By group: the number of its assembly mode.
-    assemblies: Vec<Assembly>,
-}
-
-impl Way {
-    /// The pose of `mechanism`. It may have fewer bodies and sliders than its [`Mechanism::for_positions`], to which
-    /// this assembly belongs.
-    fn pose(self, mechanism: &Mechanism) -> Pose {
-        let (points, guides) = places(mechanism, &self.frames);
-        let named = |id: usize| !matches!(mechanism.bodies[id].role, Role::Ground | Role::Carrier { .. });
-        let axes = (0..mechanism.bodies.len()).map(|id| {
-            let frame = self.frames.of(BodyId(id)).filter(|_| named(id))?;
-            Some(frame.rotation * Vector::x())
-        });
-        Pose {
-            axes: axes.collect(),
-            points,
-            guides,
-            slides: self.slides[..mechanism.sliders.len()].iter().copied().map(Some).collect(),
-            assemblies: self.assemblies.into_iter().map(Some).collect(),
-            warnings: search_warnings(mechanism.for_positions()).collect(),
+    check_size(mechanism)?;
+    let rough = Rough::new(mechanism.for_positions(), near);
+    let mut tree = Tree::new(mechanism.for_positions(), &rough);
+    let (mut ways, is_all) = listed(mechanism, &mut tree, MOST_LISTED + 1)?;
+    let mut count = Count { number: ways.len() as u64, is_exact: is_all };
+    if !is_all {
+        let all = counted(&mut tree, MOST_WORK);
+        count = Count { number: all.number.max(count.number), ..all };
+    }
+    ways.truncate(MOST_LISTED);
+    if mechanism.placing.is_some() {
+        let modes = usize::try_from(count.number).ok().filter(|_| count.is_exact);
+        for (index, way) in ways.iter_mut().enumerate() {
+            let assembly = modes.map(|modes| Assembly { mode: index + 1, modes });
+            way.assemblies = vec![assembly; mechanism.groups.len()];
         }
     }
+    Ok(Listed { poses: ways.into_iter().map(|way| way.pose(mechanism)).collect(), count })
 }
 
-/// Warnings for groups whose assembly modes come from a search, not from a polynomial. A group without a loop has one
-/// mode.
-fn search_warnings(mechanism: &Mechanism) -> impl Iterator<Item = String> {
-    let groups = mechanism.groups.iter();
-    let higher = groups.filter(|group| group.class == Class::Higher && !group.loops.is_empty());
-    higher.map(|group| {
-        format!(
-            "links {} form a group of higher class: its assembly modes were found by a search, and there may be more",
-            group.link_names(mechanism)
-        )
-    })
+/// The assembly of that number, counted from 1, in the order of [`poses`].
+pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<Pose, AssemblyError> {
+    let none = |count, is_exact| match is_exact {
+        true => AssemblyError::NoSuchMode { mode, count },
+        false => AssemblyError::TooManyModes { mode, count },
+    };
+    if mechanism.given_by == GivenBy::Drawing {
+        return if mode == 1 { Ok(drawn_pose(mechanism)) } else { Err(none(1, true)) };
+    }
+    check_size(mechanism)?;
+    let rough = Rough::new(mechanism.for_positions(), near);
+    let mut tree = Tree::new(mechanism.for_positions(), &rough);
+    let mut listing = Listing::new(&mut tree, MOST_WORK);
+    let mut count = 0;
+    let found = listing.by_ref().inspect(|_| count += 1).take(mode).last().filter(|_| mode > 0);
+    let Some(mut way) = found.filter(|_| count == mode) else {
+        return Err(match (count, listing.is_stopped) {
+            (0, _) => no_assembly(mechanism, listing),
+            (_, is_stopped) => none(count, !is_stopped),
+        });
+    };
+    if mechanism.placing.is_some() {
+        let modes = exact_number(&mut tree);
+        way.assemblies = vec![modes.map(|modes| Assembly { mode, modes }); mechanism.groups.len()];
+    }
+    Ok(way.pose(mechanism))
 }
 
-/// All assemblies, group after group. Of more than [`MOST_WAYS`] those nearest to the rough places are kept after each
-/// group.
-fn ways(mechanism: &Mechanism, rough: &Rough) -> Result<Vec<Way>, AssemblyError> {
+fn check_size(mechanism: &Mechanism) -> Result<(), AssemblyError> {
     let bodies = mechanism.bodies.iter();
     let spans = bodies.map(|b| span(b.local.iter().copied()));
     let size = spans.fold(0.0, f64::max);
     let way = if size > LARGEST { "large" } else { "small" };
-    if size != 0.0 && !(1.0 / LARGEST..=LARGEST).contains(&size) {
-        return Err(AssemblyError::Size { size, way });
+    match size == 0.0 || (1.0 / LARGEST..=LARGEST).contains(&size) {
+        true => Ok(()),
+        false => Err(AssemblyError::Size { size, way }),
     }
-    let whole = mechanism;
-    let mechanism = whole.for_positions();
-    let mut ways = vec![Way {
-        frames: Frames::known(mechanism),
-        slides: mechanism.sliders.iter().map(driven_position).collect(),
-        assemblies: Vec::new(),
-    }];
-    for (index, group) in mechanism.groups.iter().enumerate() {
-        let mut extended: Vec<Way> = Vec::new();
-        let mut failure = None;
-        for way in &ways {
-            match modes(mechanism, index, &way.frames, &way.slides, rough) {
-                Ok(found) => {
-                    let modes = found.len();
-                    extended.extend(found.into_iter().enumerate().map(|(index, assembled)| {
-                        let mut assemblies = way.assemblies.clone();
-                        let mode = index + 1;
-                        assemblies.push(Assembly { mode, modes });
-                        Way { frames: assembled.frames, slides: assembled.slides, assemblies }
-                    }));
-                }
-                Err(no_mode) => failure = failure.or(Some(no_mode)),
-            }
-        }
-        if let (true, Some(failure)) = (extended.is_empty(), failure) {
-            let (links, at) = (group.link_names(mechanism), given_angles(whole));
-            return Err(match failure {
-                NoMode::Apart(miss) => AssemblyError::NoMode { links, at, miss },
-                NoMode::NotFound(tried) => AssemblyError::NotFound { links, at, tried },
-            });
-        }
-        ways = closest(mechanism, rough, extended);
-    }
-    if whole.placing.is_some() {
-        let modes = ways.len();
-        for (index, way) in ways.iter_mut().enumerate() {
-            let mode = index + 1;
-            way.assemblies = vec![Assembly { mode, modes }; whole.groups.len()];
-        }
-    }
-    Ok(ways)
 }
 
-/// At most [`MOST_WAYS`] assemblies, those nearest to the rough places, in their order.
-fn closest(mechanism: &Mechanism, rough: &Rough, ways: Vec<Way>) -> Vec<Way> {
-    if ways.len() <= MOST_WAYS {
-        return ways;
+/// The first assembly, with a warning if it is not the only one.
+fn first(mechanism: &Mechanism, tree: &mut Tree<'_>) -> Result<(Way, Vec<String>), AssemblyError> {
+    let (ways, is_all) = listed(mechanism, tree, LISTED + 1)?;
+    let warning = (ways.len() > 1).then(|| {
+        let number = ways.len() as u64;
+        let count = if is_all { Count { number, is_exact: true } } else { counted(tree, LITTLE_WORK) };
+        not_chosen(tree.mechanism, &ways, Count { number: count.number.max(number), ..count })
+    });
+    let mut ways = ways.into_iter();
+    let first = ways.next().expect("a listing has at least one");
+    Ok((first, warning.into_iter().collect()))
+}
+
+/// The assembly nearest to the rough places, with warnings about the choice.
+fn closest(mechanism: &Mechanism, tree: &mut Tree<'_>, rough: &Rough) -> Result<(Way, Vec<String>), AssemblyError> {
+    let Some(nearest) = nearest(tree, rough) else {
+        return match listed(mechanism, tree, 1)?.0.pop() {
+            Some(way) => Ok((way, vec![unproven()])),
+            None => Err(AssemblyError::TooMuchWork),
+        };
+    };
+    let remark = rough.remark(tree.mechanism, &nearest.way, || counted(tree, LITTLE_WORK));
+    let unproven = (!nearest.is_proven).then(unproven);
+    Ok((nearest.way, unproven.into_iter().chain(remark).collect()))
+}
+
+fn unproven() -> String {
+    "`near` leaves too many assemblies open to compare them all, and the one taken may not be the nearest: give rough places of more points in it"
+        .to_owned()
+}
+
+/// The first assemblies, `most` at most, and whether these are all.
+fn listed(mechanism: &Mechanism, tree: &mut Tree<'_>, most: usize) -> Result<(Vec<Way>, bool), AssemblyError> {
+    let mut listing = Listing::new(tree, MOST_WORK);
+    let ways: Vec<Way> = listing.by_ref().take(most).collect();
+    if ways.is_empty() {
+        return Err(no_assembly(mechanism, listing));
     }
-    let distances = ways.iter().map(|way| rough.distance(mechanism, way));
-    let mut ranked: Vec<(f64, usize)> = distances.zip(0..).collect();
-    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut kept = vec![false; ways.len()];
-    for (_, index) in ranked.iter().take(MOST_WAYS) {
-        kept[*index] = true;
+    let is_all = ways.len() < most && !listing.is_stopped;
+    Ok((ways, is_all))
+}
+
+/// The error that a listing is empty.
+fn no_assembly(whole: &Mechanism, listing: Listing<'_, '_>) -> AssemblyError {
+    let is_stopped = listing.is_stopped;
+    match listing.failure() {
+        Some((group, no_mode)) if !is_stopped => {
+            let mechanism = whole.for_positions();
+            let (links, at) = (mechanism.groups[group].link_names(mechanism), given_angles(whole));
+            match no_mode {
+                NoMode::Apart(miss) => AssemblyError::NoMode { links, at, miss },
+                NoMode::NotFound(tried) => AssemblyError::NotFound { links, at, tried },
+            }
+        }
+        _ => AssemblyError::TooMuchWork,
     }
-    let kept = ways.into_iter().zip(kept).filter(|(_, kept)| *kept);
-    kept.map(|(way, _)| way).collect()
+}
+
+/// The number of an assembly among all; none where these are too many to count.
+fn number(tree: &mut Tree<'_>, way: &Way) -> Option<Assembly> {
+    let mut listing = Listing::new(tree, LITTLE_WORK);
+    let same = |other: &Way| other.assemblies == way.assemblies;
+    let mode = listing.position(|other| same(&other))? + 1;
+    let rest = listing.by_ref().count();
+    (!listing.is_stopped).then_some(Assembly { mode, modes: mode + rest })
+}
+
+/// The number of all assemblies, if they are not too many to count.
+fn exact_number(tree: &mut Tree<'_>) -> Option<usize> {
+    let count = counted(tree, MOST_WORK);
+    usize::try_from(count.number).ok().filter(|_| count.is_exact)
 }
 
 /// The given drive angles and positions in words, as in ` at angle(1) = 70°`.

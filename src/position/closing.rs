@@ -1,7 +1,8 @@
+use super::extent::Extent;
 use super::frames::{Frames, pinned};
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
-use crate::kernel::{Kernel, Single};
-use crate::mechanism::{BodyId, Group, Mechanism};
+use crate::kernel::{Kernel, Single, Unknown};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, SliderId};
 
 /// Most Newton steps: from a simple root of a polynomial two or three are needed, from a double root ten.
 const STEPS: usize = 16;
@@ -17,35 +18,58 @@ pub(super) struct Assembled {
     pub gap: f64,
 }
 
-/// Closes the loops of a group from approximate starts, by Newton's method on the loop equations.
+/// Closes the loops of groups from approximate starts, by Newton's method on the loop equations.
 ///
 /// The matrix is that of the velocity equations, the right side the gaps; so a pose is as exact as the condition of its
 /// velocities allows.
 pub(super) struct Closer<'a> {
     mechanism: &'a Mechanism,
-    group: &'a Group,
-    index: usize,
     kernel: Kernel,
     block: Single,
+    /// The points of the bodies of known position, relative to the kernel's origin.
+    known: Extent,
+    surroundings: Vec<Surroundings>,
+}
+
+/// What is around the links of a group.
+struct Surroundings {
+    /// Its bodies, and those of other groups or of known position that touch them.
+    bodies: Vec<BodyId>,
+    /// The points of its links.
+    points: Vec<PointId>,
+    /// The lengths that its loops add up: those of its bodies, with the zeros of their guides.
+    lengths: f64,
+    /// The length of its shortest link that has one.
+    shortest: f64,
+    sliders: Vec<SliderId>,
+    /// Whether its rotations are tied otherwise than alike.
+    is_geared: bool,
 }
 
 impl<'a> Closer<'a> {
-    /// For group `index` of a mechanism given by lengths.
-    pub(super) fn new(mechanism: &'a Mechanism, index: usize) -> Closer<'a> {
+    /// For a mechanism given by lengths; `known` are the frames of the bodies that no group holds.
+    pub(super) fn new(mechanism: &'a Mechanism, known: &Frames) -> Closer<'a> {
         let kernel = Kernel::new(mechanism);
         let kernel = kernel.expect("only a mechanism given by lengths is put together");
-        Closer { mechanism, group: &mechanism.groups[index], index, block: Single::new(&kernel), kernel }
+        let places = known.places(mechanism, mechanism.body_ids());
+        let origin = kernel.origin;
+        Closer {
+            mechanism,
+            block: Single::new(&kernel),
+            known: Extent::of(places.map(|(_, place)| place - origin)),
+            surroundings: surroundings(mechanism, origin),
+            kernel,
+        }
     }
 
-    /// The assembly with the smallest gap among the Newton steps from `start`.
-    pub(super) fn closed(&mut self, start: Assembled) -> Assembled {
-        self.load(&start);
-        let mut best = (f64::INFINITY, self.state());
+    /// The assembly of a group with the smallest gap among the Newton steps from `start`.
+    pub(super) fn closed(&mut self, group: usize, start: Assembled) -> Assembled {
+        self.load(group, &start);
+        let mut best = (f64::INFINITY, self.state(group));
         for _ in 0..STEPS {
-            let state = self.state();
-            let points = self.block.points[..self.mechanism.points.len()].iter();
-            let size = span(points.map(|[[x], [y]]| Point::new(*x, *y)));
-            let [gap, turn] = self.kernel.step(&mut self.block, self.index);
+            let state = self.state(group);
+            let size = self.size(group);
+            let [gap, turn] = self.kernel.step(&mut self.block, group);
             let gap = gap / size;
             if !(gap.is_finite() && turn.is_finite()) {
                 break;
@@ -59,67 +83,197 @@ impl<'a> Closer<'a> {
             if gap <= UNIT_ROUNDOFF || (!better && gap < 1e-12) {
                 break;
             }
-            self.kernel.place(&mut self.block, self.index);
+            self.kernel.place(&mut self.block, group);
         }
-        let (gap, (turns, slides)) = best;
-        (self.block.turns, self.block.slides) = (turns, slides);
-        self.kernel.place(&mut self.block, self.index);
-        self.unload(start.frames, gap)
+        let (gap, state) = best;
+        self.restore(group, state);
+        self.kernel.place(&mut self.block, group);
+        self.unload(group, start, gap)
     }
 
-    fn state(&self) -> (Vec<[[f64; 1]; 2]>, Vec<[f64; 1]>) {
-        (self.block.turns.clone(), self.block.slides.clone())
+    /// The size of the group with the bodies of known position.
+    fn size(&self, group: usize) -> f64 {
+        let places = self.surroundings[group].points.iter().map(|point| {
+            let [[x], [y]] = self.block.points[point.0];
+            Point::new(x, y)
+        });
+        self.known.with(places).size()
     }
 
-    /// Sets the block to the known bodies and to the start of the group's links.
-    fn load(&mut self, start: &Assembled) {
+    /// One rounding in the gap of an assembly of the group, in the same measure as the assembly's: a part of all lengths
+    /// and coordinates that its loops add up.
+    pub(super) fn rounding(&self, group: usize, assembled: &Assembled) -> f64 {
+        let Surroundings { lengths, sliders, is_geared, .. } = &self.surroundings[group];
+        if *is_geared {
+            return f64::INFINITY;
+        }
+        let members = self.mechanism.groups[group].bodies.iter().copied();
+        let places = assembled.frames.places(self.mechanism, members);
+        let own = Extent::of(places.map(|(_, place)| place - self.kernel.origin));
+        let slides: f64 = sliders.iter().map(|id| assembled.slides[id.0].abs()).sum();
+        // Coordinates far from either origin are rounded by more.
+        let origins = [Point::origin(), Point::from(-self.kernel.origin)];
+        let sum = own.with(origins).size() + lengths + slides;
+        UNIT_ROUNDOFF * sum / self.known.joined(own).size()
+    }
+
+    /// The length of a group's shortest link that has one; else infinite.
+    pub(super) fn shortest(&self, group: usize) -> f64 {
+        self.surroundings[group].shortest
+    }
+
+    /// The next Newton step from an assembly of a group: radians, of sliders parts of the shortest link. Infinite where the
+    /// equations are singular.
+    pub(super) fn next_step(&mut self, group: usize, assembled: &Assembled) -> f64 {
+        self.load(group, assembled);
+        let before = self.state(group);
+        let [gap, turn] = self.kernel.step(&mut self.block, group);
+        if !(gap.is_finite() && turn.is_finite()) {
+            return f64::INFINITY;
+        }
+        let shortest = self.shortest(group);
+        let after = self.state(group);
+        let unknowns = self.kernel.unknowns[group].iter().zip(before.iter().zip(&after));
+        let steps = unknowns.map(|(unknown, (before, after))| match unknown {
+            Unknown::Spin(_) => (after - before).norm(),
+            Unknown::Slide(_) => (after - before).norm() / shortest,
+        });
+        steps.fold(0.0, f64::max)
+    }
+
+    /// The gap of a group between two of its assemblies, not quite half-way: just there the equations of a double root
+    /// are singular.
+    pub(super) fn gap_between(&mut self, group: usize, [a, b]: [&Assembled; 2]) -> f64 {
+        self.load(group, a);
+        let first = self.state(group);
+        self.load(group, b);
+        let second = self.state(group);
+        let between = first.iter().zip(&second).map(|(p, q)| p * 0.6 + q * 0.4).collect();
+        self.restore(group, between);
+        for unknown in &self.kernel.unknowns[group] {
+            if let Unknown::Spin(class) = *unknown {
+                let [[x], [y]] = self.block.turns[class];
+                let turn = Vector::new(x, y).normalize();
+                self.block.turns[class] = [[turn.x], [turn.y]];
+            }
+        }
+        self.kernel.place(&mut self.block, group);
+        let size = self.size(group);
+        let [gap, turn] = self.kernel.step(&mut self.block, group);
+        (gap / size).max(turn)
+    }
+
+    /// What Newton's steps change.
+    fn state(&self, group: usize) -> Vec<Vector> {
+        let unknowns = self.kernel.unknowns[group].iter();
+        let value = |unknown: &Unknown| match *unknown {
+            Unknown::Spin(class) => {
+                let [[x], [y]] = self.block.turns[class];
+                Vector::new(x, y)
+            }
+            Unknown::Slide(slider) => Vector::new(self.block.slides[slider][0], 0.0),
+        };
+        unknowns.map(value).collect()
+    }
+
+    fn restore(&mut self, group: usize, state: Vec<Vector>) {
+        for (unknown, value) in self.kernel.unknowns[group].iter().zip(state) {
+            match *unknown {
+                Unknown::Spin(class) => self.block.turns[class] = [[value.x], [value.y]],
+                Unknown::Slide(slider) => self.block.slides[slider] = [value.x],
+            }
+        }
+    }
+
+    /// Sets the block to the bodies around the group and to the start of its links.
+    fn load(&mut self, group: usize, start: &Assembled) {
         let pair = |v: Vector| [[v.x], [v.y]];
         for (slide, position) in self.block.slides.iter_mut().zip(&start.slides) {
             *slide = [*position];
         }
-        for (id, body) in self.mechanism.bodies.iter().enumerate() {
-            let id = BodyId(id);
+        let members = &self.mechanism.groups[group].bodies;
+        for &id in &self.surroundings[group].bodies {
             let Some(frame) = start.frames.of(id) else {
                 continue;
             };
             let seat = self.kernel.seat(id);
             let turn = frame.rotation * seat.turn.inverse();
             self.block.turns[seat.class] = pair(Vector::new(turn.re, turn.im));
-            if self.group.bodies.contains(&id) {
+            if members.contains(&id) {
                 continue;
             }
             self.block.points[seat.slot] = pair((frame * seat.local).coords - self.kernel.origin);
+            let body = self.mechanism.body(id);
             for (point, local) in body.points.iter().zip(&body.local) {
                 self.block.points[point.0] = pair((frame * local).coords - self.kernel.origin);
             }
         }
-        self.kernel.place(&mut self.block, self.index);
+        self.kernel.place(&mut self.block, group);
     }
 
-    fn unload(&self, mut frames: Frames, gap: f64) -> Assembled {
-        for &link in &self.group.bodies {
+    fn unload(&self, group: usize, start: Assembled, gap: f64) -> Assembled {
+        let Assembled { mut frames, mut slides, .. } = start;
+        for &link in &self.mechanism.groups[group].bodies {
             let seat = self.kernel.seat(link);
             let turn = self.block.turn(seat.class, 0) * seat.turn;
             let place = self.block.place(seat.slot, 0) + self.kernel.origin;
             frames.set(link, pinned(turn, seat.local, place));
         }
-        Assembled { frames, slides: self.block.slides.iter().map(|[s]| *s).collect(), gap }
+        for (slide, [position]) in slides.iter_mut().zip(&self.block.slides) {
+            *slide = *position;
+        }
+        Assembled { frames, slides, gap }
     }
+}
+
+/// By group: what is around its links.
+fn surroundings(mechanism: &Mechanism, origin: Vector) -> Vec<Surroundings> {
+    let mut holders = vec![Vec::new(); mechanism.points.len()];
+    for id in mechanism.body_ids() {
+        mechanism.body(id).points.iter().for_each(|point| holders[point.0].push(id));
+    }
+    let around = mechanism.groups.iter().map(|group| {
+        let mut points: Vec<PointId> =
+            group.bodies.iter().flat_map(|&link| mechanism.body(link).points.iter().copied()).collect();
+        points.sort_unstable();
+        points.dedup();
+        let joints = group.joints.iter().map(|&joint| mechanism.joint(joint));
+        let joined = joints.clone().flat_map(|joint| joint.bodies);
+        let tied = joints.flat_map(|joint| &joint.tie).flat_map(|tie| &tie.turns).map(|(body, _)| *body);
+        let holding = points.iter().flat_map(|point| holders[point.0].iter().copied());
+        // A joint on one link of a compound link depends on all of them.
+        let all = joined.chain(tied).chain(holding).flat_map(|body| mechanism.compound(mechanism.root(body)));
+        let mut bodies: Vec<BodyId> = all.chain(group.bodies.iter().copied()).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        let sliders: Vec<SliderId> = group.joints.iter().filter_map(|&joint| mechanism.joint(joint).slider).collect();
+        let zero = |id: &SliderId| {
+            let slider = mechanism.slider(*id);
+            let from = if slider.on == GROUND { origin } else { Vector::zeros() };
+            (slider.line().0.coords - from).norm()
+        };
+        let spans = group.bodies.iter().map(|&body| span(mechanism.body(body).local.iter().copied()));
+        let ties = group.joints.iter().filter_map(|&joint| mechanism.joint(joint).tie.as_ref());
+        Surroundings {
+            bodies,
+            points,
+            shortest: spans.clone().filter(|&length| length > 0.0).fold(f64::INFINITY, f64::min),
+            lengths: spans.sum::<f64>() + sliders.iter().map(zero).sum::<f64>(),
+            sliders,
+            is_geared: ties.into_iter().any(|tie| tie.as_alike().is_none()),
+        }
+    });
+    around.collect()
 }
 
 /// Places of all points and unit directions of all guides; points of bodies without a frame are at the origin.
 pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec<Vector>) {
     let mut points: Vec<Point> = mechanism.given.iter().map(|p| p.unwrap_or_else(Point::origin)).collect();
     // Known bodies are written last: they decide the places of shared points.
-    let bodies = (0..mechanism.bodies.len()).map(BodyId);
-    let (known, members): (Vec<BodyId>, Vec<BodyId>) = bodies.partition(|&b| mechanism.is_known(b));
-    for id in members.into_iter().rev().chain(known.into_iter().rev()) {
-        let body = mechanism.body(id);
-        for &point in &body.points {
-            if let Some(place) = frames.place(mechanism, id, point) {
-                points[point.0] = place;
-            }
-        }
+    let (known, members): (Vec<BodyId>, Vec<BodyId>) = mechanism.body_ids().partition(|&b| mechanism.is_known(b));
+    let order = members.into_iter().rev().chain(known.into_iter().rev());
+    for (point, place) in frames.places(mechanism, order) {
+        points[point.0] = place;
     }
     let guides = mechanism.sliders.iter().map(|slider| {
         let (_, direction) = slider.line();

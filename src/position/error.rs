@@ -30,6 +30,21 @@ pub enum AssemblyError {
         /// Number of modes.
         count: usize,
     },
+    /// The assembly modes are too many to go through them up to this number.
+    #[error(
+        "assembly mode {mode} is too far on: counting was stopped after {count}\n  try: rough places in `near`, which choose without counting"
+    )]
+    TooManyModes {
+        /// The number asked for.
+        mode: usize,
+        /// Number of modes counted.
+        count: usize,
+    },
+    /// No assembly was found among many ways to put the first groups together.
+    #[error(
+        "no way to assemble all links was found: the first ones can be put together in too many ways\n  try: rough places of their points in `near`"
+    )]
+    TooMuchWork,
     /// The search has found no assembly mode of a group of higher class.
     #[error(
         "no way to assemble links {links}{at} was found: {tried}\n  try: rough places of their points in `near`, another drive angle, or \

@@ -1,9 +1,17 @@
+use std::rc::Rc;
+
 use crate::geometry::{Placement, Point, Turn, Vector, cross, quarter_turn, turn_of_degrees};
 use crate::mechanism::{Body, BodyId, JointId, Mechanism, PointId, Role, Slider, SliderId};
 
 /// By body: the placement of its frame in the fixed frame; none while it is unknown.
+///
+/// Copies share what stood when [`Frames::settle`] was called last: a group's few bodies cost nothing else.
 #[derive(Clone, Debug)]
-pub(super) struct Frames(Vec<Option<Placement>>);
+pub(super) struct Frames {
+    settled: Rc<Vec<Option<Placement>>>,
+    /// What has been set since.
+    set: Vec<(BodyId, Placement)>,
+}
 
 impl Frames {
     /// The frames of the ground and of the driven links, and of bodies that driven sliders place relative to these.
@@ -17,21 +25,56 @@ impl Frames {
             }
             _ => None,
         };
-        let mut frames = Frames(mechanism.bodies.iter().map(given_frame).collect());
-        for body in (0..mechanism.bodies.len()).map(BodyId) {
+        let settled = mechanism.bodies.iter().map(given_frame).collect();
+        let mut frames = Frames { settled: Rc::new(settled), set: Vec::new() };
+        for body in mechanism.body_ids() {
             if let Some(frame) = frames.of(body).copied() {
                 frames.set_compound(mechanism, body, frame);
             }
         }
+        let set = std::mem::take(&mut frames.set);
+        frames.settle(&set);
         frames
     }
 
     pub(super) fn of(&self, body: BodyId) -> Option<&Placement> {
-        self.0[body.0].as_ref()
+        let set = self.set.iter().find(|(other, _)| *other == body);
+        set.map(|(_, frame)| frame).or(self.settled[body.0].as_ref())
     }
 
     pub(super) fn set(&mut self, body: BodyId, frame: Placement) {
-        self.0[body.0] = Some(frame);
+        match self.set.iter_mut().find(|(other, _)| *other == body) {
+            Some((_, place)) => *place = frame,
+            None => self.set.push((body, frame)),
+        }
+    }
+
+    /// The frames that have been set since the last settling.
+    pub(super) fn newly_set(self) -> Vec<(BodyId, Placement)> {
+        self.set
+    }
+
+    /// Sets frames for all copies that are made from now on.
+    pub(super) fn settle(&mut self, placed: &[(BodyId, Placement)]) {
+        let settled = Rc::make_mut(&mut self.settled);
+        placed.iter().for_each(|(body, frame)| settled[body.0] = Some(*frame));
+    }
+
+    /// Forgets the frames of bodies that have been settled.
+    pub(super) fn forget(&mut self, bodies: &[BodyId]) {
+        let settled = Rc::make_mut(&mut self.settled);
+        bodies.iter().for_each(|body| settled[body.0] = None);
+    }
+
+    /// The places of the points of these bodies, as far as their frames are known.
+    pub(super) fn places(
+        &self,
+        mechanism: &Mechanism,
+        bodies: impl IntoIterator<Item = BodyId>,
+    ) -> impl Iterator<Item = (PointId, Point)> {
+        bodies.into_iter().filter_map(|id| Some((mechanism.body(id), self.of(id)?))).flat_map(|(body, frame)| {
+            body.points.iter().copied().zip(body.local.iter().map(move |local| frame * local))
+        })
     }
 
     /// Sets a body's frame, and with it those of its compound link.

@@ -4,18 +4,26 @@
 
 mod assemble;
 mod closing;
+mod count;
 mod drawn;
 mod error;
+mod extent;
 mod frames;
 mod legs;
 mod levers;
+mod listing;
 mod modes;
+mod nearest;
 mod platform;
 mod pose;
 mod roots;
 mod rough;
 mod search;
+mod sides;
+mod tree;
 
-pub use assemble::{pose, poses};
+pub use assemble::{Listed, counted_poses, numbered_pose, pose, poses};
+pub use count::Count;
 pub use error::AssemblyError;
 pub use pose::{Assembly, Pose};
+pub use sides::with_nearest_sides;

@@ -1,24 +1,43 @@
 use std::cmp::Ordering;
 
 use super::closing::{Assembled, Closer, places};
+use super::extent::Extent;
 use super::frames::Frames;
 use super::levers::Lever;
 use super::platform::Platform;
 use super::rough::Rough;
 use super::search::Search;
-use crate::geometry::{Point, Vector, degrees_of, span};
+use crate::geometry::{Point, Vector, degrees_of};
 use crate::mechanism::{Class, Group, LoopEquations, Mechanism};
 
 /// Largest gap of a closed loop, relative to the mechanism's size: far more than the rounding that Newton's method
 /// leaves, less than the gap a billionth of a degree beyond a limit position.
 const CLOSED: f64 = 1e-12;
 
+/// Roundings that the gap of a closed loop holds at most.
+const ROUNDINGS: f64 = 8.0;
+
+/// Roundings from which on a gap between two assemblies is one.
+const SEEN: f64 = 4.0;
+
+/// Largest ratio of the square of the next Newton step, in radians, and a gap that rounding does not explain, in parts of
+/// the group's shortest link. At a root it is much less; where loops miss each other by a little, as beyond a limit
+/// position, it is about 1 at least.
+const SHARP: f64 = 1e-2;
+
 /// Two assemblies are the same mode if their points differ by less than this part of the mechanism's size and their
 /// one-point links by less than [`SAME_TURN`].
 const SAME: f64 = 1e-8;
 
+/// Two assemblies whose points differ by less than this part of the size may be one double root: they are if what lies
+/// between them closes, too, as far as rounding can tell.
+const NEIGHBOURS: f64 = 1e-4;
+
 /// In radians; at a double root angles are only as exact as the square root of a rounding.
 const SAME_TURN: f64 = 1e-6;
+
+/// The same for assemblies that may be one double root.
+const NEAR_TURN: f64 = 1e-3;
 
 /// Condition number above which the group counts as movable at fixed drives: with gaps of [`CLOSED`] a movable group
 /// exceeds it, two modes that nearly coincide do not.
@@ -32,72 +51,97 @@ pub(super) enum NoMode {
     NotFound(String),
 }
 
-/// Every real assembly mode of a group; of a group of higher class those that a search finds.
-///
-/// They are ordered by the angle of the group's first rotating link, counter-clockwise from +x; where none rotates, by
-/// the positions of its sliders. A slotted lever with one point has its slider on the positive side; where `rough`
-/// gives its angle, both orientations are modes.
-pub(super) fn modes(
-    mechanism: &Mechanism,
-    index: usize,
-    known: &Frames,
-    slides: &[f64],
-    rough: &Rough,
-) -> Result<Vec<Assembled>, NoMode> {
-    let group = &mechanism.groups[index];
-    let mut modes = Modes::new(mechanism, index);
-    if let Some(platform) = Platform::new(mechanism, group, known) {
-        for start in platform.starts(known, slides) {
-            modes.close(start, f64::INFINITY);
-        }
-        if modes.found.is_empty() {
-            return Err(NoMode::Apart(platform.miss()));
-        }
-    } else {
-        let mut search = Search::new(mechanism, group, known, slides, rough);
-        while !search.is_over(modes.found.len(), modes.is_regular) {
-            let start = search.start();
-            if modes.close(start, search.size) {
-                search.count_closed();
-            }
-        }
-        if modes.found.is_empty() {
-            let mut tried = format!("none of {} starts closes", search.starts);
-            if modes.smallest_gap.is_finite() {
-                let gap = modes.smallest_gap;
-                tried += &format!(", the nearest leaves a gap of {gap:.1e} of the mechanism's size");
-            }
-            return Err(NoMode::NotFound(tried));
+/// Finds the assembly modes of one group after another, over and over, for all assemblies of the groups before.
+pub(super) struct Assembler<'a> {
+    mechanism: &'a Mechanism,
+    rough: &'a Rough,
+    closer: Closer<'a>,
+    groups: Vec<Prepared>,
+    /// The points of the bodies of known position.
+    known: Extent,
+    /// The work done so far: bodies of the mechanism, times starts from which loops have been closed.
+    pub work: usize,
+}
+
+/// What is the same for all assemblies of a group.
+struct Prepared {
+    equations: LoopEquations,
+    levers: Vec<Lever>,
+}
+
+impl<'a> Assembler<'a> {
+    /// `known` are the frames of the bodies that no group holds.
+    pub(super) fn new(mechanism: &'a Mechanism, known: &Frames, rough: &'a Rough) -> Assembler<'a> {
+        let prepared = |group: &Group| {
+            let equations = LoopEquations::new(mechanism, group);
+            Prepared { levers: Lever::all(mechanism, group, &equations), equations }
+        };
+        let places = known.places(mechanism, mechanism.body_ids());
+        Assembler {
+            mechanism,
+            rough,
+            closer: Closer::new(mechanism, known),
+            groups: mechanism.groups.iter().map(prepared).collect(),
+            known: Extent::of(places.map(|(_, place)| place)),
+            work: 0,
         }
     }
-    Ok(modes.sorted(rough))
+
+    /// Every real assembly mode of a group; of a group of higher class those that a search finds.
+    ///
+    /// They are ordered by the angle of the group's first rotating link, counter-clockwise from +x; where none rotates,
+    /// by the positions of its sliders. A slotted lever with one point has its slider on the positive side; where
+    /// `near` gives its angle, both orientations are modes.
+    pub(super) fn modes(&mut self, index: usize, known: &Frames, slides: &[f64]) -> Result<Vec<Assembled>, NoMode> {
+        let (mechanism, group) = (self.mechanism, &self.mechanism.groups[index]);
+        let mut modes = Modes::new(self, index);
+        if let Some(platform) = Platform::new(mechanism, group, known) {
+            for start in platform.starts(known, slides) {
+                modes.close(start, f64::INFINITY);
+            }
+            if modes.found.is_empty() {
+                return Err(NoMode::Apart(platform.miss()));
+            }
+        } else {
+            let mut search = Search::new(mechanism, group, known, slides, modes.assembler.rough);
+            while !search.is_over(modes.found.len(), modes.is_regular) {
+                let start = search.start();
+                if modes.close(start, search.size) {
+                    search.count_closed();
+                }
+            }
+            if modes.found.is_empty() {
+                let mut tried = format!("none of {} starts closes", search.starts);
+                if modes.smallest_gap.is_finite() {
+                    let gap = modes.smallest_gap;
+                    tried += &format!(", the nearest leaves a gap of {gap:.1e} of the mechanism's size");
+                }
+                return Err(NoMode::NotFound(tried));
+            }
+        }
+        Ok(modes.sorted())
+    }
 }
 
 /// The modes of a group found so far.
-struct Modes<'a> {
-    mechanism: &'a Mechanism,
+struct Modes<'s, 'a> {
+    assembler: &'s mut Assembler<'a>,
+    index: usize,
     group: &'a Group,
-    equations: LoopEquations,
-    closer: Closer<'a>,
-    levers: Vec<Lever>,
     found: Vec<Assembled>,
-    /// By mode: the places of all points.
+    /// By mode: the places of the group's points.
     points: Vec<Vec<Point>>,
     /// Whether the loop equations are regular in at least one mode, so that the group cannot move at fixed drives.
     is_regular: bool,
     smallest_gap: f64,
 }
 
-impl<'a> Modes<'a> {
-    fn new(mechanism: &'a Mechanism, index: usize) -> Modes<'a> {
-        let group = &mechanism.groups[index];
-        let equations = LoopEquations::new(mechanism, group);
+impl<'s, 'a> Modes<'s, 'a> {
+    fn new(assembler: &'s mut Assembler<'a>, index: usize) -> Modes<'s, 'a> {
         Modes {
-            mechanism,
-            group,
-            levers: Lever::all(mechanism, group, &equations),
-            equations,
-            closer: Closer::new(mechanism, index),
+            group: &assembler.mechanism.groups[index],
+            assembler,
+            index,
             found: Vec::new(),
             points: Vec::new(),
             is_regular: false,
@@ -110,52 +154,92 @@ impl<'a> Modes<'a> {
     /// A slider that has moved far away enlarges the mechanism and makes any relative gap small: gaps are taken
     /// relative to a size of at most `reach`.
     fn close(&mut self, start: Assembled, reach: f64) -> bool {
-        let (mechanism, group) = (self.mechanism, self.group);
-        let mut assembled = self.closer.closed(start);
-        let (points, _) = places(mechanism, &assembled.frames);
-        let gap = assembled.gap * (span(points) / reach).max(1.0);
+        let (mechanism, group) = (self.assembler.mechanism, self.group);
+        self.assembler.work += mechanism.bodies.len();
+        let mut assembled = self.assembler.closer.closed(self.index, start);
+        let size = self.size(&self.places(&assembled));
+        let gap = assembled.gap * (size / reach).max(1.0);
         self.smallest_gap = self.smallest_gap.min(gap);
         if gap.is_nan() || gap > CLOSED {
             return false;
         }
         if group.class == Class::Higher {
             // The steps from a distant start may have ended before full accuracy.
-            assembled = self.closer.closed(assembled);
+            assembled = self.assembler.closer.closed(self.index, assembled);
+        } else if !self.is_root(&assembled, gap) {
+            return false;
         }
-        for lever in &self.levers {
+        for lever in &self.assembler.groups[self.index].levers {
             assembled = lever.positive(mechanism, assembled);
         }
-        let (points, guides) = places(mechanism, &assembled.frames);
-        let near = SAME * span(points.iter().copied());
-        let mut found = self.found.iter().zip(&self.points);
-        let is_known = found.any(|(other, places)| {
-            let mut pairs = places.iter().zip(&points);
-            pairs.all(|(p, q)| (p - q).norm() <= near) && same_turns(mechanism, group, other, &assembled)
-        });
+        let points = self.places(&assembled);
+        let size = self.size(&points);
+        let is_known = (0..self.found.len()).any(|other| self.is_same(other, &assembled, &points, size));
         if !is_known {
-            self.is_regular = self.is_regular || self.is_regular_at(&points, &guides);
+            // Only a search asks for it.
+            self.is_regular = self.is_regular || group.class == Class::Higher && self.condition(&assembled) < MOVABLE;
             self.found.push(assembled);
             self.points.push(points);
         }
         true
     }
 
-    fn is_regular_at(&self, points: &[Point], guides: &[Vector]) -> bool {
-        let system = self.equations.factored(points, guides);
-        system.is_some_and(|system| system.condition() < MOVABLE)
+    /// Whether an assembly with a small gap closes, and does not only come near it.
+    fn is_root(&mut self, assembled: &Assembled, gap: f64) -> bool {
+        let size = self.size(&self.places(assembled));
+        let Assembler { closer, .. } = &mut *self.assembler;
+        gap <= ROUNDINGS * closer.rounding(self.index, assembled) || {
+            let missed = gap * (size / closer.shortest(self.index)).max(1.0);
+            closer.next_step(self.index, assembled).powi(2) <= SHARP * missed
+        }
     }
 
-    /// All modes in order. A lever whose angle `rough` gives is listed in both orientations.
-    fn sorted(self, rough: &Rough) -> Vec<Assembled> {
+    /// Whether an assembly with its points at `points` is one that was found before.
+    fn is_same(&mut self, other: usize, assembled: &Assembled, points: &[Point], size: f64) -> bool {
+        let group = self.group;
+        let pairs = self.points[other].iter().zip(points);
+        let apart = pairs.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+        let found = &self.found[other];
+        let Assembler { mechanism, closer, .. } = &mut *self.assembler;
+        if apart <= SAME * size && same_turns(mechanism, group, found, assembled, SAME_TURN) {
+            return true;
+        }
+        let is_near = apart <= NEIGHBOURS * size && same_turns(mechanism, group, found, assembled, NEAR_TURN);
+        let least = SEEN * closer.rounding(self.index, assembled);
+        is_near && closer.gap_between(self.index, [found, assembled]) <= least.min(CLOSED)
+    }
+
+    /// The places of the group's points.
+    fn places(&self, assembled: &Assembled) -> Vec<Point> {
+        let bodies = self.group.bodies.iter().copied();
+        let places = assembled.frames.places(self.assembler.mechanism, bodies);
+        places.map(|(_, place)| place).collect()
+    }
+
+    /// The size of these points with the bodies of known position.
+    fn size(&self, points: &[Point]) -> f64 {
+        self.assembler.known.with(points.iter().copied()).size()
+    }
+
+    /// The condition number of the loop equations.
+    fn condition(&self, assembled: &Assembled) -> f64 {
+        let (points, guides) = places(self.assembler.mechanism, &assembled.frames);
+        let system = self.assembler.groups[self.index].equations.factored(&points, &guides);
+        system.map_or(f64::INFINITY, |system| system.condition())
+    }
+
+    /// All modes in order. A lever whose angle `near` gives is listed in both orientations.
+    fn sorted(self) -> Vec<Assembled> {
+        let Prepared { equations, levers } = &self.assembler.groups[self.index];
         let mut found = self.found;
-        for lever in self.levers {
-            if lever.links.iter().any(|&link| rough.angle(link).is_some()) {
-                let reversed = found.iter().map(|a| lever.reversed(self.mechanism, a));
+        for lever in levers {
+            if lever.links.iter().any(|&link| self.assembler.rough.angle(link).is_some()) {
+                let reversed = found.iter().map(|a| lever.reversed(self.assembler.mechanism, a));
                 found.extend(reversed.collect::<Vec<_>>());
             }
         }
         let mut links = self.group.links.iter();
-        let turning = links.find(|&&link| self.equations.spin_unknown(link).is_some());
+        let turning = links.find(|&&link| equations.spin_unknown(link).is_some());
         let angle = |a: &Assembled| {
             let frame = turning.and_then(|&link| a.frames.of(link));
             frame.map_or(0.0, |f| degrees_of(f.rotation * Vector::x()).rem_euclid(360.0))
@@ -169,14 +253,14 @@ impl<'a> Modes<'a> {
     }
 }
 
-/// Whether the one-point links of two assemblies have the same angles.
-fn same_turns(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled) -> bool {
+/// Whether the one-point links of two assemblies have the same angles to `most` radians.
+fn same_turns(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled, most: f64) -> bool {
     let mut one_point = group.bodies.iter().filter(|&&link| mechanism.body(link).points.len() == 1);
     one_point.all(|&link| {
         let rotation = |assembled: &Assembled| assembled.frames.of(link).map(|f| f.rotation);
         rotation(a).zip(rotation(b)).is_none_or(|(a, b)| {
             let (along, across) = (a.re - b.re, a.im - b.im);
-            along * along + across * across <= SAME_TURN * SAME_TURN
+            along * along + across * across <= most * most
         })
     })
 }

@@ -1,11 +1,15 @@
-use super::assemble::Way;
+use super::Count;
 use super::closing::places;
-use crate::geometry::{Point, Turn, Vector, degrees_of, span, turn_of_degrees};
+use super::tree::Way;
+use crate::geometry::{Placement, Point, Turn, Vector, degrees_of, span, turn_of_degrees};
 use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::scene::Near;
 
 /// Distance of a point from its rough place, in parts of the mechanism's size, above which a person means another place.
 const FAR: f64 = 0.22;
+
+/// Number of assemblies that a warning lists.
+pub(super) const LISTED: usize = 8;
 
 /// Rough places of points and angles of links, from the scene's `near`: the nearest assembly is chosen.
 pub(super) struct Rough {
@@ -28,6 +32,25 @@ impl Rough {
             points: points.filter(|(p, _)| of_group(*p)).collect(),
             angles: angles.filter(|(link, _)| member(*link)).collect(),
         }
+    }
+
+    /// The points with rough places.
+    pub(super) fn points(&self) -> &[(PointId, Point)] {
+        &self.points
+    }
+
+    /// The links with rough angles, in degrees.
+    pub(super) fn angles(&self) -> &[(BodyId, f64)] {
+        &self.angles
+    }
+
+    pub(super) fn has_angles(&self) -> bool {
+        !self.angles.is_empty()
+    }
+
+    /// Whether nothing is said of the assembly.
+    pub(super) fn is_empty(&self) -> bool {
+        self.count() == 0
     }
 
     /// The rough place of a point.
@@ -57,8 +80,7 @@ impl Rough {
         }
         for (link, angle) in &self.angles {
             if let Some(frame) = way.frames.of(*link) {
-                let now = degrees_of(frame.rotation * Vector::x());
-                let chord = 2.0 * libm::sin(0.5 * (now - angle).to_radians()) * size;
+                let chord = chord(frame, *angle) * size;
                 sum += chord * chord;
             }
         }
@@ -69,28 +91,17 @@ impl Rough {
         self.points.len() + self.angles.len()
     }
 
-    /// Index of the nearest assembly, and a warning about the choice.
-    pub(super) fn choose(&self, mechanism: &Mechanism, ways: &[Way]) -> (usize, Option<String>) {
-        if self.count() == 0 {
-            return (0, (ways.len() > 1).then(|| list_ways(mechanism, ways)));
-        }
-        let distances: Vec<f64> = ways.iter().map(|w| self.distance(mechanism, w)).collect();
-        let by_distance = |a: &usize, b: &usize| distances[*a].total_cmp(&distances[*b]);
-        let chosen = (0..ways.len()).min_by(by_distance).unwrap_or(0);
-        (chosen, self.remark(mechanism, ways, chosen, distances[chosen]))
-    }
-}
-
-impl Rough {
-    /// The warning that the chosen assembly is far from `near`: as a whole, or else in one of its places.
-    fn remark(&self, mechanism: &Mechanism, ways: &[Way], chosen: usize, distance: f64) -> Option<String> {
-        let (points, _) = places(mechanism, &ways[chosen].frames);
+    /// The warning that the nearest assembly is far from `near`: as a whole, or else in one of its places. `count` says
+    /// how many assemblies there are.
+    pub(super) fn remark(&self, mechanism: &Mechanism, nearest: &Way, count: impl FnOnce() -> Count) -> Option<String> {
+        let (points, _) = places(mechanism, &nearest.frames);
         let size = span(points.iter().copied());
+        let distance = self.distance(mechanism, nearest);
         if distance > 0.5 * size {
             return Some(format!(
                 "`near` is {distance:.4} away (root mean square) from the closest of {} assembly modes, more than half the mechanism's size {size:.4}: \
                  check its coordinates",
-                ways.len(),
+                count(),
             ));
         }
         let off = |&(p, rough): &(PointId, Point)| (p, (points[p.0] - rough).norm());
@@ -101,16 +112,21 @@ impl Rough {
                 "point {name} is at [{:.4}, {:.4}], {off:.4} away from its place in `near`, in the closest of {} assembly modes: check its coordinates",
                 place.x,
                 place.y,
-                ways.len(),
+                count(),
             )
         })
     }
 }
 
-/// The warning that `near` does not choose, with the assemblies listed.
-fn list_ways(mechanism: &Mechanism, ways: &[Way]) -> String {
-    const LISTED: usize = 8;
-    let listed = ways.iter().take(LISTED).enumerate().map(|(index, way)| {
+/// The chord, at radius 1, from a link's angle to a rough one in degrees.
+pub(super) fn chord(frame: &Placement, angle: f64) -> f64 {
+    let now = degrees_of(frame.rotation * Vector::x());
+    2.0 * libm::sin(0.5 * (now - angle).to_radians())
+}
+
+/// The warning that `near` does not choose, with the first assemblies listed.
+pub(super) fn not_chosen(mechanism: &Mechanism, first: &[Way], count: Count) -> String {
+    let listed = first.iter().take(LISTED).enumerate().map(|(index, way)| {
         let (points, _) = places(mechanism, &way.frames);
         let places = mechanism.inner_points().into_iter().map(|p| {
             let q = points[p.0];
@@ -119,11 +135,10 @@ fn list_ways(mechanism: &Mechanism, ways: &[Way]) -> String {
         format!("{}: {}", index + 1, places.collect::<Vec<_>>().join(" "))
     });
     let listed = listed.collect::<Vec<_>>().join("; ");
-    let more = if ways.len() > LISTED { "; …" } else { "" };
+    let more = if first.len() > LISTED { "; …" } else { "" };
     let links: Vec<String> = mechanism.groups.iter().map(|g| g.link_names(mechanism)).collect();
     format!(
-        "links {} can be assembled in {} ways and `near` is not given, so mode 1 is taken: {listed}{more}",
+        "links {} can be assembled in {count} ways and `near` is not given, so mode 1 is taken: {listed}{more}",
         links.join(", "),
-        ways.len(),
     )
 }

@@ -46,6 +46,7 @@ pub(super) struct SceneFile {
     /// Links that slide along straight guides, and pins that ride in slots.
     pub sliders: Option<Vec<SliderFile>>,
     /// Approximate coordinates of some points, and angles of links as "angle(3)", to choose the assembly mode.
+    /// The one with the least sum of squared distances from them is taken; an angle counts as its chord at a radius of the mechanism's size.
     /// A slotted lever with one point has its slider on the positive side of `through`, unless its angle stands here.
     pub near: Option<Entries<NearValue>>,
     /// What the figure shows, and how large.

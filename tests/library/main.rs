@@ -6,6 +6,7 @@ mod support;
 
 mod accuracy;
 mod architecture;
+mod assemblies;
 mod bad_scenes;
 mod committed_files;
 mod complete_plans;

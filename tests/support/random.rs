@@ -22,6 +22,11 @@ impl Random {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
+    /// From `low` to `high`.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
     /// From −`bound` to `bound`.
     pub fn within(&mut self, bound: f64) -> f64 {
         bound * (2.0 * self.unit() - 1.0)

@@ -1,0 +1,211 @@
+use super::closing::places;
+use super::frames::{Frames, driven_position};
+use super::modes::{Assembler, NoMode};
+use super::rough::Rough;
+use super::{Assembly, Pose};
+use crate::geometry::{Placement, Vector};
+use crate::mechanism::{BodyId, Class, Mechanism, Role};
+
+/// The assemblies of a mechanism as a tree: each mode of a group leaves the groups after it modes of their own.
+///
+/// Groups are put down and taken away one after another; [`Tree::modes`] gives what the next group has then.
+pub(super) struct Tree<'a> {
+    pub mechanism: &'a Mechanism,
+    assembler: Assembler<'a>,
+    frames: Frames,
+    slides: Vec<f64>,
+    has_angles: bool,
+    /// The groups in the order of the tree.
+    pub order: Order,
+}
+
+/// A group in one of its modes.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    pub group: usize,
+    pub assembly: Assembly,
+    pub frames: Vec<(BodyId, Placement)>,
+    /// The positions of its sliders.
+    slides: Vec<(usize, f64)>,
+}
+
+/// What can be solved by itself once the groups before it are down.
+#[derive(Clone, Debug)]
+pub(super) struct Order {
+    /// Groups that share nothing, with all that hangs on them.
+    pub roots: Vec<usize>,
+    /// By group: the groups that share nothing once it is down, each with all that hangs on it.
+    pub next: Vec<Vec<usize>>,
+}
+
+impl<'a> Tree<'a> {
+    /// The tree of a mechanism given by lengths.
+    pub(super) fn new(mechanism: &'a Mechanism, rough: &'a Rough) -> Tree<'a> {
+        let frames = Frames::known(mechanism);
+        let has_angles = rough.has_angles();
+        let order = if has_angles { Order::chain(mechanism) } else { Order::new(mechanism) };
+        Tree {
+            mechanism,
+            assembler: Assembler::new(mechanism, &frames, rough),
+            slides: mechanism.sliders.iter().map(driven_position).collect(),
+            frames,
+            has_angles,
+            order,
+        }
+    }
+
+    /// The work done so far: bodies of the mechanism, times starts from which loops have been closed.
+    pub(super) fn work(&self) -> usize {
+        self.assembler.work
+    }
+
+    /// Whether rough angles take part in the choice.
+    pub(super) fn has_angles(&self) -> bool {
+        self.has_angles
+    }
+
+    /// The frames of the bodies of known position and of the groups that are down.
+    pub(super) fn frames(&self) -> &Frames {
+        &self.frames
+    }
+
+    /// The modes of a group, in their order; all groups on which it hangs must be down, and it must not.
+    pub(super) fn modes(&mut self, group: usize) -> Result<Vec<Placed>, NoMode> {
+        let found = self.assembler.modes(group, &self.frames, &self.slides)?;
+        let modes = found.len();
+        let joints = self.mechanism.groups[group].joints.iter();
+        let sliders: Vec<usize> = joints.filter_map(|&j| self.mechanism.joint(j).slider).map(|id| id.0).collect();
+        let placed = found.into_iter().enumerate().map(|(index, assembled)| Placed {
+            group,
+            assembly: Assembly { mode: index + 1, modes },
+            slides: sliders.iter().map(|&id| (id, assembled.slides[id])).collect(),
+            frames: assembled.frames.newly_set(),
+        });
+        Ok(placed.collect())
+    }
+
+    /// Puts a group down.
+    pub(super) fn put(&mut self, placed: &Placed) {
+        self.frames.settle(&placed.frames);
+        placed.slides.iter().for_each(|&(id, position)| self.slides[id] = position);
+    }
+
+    /// Takes a group away.
+    pub(super) fn take(&mut self, group: usize) {
+        self.frames.forget(&self.mechanism.groups[group].bodies);
+    }
+
+    /// Takes all groups away.
+    pub(super) fn clear(&mut self) {
+        self.mechanism.groups.iter().for_each(|group| self.frames.forget(&group.bodies));
+    }
+
+    /// The assembly of the whole mechanism with these groups.
+    pub(super) fn way<'p>(&self, placed: impl IntoIterator<Item = &'p Placed>) -> Way {
+        let mut way = Way {
+            frames: self.frames.clone(),
+            slides: self.slides.clone(),
+            assemblies: vec![None; self.mechanism.groups.len()],
+        };
+        for group in placed {
+            way.frames.settle(&group.frames);
+            group.slides.iter().for_each(|&(id, position)| way.slides[id] = position);
+            way.assemblies[group.group] = Some(group.assembly);
+        }
+        way
+    }
+}
+
+impl Order {
+    /// The order by which groups hang on each other. Each group comes after all on which it hangs.
+    fn new(mechanism: &Mechanism) -> Order {
+        let count = mechanism.groups.len();
+        let mut group_of = vec![None; mechanism.bodies.len()];
+        for (index, group) in mechanism.groups.iter().enumerate() {
+            group.bodies.iter().for_each(|body| group_of[body.0] = Some(index));
+        }
+        let mut hang_on = vec![Vec::new(); count];
+        for (index, group) in mechanism.groups.iter().enumerate() {
+            let joints = group.joints.iter().map(|&joint| mechanism.joint(joint));
+            let tied = joints.clone().flat_map(|joint| &joint.tie).flat_map(|tie| &tie.turns).map(|(body, _)| *body);
+            let bodies = joints.flat_map(|joint| joint.bodies).chain(tied);
+            let groups = bodies.filter_map(|body| group_of[body.0]);
+            groups.filter(|&other| other < index).for_each(|other| hang_on[other].push(index));
+        }
+        // From the last group on: a group joins the parts that hang on it, and becomes the first of the joined part.
+        let mut part: Vec<usize> = (0..count).collect();
+        let mut is_root = vec![true; count];
+        let mut next = vec![Vec::new(); count];
+        for group in (0..count).rev() {
+            for &hanging in &hang_on[group] {
+                let first = first_of(&mut part, hanging);
+                if first != group {
+                    part[first] = group;
+                    is_root[first] = false;
+                    next[group].push(first);
+                }
+            }
+            next[group].sort_unstable();
+        }
+        Order { roots: (0..count).filter(|&group| is_root[group]).collect(), next }
+    }
+
+    /// One group after another: an angle's weight depends on the size of the whole, so that no part stands by itself.
+    fn chain(mechanism: &Mechanism) -> Order {
+        let count = mechanism.groups.len();
+        let after = |group| if group + 1 < count { vec![group + 1] } else { Vec::new() };
+        Order { roots: (0..count.min(1)).collect(), next: (0..count).map(after).collect() }
+    }
+}
+
+/// The first group of the part to which `group` belongs.
+fn first_of(part: &mut [usize], mut group: usize) -> usize {
+    while part[group] != group {
+        part[group] = part[part[group]];
+        group = part[group];
+    }
+    group
+}
+
+/// An assembly of the whole mechanism.
+#[derive(Clone, Debug)]
+pub(super) struct Way {
+    pub frames: Frames,
+    pub slides: Vec<f64>,
+    /// By group: the number of its assembly mode.
+    pub assemblies: Vec<Option<Assembly>>,
+}
+
+impl Way {
+    /// The pose of `mechanism`. It may have fewer bodies and sliders than its [`Mechanism::for_positions`], to which
+    /// this assembly belongs.
+    pub(super) fn pose(self, mechanism: &Mechanism) -> Pose {
+        let (points, guides) = places(mechanism, &self.frames);
+        let named = |id: usize| !matches!(mechanism.bodies[id].role, Role::Ground | Role::Carrier { .. });
+        let axes = (0..mechanism.bodies.len()).map(|id| {
+            let frame = self.frames.of(BodyId(id)).filter(|_| named(id))?;
+            Some(frame.rotation * Vector::x())
+        });
+        Pose {
+            axes: axes.collect(),
+            points,
+            guides,
+            slides: self.slides[..mechanism.sliders.len()].iter().copied().map(Some).collect(),
+            assemblies: self.assemblies,
+            warnings: search_warnings(mechanism.for_positions()).collect(),
+        }
+    }
+}
+
+/// Warnings for groups whose assembly modes come from a search, not from a polynomial. A group without a loop has one
+/// mode.
+fn search_warnings(mechanism: &Mechanism) -> impl Iterator<Item = String> {
+    let groups = mechanism.groups.iter();
+    let higher = groups.filter(|group| group.class == Class::Higher && !group.loops.is_empty());
+    higher.map(|group| {
+        format!(
+            "links {} form a group of higher class: its assembly modes were found by a search, and there may be more",
+            group.link_names(mechanism)
+        )
+    })
+}
