@@ -4,6 +4,7 @@
 //! boxes all overlap, and labels move often. A grid takes lines cell by cell, and a move costs a few cells.
 
 use kurbo::{Point, Rect};
+use std::cell::RefCell;
 
 /// Width and height of a cell in mm, about those of a name.
 const CELL: f64 = 4.0;
@@ -27,6 +28,16 @@ pub(super) struct Grid {
     rows: usize,
     cells: Vec<Vec<u32>>,
     everywhere: Vec<u32>,
+    seen: RefCell<Seen>,
+}
+
+/// What a search has found already.
+#[derive(Clone, Debug, Default)]
+struct Seen {
+    /// Number of the search.
+    search: u32,
+    /// By thing: the last search that found it.
+    last: Vec<u32>,
 }
 
 impl Grid {
@@ -37,7 +48,7 @@ impl Grid {
         let cell = [(area.width() / columns).max(CELL), (area.height() / rows).max(CELL)];
         let (columns, rows) = (columns as usize, rows as usize);
         let cells = vec![Vec::new(); columns * rows];
-        Self { origin: area.origin(), cell, columns, rows, cells, everywhere: Vec::new() }
+        Self { origin: area.origin(), cell, columns, rows, cells, everywhere: Vec::new(), seen: RefCell::default() }
     }
 
     /// The column of a place; that at the edge outside, the first for a NaN.
@@ -104,11 +115,21 @@ impl Grid {
     /// What is near a box, in rising order, each once; at least all that touches it.
     pub(super) fn near(&self, area: Rect) -> Vec<usize> {
         let mut found: Vec<usize> = self.everywhere.iter().map(|thing| *thing as usize).collect();
+        let mut seen = self.seen.borrow_mut();
+        let Seen { search, last } = &mut *seen;
+        *search += 1;
         for cell in self.cells_of(area) {
-            found.extend(self.cells[cell].iter().map(|thing| *thing as usize));
+            for &thing in &self.cells[cell] {
+                let thing = thing as usize;
+                if last.len() <= thing {
+                    last.resize(thing + 1, 0);
+                }
+                if std::mem::replace(&mut last[thing], *search) != *search {
+                    found.push(thing);
+                }
+            }
         }
         found.sort_unstable();
-        found.dedup();
         found
     }
 }

@@ -67,6 +67,11 @@ impl Taken {
         self.lines.near(area)
     }
 
+    /// Whether the number of a line near `area` satisfies `is`.
+    pub(super) fn any_line(&self, area: Rect, is: impl FnMut(usize) -> bool) -> bool {
+        self.lines.any(area, is)
+    }
+
     /// Number of obstacles, lines and boxes, that a short segment crosses.
     pub(super) fn crossings_with(&self, from: Point, to: Point) -> usize {
         let side = |a: Point, b: Point, p: Point| (b - a).cross(p - a);

@@ -220,8 +220,9 @@ fn points(solution: &Solution) -> IndexMap<String, PointResult> {
         acceleration: (motion.order == Order::Acceleration).then(|| pair(motion.body(body).acceleration_at(place))),
         on: on.map(|b| mechanism.body(b).name.clone()),
     };
+    let holders = mechanism.holders();
     for point in (0..mechanism.points.len()).map(PointId) {
-        if let Some(body) = holder(mechanism, point) {
+        if let Some(body) = holder(mechanism, &holders[point.0]) {
             let name = mechanism.point_name(point).to_owned();
             points.insert(name, moving(body, pose.point(point), None));
         }

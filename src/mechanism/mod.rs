@@ -243,6 +243,12 @@ impl Body {
         self.block || matches!(self.role, Role::Carrier { .. })
     }
 
+    /// Whether it has a point.
+    #[must_use]
+    pub fn has(&self, point: PointId) -> bool {
+        self.points.contains(&point)
+    }
+
     /// The coordinates of one of its points in its own frame; `None` in a drawn configuration, and for a point of other
     /// bodies.
     #[must_use]

@@ -115,10 +115,9 @@ pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec
     let (known, members): (Vec<BodyId>, Vec<BodyId>) = bodies.partition(|&b| mechanism.is_known(b));
     for id in members.into_iter().rev().chain(known.into_iter().rev()) {
         let body = mechanism.body(id);
-        for &point in &body.points {
-            if let Some(place) = frames.place(mechanism, id, point) {
-                points[point.0] = place;
-            }
+        let Some(frame) = frames.of(id) else { continue };
+        for (point, local) in body.points.iter().zip(&body.local) {
+            points[point.0] = frame * local;
         }
     }
     let guides = mechanism.sliders.iter().map(|slider| {

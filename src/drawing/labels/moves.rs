@@ -82,7 +82,7 @@ impl Search<'_> {
                 self.add_far_places(index);
                 let places = 0..self.labels[index].places.len();
                 let is_clear = |place: &usize| {
-                    self.struck(self.labels[index].places[*place].ink) == 0.0 && self.blockers(index, *place, 0).1 == 0
+                    !self.is_struck(self.labels[index].places[*place].ink) && self.blockers(index, *place, 0).1 == 0
                 };
                 let clear: Vec<usize> = places.filter(is_clear).collect();
                 let costs = clear.into_iter().map(|place| (self.cost(index, place), place));

@@ -162,6 +162,11 @@ impl<'a> Search<'a> {
         lines.map(|line| line.share_inside(ink) * line.length).sum()
     }
 
+    /// Whether a line crosses a box.
+    pub(super) fn is_struck(&self, ink: Rect) -> bool {
+        self.taken.any_line(ink, |line| self.lines[line].share_inside(ink) * self.lines[line].length > 0.0)
+    }
+
     /// The whole cost of a place if it is less than `limit`.
     pub(super) fn cost_below(&mut self, index: usize, place: usize, limit: f64) -> Option<f64> {
         let label = &mut self.labels[index];
