@@ -94,6 +94,12 @@ impl Figures {
         self.options.style()
     }
 
+    /// Whether pages are among the formats.
+    pub(super) fn has_page(&self) -> bool {
+        let is_named = self.output.extension().is_some_and(|ending| ending == FigureFormat::Html.ending());
+        is_named || self.options.format.contains(&FigureFormat::Html)
+    }
+
     /// Figures that are written to a folder or to a file.
     pub(super) fn at(output: &Path, options: &FigureOptions) -> Figures {
         Figures { output: output.to_owned(), options: options.clone() }

@@ -137,9 +137,7 @@ impl Writer<'_> {
         // Driven sliders connect the body with an anchored link of its compound link.
         let root = mechanism.root(body);
         let mut others = mechanism.compound(root).into_iter();
-        let is_there = |b: &BodyId| {
-            self.anchors[b.0].is_some() || self.first_motions.contains_key(&(sheet, *b))
-        };
+        let is_there = |b: &BodyId| self.anchors[b.0].is_some() || self.first_motions.contains_key(&(sheet, *b));
         let other = others.find(|b| *b != body && is_there(b))?;
         let start = self.motion(sheet, other, point);
         self.add_slides(sheet, start, &mechanism.way(other, body))

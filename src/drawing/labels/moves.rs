@@ -49,20 +49,18 @@ impl Search<'_> {
     pub(super) fn make_room(&mut self) {
         self.begin();
         for index in 0..self.labels.len() {
-            if self.is_enough() {
-                return;
-            }
             if self.labels[index].chosen.is_some() || self.labels[index].is_blank() {
                 continue;
             }
+            // Without time for pushing there are still places farther away.
             let mut tries = TRIES;
-            if self.push(index, PUSHES, &mut Pushed::default(), &mut tries) {
+            if !self.is_enough() && self.push(index, PUSHES, &mut Pushed::default(), &mut tries) {
                 continue;
             }
             self.add_far_places(index);
             let place = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
             self.choose(index, place);
-            if self.labels[index].chosen.is_none() {
+            if self.labels[index].chosen.is_none() && !self.is_enough() {
                 let mut tries = TRIES;
                 self.push(index, PUSHES, &mut Pushed::default(), &mut tries);
             }
@@ -120,7 +118,8 @@ impl Search<'_> {
             }
             *tries -= 1;
             let before = pushed.moved.len();
-            for (label, chosen) in std::iter::once((index, Some(place))).chain(others.iter().map(|&other| (other, None)))
+            for (label, chosen) in
+                std::iter::once((index, Some(place))).chain(others.iter().map(|&other| (other, None)))
             {
                 pushed.moved.push((label, self.labels[label].chosen));
                 self.choose(label, chosen);

@@ -48,7 +48,8 @@ impl<'a> Search<'a> {
             anchors.add(index, Rect::from_points(label.anchor, label.anchor));
         }
         let chosen = Grid::new(bounds);
-        let mut search = Self { labels, lines, taken, chosen, anchors, work: Cell::new(0), is_cut_short: Cell::new(false) };
+        let mut search =
+            Self { labels, lines, taken, chosen, anchors, work: Cell::new(0), is_cut_short: Cell::new(false) };
         for index in 0..search.labels.len() {
             search.find_surroundings(index);
             search.add_places(index, &NEAR);

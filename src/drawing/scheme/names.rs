@@ -62,9 +62,7 @@ impl Scheme<'_> {
             let (anchor, clearance, prefer) = match self.shape(view, id) {
                 LinkShape::Bars(bars) => {
                     let [a, b] = bars[bars.len() - 1];
-                    let free = |share: f64| {
-                        joints.distance(a.lerp(b, share), ROOM).unwrap_or(f64::INFINITY)
-                    };
+                    let free = |share: f64| joints.distance(a.lerp(b, share), ROOM).unwrap_or(f64::INFINITY);
                     let shares = [0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78];
                     // The middle, unless a joint is nearby.
                     let good = shares.into_iter().find(|&s| free(s) > ROOM);
