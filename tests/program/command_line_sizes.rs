@@ -1,6 +1,7 @@
 //! What is too large for a command is refused at once, with what there is too much of and how much there may be.
 
-use crate::support::program::{stderr, with_scene};
+use crate::support::files;
+use crate::support::program::{kinegon, scratch, stderr, with_scene};
 
 /// A scene as drawn of a crank with a dyad, and further links without a point of their own: stubs on given points.
 fn scene(links: usize) -> Vec<u8> {
@@ -38,4 +39,17 @@ fn each_command_states_its_limits() {
 fn nesting_is_limited() {
     let output = with_scene(&["solve", "-"], "[".repeat(100_000).as_bytes());
     assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+}
+
+#[test]
+fn a_form_has_a_limit() {
+    let folder = scratch("large-form");
+    let form = folder.join("form.csv");
+    let lines: String = (0..900_000).map(|k| format!("x,{}\n", k % 10)).collect();
+    std::fs::write(&form, lines).expect("the test's folder can be written");
+    let arguments = [files::path("examples/figure-2.json"), form];
+    let output = kinegon().arg("check").args(arguments).output().expect("the program runs");
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("at most 5000 values, and here are 900000"), "{message}");
 }
