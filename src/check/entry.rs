@@ -53,8 +53,17 @@ pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, C
     entries_by(measured, key, &Names::new(key))
 }
 
+/// Most values of a form: more than the largest construction by hand has.
+const MOST_VALUES: usize = 5_000;
+
 /// The same with the names of the scene's quantities, which many forms have in common.
 pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names) -> Result<Vec<Entry>, CheckError> {
+    let places = measured.points.iter().map(|plan| plan.places.len()).sum::<usize>();
+    let count = measured.values.len() + measured.faults.len() + places;
+    if count > MOST_VALUES {
+        let hint = "is this a form? `kinegon check` without a form prints an empty one";
+        return Err(CheckError::new(format!("a form has at most {MOST_VALUES} values, and here are {count}"), hint));
+    }
     let mut faults = measured.faults.clone();
     for (mu, name) in measured.mu.iter().zip(["mu_l", "mu_v", "mu_a"]) {
         if mu.is_some_and(|mu| !(mu.is_finite() && mu > 0.0)) {

@@ -9,7 +9,7 @@ use super::message::{Failure, warn};
 use super::output::FileSet;
 use super::pencil::Hand;
 use super::wording::Words;
-use super::work::{Mode, show_warnings, solve};
+use super::work::{HAND, Mode, show_warnings, solve};
 use crate::check::{
     self, AnswerKey, CheckError, ClassColumns, EmptyForm, Feedback, MarkScheme, Marks, Measured, Prepared,
 };
@@ -104,7 +104,7 @@ impl Check {
 
     fn solved(&self, scene: &Path) -> Result<Solution, Failure> {
         let source = files::read(scene)?;
-        solve(&source, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
+        solve(&source, HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
     }
 
     /// Refuses `-o` for one form.

@@ -5,7 +5,7 @@ use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
 use super::sweep::{refuse_nothing, split_names};
 use super::wording::{Words, one_of};
-use super::work::{Mode, show_warnings, solve};
+use super::work::{FIGURE, Mode, STEPS, show_warnings, solve};
 use crate::construction::{NumberedStep, PlanKind, Solution};
 use crate::cycle::{Animation, Drive, Traces};
 use crate::drawing::{Drawing, frames_with};
@@ -99,9 +99,11 @@ impl Draw {
                 .to_vec(),
         };
         let style = self.figures.style()?;
+        let is_stepwise = steps.is_some() || self.layered || self.figures.has_page();
+        let most = if is_stepwise { STEPS } else { FIGURE };
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
-            let solution = solve(&source, self.mode.number, |f| self.put_into(f, &style), needed_order)?;
+            let solution = solve(&source, most, self.mode.number, |f| self.put_into(f, &style), needed_order)?;
             self.check_traced(&solution.scene)?;
             let traces = Traces::new(&solution, None).map_err(|error| source.fail(error))?;
             note_limits(&traces, &solution.scene.figure);

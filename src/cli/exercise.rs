@@ -5,7 +5,7 @@ use super::new;
 use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
 use super::wording::Words;
-use super::work::solve;
+use super::work::{HAND, solve};
 use crate::drawing::Drawing;
 use crate::exercise::{Exercise, ExerciseError, Exercises};
 use crate::format::{self, Text};
@@ -61,7 +61,7 @@ impl ExerciseCommand {
             self.scales.put_into(figure);
             style.put_into(figure);
         };
-        let solution = solve(&source, None, override_figure, |_| Order::Acceleration)?;
+        let solution = solve(&source, HAND, None, override_figure, |_| Order::Acceleration)?;
         let (figure, construction) = (&solution.scene.figure, &solution.construction);
         let failed = |error: ExerciseError| Failure::Outside(format!("{}: {error}", source.name));
         let page = self.paper.is_given().then_some(figure.page);

@@ -1,11 +1,14 @@
 use super::files;
-use super::message::{Failure, note};
+use super::message::{Failure, note, warn};
 use super::output::{self, FileSet};
 use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
+
+/// How many names without room are listed.
+const MOST_LISTED: usize = 20;
 
 /// Where figures go, and in which forms.
 #[derive(Debug, Args)]
@@ -92,6 +95,12 @@ impl Figures {
         self.options.style()
     }
 
+    /// Whether pages are among the formats.
+    pub(super) fn has_page(&self) -> bool {
+        let is_named = self.output.extension().is_some_and(|ending| ending == FigureFormat::Html.ending());
+        is_named || self.options.format.contains(&FigureFormat::Html)
+    }
+
     /// Figures that are written to a folder or to a file.
     pub(super) fn at(output: &Path, options: &FigureOptions) -> Figures {
         Figures { output: output.to_owned(), options: options.clone() }
@@ -106,6 +115,7 @@ impl Figures {
         drawings: Vec<(String, Vec<Drawing>)>,
         page: impl Fn(usize) -> Result<String, Failure>,
     ) -> Result<(), Failure> {
+        warn_unlabelled(&drawings);
         let mut written = Vec::new();
         for (index, (name, sheets)) in drawings.iter().enumerate() {
             for (path, format) in self.targets(name, drawings.len())? {
@@ -156,6 +166,7 @@ impl Figures {
         inputs: &[(&str, &Path)],
         drawings: Vec<(String, Vec<Drawing>)>,
     ) -> Result<(), Failure> {
+        warn_unlabelled(&drawings);
         let mut written = Vec::new();
         for (name, sheets) in &drawings {
             let targets = self.targets(name, drawings.len())?;
@@ -237,6 +248,28 @@ impl Figures {
             }
         }
     }
+}
+
+/// Warns of names for which panels have no room, once for all sheets of a figure.
+fn warn_unlabelled(drawings: &[(String, Vec<Drawing>)]) {
+    let mut told: Vec<&(String, Vec<String>)> = Vec::new();
+    for panel in drawings.iter().flat_map(|(_, sheets)| sheets).flat_map(|sheet| &sheet.unlabelled) {
+        if !told.contains(&panel) {
+            warn(&unlabelled(panel));
+            told.push(panel);
+        }
+    }
+}
+
+/// The warning that a panel has no room for names.
+fn unlabelled((panel, names): &(String, Vec<String>)) -> String {
+    let listed = names.iter().take(MOST_LISTED).map(String::as_str).collect::<Vec<_>>().join("; ");
+    let more = match names.len().saturating_sub(MOST_LISTED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let count = names.len();
+    format!("{panel}: no room for {count} names, which are left out: {listed}{more}; a larger page has room for more")
 }
 
 /// A drawing style in place of the scene's.

@@ -1,7 +1,7 @@
 use super::files;
 use super::message::{Failure, warn};
 use super::pencil::Hand;
-use super::work::{Mode, show_warnings, solve};
+use super::work::{HAND, Mode, NUMBERS, show_warnings, solve};
 use crate::construction::Solution;
 use crate::drawing::Style;
 use crate::format::{self, QuantityResult, ResultFile};
@@ -32,7 +32,8 @@ pub(super) struct Solve {
 impl Solve {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let solution = solve(&source, self.mode.number, |_| (), needed_order)?;
+        let most = if self.pencil || self.hand.is_given() { HAND } else { NUMBERS };
+        let solution = solve(&source, most, self.mode.number, |_| (), needed_order)?;
         if self.digits {
             return print_digits(&solution);
         }

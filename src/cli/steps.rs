@@ -3,7 +3,7 @@ use super::message::Failure;
 use super::paper::{GivenScales, Paper};
 use super::pencil::Hand;
 use super::wording::Words;
-use super::work::{Mode, show_warnings, solve};
+use super::work::{HAND, Mode, show_warnings, solve};
 use crate::motion::Order;
 use crate::quantity::{Asked, step_names};
 use crate::scene::Figure;
@@ -35,7 +35,7 @@ impl Steps {
             self.paper.put_into(figure);
             self.scales.put_into(figure);
         };
-        let solution = solve(&source, self.mode.number, override_figure, |_| Order::Acceleration)?;
+        let solution = solve(&source, HAND, self.mode.number, override_figure, |_| Order::Acceleration)?;
         let names = step_names(&solution.construction);
         let asked: Result<Vec<Asked>, _> = names.iter().map(|name| Asked::new(name, &solution.mechanism)).collect();
         let asked = asked.map_err(|error| source.fail(error))?;

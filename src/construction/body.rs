@@ -58,9 +58,7 @@ impl Writer<'_> {
     }
 
     pub(crate) fn place_of_motion(&self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
-        let mut motions = self.motions.iter();
-        let found = motions.find(|m| (m.0, m.1, m.2) == (sheet, body, point));
-        found.map(|m| m.3)
+        self.motions.get(&(sheet, body, point)).copied()
     }
 
     fn known_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
@@ -122,8 +120,7 @@ impl Writer<'_> {
     fn connected_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
         self.construction.spins[body.0]?;
         let mechanism = self.mechanism;
-        let of_body = |m: &&(Sheet, BodyId, PointId, PlaceId)| (m.0, m.1) == (sheet, body);
-        if let Some(&(.., from, place)) = self.motions.iter().find(of_body) {
+        if let Some(&(from, place)) = self.first_motions.get(&(sheet, body)) {
             return self.add_rotation(sheet, body, (from, place), point);
         }
         if let Some(Anchor { joint, from }) = self.anchors[body.0] {
@@ -140,10 +137,7 @@ impl Writer<'_> {
         // Driven sliders connect the body with an anchored link of its compound link.
         let root = mechanism.root(body);
         let mut others = mechanism.compound(root).into_iter();
-        let is_there = |b: &BodyId| {
-            let moved = || self.motions.iter().any(|m| (m.0, m.1) == (sheet, *b));
-            self.anchors[b.0].is_some() || moved()
-        };
+        let is_there = |b: &BodyId| self.anchors[b.0].is_some() || self.first_motions.contains_key(&(sheet, *b));
         let other = others.find(|b| *b != body && is_there(b))?;
         let start = self.motion(sheet, other, point);
         self.add_slides(sheet, start, &mechanism.way(other, body))
@@ -183,7 +177,7 @@ impl Writer<'_> {
     fn lay_off_part(&mut self, sheet: Sheet, start: PlaceId, sum: Vec<Product>, along: Along, of: VectorOf) -> PlaceId {
         let end = self.lay_off(sheet, start, sum, along);
         if end != start {
-            self.laid_off.push(LaidOff { start, end, of });
+            self.laid_off.entry(end).or_insert(LaidOff { start, end, of });
         }
         end
     }

@@ -35,6 +35,10 @@ pub struct Construction {
     pub numbers: Vec<NumberKind>,
     /// How many places, lines and numbers the operations make.
     pub(super) counts: [usize; 3],
+    /// By group: how many special points those before it have.
+    pub(super) special_before: Vec<usize>,
+    /// By plan point: the index of the first step of its plan that makes it.
+    pub(super) made_by: IndexMap<(Sheet, String), usize>,
     /// Named points: joints and special points of the scheme, points of the plans.
     pub(super) places: IndexMap<(Sheet, String), PlaceId>,
     /// By the usual name of a leg's normal part, as in `n_b3`: the plan points where the known parts of the leg's
@@ -87,12 +91,13 @@ pub(crate) fn construction_writer<'a>(
     if extent == Extent::Points {
         mechanism.body_ids().filter(|&body| mechanism.is_known(body)).for_each(|body| writer.further_images(body));
     }
+    writer.construction.note_makers();
     writer
 }
 
 impl Construction {
     pub(super) fn empty(mechanism: &Mechanism, order: Order, origin: Point, extent: Extent) -> Self {
-        let plan = |kind| Plan { kind, points: IndexMap::new(), steps: Vec::new() };
+        let plan = |kind| Plan { kind, points: IndexMap::new(), steps: Vec::new(), largest: 0.0 };
         Self {
             extent,
             special: Vec::new(),
@@ -104,6 +109,8 @@ impl Construction {
             origin,
             numbers: Vec::new(),
             counts: [0; 3],
+            special_before: Vec::new(),
+            made_by: IndexMap::new(),
             places: IndexMap::new(),
             known_parts: IndexMap::new(),
             spins: vec![None; mechanism.bodies.len()],
@@ -115,7 +122,39 @@ impl Construction {
     /// A special point.
     #[must_use]
     pub fn special(&self, id: SpecialId) -> &Special {
-        self.special.iter().flatten().nth(id.0).expect("a step names a special point that there is")
+        let group = self.group_of(id).expect("a step names a special point that there is");
+        &self.special[group][id.0 - self.special_before[group]]
+    }
+
+    /// The group to which a special point belongs.
+    pub(super) fn group_of(&self, id: SpecialId) -> Option<usize> {
+        // Of groups without special points the last begins where the next one does.
+        let group = self.special_before.partition_point(|&before| before <= id.0).checked_sub(1)?;
+        (id.0 - self.special_before[group] < self.special[group].len()).then_some(group)
+    }
+
+    /// How many special points there are.
+    pub(super) fn special_count(&self) -> usize {
+        self.special_before.last().copied().unwrap_or(0) + self.special.last().map_or(0, Vec::len)
+    }
+
+    /// Adds the special points of the next group.
+    pub(super) fn add_special(&mut self, special: Vec<Special>) {
+        self.special_before.push(self.special_count());
+        self.special.push(special);
+    }
+
+    /// Notes which steps make the plans' points.
+    fn note_makers(&mut self) {
+        let mut made_by = IndexMap::new();
+        for plan in self.plans() {
+            for (index, step) in plan.steps.iter().enumerate() {
+                if let Some(name) = step.action.image() {
+                    made_by.entry((plan.kind.sheet(), name.to_owned())).or_insert(index);
+                }
+            }
+        }
+        self.made_by = made_by;
     }
 
     /// A special point by name.
@@ -207,6 +246,30 @@ impl Construction {
         let scheme = self.scheme.iter().map(|step| (None, step));
         let plans = self.plans().flat_map(|plan| plan.steps.iter().map(move |step| (Some(plan), step)));
         (1..).zip(scheme.chain(plans)).map(|(number, (plan, step))| NumberedStep { number, plan, step })
+    }
+
+    /// How many steps there are.
+    #[must_use]
+    pub fn step_count(&self) -> usize {
+        self.scheme.len() + self.plans().map(|plan| plan.steps.len()).sum::<usize>()
+    }
+
+    /// The step of that number.
+    #[must_use]
+    pub fn numbered_step(&self, number: usize) -> Option<NumberedStep<'_>> {
+        let mut index = number.checked_sub(1)?;
+        let of = |step, plan| Some(NumberedStep { number, plan, step });
+        if let Some(step) = self.scheme.get(index) {
+            return of(step, None);
+        }
+        index -= self.scheme.len();
+        for plan in self.plans() {
+            if let Some(step) = plan.steps.get(index) {
+                return of(step, Some(plan));
+            }
+            index -= plan.steps.len();
+        }
+        None
     }
 
     /// The number of a step.

@@ -6,7 +6,7 @@ use super::construct::Extent;
 use super::cut::{CutLine, Special, SpecialId, special_points};
 use super::leg::Drawn;
 use super::name::{coincident_name, image_name, point_on};
-use super::operation::{LineId, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, Rate, Sheet};
+use super::operation::{LineId, MeasuredAs, NumberId, NumberKind, Part, PlaceId, Rate, Sheet};
 use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn};
@@ -24,7 +24,7 @@ impl Writer<'_> {
     /// Constructs the next group: each of its special points by two rays, then the rates from measured segments.
     /// Without such a construction the rates come from the motion.
     pub(super) fn group(&mut self, group: &Group) {
-        let first = self.construction.special.iter().map(Vec::len).sum();
+        let first = self.construction.special_count();
         let special = special_points(self.mechanism, self.pose, group);
         let equations = LoopEquations::new(self.mechanism, group);
         for &link in &group.bodies {
@@ -56,7 +56,7 @@ impl Writer<'_> {
         }
         let agreement = constructed.map(|()| self.agreement(group, &equations));
         self.construction.agreement.push(agreement);
-        self.construction.special.push(special);
+        self.construction.add_special(special);
         self.step = None;
     }
 
@@ -347,10 +347,7 @@ impl Writer<'_> {
             }),
         );
         // Two special points may have a ray in common.
-        let drawn = self.construction.operations.iter().find_map(|operation| match operation.kind {
-            OperationKind::Draw { line, through, along } if (through, along) == (from.1, leg.ray) => Some(line),
-            _ => None,
-        });
+        let drawn = self.drawn(from.1, leg.ray);
         let line = drawn.unwrap_or_else(|| self.draw(sheet, Part::Ray, from.1, leg.ray));
         Some(DrawnRay { from, line })
     }

@@ -14,6 +14,9 @@ const LEAST_SINE: f64 = 0.3;
 /// Least distance of two images from which a third is constructed, in parts of the plan's longest vector.
 const LEAST_BASE: f64 = 0.02;
 
+/// How many points of a link are looked at for the two that give a third best.
+const MOST_IMAGED: usize = 16;
+
 /// A point of a link with its image in a plan.
 #[derive(Clone)]
 struct Imaged {
@@ -41,12 +44,15 @@ impl Writer<'_> {
         self.step = None;
     }
 
-    /// The points of a body that have an image in a plan.
+    /// The first points of a body that have an image in a plan.
     fn imaged(&mut self, sheet: Sheet, body: BodyId) -> Vec<Imaged> {
         let mechanism = self.mechanism;
         let under = mechanism.sliders.iter().filter(|slider| slider.on == body).map(|slider| slider.at);
         let mut found: Vec<Imaged> = Vec::new();
         for point in mechanism.body(body).points.iter().copied().chain(under) {
+            if found.len() == MOST_IMAGED {
+                break;
+            }
             let name = image_name(&point_on(mechanism, body, point));
             let is_there = self.plan(sheet).points.contains_key(&name) && found.iter().all(|f| f.point != point);
             if let (true, Some(place)) = (is_there, self.construction.place(sheet, &name)) {
@@ -90,7 +96,7 @@ impl Writer<'_> {
     /// Narrows the bounds of an image to those of the rotation about another point of its link, with the constructed
     /// rates. From crossing to crossing bounds would grow; the place that a hand draws stays the same.
     fn narrow(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
-        let base = self.motions.iter().find(|m| (m.0, m.1) == (sheet, body)).map(|m| (m.2, m.3));
+        let base = self.first_motions.get(&(sheet, body)).copied();
         let (Some((from, base)), Some(rates)) = (base, self.construction.spins[body.0]) else {
             return;
         };
@@ -110,8 +116,7 @@ impl Writer<'_> {
     /// plan drawn so far.
     fn are_apart(&mut self, sheet: Sheet, a: PlaceId, b: PlaceId) -> bool {
         let between = (self.exact.exact_place(b) - self.exact.exact_place(a)).rounded();
-        let size = self.plan(sheet).points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
-        between.norm() > LEAST_BASE * size
+        between.norm() > LEAST_BASE * self.plan(sheet).largest
     }
 
     /// The image of a point on the line of two others, by division of the line of their images.
@@ -197,7 +202,7 @@ impl Writer<'_> {
             if let Some(name) = self.shown_name(sheet, at) {
                 break Some(name);
             }
-            match self.laid_off.iter().find(|laid| laid.end == at).cloned() {
+            match self.laid_off.get(&at).cloned() {
                 Some(laid) => {
                     at = laid.start;
                     vectors.push(laid);
@@ -233,10 +238,9 @@ impl Writer<'_> {
 
     /// The name of the plan point at a place.
     fn shown_name(&mut self, sheet: Sheet, place: PlaceId) -> Option<String> {
-        let mut named = self.construction.places.iter().filter(|((on, _), at)| *on == sheet && **at == place);
-        let names: Vec<String> = named.by_ref().map(|((_, name), _)| name.clone()).collect();
+        let names = self.names.get(place.0).cloned().unwrap_or_default();
         let points = &self.plan(sheet).points;
-        names.into_iter().find(|name| points.contains_key(name))
+        names.into_iter().find(|(on, name)| *on == sheet && points.contains_key(name)).map(|(_, name)| name)
     }
 
     /// The name, with primes if another plan point has it.

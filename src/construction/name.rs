@@ -51,7 +51,7 @@ pub fn coincident_name(point: &str, body: &str) -> String {
 #[must_use]
 pub fn point_on(mechanism: &Mechanism, body: BodyId, point: PointId) -> String {
     let (name, body) = (mechanism.point_name(point), mechanism.body(body));
-    if body.points.contains(&point) { name.to_owned() } else { coincident_name(name, &body.name) }
+    if body.has(point) { name.to_owned() } else { coincident_name(name, &body.name) }
 }
 
 /// A name with its subscript in braces: the part after the first `_`, else trailing digits, as in `n_{b3}`, `S_{3}`.

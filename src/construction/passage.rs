@@ -47,7 +47,7 @@ impl Construction {
             let last = passages.last().map(|passage| passage.aim);
             let aim = aim(&steps[index..], last);
             let group = match step.step.action {
-                Action::SpecialPoint { special, .. } => self.group_of(special.0),
+                Action::SpecialPoint { special, .. } => self.group_of(special),
                 _ => present.and_then(|(_, group, _)| group),
             };
             let joins = present.is_some_and(|(sheet, own, is_reached)| {
@@ -75,16 +75,7 @@ impl Construction {
     /// The steps of a passage.
     pub fn steps_of(&self, passage: &Passage) -> impl Iterator<Item = NumberedStep<'_>> {
         let [first, last] = passage.steps;
-        self.numbered_steps().filter(move |step| (first..=last).contains(&step.number))
-    }
-
-    /// The group to which the special point of an index belongs.
-    fn group_of(&self, special: usize) -> Option<usize> {
-        let mut before = 0;
-        self.special.iter().position(|group| {
-            before += group.len();
-            special < before
-        })
+        (first..=last).filter_map(|number| self.numbered_step(number))
     }
 }
 
@@ -224,8 +215,8 @@ impl Teller<'_> {
         let made = |step: &NumberedStep<'_>| {
             let (plan, name) = (step.plan?, step.step.action.image()?);
             let is_image = plan.points.get(name).is_some_and(|point| point.role == PointRole::Image);
-            let first = plan.steps.iter().find(|other| other.action.image() == Some(name))?;
-            (is_image && std::ptr::eq(first, step.step)).then(|| marked(name))
+            let maker = self.construction.made_by.get(&(step.sheet(), name.to_owned()))?;
+            (is_image && std::ptr::eq(&plan.steps[*maker], step.step)).then(|| marked(name))
         };
         let names: Vec<String> = steps.iter().filter_map(made).collect();
         self.words.language.join_images(&names.join(", "))

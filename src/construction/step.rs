@@ -71,6 +71,8 @@ pub struct Plan {
     pub points: IndexMap<String, PlanPoint>,
     /// The steps by which it is drawn, in order.
     pub steps: Vec<Step>,
+    /// The length of the longest vector from the pole to a point.
+    pub(super) largest: f64,
 }
 
 /// A point of a plan.
@@ -405,8 +407,7 @@ impl Plan {
     /// Whether a size is what rounding leaves of zero in this plan.
     #[must_use]
     pub fn is_nothing(&self, size: f64) -> bool {
-        let largest = self.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
-        size.abs() <= NOTHING * largest
+        size.abs() <= NOTHING * self.largest
     }
 
     /// The symbol of a plan point in a notation; `written` is the symbol without its changes for poles and images.

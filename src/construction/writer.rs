@@ -14,6 +14,7 @@ use crate::geometry::{Ball, Number, Pair, UNIT_ROUNDOFF, Vector, cross, span};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
 use crate::motion::{Motion, Order};
 use crate::position::Pose;
+use indexmap::IndexMap;
 
 /// Number of roundings in a guide's unit direction, computed from the scene's direction.
 const GUIDE_ROUNDINGS: f64 = 4.0;
@@ -28,9 +29,13 @@ pub(crate) struct Writer<'a> {
     /// The results of the operations, with bounds of their rounding errors.
     pub(super) exact: Values<Ball>,
     /// Places in the plans of the motions of bodies' points.
-    pub(super) motions: Vec<(Sheet, BodyId, PointId, PlaceId)>,
+    pub(super) motions: IndexMap<(Sheet, BodyId, PointId), PlaceId>,
+    /// By plan and body: the point whose motion was there first, and its place.
+    pub(super) first_motions: IndexMap<(Sheet, BodyId), (PointId, PlaceId)>,
     /// The vectors laid off between images of points, by their ends.
-    pub(super) laid_off: Vec<LaidOff>,
+    pub(super) laid_off: IndexMap<PlaceId, LaidOff>,
+    /// By place: its names on the sheets.
+    pub(super) names: Vec<Vec<(Sheet, String)>>,
     /// By body: the joint by which its motion follows from a known one.
     pub(super) anchors: Vec<Option<Anchor>>,
     /// Tolerance for a point on a line and for coincident points, in units of length.
@@ -40,8 +45,14 @@ pub(crate) struct Writer<'a> {
     /// False while rates are taken from the computed motion: operations then are not done by hand.
     pub(super) by_hand: bool,
     guides: Vec<Option<LineId>>,
-    joins: Vec<(PlaceId, PlaceId, LineId)>,
-    lengths: Vec<([PointId; 2], NumberId)>,
+    joins: IndexMap<[PlaceId; 2], LineId>,
+    lengths: IndexMap<[PointId; 2], NumberId>,
+    /// By place: the lines drawn through it in a direction.
+    rays: IndexMap<PlaceId, Vec<(Along, LineId)>>,
+    /// By place: the operation that makes it.
+    makers: Vec<usize>,
+    /// By point: the bodies that have it.
+    holders: Vec<Vec<BodyId>>,
     /// Results that depend on rates taken from the computed motion, which ruler and pencil do not find: by place, by
     /// line, by number.
     not_by_hand: [Vec<bool>; 3],
@@ -57,15 +68,20 @@ impl<'a> Writer<'a> {
             motion,
             construction: Construction::empty(mechanism, motion.order, origin, extent),
             exact: Values::default(),
-            motions: Vec::new(),
-            laid_off: Vec::new(),
+            motions: IndexMap::new(),
+            first_motions: IndexMap::new(),
+            laid_off: IndexMap::new(),
+            names: Vec::new(),
             anchors: vec![None; mechanism.bodies.len()],
             near: 64.0 * UNIT_ROUNDOFF * span(pose.points.iter().copied()),
             step: None,
             by_hand: true,
             guides: vec![None; mechanism.sliders.len()],
-            joins: Vec::new(),
-            lengths: Vec::new(),
+            joins: IndexMap::new(),
+            lengths: IndexMap::new(),
+            rays: IndexMap::new(),
+            makers: Vec::new(),
+            holders: mechanism.holders(),
             not_by_hand: Default::default(),
         };
         for &sheet in writer.plans() {
@@ -119,7 +135,7 @@ impl<'a> Writer<'a> {
     /// Assigns the operation that made a place to the current step, if it belongs to none.
     pub(super) fn claim(&mut self, place: PlaceId) {
         let step = self.step;
-        let made = self.construction.operations.iter_mut().find(|operation| operation.kind.place() == Some(place));
+        let made = self.makers.get(place.0).and_then(|&index| self.construction.operations.get_mut(index));
         if let Some(operation) = made.filter(|operation| operation.step.is_none()) {
             operation.step = step;
         }
@@ -142,14 +158,19 @@ impl<'a> Writer<'a> {
 
     /// Notes the place of the motion of a body's point in a plan.
     pub(super) fn note_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
-        self.motions.push((sheet, body, point, place));
+        self.motions.entry((sheet, body, point)).or_insert(place);
+        self.first_motions.entry((sheet, body)).or_insert((point, place));
     }
 
     /// Adds a point to a plan; an existing point of that name stays.
     pub(super) fn show(&mut self, sheet: Sheet, name: &str, place: PlaceId, role: PointRole) {
         self.name_place(sheet, name, place);
         let point = PlanPoint { vector: self.exact.exact_place(place).rounded(), role };
-        self.plan(sheet).points.entry(name.to_owned()).or_insert(point);
+        let plan = self.plan(sheet);
+        if !plan.points.contains_key(name) {
+            plan.largest = plan.largest.max(point.vector.norm());
+            plan.points.insert(name.to_owned(), point);
+        }
     }
 
     /// Adds an operation and carries it out.
@@ -165,6 +186,8 @@ impl<'a> Writer<'a> {
         let not_by_hand = !by_hand;
         if let Some(place) = kind.place() {
             self.not_by_hand[0][place.0] = not_by_hand;
+            self.makers.resize(counts[0], 0);
+            self.makers[place.0] = self.construction.operations.len();
         }
         if let Some(line) = kind.line() {
             self.not_by_hand[1][line.0] = not_by_hand;
@@ -216,7 +239,12 @@ impl<'a> Writer<'a> {
 
     /// Names a place. A place may have several names; a name keeps its first place.
     pub(super) fn name_place(&mut self, sheet: Sheet, name: &str, place: PlaceId) {
-        self.construction.places.entry((sheet, name.to_owned())).or_insert(place);
+        let key = (sheet, name.to_owned());
+        if !self.construction.places.contains_key(&key) {
+            self.names.resize(self.names.len().max(place.0 + 1), Vec::new());
+            self.names[place.0].push(key.clone());
+            self.construction.places.insert(key, place);
+        }
     }
 
     pub(crate) fn pole(&mut self, sheet: Sheet, name: &str, at: Vector) -> PlaceId {
@@ -259,19 +287,26 @@ impl<'a> Writer<'a> {
 
     /// The line through two places.
     pub(crate) fn join_places(&mut self, from: PlaceId, towards: PlaceId, part: Part) -> LineId {
-        if let Some((.., line)) = self.joins.iter().find(|j| (j.0, j.1) == (from, towards)) {
+        if let Some(line) = self.joins.get(&[from, towards]) {
             return *line;
         }
         let line = self.new_line();
-        self.joins.push((from, towards, line));
+        self.joins.insert([from, towards], line);
         self.push(Sheet::Scheme, part, OperationKind::Join { line, from, towards });
         line
     }
 
     pub(super) fn draw(&mut self, sheet: Sheet, part: Part, through: PlaceId, along: Along) -> LineId {
         let line = self.new_line();
+        self.rays.entry(through).or_default().push((along, line));
         self.push(sheet, part, OperationKind::Draw { line, through, along });
         line
+    }
+
+    /// The line that is drawn already through a place in a direction.
+    pub(super) fn drawn(&self, through: PlaceId, along: Along) -> Option<LineId> {
+        let lines = self.rays.get(&through)?;
+        lines.iter().find(|(other, _)| *other == along).map(|(_, line)| *line)
     }
 
     /// The crossing of two lines; `None` for parallel lines.
@@ -352,10 +387,11 @@ impl<'a> Writer<'a> {
 
     /// The distance of two joints: given where both belong to one body, else measured.
     pub(super) fn length(&mut self, a: PointId, b: PointId) -> NumberId {
-        if let Some((_, number)) = self.lengths.iter().find(|(ends, _)| [[a, b], [b, a]].contains(ends)) {
+        if let Some(number) = self.lengths.get(&[a, b]).or_else(|| self.lengths.get(&[b, a])) {
             return *number;
         }
-        let given = self.mechanism.bodies.iter().any(|body| body.local_of(a).and(body.local_of(b)).is_some());
+        let bodies = self.holders[a.0].iter().map(|&body| self.mechanism.body(body));
+        let given = bodies.into_iter().any(|body| body.local_of(a).and(body.local_of(b)).is_some());
         let kind = NumberKind::Length([End::Joint(a), End::Joint(b)]);
         let number = if given {
             let value = self.pose.arm(a, b).norm();
@@ -369,7 +405,7 @@ impl<'a> Writer<'a> {
             let ends = [self.plot(a), self.plot(b)];
             self.measure(Sheet::Scheme, kind, ends, MeasuredAs::Along(line))
         };
-        self.lengths.push(([a, b], number));
+        self.lengths.insert([a, b], number);
         number
     }
 

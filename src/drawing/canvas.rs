@@ -1,12 +1,13 @@
 use super::clip::{clipped, clipped_segment, holds, is_within};
 use super::dims::Dims;
-use super::labels::{LabelRequest, Obstacles, place, place_near};
+use super::labels::{LabelRequest, Obstacles, place_among, place_near};
 use super::layout::HEADING;
+use super::obstacles::Taken;
 use super::shape::{Shape, around, overlap};
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, LABEL, PlacedText, RichText};
 use indexmap::IndexMap;
-use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
+use kurbo::{Point, Rect, Vec2};
 
 /// White between a panel's edge and the words on what is cut off there, in mm.
 const CUT_EDGE: f64 = 2.5;
@@ -16,7 +17,7 @@ pub(super) struct Canvas<'a> {
     pub drawing: &'a mut Drawing,
     /// Prefix of the marks' ids, different for each panel.
     prefix: &'static str,
-    obstacles: Obstacles,
+    taken: Taken,
     requests: Vec<(Wanted, u16)>,
     frame: Rect,
     /// Index of the first mark of the panel's content; earlier marks are not cut off at its edge.
@@ -64,7 +65,7 @@ impl<'a> Canvas<'a> {
             content_start: drawing.marks.len(),
             drawing,
             prefix,
-            obstacles: Obstacles { boxes: Vec::new(), lines: Vec::new(), bounds: frame.inset(-1.2) },
+            taken: Taken::new(frame.inset(-1.2)),
             requests: Vec::new(),
             frame,
             step: 0,
@@ -97,7 +98,7 @@ impl<'a> Canvas<'a> {
 
     /// The panel without its border.
     pub(super) fn bounds(&self) -> Rect {
-        self.obstacles.bounds
+        self.taken.all().bounds
     }
 
     /// The panel without its border and heading, the area for lines.
@@ -149,17 +150,17 @@ impl<'a> Canvas<'a> {
 
     fn add_obstacle(&mut self, pen: Pen, shape: &Shape) {
         match shape {
-            Shape::Circle { .. } | Shape::Text(_) => self.obstacles.boxes.push(shape.bounds()),
-            Shape::Line(..) if pen == Pen::Hatch => self.obstacles.boxes.push(shape.bounds()),
+            Shape::Circle { .. } | Shape::Text(_) => self.taken.add_box(shape.bounds()),
+            Shape::Line(..) if pen == Pen::Hatch => self.taken.add_box(shape.bounds()),
             Shape::Polygon(corners) if pen == Pen::Slider => {
                 let boxes = pieces(corners).map(|piece| piece.inflate(0.4, 0.4));
-                self.obstacles.boxes.extend(boxes);
+                self.taken.add_boxes(boxes);
             }
             // Areas without outline are no obstacles.
             _ if matches!(pen, Pen::LinkFill | Pen::ImageFill) => {}
-            _ => self.obstacles.lines.extend(shape.lines()),
+            _ => self.taken.add_lines(shape.lines()),
         }
-        self.obstacles.boxes.extend(shape.head_box());
+        self.taken.add_boxes(shape.head_box());
     }
 
     /// Reserves the place of a shape that is drawn later: enlarged details and labels keep off it.
@@ -181,14 +182,7 @@ impl<'a> Canvas<'a> {
 
     /// Number of obstacles, lines and boxes, that a short segment crosses.
     pub(super) fn crossings_with(&self, from: Point, to: Point) -> usize {
-        let side = |a: Point, b: Point, p: Point| (b - a).cross(p - a);
-        let crosses = |&&(a, b): &&(Point, Point)| {
-            side(a, b, from) * side(a, b, to) < 0.0 && side(from, to, a) * side(from, to, b) < 0.0
-        };
-        let segment_box = Rect::from_points(from, to);
-        let touches = |area: &&Rect| area.overlaps(segment_box);
-        let lines = self.obstacles.lines.iter().filter(crosses).count();
-        lines + self.obstacles.boxes.iter().filter(touches).count()
+        self.taken.crossings_with(from, to)
     }
 
     /// The marks of the panel's content so far.
@@ -198,19 +192,12 @@ impl<'a> Canvas<'a> {
 
     /// Whether a box overlaps a joint, an arrowhead or other words.
     pub(super) fn is_taken(&self, area: Rect) -> bool {
-        self.obstacles.boxes.iter().any(|other| overlap(*other, area))
+        self.taken.overlaps(area)
     }
 
     /// Whether a circle is off all obstacles and enlarged details.
     pub(super) fn is_free(&self, centre: Point, radius: f64) -> bool {
-        let far = radius * radius;
-        let is_off_line = |&(a, b): &(Point, Point)| Line::new(a, b).nearest(centre, 1e-3).distance_sq > far;
-        let is_off_box = |area: &Rect| {
-            let nearest = Point::new(centre.x.clamp(area.x0, area.x1), centre.y.clamp(area.y0, area.y1));
-            (nearest - centre).hypot2() > far
-        };
-        self.obstacles.lines.iter().all(is_off_line)
-            && self.obstacles.boxes.iter().all(is_off_box)
+        self.taken.is_free(centre, radius)
             && self.reserved_circles.iter().all(|(other, own)| (*other - centre).hypot() > own + radius)
     }
 
@@ -230,7 +217,7 @@ impl<'a> Canvas<'a> {
 
     /// Keeps labels off a box.
     pub(super) fn keep_off(&mut self, area: Rect) {
-        self.obstacles.boxes.push(area);
+        self.taken.add_box(area);
     }
 
     /// Requests a label beside `anchor`, at least `clearance` mm away: `standard`, unless the scene renames `name`.
@@ -288,31 +275,61 @@ impl<'a> Canvas<'a> {
     }
 
     /// Places and draws the labels, and cuts off marks at the panel's edge. Labels of points outside the panel are left
-    /// out; `cut` says that something is.
-    pub(super) fn finish(mut self, cut: &str) {
-        self.say_cut(cut);
+    /// out; `cut` says that something is, `unlabelled` that there is no room for all names, which are returned.
+    pub(super) fn finish(mut self, cut: &str, unlabelled: &str) -> Vec<String> {
+        let leaves = |mark: &&Mark| !mark.passing && !is_within(self.frame, &mark.shape);
+        let cut_from = self.marks().iter().filter(leaves).map(|mark| mark.since).min();
+        if let Some(step) = cut_from {
+            self.say("cut", cut, step);
+        }
         let mut requests = std::mem::take(&mut self.requests);
         requests.retain(|(wanted, _)| holds(self.frame, wanted.request.anchor));
         let shown =
             |anchor: Point| self.reserved_circles.iter().any(|(centre, radius)| (anchor - *centre).hypot() < *radius);
         let (within, outside): (Vec<_>, Vec<_>) =
             requests.into_iter().partition(|(wanted, _)| shown(wanted.request.anchor));
-        self.place(within);
+        let first = self.drawing.marks.len();
+        let mut left_out = self.place(within);
         for (centre, radius) in std::mem::take(&mut self.reserved_circles) {
-            self.obstacles.boxes.extend(strips(centre, radius));
+            self.taken.add_boxes(strips(centre, radius));
         }
-        self.place(outside);
+        left_out.append(&mut self.place(outside));
+        if !left_out.is_empty() {
+            left_out.append(&mut self.say_unlabelled(unlabelled, first));
+        }
         self.cut_off();
+        left_out
     }
 
-    /// Says in a corner of the panel that content is cut off at its edge, if it is, from the step on that draws it.
-    fn say_cut(&mut self, cut: &str) {
-        let leaves = |mark: &&Mark| !mark.passing && !is_within(self.frame, &mark.shape);
-        let step = self.marks().iter().filter(leaves).map(|mark| mark.since).min();
-        let Some(step) = step.filter(|_| !cut.is_empty()) else {
-            return;
-        };
-        let text = RichText::plain(cut);
+    /// Says in a corner that there is no room for all names. Labels, which begin with the mark `first`, give way; these
+    /// are returned.
+    fn say_unlabelled(&mut self, words: &str, first: usize) -> Vec<String> {
+        let boxes = self.drawing.marks[first..].iter().map(|mark| mark.shape.bounds());
+        self.taken.add_boxes(boxes.collect::<Vec<_>>());
+        let labels = self.drawing.marks.split_off(first);
+        let Some(area) = self.say("unlabelled", words, 0) else { return Vec::new() };
+        let mut left_out = Vec::new();
+        for mark in labels {
+            match &mark.shape {
+                Shape::Text(text) if overlap(text.ink_box(), area) => {
+                    left_out.push(text.text.content());
+                    // Its leader comes before it.
+                    let marks = &mut self.drawing.marks;
+                    let has_leader = marks.last().is_some_and(|last| last.pen == Pen::Leader);
+                    marks.truncate(marks.len() - usize::from(has_leader));
+                }
+                _ => self.drawing.marks.push(mark),
+            }
+        }
+        left_out
+    }
+
+    /// Says something in a corner of the panel from a step on; `name` is the end of its mark's id. Returns its box.
+    fn say(&mut self, name: &str, words: &str, step: u16) -> Option<Rect> {
+        if words.is_empty() {
+            return None;
+        }
+        let text = RichText::plain(words);
         let size = Vec2::new(text.width(CAPTION), CAPTION);
         let (left, right) = (self.frame.x0 + CUT_EDGE, self.frame.x1 - CUT_EDGE - size.x);
         let (top, bottom) = (self.frame.y0 + HEADING, self.frame.y1 - CUT_EDGE);
@@ -321,22 +338,26 @@ impl<'a> Canvas<'a> {
         let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);
         let covered = |from: &Point| {
             let ink = place(*from).ink_box().inflate(0.5, 0.5);
-            let lines = self.obstacles.lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some()).count();
-            lines + 4 * self.obstacles.boxes.iter().filter(|area| overlap(**area, ink)).count()
+            let Obstacles { boxes, lines, .. } = self.taken.all();
+            let lines = lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some()).count();
+            lines + 4 * boxes.iter().filter(|area| overlap(**area, ink)).count()
         };
-        let Some(from) = corners.into_iter().min_by_key(covered) else { return };
+        let from = corners.into_iter().min_by_key(covered)?;
         self.step = step;
         let text = place(from);
-        self.obstacles.boxes.push(text.ink_box());
-        let id = format!("{}-cut", self.prefix);
+        let area = text.ink_box();
+        self.taken.add_box(area);
+        let id = format!("{}-{name}", self.prefix);
         self.add_mark(Some(id), Pen::Caption, Shape::Text(text));
+        Some(area.inflate(1.0, 1.0))
     }
 
-    /// Places labels and draws them.
-    fn place(&mut self, requests: Vec<(Wanted, u16)>) {
+    /// Places labels and draws them; returns those for which there is no room.
+    fn place(&mut self, requests: Vec<(Wanted, u16)>) -> Vec<String> {
+        let mut left_out = Vec::new();
         let (last, requests): (Vec<_>, Vec<_>) = requests.into_iter().partition(|(wanted, _)| wanted.last);
         let mut asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
-        let mut placed = place(&asked, &self.obstacles);
+        let mut placed = place_among(&asked, &self.taken);
         let mut is_shortened = false;
         for ((label, (wanted, _)), asked) in placed.iter().zip(&requests).zip(&mut asked) {
             if let (true, Some(short)) = (label.crowded || label.struck > STRUCK, &wanted.short) {
@@ -344,14 +365,17 @@ impl<'a> Canvas<'a> {
             }
         }
         if is_shortened {
-            placed = place(&asked, &self.obstacles);
+            placed = place_among(&asked, &self.taken);
         }
         for (label, (wanted, since)) in placed.into_iter().zip(requests) {
-            if wanted.optional && label.crowded {
+            if label.left_out || wanted.optional && label.crowded {
+                if !wanted.optional {
+                    left_out.push(label.text.text.content());
+                }
                 continue;
             }
             if !last.is_empty() {
-                self.obstacles.boxes.push(label.text.ink_box());
+                self.taken.add_box(label.text.ink_box());
             }
             self.step = wanted.before.first().map_or(since, |(first, _)| *first);
             if let Some((a, b)) = label.leader {
@@ -370,13 +394,14 @@ impl<'a> Canvas<'a> {
             mark.number = wanted.number;
         }
         for (wanted, since) in last {
-            let label = place_near(&wanted.request, &self.obstacles).filter(|label| label.struck <= STRUCK);
+            let label = place_near(&wanted.request, &self.taken).filter(|label| label.struck <= STRUCK);
             let Some(label) = label else { continue };
-            self.obstacles.boxes.push(label.text.ink_box());
+            self.taken.add_box(label.text.ink_box());
             self.step = since;
             let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
             self.add_mark(Some(id), wanted.pen, Shape::Text(label.text)).number = wanted.number;
         }
+        left_out
     }
 
     /// Cuts off the content's marks at the panel's edge.

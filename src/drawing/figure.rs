@@ -264,7 +264,7 @@ pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent
         None => std::iter::once(Box::new(agreement) as Box<dyn Item>).chain(ruler).collect(),
         Some(steps) => {
             let words: Box<dyn Item + 'a> = Box::new(StepWords::new(scheme, steps));
-            let after = scheme.construction.numbered_steps().count() as u16 + 1;
+            let after = scheme.construction.step_count() as u16 + 1;
             let values = scheme.value_list(Some(after)).map(|list| Box::new(list) as Box<dyn Item>);
             let last = values.unwrap_or_else(|| Box::new(Lines { step: Some(after), ..agreement }));
             vec![words, last]
@@ -347,6 +347,7 @@ pub(super) fn panels<'a>(
                 weight: if scheme.figure.focus.is_some_and(|focus| focus != panel) { COMPANION } else { 1.0 },
             },
             cut: scheme.words.language.cut_at_edge().to_owned(),
+            unlabelled: scheme.words.language.names_without_room().to_owned(),
             content: scheme.plan(panel).map(|plan| plan_panel::extent(plan, scheme.figure.construction)),
             layers: std::iter::once(lowest).chain(layers(panel)).collect(),
         }

@@ -5,7 +5,8 @@
 
 // In reading order: `figure` lists `panel`s and `item`s, `compose` makes a sheet of them with a `layout`; `scheme` and
 // `plan_panel` draw on a `canvas`. `exercise`, `correction` and `curves` compose other sheets. Then the display list:
-// `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its `text`, the places of its `labels`.
+// `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its `text`, the places of its `labels` off all
+// `obstacles`, which a `grid` finds.
 mod arrow;
 mod blank;
 mod canvas;
@@ -19,6 +20,7 @@ mod exercise;
 mod figure;
 mod fonts;
 mod further;
+mod grid;
 mod inset;
 mod key_table;
 mod labels;
@@ -29,6 +31,7 @@ mod lines;
 mod look;
 mod markup;
 mod names;
+mod obstacles;
 mod overlay;
 mod panel;
 mod passages;

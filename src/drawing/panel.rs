@@ -30,6 +30,8 @@ pub(super) struct Panel<'a> {
     pub needs: Needs,
     /// What it says where its content is larger.
     pub cut: String,
+    /// What it says where it has no room for all names.
+    pub unlabelled: String,
     /// The extent of what is held in sight where the panel is for other positions, too.
     pub content: Option<Extent>,
     /// Its layers, the lowest first.
@@ -80,7 +82,10 @@ impl Panel<'_> {
         for layer in &self.layers {
             layer.draw(&mut canvas, &view);
         }
-        canvas.finish(&self.cut);
+        let unlabelled = canvas.finish(&self.cut, &self.unlabelled);
+        if !unlabelled.is_empty() {
+            drawing.unlabelled.push((self.name.clone(), unlabelled));
+        }
         let mut marks = drawing.marks.split_off(before);
         for layer in &self.layers {
             layer.retouch(&mut marks);

@@ -1,5 +1,6 @@
 use kurbo::{Point, Rect};
 
+use super::grid::Grid;
 use super::look::Look;
 pub use super::pen::Pen;
 use super::shape::{Shape, overlap};
@@ -27,6 +28,8 @@ pub struct Drawing {
     pub panels: Vec<(String, Rect)>,
     /// Captions of the steps of the construction, in plain text; [`Mark::since`] counts these steps.
     pub steps: Vec<String>,
+    /// By panel: its name, and the names for which it has no room.
+    pub unlabelled: Vec<(String, Vec<String>)>,
 }
 
 impl Drawing {
@@ -42,6 +45,7 @@ impl Drawing {
             marks: Vec::new(),
             panels: Vec::new(),
             steps: Vec::new(),
+            unlabelled: Vec::new(),
         }
     }
 
@@ -104,6 +108,7 @@ impl Drawing {
             description: words.cloned().unwrap_or_default(),
             style: self.style.clone(),
             steps: Vec::new(),
+            unlabelled: self.unlabelled.clone(),
             ..*self
         }
     }
@@ -114,21 +119,29 @@ impl Drawing {
     ///
     /// On blank paper a halo is invisible, and on a tinted area it would be a stain.
     pub fn halos(&self) -> Vec<bool> {
-        let below = |mark: &Mark| (mark.shape.bounds(), self.look(mark).stroke.is_some());
-        let drawn: Vec<(Rect, bool)> = self.marks.iter().map(below).collect();
-        let needs = self.marks.iter().enumerate().map(|(index, mark)| {
-            let Shape::Text(text) = &mark.shape else {
-                return false;
-            };
-            let halo = self.look(mark).halo;
-            let area = text.ink_box().inflate(0.5 * halo, 0.5 * halo);
-            let below = self.marks[..index].iter().zip(&drawn);
-            halo > 0.0
-                && below
-                    .into_iter()
-                    .any(|(other, (bounds, lines))| *lines && overlap(*bounds, area) && other.shape.lines_cross(area))
-        });
-        needs.collect()
+        let mut below = Grid::new(Rect::new(0.0, 0.0, self.width, self.height));
+        let mut halos = Vec::with_capacity(self.marks.len());
+        for (index, mark) in self.marks.iter().enumerate() {
+            halos.push(self.needs_halo(mark, &below));
+            if self.look(mark).stroke.is_some() {
+                match &mark.shape {
+                    Shape::Line(from, to) => below.add_line(index, (*from, *to)),
+                    shape => below.add(index, shape.bounds()),
+                }
+            }
+        }
+        halos
+    }
+
+    /// Whether a mark is a text that lines of the marks below cross.
+    fn needs_halo(&self, mark: &Mark, below: &Grid) -> bool {
+        let Shape::Text(text) = &mark.shape else {
+            return false;
+        };
+        let halo = self.look(mark).halo;
+        let area = text.ink_box().inflate(0.5 * halo, 0.5 * halo);
+        let crosses = |shape: &Shape| overlap(shape.bounds(), area) && shape.lines_cross(area);
+        halo > 0.0 && below.any(area, |other| crosses(&self.marks[other].shape))
     }
 }
 

@@ -101,7 +101,7 @@ impl<'a> StepWords<'a> {
     }
 
     fn count(&self) -> usize {
-        self.passages.as_ref().map_or_else(|| self.scheme.construction.numbered_steps().count(), Vec::len)
+        self.passages.as_ref().map_or_else(|| self.scheme.construction.step_count(), Vec::len)
     }
 
     /// Writes the caption and the details of a step or passage, or one of both. The details are below the caption or
@@ -130,7 +130,7 @@ impl<'a> StepWords<'a> {
         match &self.passages {
             Some(passages) => writer.passage(index, &passages[index], [caption, details]),
             None => {
-                let Some(step) = scheme.construction.numbered_steps().nth(index) else { return };
+                let Some(step) = scheme.construction.numbered_step(index + 1) else { return };
                 writer.number = step.number as u16;
                 if caption {
                     writer.numbered(step.number, &scheme.teller().caption(&step), step.plan);

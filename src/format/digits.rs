@@ -38,8 +38,9 @@ impl Solution {
             let bound = bounds.coriolis(slider);
             table.vector(&letter("a_c"), coriolis, bound, Kind::Acceleration);
         }
+        let holders = mechanism.holders();
         for point in (0..mechanism.points.len()).map(PointId) {
-            if let Some(body) = holder(mechanism, point) {
+            if let Some(body) = holder(mechanism, &holders[point.0]) {
                 table.point(mechanism.point_name(point), body, pose.point(point), bounds.motion_of(body, point));
             }
         }
@@ -62,12 +63,9 @@ impl Solution {
     }
 }
 
-/// The body from which a point's motion is computed: preferably one of known motion.
-pub(super) fn holder(mechanism: &Mechanism, point: PointId) -> Option<BodyId> {
-    let bodies = || (0..mechanism.bodies.len()).map(BodyId);
-    let holds = |b: &BodyId| mechanism.body(*b).points.contains(&point);
-    let known = bodies().filter(holds).find(|&b| mechanism.is_known(b));
-    known.or_else(|| bodies().find(holds))
+/// Of the bodies that have a point the one from which its motion is computed: preferably one of known motion.
+pub(super) fn holder(mechanism: &Mechanism, bodies: &[BodyId]) -> Option<BodyId> {
+    bodies.iter().copied().find(|&b| mechanism.is_known(b)).or(bodies.first().copied())
 }
 
 struct Table<'a> {

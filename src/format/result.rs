@@ -275,8 +275,9 @@ fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointRes
         let [velocity, acceleration] = bounds.motion_of(body, point);
         moving(body, pose.point(point), on, [bounds.place(point), velocity, acceleration])
     };
+    let holders = mechanism.holders();
     for point in (0..mechanism.points.len()).map(PointId) {
-        if let Some(body) = holder(mechanism, point) {
+        if let Some(body) = holder(mechanism, &holders[point.0]) {
             let name = mechanism.point_name(point).to_owned();
             points.insert(name, point_of(body, point, None));
         }

@@ -51,7 +51,11 @@ fn built(scene: &Scene, mirrored: &[&str], add: impl FnOnce(&mut Mechanism)) -> 
 /// The Assur groups of the links of unknown motion, in an order in which they can be solved.
 pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureError> {
     let members: Vec<BodyId> = mechanism.body_ids().filter(|&b| mechanism.body(b).role == Role::Member).collect();
-    let index = |b: BodyId| members.iter().position(|&m| m == mechanism.lead(b));
+    let mut places = vec![None; mechanism.bodies.len()];
+    for (index, member) in members.iter().enumerate() {
+        places[member.0] = Some(index);
+    }
+    let index = |b: BodyId| places[mechanism.lead(b).0];
     let edges: Vec<Edge> = mechanism
         .joints
         .iter()
@@ -98,6 +102,8 @@ pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>,
 struct Builder<'a> {
     scene: &'a Scene,
     mechanism: Mechanism,
+    /// The points by name.
+    points: IndexMap<String, PointId>,
 }
 
 impl<'a> Builder<'a> {
@@ -114,17 +120,19 @@ impl<'a> Builder<'a> {
             doubtful_sides: Vec::new(),
             warnings: Vec::new(),
         };
-        Self { scene, mechanism }
+        Self { scene, mechanism, points: IndexMap::new() }
     }
 
     fn point(&mut self, name: &str) -> PointId {
-        if let Some(id) = self.mechanism.point(name) {
-            return id;
+        if let Some(id) = self.points.get(name) {
+            return *id;
         }
         self.mechanism.points.push(name.to_owned());
         let given = self.scene.coordinates.get(name);
         self.mechanism.given.push(given.map(|&p| p.into()));
-        PointId(self.mechanism.points.len() - 1)
+        let id = PointId(self.mechanism.points.len() - 1);
+        self.points.insert(name.to_owned(), id);
+        id
     }
 
     fn add_body(&mut self, name: &str, points: &[String], role: Role, local: Vec<Point>) {

@@ -29,11 +29,11 @@ use crate::geometry::{Point, Vector};
 use crate::scene::GivenBy;
 
 /// Index of a named point in [`Mechanism::points`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct PointId(pub usize);
 
 /// Index of a body in [`Mechanism::bodies`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct BodyId(pub usize);
 
 /// Index of a joint in [`Mechanism::joints`].
@@ -217,12 +217,25 @@ impl Mechanism {
         self.body_ids().zip(&self.bodies).filter(|(_, b)| b.role != Role::Ground && !b.is_nameless())
     }
 
+    /// By point: the bodies that have it, in their order.
+    pub(crate) fn holders(&self) -> Vec<Vec<BodyId>> {
+        let mut holders = vec![Vec::new(); self.points.len()];
+        for id in self.body_ids() {
+            for point in &self.body(id).points {
+                // A drawn link may name a point twice.
+                if holders[point.0].last() != Some(&id) {
+                    holders[point.0].push(id);
+                }
+            }
+        }
+        holders
+    }
+
     /// The points of group links that are on no body of known motion: those whose places have to be found.
     #[must_use]
     pub fn inner_points(&self) -> Vec<PointId> {
-        let holds = |p: &PointId, known: bool| {
-            self.body_ids().any(|b| self.is_known(b) == known && self.body(b).points.contains(p))
-        };
+        let holders = self.holders();
+        let holds = |p: &PointId, known: bool| holders[p.0].iter().any(|&b| self.is_known(b) == known);
         self.point_ids().filter(|p| holds(p, false) && !holds(p, true)).collect()
     }
 }
@@ -232,6 +245,12 @@ impl Body {
     #[must_use]
     pub fn is_nameless(&self) -> bool {
         self.block || matches!(self.role, Role::Carrier { .. })
+    }
+
+    /// Whether it has a point.
+    #[must_use]
+    pub fn has(&self, point: PointId) -> bool {
+        self.points.contains(&point)
     }
 
     /// The coordinates of one of its points in its own frame; `None` in a drawn configuration, and for a point of other

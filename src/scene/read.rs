@@ -23,6 +23,11 @@ use super::value::{Entries, NearValue, Vector};
 use super::write::write_keys;
 use super::wrong::Wrong;
 
+/// Most links of a scene, so that it is read and solved in seconds.
+const MOST_LINKS: usize = 10_000;
+/// Most points of a scene, each counted in every link that has it.
+const MOST_POINTS: usize = 100_000;
+
 /// A planar mechanism: x right, y up, counter-clockwise positive, angles in degrees.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"a scene as { "kinegon": 1, … }"#)]
@@ -131,7 +136,25 @@ impl Scene {
 
     /// The scene of a file; the places of its errors are in `text`.
     pub(super) fn checked(file: SceneFile, text: &str) -> Result<Scene, SceneError> {
-        check(file, text).map_err(|wrong| Source(text).error(wrong))
+        let scene = check(file, text).map_err(|wrong| Source(text).error(wrong))?;
+        scene.check_size(MOST_LINKS, MOST_POINTS, "a scene")?;
+        Ok(scene)
+    }
+
+    /// Refuses a scene of more than so many links or points; a point counts in every link that has it. `what` has the
+    /// limits, as in `a figure`.
+    ///
+    /// # Errors
+    /// What there is too much of, and how much there may be.
+    pub fn check_size(&self, most_links: usize, most_points: usize, what: &str) -> Result<(), SceneError> {
+        let points = self.ground.len() + self.links.values().map(|link| link.points.len()).sum::<usize>();
+        let counted = [("links", self.links.len(), most_links), ("points", points, most_points)];
+        let Some((kind, count, most)) = counted.into_iter().find(|(_, count, most)| count > most) else {
+            return Ok(());
+        };
+        let message = format!("{what} has at most {most} {kind}, and here are {count}");
+        let hint = "divide the mechanism: what hangs on the drives alone can be a scene of its own";
+        Err(self.error_at(&["links"], message, Some(hint.to_owned())))
     }
 
     /// An error of a later stage at a JSON path of this scene; an index of a list is written in digits.

@@ -161,6 +161,8 @@ sentences! {
     far_in_plan(point, distance);
     /// In a panel whose content is larger.
     cut_at_edge;
+    /// In a panel with more names than it can show.
+    names_without_room;
     /// Of a special point at infinity.
     at_infinity(point);
     /// The paths of these points, and the step of the drive between their ticks.

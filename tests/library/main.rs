@@ -38,6 +38,7 @@ mod published_sets;
 mod reference;
 mod scene_build;
 mod scene_read;
+mod sizes;
 mod step_names;
 mod students;
 mod templates;

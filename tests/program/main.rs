@@ -12,6 +12,7 @@ mod command_line_class;
 mod command_line_paper;
 mod command_line_paths;
 mod command_line_pencil;
+mod command_line_sizes;
 mod command_line_sweep;
 mod command_line_values;
 mod command_line_variants;

@@ -114,6 +114,7 @@ impl<'a> Graph<'a> {
                 weight: 1.0,
             },
             cut: String::new(),
+            unlabelled: String::new(),
             content: None,
             layers: vec![Box::new(grid), Box::new(frame), Box::new(content)],
         }

@@ -58,6 +58,7 @@ fn panel<'a>(course: &'a Course<'a>, index: usize, one: &'a Hodograph) -> Panel<
             weight: 1.0,
         },
         cut: String::new(),
+        unlabelled: String::new(),
         content: None,
         layers: vec![
             Box::new(frame),

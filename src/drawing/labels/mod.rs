@@ -16,6 +16,7 @@ mod places;
 mod request;
 mod search;
 
+use super::obstacles::Taken;
 use super::text::{Anchor, PlacedText};
 use places::Place;
 pub use request::{LabelRequest, Obstacles, PlacedLabel};
@@ -24,38 +25,49 @@ use search::Search;
 /// The places of the labels, in the order of the requests.
 ///
 /// No label touches another, an obstacle box or the edge of the panel, unless it is `crowded`: then the panel has no
-/// free place, and it is where it covers least. The same input gives the same places on every platform.
+/// free place, and it is where it covers least. The search for so many labels that no panel could show them ends early;
+/// labels without a place are then `left_out`. The same input gives the same places on every platform.
 pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabel> {
-    let mut search = Search::new(requests, obstacles);
+    place_among(requests, &Taken::of(obstacles))
+}
+
+/// The same among obstacles that are already found quickly.
+pub(super) fn place_among(requests: &[LabelRequest], taken: &Taken) -> Vec<PlacedLabel> {
+    let mut search = Search::new(requests, taken);
     search.choose_first(requests);
     search.make_room();
     search.improve();
     search.free_struck();
     search.search_panel();
+    let is_cut_short = search.is_cut_short.get();
     let found: Vec<Option<Place>> =
         search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen])).collect();
     let placed = requests.iter().zip(found).enumerate().map(|(index, (request, found))| {
-        let crowded = found.is_none();
-        let place = found.unwrap_or_else(|| search.least_covering(index));
+        let crowded = found.is_none() && !request.text.is_empty();
+        let left_out = crowded && is_cut_short;
+        let place = found.unwrap_or_else(|| match left_out {
+            true => search.labels[index].first_place(),
+            false => search.least_covering(index),
+        });
         let ink = request.text.ink_box(request.size);
         let origin = Point::ORIGIN + (place.ink.origin() - ink.origin());
         let text = PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle);
-        let struck = search.struck(place.ink);
-        PlacedLabel { text, leader: place.leader, struck, crowded: crowded && !request.text.is_empty() }
+        let struck = if left_out { 0.0 } else { search.struck(place.ink) };
+        PlacedLabel { text, leader: place.leader, struck, crowded, left_out }
     });
     placed.collect()
 }
 
 /// The best place near its anchor for one more label; `None` where nothing is free there. Other labels do not move for
 /// it.
-pub(super) fn place_near(request: &LabelRequest, obstacles: &Obstacles) -> Option<PlacedLabel> {
-    let mut search = Search::new(std::slice::from_ref(request), obstacles);
+pub(super) fn place_near(request: &LabelRequest, taken: &Taken) -> Option<PlacedLabel> {
+    let mut search = Search::new(std::slice::from_ref(request), taken);
     let count = search.labels[0].places.len();
     let cheapest = (0..count).map(|place| (search.cost(0, place), place)).min_by(|a, b| a.0.total_cmp(&b.0));
     let place = search.labels[0].places[cheapest?.1];
     let origin = Point::ORIGIN + (place.ink.origin() - request.text.ink_box(request.size).origin());
     let text = PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle);
-    Some(PlacedLabel { text, leader: place.leader, struck: search.struck(place.ink), crowded: false })
+    Some(PlacedLabel { text, leader: place.leader, struck: search.struck(place.ink), crowded: false, left_out: false })
 }
 
 #[cfg(test)]

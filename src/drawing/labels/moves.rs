@@ -2,8 +2,8 @@
 
 use kurbo::{Rect, Vec2};
 
-use super::boxes::{gap, touch};
-use super::places::{OBSTACLE_GAP, Place, SIDES};
+use super::boxes::gap;
+use super::places::{LINE_GAP, Place, SIDES};
 use super::request::LabelRequest;
 use super::search::Search;
 
@@ -25,51 +25,68 @@ const CROSSED: f64 = 30.0;
 /// Grid of the last search over the whole panel, in mm.
 const LAST_STEP: f64 = 1.5;
 
+/// What is moved to make room.
+#[derive(Default)]
+struct Pushed {
+    /// Labels that must not move now.
+    fixed: Vec<usize>,
+    /// Labels that were moved, with their places before, to take it back.
+    moved: Vec<(usize, Option<usize>)>,
+}
+
 impl Search<'_> {
     /// Assigns to every label its cheapest place; labels with fewest places first.
     pub(super) fn choose_first(&mut self, requests: &[LabelRequest]) {
         let mut order: Vec<usize> = (0..requests.len()).collect();
         order.sort_by_key(|&index| (u8::MAX - requests[index].priority, self.labels[index].places.len(), index));
         for index in order {
-            self.labels[index].chosen = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
+            let place = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
+            self.choose(index, place);
         }
     }
 
     /// Makes room for labels without a place: others move, or the label gets a place far from its anchor.
     pub(super) fn make_room(&mut self) {
+        self.begin();
         for index in 0..self.labels.len() {
             if self.labels[index].chosen.is_some() || self.labels[index].is_blank() {
                 continue;
             }
+            // Without time for pushing there are still places farther away.
             let mut tries = TRIES;
-            if self.push(index, PUSHES, &mut Vec::new(), &mut tries) {
+            if !self.is_enough() && self.push(index, PUSHES, &mut Pushed::default(), &mut tries) {
                 continue;
             }
             self.add_far_places(index);
-            self.labels[index].chosen = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
-            if self.labels[index].chosen.is_none() {
+            let place = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
+            self.choose(index, place);
+            if self.labels[index].chosen.is_none() && !self.is_enough() {
                 let mut tries = TRIES;
-                self.push(index, PUSHES, &mut Vec::new(), &mut tries);
+                self.push(index, PUSHES, &mut Pushed::default(), &mut tries);
             }
         }
     }
 
     /// Gives labels that lines strike through a place with a leader, where that is better.
     pub(super) fn free_struck(&mut self) {
+        self.begin();
         for index in 0..self.labels.len() {
+            if self.is_enough() {
+                return;
+            }
             let Some(chosen) = self.labels[index].chosen else { continue };
             let cost = self.cost(index, chosen);
             if cost > STRUCK {
                 self.add_far_places(index);
                 let places = 0..self.labels[index].places.len();
                 let is_clear = |place: &usize| {
-                    self.struck(self.labels[index].places[*place].ink) == 0.0 && self.blockers(index, *place, 0).1 == 0
+                    !self.is_struck(self.labels[index].places[*place].ink) && self.blockers(index, *place, 0).1 == 0
                 };
                 let clear: Vec<usize> = places.filter(is_clear).collect();
                 let costs = clear.into_iter().map(|place| (self.cost(index, place), place));
                 let best = costs.min_by(|a, b| a.0.total_cmp(&b.0));
                 if let Some((_, place)) = best.filter(|(least, _)| *least < cost + APART) {
-                    self.labels[index].chosen = Some(place);
+                    self.choose(index, Some(place));
                 }
             }
         }
@@ -77,47 +94,58 @@ impl Search<'_> {
 
     /// Finds a place for a label by moving at most two others, which may move others in turn; changes nothing if that
     /// fails.
-    fn push(&mut self, index: usize, depth: usize, fixed: &mut Vec<usize>, tries: &mut usize) -> bool {
+    fn push(&mut self, index: usize, depth: usize, pushed: &mut Pushed, tries: &mut usize) -> bool {
         if let Some((place, _)) = self.cheapest(index, f64::INFINITY) {
-            self.labels[index].chosen = Some(place);
+            pushed.moved.push((index, self.labels[index].chosen));
+            self.choose(index, Some(place));
             return true;
         }
         if depth == 0 {
             return false;
         }
-        fixed.push(index);
+        pushed.fixed.push(index);
         let mut order: Vec<(f64, usize)> =
             (0..self.labels[index].places.len()).map(|place| (self.cost(index, place), place)).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         for (_, place) in order {
+            if self.is_enough() {
+                break;
+            }
             let (others, count) = self.blockers(index, place, 2);
             let others = &others[..count.min(2)];
-            if count > 2 || *tries == 0 || others.iter().any(|other| fixed.contains(other)) {
+            if count > 2 || *tries == 0 || others.iter().any(|other| pushed.fixed.contains(other)) {
                 continue;
             }
             *tries -= 1;
-            let before: Vec<Option<usize>> = self.labels.iter().map(|label| label.chosen).collect();
-            self.labels[index].chosen = Some(place);
-            for &other in others {
-                self.labels[other].chosen = None;
+            let before = pushed.moved.len();
+            for (label, chosen) in
+                std::iter::once((index, Some(place))).chain(others.iter().map(|&other| (other, None)))
+            {
+                pushed.moved.push((label, self.labels[label].chosen));
+                self.choose(label, chosen);
             }
-            if others.iter().all(|&other| self.push(other, depth - 1, fixed, tries)) {
-                fixed.pop();
+            if others.iter().all(|&other| self.push(other, depth - 1, pushed, tries)) {
+                pushed.fixed.pop();
                 return true;
             }
-            for (label, chosen) in self.labels.iter_mut().zip(before) {
-                label.chosen = chosen;
+            while pushed.moved.len() > before {
+                let Some((label, chosen)) = pushed.moved.pop() else { break };
+                self.choose(label, chosen);
             }
         }
-        fixed.pop();
+        pushed.fixed.pop();
         false
     }
 
     /// Moves labels, alone or with the one in the way, as long as the sum of the costs decreases.
     pub(super) fn improve(&mut self) {
+        self.begin();
         for _ in 0..ROUNDS {
             let mut moved = false;
             for index in 0..self.labels.len() {
+                if self.is_enough() {
+                    return;
+                }
                 moved |= self.improve_one(index);
             }
             if !moved {
@@ -152,12 +180,12 @@ impl Search<'_> {
                         continue;
                     };
                     let others_cost = self.cost(other, others_place);
-                    self.labels[index].chosen = Some(place);
+                    self.choose(index, Some(place));
                     if let Some((there, cost)) = self.cheapest(other, others_cost + gain_here - gain) {
                         gain = gain_here + others_cost - cost;
                         best = Some((place, Some((other, there))));
                     }
-                    self.labels[index].chosen = Some(here);
+                    self.choose(index, Some(here));
                 }
                 _ => {}
             }
@@ -165,9 +193,9 @@ impl Search<'_> {
         let Some((place, pushed)) = best else {
             return false;
         };
-        self.labels[index].chosen = Some(place);
+        self.choose(index, Some(place));
         if let Some((other, there)) = pushed {
-            self.labels[other].chosen = Some(there);
+            self.choose(other, Some(there));
         }
         true
     }
@@ -175,34 +203,38 @@ impl Search<'_> {
     /// Assigns to labels still without a place the free place nearest to the anchor anywhere on the panel. Its leader
     /// may cross others; that counts as additional distance.
     pub(super) fn search_panel(&mut self) {
+        self.begin();
         for index in 0..self.labels.len() {
+            if self.is_cut_short.get() || self.is_enough() {
+                return;
+            }
             let label = &self.labels[index];
             if label.chosen.is_some() || label.is_blank() {
                 continue;
             }
-            let (bounds, size) = (self.obstacles.bounds, label.ink.size());
+            let (bounds, size) = (self.taken.all().bounds, label.ink.size());
             let steps = |room: f64| {
                 if room >= 0.0 { (room / LAST_STEP).min(1000.0) as usize + 1 } else { 0 }
             };
             let mut best: Option<(f64, Place)> = None;
             for row in 0..steps(bounds.height() - size.height) {
+                if self.is_enough() {
+                    break;
+                }
                 for column in 0..steps(bounds.width() - size.width) {
                     let corner = bounds.origin() + Vec2::new(column as f64, row as f64) * LAST_STEP;
                     let ink = Rect::from_origin_size(corner, size);
                     let distance = gap(ink, label.anchor) - label.clearance;
+                    self.count(1);
                     if distance < 0.0 || best.is_some_and(|(least, _)| distance >= least) {
                         continue;
                     }
                     let place = label.place_at(ink, distance, 0.0);
-                    let taken = self.labels.iter();
-                    let taken = taken.filter_map(|other| Some(&other.places[other.chosen?]));
-                    let mut boxes = self.obstacles.boxes.iter();
-                    if boxes.any(|&other| touch(other, ink, OBSTACLE_GAP))
-                        || taken.clone().any(|other| place.overlaps(other))
-                    {
+                    if self.is_on_obstacle(ink) || self.is_overlapped(&place) {
                         continue;
                     }
-                    let crossings: usize = taken.map(|other| place.crossings(other)).sum();
+                    let near = self.chosen_near(place.area().inflate(LINE_GAP, LINE_GAP));
+                    let crossings: usize = near.map(|other| place.crossings(other)).sum();
                     let worth = distance + CROSSED * crossings as f64;
                     if best.is_none_or(|(least, _)| worth < least) {
                         best = Some((worth, place));
@@ -211,8 +243,9 @@ impl Search<'_> {
             }
             if let Some((_, place)) = best {
                 let label = &mut self.labels[index];
-                label.chosen = Some(label.places.len());
+                let added = label.places.len();
                 label.places.push(place);
+                self.choose(index, Some(added));
             }
         }
     }
@@ -220,10 +253,9 @@ impl Search<'_> {
     /// A place inside the panel for a label without one, which covers as little as possible.
     pub(super) fn least_covering(&self, index: usize) -> Place {
         let label = &self.labels[index];
-        let bounds = self.obstacles.bounds;
+        let bounds = self.taken.all().bounds;
         let covered = |ink: Rect| {
-            let taken = self.labels.iter().filter_map(|other| other.chosen.map(|chosen| other.places[chosen].ink));
-            let all = taken.chain(self.obstacles.boxes.iter().copied());
+            let all = self.chosen_near(ink).map(|other| other.ink).chain(self.taken.boxes_near(ink));
             all.map(|other| {
                 let both = other.intersect(ink);
                 both.width().max(0.0) * both.height().max(0.0)

@@ -109,10 +109,9 @@ pub(super) struct Label {
     /// Its free places, and the index of the present one.
     pub(super) places: Vec<Place>,
     pub(super) chosen: Option<usize>,
-    /// All that any of its places could touch.
-    pub(super) lines: Vec<Clipped>,
+    /// What any of its places could touch: lines by their numbers, and anchors.
+    pub(super) lines: Vec<u32>,
     pub(super) anchors: Vec<Point>,
-    pub(super) neighbours: Vec<usize>,
     pub(super) reach: Rect,
     pub(super) has_far: bool,
 }
@@ -128,7 +127,6 @@ impl Label {
             chosen: None,
             lines: Vec::new(),
             anchors: Vec::new(),
-            neighbours: Vec::new(),
             reach: Rect::ZERO,
             has_far: false,
         };
@@ -154,6 +152,11 @@ impl Label {
         Rect::from_center_size(center, (width, height))
     }
 
+    /// The place that comes first, free or not.
+    pub(super) fn first_place(&self) -> Place {
+        self.place_at(self.ink_beside(&SIDES[0], self.clearance), 0.0, 0.0)
+    }
+
     /// By side: the cost of its direction.
     pub(super) fn dislikes(&self) -> [f64; SIDES.len()] {
         let (wanted, weight) = self.prefer.map_or((HABITUAL, HABIT), |prefer| (prefer, DEVIATION));
@@ -177,6 +180,11 @@ impl Label {
 }
 
 impl Place {
+    /// The box around its ink and its leader.
+    pub(super) fn area(&self) -> Rect {
+        self.leader.map_or(self.ink, |(from, to)| self.ink.union_pt(from).union_pt(to))
+    }
+
     /// Whether two labels cannot have these places together.
     pub(super) fn conflicts(&self, other: &Self) -> bool {
         self.overlaps(other) || self.crossings(other) > 0

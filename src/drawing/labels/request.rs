@@ -42,4 +42,6 @@ pub struct PlacedLabel {
     pub struck: f64,
     /// Whether the panel holds no free place, so that this label touches something.
     pub crowded: bool,
+    /// Whether there are so many labels that the search was ended before this one had a place: it is better left out.
+    pub left_out: bool,
 }

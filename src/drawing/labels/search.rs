@@ -1,10 +1,13 @@
 //! The labels of a panel, their free places, and the cost of each place.
 
 use kurbo::Rect;
+use std::cell::Cell;
 
+use super::super::grid::Grid;
+use super::super::obstacles::Taken;
 use super::boxes::{Clipped, gap, inside, touch};
-use super::places::{FAR, LABEL_GAP, LINE_GAP, Label, NEAR, OBSTACLE_GAP, Place, SIDES};
-use super::request::{LabelRequest, Obstacles};
+use super::places::{FAR, LINE_GAP, Label, NEAR, OBSTACLE_GAP, Place, SIDES};
+use super::request::LabelRequest;
 
 // Costs, in mm of distance from the anchor.
 /// Per millimetre of line inside the box.
@@ -14,18 +17,39 @@ const AMBIGUITY: f64 = 2.5;
 /// Difference from which another anchor is clearly farther, in mm.
 const CLEARLY: f64 = 0.6;
 
+/// Most lines, and most other anchors, that count for a label: among more it cannot be read anyway.
+const MOST_AROUND: usize = 400;
+
+/// How many things each stage of a search may look at: some hundred times as many as any figure of a textbook needs,
+/// and less than a tenth of a second.
+const ENOUGH: usize = 500_000;
+
 /// All labels with their present places.
 pub(super) struct Search<'a> {
     pub(super) labels: Vec<Label>,
     lines: Vec<Clipped>,
-    pub(super) obstacles: &'a Obstacles,
+    pub(super) taken: &'a Taken,
+    /// Where the labels' present places and their leaders are.
+    chosen: Grid,
+    anchors: Grid,
+    /// How many things this stage has looked at: a measure of time that is the same everywhere.
+    work: Cell<usize>,
+    /// Whether a stage was stopped because it looked at too many.
+    pub(super) is_cut_short: Cell<bool>,
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(requests: &[LabelRequest], obstacles: &'a Obstacles) -> Self {
-        let lines = obstacles.lines.iter().copied().map(Clipped::new).collect();
+    pub(super) fn new(requests: &[LabelRequest], taken: &'a Taken) -> Self {
+        let lines = taken.all().lines.iter().copied().map(Clipped::new).collect();
         let labels: Vec<Label> = requests.iter().map(Label::new).collect();
-        let mut search = Self { labels, lines, obstacles };
+        let bounds = taken.all().bounds;
+        let mut anchors = Grid::new(bounds);
+        for (index, label) in labels.iter().enumerate() {
+            anchors.add(index, Rect::from_points(label.anchor, label.anchor));
+        }
+        let chosen = Grid::new(bounds);
+        let mut search =
+            Self { labels, lines, taken, chosen, anchors, work: Cell::new(0), is_cut_short: Cell::new(false) };
         for index in 0..search.labels.len() {
             search.find_surroundings(index);
             search.add_places(index, &NEAR);
@@ -33,34 +57,73 @@ impl<'a> Search<'a> {
         search
     }
 
-    /// Finds the lines, anchors and labels that the places of a label could touch.
+    /// Begins a stage of the search.
+    pub(super) fn begin(&self) {
+        self.work.set(0);
+    }
+
+    /// Counts things that are looked at.
+    pub(super) fn count(&self, things: usize) {
+        self.work.set(self.work.get() + things);
+    }
+
+    /// Whether this stage has looked at so much that it must end.
+    pub(super) fn is_enough(&self) -> bool {
+        let is_enough = self.work.get() > ENOUGH;
+        self.is_cut_short.set(self.is_cut_short.get() | is_enough);
+        is_enough
+    }
+
+    /// Gives a label a place, or none.
+    pub(super) fn choose(&mut self, index: usize, place: Option<usize>) {
+        let label = &mut self.labels[index];
+        if let Some(before) = std::mem::replace(&mut label.chosen, place) {
+            self.chosen.remove(index, label.places[before].area());
+        }
+        if let Some(place) = place {
+            self.chosen.add(index, label.places[place].area());
+        }
+    }
+
+    /// The present places near a box, in the order of their labels; at least all that touch it.
+    pub(super) fn chosen_near(&self, area: Rect) -> impl Iterator<Item = &Place> {
+        let near = self.chosen.near(area).into_iter();
+        near.filter_map(|index| Some(&self.labels[index].places[self.labels[index].chosen?]))
+    }
+
+    /// Whether a present place overlaps another.
+    pub(super) fn is_overlapped(&self, place: &Place) -> bool {
+        let overlaps = |other: usize| {
+            let label = &self.labels[other];
+            label.chosen.is_some_and(|chosen| place.overlaps(&label.places[chosen]))
+        };
+        self.chosen.any(place.ink.inflate(LINE_GAP, LINE_GAP), overlaps)
+    }
+
+    /// Finds the lines and anchors that the places of a label could touch.
     fn find_surroundings(&mut self, index: usize) {
         let (reach, anchor) = (self.labels[index].reach, self.labels[index].anchor);
-        let near = self.lines.iter().filter(|line| line.share_inside(reach) > 0.0);
-        let lines = near.copied().collect();
-        let others = self.labels.iter().map(|other| other.anchor);
+        let lines = self.taken.lines_near(reach).into_iter();
+        let lines = lines.filter(|&line| self.lines[line].share_inside(reach) > 0.0);
+        let lines = lines.take(MOST_AROUND).map(|line| line as u32).collect();
+        let others = self.anchors.near(reach).into_iter().map(|other| self.labels[other].anchor);
         // Labels of the same point do not compete for it.
-        let anchors = others.filter(|&other| inside(reach, other) && (other - anchor).hypot2() > 1e-6).collect();
-        let touching = |other: &Label| touch(other.reach, reach, LABEL_GAP);
-        let neighbours =
-            (0..self.labels.len()).filter(|&other| other != index && touching(&self.labels[other])).collect();
+        let anchors = others.filter(|&other| inside(reach, other) && (other - anchor).hypot2() > 1e-6);
+        let anchors = anchors.take(MOST_AROUND).collect();
         let label = &mut self.labels[index];
-        (label.lines, label.anchors, label.neighbours) = (lines, anchors, neighbours);
+        (label.lines, label.anchors) = (lines, anchors);
     }
 
     /// Adds the free places of a label at these distances.
     fn add_places(&mut self, index: usize, distances: &[f64]) {
         let label = &self.labels[index];
-        let bounds = self.obstacles.bounds;
-        let reach = label.reach;
-        let boxes: Vec<Rect> =
-            self.obstacles.boxes.iter().copied().filter(|&other| touch(other, reach, OBSTACLE_GAP)).collect();
+        let bounds = self.taken.all().bounds;
         let free = |ink: Rect| {
             ink.x0 >= bounds.x0
                 && ink.x1 <= bounds.x1
                 && ink.y0 >= bounds.y0
                 && ink.y1 <= bounds.y1
-                && !boxes.iter().any(|&other| touch(other, ink, OBSTACLE_GAP))
+                && !self.is_on_obstacle(ink)
         };
         let dislikes = label.dislikes();
         let mut places = Vec::with_capacity(distances.len() * SIDES.len());
@@ -75,6 +138,12 @@ impl<'a> Search<'a> {
         self.labels[index].places.append(&mut places);
     }
 
+    /// Whether ink is too near to an obstacle box.
+    pub(super) fn is_on_obstacle(&self, ink: Rect) -> bool {
+        let near = ink.inflate(OBSTACLE_GAP, OBSTACLE_GAP);
+        self.taken.any_box(near, |other| touch(other, ink, OBSTACLE_GAP))
+    }
+
     /// Adds the distant places of a label, with leaders.
     pub(super) fn add_far_places(&mut self, index: usize) {
         let label = &mut self.labels[index];
@@ -84,19 +153,19 @@ impl<'a> Search<'a> {
         label.has_far = true;
         label.reach = label.reach_at(FAR[FAR.len() - 1]);
         self.find_surroundings(index);
-        for other in self.labels[index].neighbours.clone() {
-            let neighbours = &mut self.labels[other].neighbours;
-            if let Err(position) = neighbours.binary_search(&index) {
-                neighbours.insert(position, index);
-            }
-        }
         // The costs of near places remain: the added lines and anchors are beyond them.
         self.add_places(index, &FAR);
     }
 
     /// Length of the lines inside a box, in mm.
     pub(super) fn struck(&self, ink: Rect) -> f64 {
-        self.lines.iter().map(|line| line.share_inside(ink) * line.length).sum()
+        let lines = self.taken.lines_near(ink).into_iter().map(|line| &self.lines[line]);
+        lines.map(|line| line.share_inside(ink) * line.length).sum()
+    }
+
+    /// Whether a line crosses a box.
+    pub(super) fn is_struck(&self, ink: Rect) -> bool {
+        self.taken.any_line(ink, |line| self.lines[line].share_inside(ink) * self.lines[line].length > 0.0)
     }
 
     /// The whole cost of a place if it is less than `limit`.
@@ -113,7 +182,9 @@ impl<'a> Search<'a> {
             least += AMBIGUITY * (own_gap + CLEARLY - gap(ink, other)).max(0.0);
         }
         let area = ink.inflate(LINE_GAP, LINE_GAP);
-        for line in &label.lines {
+        self.work.set(self.work.get() + 1 + label.anchors.len() + label.lines.len());
+        for &line in &label.lines {
+            let line = &self.lines[line as usize];
             least += CROSSING * line.share_inside(area) * line.length;
             if least >= limit {
                 whole = false;
@@ -121,8 +192,9 @@ impl<'a> Search<'a> {
             }
         }
         if whole && let Some(leader) = leader {
+            let area = Rect::from_points(leader.0, leader.1);
             let leader = Clipped::new(leader);
-            for &other in &self.obstacles.boxes {
+            for other in self.taken.boxes_near(area) {
                 least += CROSSING * leader.share_inside(other) * leader.length;
             }
         }
@@ -144,22 +216,24 @@ impl<'a> Search<'a> {
     /// The labels in the way of a place, two at most, and their number, at most one above `most`; zero means that the
     /// place can be taken.
     pub(super) fn blockers(&self, index: usize, place: usize, most: usize) -> ([usize; 2], usize) {
-        let (mut found, mut count) = ([usize::MAX; 2], 0);
+        let (mut found, mut count, mut seen) = ([usize::MAX; 2], 0, 1);
         let wanted = &self.labels[index].places[place];
-        for &other in &self.labels[index].neighbours {
+        self.chosen.any(wanted.area().inflate(LINE_GAP, LINE_GAP), |other| {
+            seen += 1;
             let label = &self.labels[other];
-            if let Some(chosen) = label.chosen
-                && wanted.conflicts(&label.places[chosen])
+            if other != index
+                && !found.contains(&other)
+                && label.chosen.is_some_and(|chosen| wanted.conflicts(&label.places[chosen]))
             {
                 if count < found.len() {
                     found[count] = other;
                 }
                 count += 1;
-                if count > most {
-                    break;
-                }
             }
-        }
+            count > most
+        });
+        self.count(seen);
+        found.sort_unstable();
         (found, count)
     }
 

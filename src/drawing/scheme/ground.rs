@@ -60,8 +60,8 @@ impl Scheme<'_> {
     pub(super) fn down(&self, view: &View, point: PointId) -> Vec2 {
         // Cosine of the largest angle from the vertical at which a link is in the way.
         let steep = libm::cos(50.0_f64.to_radians());
-        let links = self.mechanism.links();
-        let at_pivot: Vec<(BodyId, &Body)> = links.filter(|l| l.1.points.contains(&point)).collect();
+        let links = self.looked_up.holders[point.0].iter().filter(|link| self.number(**link).is_some());
+        let at_pivot: Vec<(BodyId, &Body)> = links.map(|&link| (link, self.mechanism.body(link))).collect();
         let is_at_pivot = |link: BodyId| at_pivot.iter().any(|(id, _)| *id == link);
         let blocks = self.mechanism.sliders.iter().filter(|s| is_at_pivot(s.on));
         let places = at_pivot.iter().flat_map(|(_, body)| &body.points).copied();

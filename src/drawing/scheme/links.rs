@@ -5,6 +5,7 @@ use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};
 use super::Scheme;
+use super::looked_up::LinkLines;
 use crate::geometry::{self, cross, span};
 use crate::mechanism::{BodyId, Mark, Mechanism, PointId, SliderId};
 use crate::position::Pose;
@@ -189,9 +190,12 @@ impl Scheme<'_> {
     /// The unit vectors of links and guides at a point.
     pub(super) fn directions(&self, view: &View, point: PointId) -> Vec<Vec2> {
         let from = self.at(view, point);
-        let links = self.mechanism.links();
-        let lines = links.flat_map(|(id, _)| self.shape(view, id).lines());
-        let here = lines.filter(|&ends| is_on(ends, from));
+        let mut kept = self.link_lines.borrow_mut();
+        let lines = match kept.take().filter(|lines| lines.view == *view) {
+            Some(lines) => lines,
+            None => LinkLines::new(&self.posed(self.pose), view),
+        };
+        let here = kept.insert(lines).at(from).into_iter();
         let ends = here.flat_map(|ends| ends.map(|end| end - from));
         let mut directions: Vec<Vec2> = ends.filter(|end| end.hypot() > ON_LINE).map(Vec2::normalize).collect();
         for id in (0..self.mechanism.sliders.len()).map(SliderId) {

@@ -4,6 +4,7 @@
 mod drives;
 mod ground;
 mod links;
+mod looked_up;
 mod names;
 mod sliders;
 mod special;
@@ -13,6 +14,7 @@ mod values;
 pub(super) use links::outline;
 
 use self::links::Posed;
+use self::looked_up::{LinkLines, LookedUp};
 use super::canvas::Canvas;
 use super::dims::Dims;
 use super::names::Names;
@@ -29,6 +31,7 @@ use crate::position::Pose;
 use crate::scene::{Figure, PageSize, PanelName, Scene};
 use crate::words::Wording;
 use kurbo::Point;
+use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -54,6 +57,9 @@ pub(super) struct Scheme<'a> {
     pub is_for_pencil: bool,
     /// Whether the senses in which slides count as positive are drawn.
     pub shows_senses: bool,
+    pub looked_up: LookedUp,
+    /// The lines of the links in the last view that was asked for.
+    pub link_lines: RefCell<Option<LinkLines>>,
 }
 
 impl<'a> Scheme<'a> {
@@ -81,6 +87,8 @@ impl<'a> Scheme<'a> {
             values: Vec::new(),
             is_for_pencil: false,
             shows_senses: false,
+            looked_up: LookedUp::new(mechanism, pose),
+            link_lines: RefCell::new(None),
         };
         Self { values: values(&scheme), ..scheme }
     }
@@ -254,7 +262,7 @@ impl<'a> Scheme<'a> {
 
     /// Number of a link, by which a style picks its colour; none for the ground and for blocks without name.
     pub(super) fn number(&self, link: BodyId) -> Option<usize> {
-        self.mechanism.links().position(|(id, _)| id == link)
+        self.looked_up.numbers[link.0]
     }
 
     /// The mechanism in a position.

@@ -3,9 +3,10 @@
 use super::super::canvas::Canvas;
 use super::super::shape::Shape;
 use super::super::sheet::Pen;
-use super::super::view::{Extent, View, on_sheet, towards};
+use super::super::view::{View, on_sheet, towards};
 use super::Scheme;
 use super::links::LinkShape;
+use super::looked_up::Near;
 use super::sliders::BLOCK;
 use crate::construction::display;
 use crate::mechanism::{BodyId, GROUND, PointId, Role, Slider, SliderId};
@@ -14,11 +15,11 @@ use kurbo::{Point, Vec2};
 impl Scheme<'_> {
     /// Draws circles at pins, dots at other points, and their labels.
     pub(super) fn joints(&self, canvas: &mut Canvas<'_>, view: &View) {
-        let mut named: Vec<Point> = Vec::new();
+        let mut named = Near::new(canvas.bounds());
         for point in (0..self.mechanism.points.len()).map(PointId) {
             let center = self.at(view, point);
             let pin = self.is_pin(point);
-            let slides = self.mechanism.sliders.iter().any(|s| s.at == point);
+            let slides = self.looked_up.slides[point.0];
             let name = self.mechanism.point_name(point);
             let id = format!("point-{name}");
             if pin {
@@ -30,28 +31,30 @@ impl Scheme<'_> {
             }
             let clearance = if slides { BLOCK.y + 0.8 } else { self.dims.joint + 0.9 };
             // Of two coincident points the second has the lower priority.
-            let twin = named.iter().any(|p| (*p - center).hypot() < 0.3);
+            let twin = named.distance(center, 0.3).is_some_and(|distance| distance < 0.3);
             let priority = if twin { 1 } else { 2 };
-            named.push(center);
+            named.add(center);
             canvas.label(name, &display(name), center, clearance, self.outward(view, center), priority);
         }
     }
 
     /// Whether a point is a pin.
     pub(super) fn is_pin(&self, point: PointId) -> bool {
-        self.posed(self.pose).is_pin(point)
+        self.looked_up.pins[point.0]
     }
 
     /// Unit vector from the centre of the mechanism; none within 5 mm of it.
     pub(super) fn outward(&self, view: &View, from: Point) -> Option<Vec2> {
-        let extent = Extent::of(self.pose.points.iter().copied());
-        let away = from - view.at(nalgebra::center(&extent.low, &extent.high));
+        let away = from - view.at(self.looked_up.middle);
         (away.hypot() > 5.0).then(|| away.normalize())
     }
 
     /// Draws the links' labels: inside areas, beside lines where there is most room.
     pub(super) fn link_names(&self, canvas: &mut Canvas<'_>, view: &View) {
-        let joints: Vec<Point> = self.pose.points.iter().map(|&p| view.at(p)).collect();
+        /// Room beside a link's name, in mm.
+        const ROOM: f64 = 8.0;
+        let mut joints = Near::new(canvas.bounds());
+        self.pose.points.iter().for_each(|&p| joints.add(view.at(p)));
         for (id, body) in self.mechanism.links() {
             if body.role == Role::Stub {
                 continue;
@@ -59,14 +62,10 @@ impl Scheme<'_> {
             let (anchor, clearance, prefer) = match self.shape(view, id) {
                 LinkShape::Bars(bars) => {
                     let [a, b] = bars[bars.len() - 1];
-                    let free = |share: f64| {
-                        let p = a.lerp(b, share);
-                        let nearest = joints.iter().map(|j| (*j - p).hypot());
-                        nearest.fold(f64::INFINITY, f64::min)
-                    };
+                    let free = |share: f64| joints.distance(a.lerp(b, share), ROOM).unwrap_or(f64::INFINITY);
                     let shares = [0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78];
                     // The middle, unless a joint is nearby.
-                    let good = shares.into_iter().find(|&s| free(s) > 8.0);
+                    let good = shares.into_iter().find(|&s| free(s) > ROOM);
                     let best = |x: &f64, y: &f64| free(*x).total_cmp(&free(*y));
                     let share = good.or_else(|| shares.into_iter().max_by(best));
                     let anchor = a.lerp(b, share.unwrap_or(0.5));

@@ -15,9 +15,7 @@ impl Joint {
 
 /// Adds the pins: for a point of n bodies n − 1 of them, all at the first body of known motion, or else at the first.
 pub(in crate::mechanism) fn add_pins(mechanism: &mut Mechanism) {
-    for point in mechanism.point_ids() {
-        let mut bodies: Vec<BodyId> =
-            mechanism.body_ids().filter(|&b| mechanism.body(b).points.contains(&point)).collect();
+    for (point, mut bodies) in mechanism.point_ids().zip(mechanism.holders()) {
         bodies.sort_by_key(|&b| !mechanism.is_known(b));
         let Some((&first, others)) = bodies.split_first() else {
             continue;

@@ -1,0 +1,195 @@
+//! Where things lie on a panel: a grid that finds what is near without looking at everything.
+//!
+//! A tree of boxes (as in the crate `rstar`) would find less well here: rays cross a whole panel aslant, so that their
+//! boxes all overlap, and labels move often. A grid takes lines cell by cell, and a move costs a few cells.
+
+use kurbo::{Point, Rect};
+use std::cell::RefCell;
+
+/// Width and height of a cell in mm, about those of a name.
+const CELL: f64 = 4.0;
+/// Most columns and rows; on larger areas cells are larger.
+const MOST: f64 = 256.0;
+/// Lines that go farther out, in mm, are looked at wherever one looks: where exactly they cross a cell is lost in
+/// rounding.
+const FAR: f64 = 1e6;
+/// White around a line's cells, in mm, against rounding.
+const SLACK: f64 = 1e-3;
+
+/// The numbers of things by the cells that they touch.
+///
+/// Things outside the area belong to the cells at its edge, so they are found, too, but less quickly.
+#[derive(Clone, Debug)]
+pub(super) struct Grid {
+    origin: Point,
+    /// Width and height of its cells.
+    cell: [f64; 2],
+    columns: usize,
+    rows: usize,
+    cells: Vec<Vec<u32>>,
+    everywhere: Vec<u32>,
+    seen: RefCell<Seen>,
+}
+
+/// What a search has found already.
+#[derive(Clone, Debug, Default)]
+struct Seen {
+    /// Number of the search.
+    search: u32,
+    /// By thing: the last search that found it.
+    last: Vec<u32>,
+}
+
+impl Grid {
+    /// A grid without things over an area.
+    pub(super) fn new(area: Rect) -> Self {
+        let count = |length: f64| (length / CELL).ceil().max(1.0).min(MOST);
+        let (columns, rows) = (count(area.width()), count(area.height()));
+        let cell = [(area.width() / columns).max(CELL), (area.height() / rows).max(CELL)];
+        let (columns, rows) = (columns as usize, rows as usize);
+        let cells = vec![Vec::new(); columns * rows];
+        Self { origin: area.origin(), cell, columns, rows, cells, everywhere: Vec::new(), seen: RefCell::default() }
+    }
+
+    /// The column of a place; that at the edge outside, the first for a NaN.
+    fn column(&self, x: f64) -> usize {
+        (((x - self.origin.x) / self.cell[0]) as usize).min(self.columns - 1)
+    }
+
+    fn row(&self, y: f64) -> usize {
+        (((y - self.origin.y) / self.cell[1]) as usize).min(self.rows - 1)
+    }
+
+    /// The cells that a box touches.
+    fn cells_of(&self, area: Rect) -> impl Iterator<Item = usize> + use<> {
+        let (first, last) = (self.column(area.x0), self.column(area.x1));
+        let columns = self.columns;
+        (self.row(area.y0)..=self.row(area.y1)).flat_map(move |row| row * columns + first..=row * columns + last)
+    }
+
+    /// Adds a thing in a box.
+    pub(super) fn add(&mut self, thing: usize, area: Rect) {
+        for cell in self.cells_of(area) {
+            self.cells[cell].push(thing as u32);
+        }
+    }
+
+    /// Takes a thing out of a box.
+    pub(super) fn remove(&mut self, thing: usize, area: Rect) {
+        for cell in self.cells_of(area) {
+            if let Some(place) = self.cells[cell].iter().position(|other| *other == thing as u32) {
+                self.cells[cell].swap_remove(place);
+            }
+        }
+    }
+
+    /// Adds a straight line.
+    pub(super) fn add_line(&mut self, thing: usize, (from, to): (Point, Point)) {
+        let is_near = |point: Point| (point.x.abs() < FAR) & (point.y.abs() < FAR);
+        if !is_near(from) || !is_near(to) {
+            self.everywhere.push(thing as u32);
+            return;
+        }
+        let (high, low) = if from.y <= to.y { (from, to) } else { (to, from) };
+        let run = low - high;
+        let at = |y: f64| if run.y > 0.0 { high.x + run.x * ((y - high.y) / run.y).clamp(0.0, 1.0) } else { high.x };
+        let (first, last) = (self.row(high.y - SLACK), self.row(low.y + SLACK));
+        for row in first..=last {
+            // The part of the line in this row; beyond the grid's edge all of it.
+            let edge = |row: usize| self.origin.y + row as f64 * self.cell[1];
+            let upper = if row == 0 { high.y } else { edge(row) - SLACK };
+            let lower = if row + 1 == self.rows { low.y } else { edge(row + 1) + SLACK };
+            let (a, b) = if run.y > 0.0 { (at(upper), at(lower)) } else { (from.x, to.x) };
+            for column in self.column(a.min(b) - SLACK)..=self.column(a.max(b) + SLACK) {
+                self.cells[row * self.columns + column].push(thing as u32);
+            }
+        }
+    }
+
+    /// Whether something near a box satisfies `is`; a thing may be asked for twice.
+    pub(super) fn any(&self, area: Rect, mut is: impl FnMut(usize) -> bool) -> bool {
+        self.everywhere.iter().any(|thing| is(*thing as usize))
+            || self.cells_of(area).any(|cell| self.cells[cell].iter().any(|thing| is(*thing as usize)))
+    }
+
+    /// What is near a box, in rising order, each once; at least all that touches it.
+    pub(super) fn near(&self, area: Rect) -> Vec<usize> {
+        let mut found: Vec<usize> = self.everywhere.iter().map(|thing| *thing as usize).collect();
+        let mut seen = self.seen.borrow_mut();
+        let Seen { search, last } = &mut *seen;
+        *search += 1;
+        for cell in self.cells_of(area) {
+            for &thing in &self.cells[cell] {
+                let thing = thing as usize;
+                if last.len() <= thing {
+                    last.resize(thing + 1, 0);
+                }
+                if std::mem::replace(&mut last[thing], *search) != *search {
+                    found.push(thing);
+                }
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Random;
+
+    const AREA: Rect = Rect::new(10.0, 20.0, 110.0, 90.0);
+
+    /// A point within or around the area.
+    fn point(lot: &mut Random) -> Point {
+        Point::new(140.0 * lot.unit(), 120.0 * lot.unit())
+    }
+
+    #[test]
+    fn nothing_that_touches_a_box_is_missed() {
+        let mut lot = Random(5);
+        let mut grid = Grid::new(AREA);
+        let lines: Vec<(Point, Point)> = (0..300).map(|_| (point(&mut lot), point(&mut lot))).collect();
+        for (index, line) in lines.iter().enumerate() {
+            grid.add_line(index, *line);
+        }
+        for _ in 0..300 {
+            let corner = point(&mut lot);
+            let area = Rect::from_origin_size(corner, (6.0 * lot.unit(), 6.0 * lot.unit()));
+            let found = grid.near(area);
+            assert!(found.is_sorted_by(|a, b| a < b));
+            for (index, (a, b)) in lines.iter().enumerate() {
+                // A thousand points of the line stand for it.
+                let touches = (0..=1000).any(|k| {
+                    let at = a.lerp(*b, f64::from(k) / 1000.0);
+                    area.x0 <= at.x && at.x <= area.x1 && area.y0 <= at.y && at.y <= area.y1
+                });
+                assert!(!touches || found.contains(&index), "line {index} of {area:?}");
+            }
+            // Most of the others are not looked at.
+            assert!(found.len() < 60, "{}", found.len());
+        }
+    }
+
+    #[test]
+    fn what_is_taken_out_is_gone() {
+        let mut grid = Grid::new(AREA);
+        let area = Rect::new(30.0, 30.0, 41.0, 33.0);
+        grid.add(3, area);
+        grid.add(4, area);
+        grid.remove(3, area);
+        assert_eq!(grid.near(AREA), [4]);
+    }
+
+    #[test]
+    fn odd_numbers_do_no_harm() {
+        for area in [Rect::ZERO, Rect::new(0.0, 0.0, f64::NAN, 1.0), Rect::new(5.0, 5.0, -5.0, f64::INFINITY)] {
+            let mut grid = Grid::new(area);
+            grid.add(0, Rect::new(f64::NAN, 0.0, f64::INFINITY, 1e300));
+            grid.add_line(1, (Point::new(f64::NAN, 0.0), Point::ORIGIN));
+            grid.add_line(2, (Point::new(1e30, 0.0), Point::ORIGIN));
+            assert!(grid.near(Rect::new(0.0, 0.0, 1.0, 1.0)).ends_with(&[1, 2]));
+        }
+    }
+}
