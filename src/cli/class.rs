@@ -6,6 +6,8 @@ use super::files;
 use super::message::{Failure, note, warn};
 use super::pieces::{Output, Pieces};
 use crate::check::{Checked, ClassColumns, ClassRow, ClassSummary, Feedback, MarkScheme, Measured, Prepared};
+use crate::format;
+use crate::text::Untrusted;
 use crate::words::Wording;
 use std::fs;
 use std::io::Read;
@@ -31,15 +33,15 @@ pub(super) struct Class<'a> {
 pub(super) struct Form {
     pub path: PathBuf,
     /// Its name in the report.
-    pub file: String,
+    pub file: Untrusted,
     /// The index of its exercise, or why that is not known.
     pub exercise: Result<usize, String>,
 }
 
 impl Form {
     /// What stands in place of the student's name: that of the file without its ending.
-    fn title(&self) -> &str {
-        self.file.rsplit_once('.').map_or(&self.file, |(stem, _)| stem)
+    fn title(&self) -> Untrusted {
+        self.file.stem()
     }
 }
 
@@ -121,7 +123,7 @@ impl Class<'_> {
         done?;
         let summary = summary.finished();
         if self.format == ReportFormat::Json && is_wanted {
-            let summary = serde_json::to_string(&summary).expect("text keys");
+            let summary = format::json_line(&summary);
             out.put(&format!("\n  ],\n  \"summary\": {summary}\n}}\n"))?;
         }
         out.finish()?;
@@ -135,7 +137,7 @@ impl Class<'_> {
 
     /// A row of the report as text.
     fn written(&self, row: &ClassRow, is_first: bool) -> String {
-        let json = || serde_json::to_string(row).expect("a row has text keys");
+        let json = || format::json_line(row);
         match self.format {
             ReportFormat::Csv => row.csv(self.columns),
             ReportFormat::Json if is_first => format!("\n    {}", json()),
@@ -171,7 +173,7 @@ impl Class<'_> {
         let message = match (&measured, subject) {
             (Ok(measured), Ok(subject)) => match subject.key.check(measured) {
                 Ok(checked) => {
-                    let (name, file) = (measured.name.as_deref(), form.file.clone());
+                    let (name, file) = (measured.name.as_ref(), form.file.clone());
                     let (key, words) = (subject.key.key(), &subject.words);
                     let row = ClassRow::checked(file, name, &checked, key, words, subject.scheme.as_ref());
                     return (row.of(subject.name), self.page(index, subject, measured, &checked));
@@ -182,11 +184,11 @@ impl Class<'_> {
             (_, Err(message)) => message.to_owned(),
         };
         let subject = subject.ok();
-        let name = measured.as_ref().ok().and_then(|measured| measured.name.as_deref());
+        let name = measured.as_ref().ok().and_then(|measured| measured.name.clone());
         let page = self.pages.as_ref().map_or(Ok(Vec::new()), |pages| {
             let scene = subject.map(|subject| &subject.key.key().solution.scene);
             let words = subject.map_or(self.words, |subject| &subject.words);
-            pages.of(index, &Feedback::refused(scene, name.unwrap_or(form.title()), &message, words))
+            pages.of(index, &Feedback::refused(scene, &name.unwrap_or_else(|| form.title()), &message, words))
         });
         (ClassRow::broken(form.file.clone(), &message).of(subject.and_then(|subject| subject.name)), page)
     }
@@ -203,10 +205,8 @@ impl Class<'_> {
             return Ok(Vec::new());
         };
         let marks = subject.scheme.as_ref().map(|scheme| scheme.award(checked));
-        let named = Measured {
-            name: measured.name.clone().or_else(|| Some(self.forms[index].title().to_owned())),
-            ..measured.clone()
-        };
+        let named =
+            Measured { name: measured.name.clone().or_else(|| Some(self.forms[index].title())), ..measured.clone() };
         let feedback = Feedback::new(&named, subject.key.key(), checked, marks.as_ref(), &subject.words);
         let feedback = feedback.map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
         pages.of(index, &feedback)
@@ -236,8 +236,8 @@ pub(super) fn measured(path: &Path) -> Result<Measured, String> {
 }
 
 /// A path in a folder as a report shows it; bytes that are not UTF-8 are replaced.
-pub(super) fn shown(path: &Path, folder: &Path) -> String {
+pub(super) fn shown(path: &Path, folder: &Path) -> Untrusted {
     let inside = path.strip_prefix(folder).unwrap_or(path);
     let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
-    parts.join("/")
+    parts.join("/").into()
 }

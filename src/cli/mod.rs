@@ -32,6 +32,8 @@ mod work;
 
 pub use message::shown;
 
+use crate::text;
+use clap::error::ContextValue;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -72,7 +74,10 @@ enum Task {
 /// Runs the command line of this process.
 #[must_use]
 pub fn run() -> ExitCode {
-    let command = Command::parse();
+    let command = match Command::try_parse() {
+        Ok(command) => command,
+        Err(error) => return refused(error),
+    };
     let done = match &command.task {
         Task::New(new) => new.run(),
         Task::Draw(draw) => draw.run(),
@@ -93,4 +98,24 @@ pub fn run() -> ExitCode {
             ExitCode::from(failure.exit_code())
         }
     }
+}
+
+/// Shows help, or why a command line is not understood, without what a terminal would obey in its arguments.
+fn refused(mut error: clap::Error) -> ExitCode {
+    let given: Vec<_> = error.context().map(|(kind, value)| (kind, value.clone())).collect();
+    for (kind, value) in given {
+        if let ContextValue::String(value) = value {
+            error.insert(kind, ContextValue::String(text::shown(&value)));
+        }
+    }
+    // What parsers of values say of them is no part of the context.
+    let plain = error.render().to_string();
+    let safe = text::message(&plain);
+    if error.use_stderr() && safe != plain {
+        anstream::eprint!("{safe}");
+    } else {
+        // Where it cannot be printed nobody reads it.
+        let _ = error.print();
+    }
+    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
 }

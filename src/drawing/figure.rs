@@ -296,7 +296,7 @@ pub(super) fn composition<'a>(
         scene,
         dims: scheme.dims,
         words,
-        title: scene.title.as_deref().unwrap_or(words.language.title()).to_owned(),
+        title: scene.title.clone().unwrap_or_else(|| words.language.title().into()),
         description: String::new(),
         steps: Vec::new(),
         is_stepwise: false,
