@@ -15,6 +15,9 @@ pub(super) fn ways_together(construction: &Construction, exact: &Values, mechani
             _ => None,
         })
         .collect();
+    if plots.is_empty() {
+        return Vec::new();
+    }
     let count = 2 * plots.len();
     // AᵀA of the constraint matrix A: both have the same null space.
     let mut squares = DMatrix::<f64>::zeros(count, count);
@@ -41,4 +44,22 @@ pub(super) fn ways_together(construction: &Construction, exact: &Values, mechani
     let largest = eigen.eigenvalues.amax();
     let null_space = eigen.eigenvalues.iter().enumerate().filter(|(_, value)| value.abs() <= 1e-10 * largest);
     null_space.map(|(k, _)| eigen.eigenvectors.column(k).iter().copied().collect()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where no joint is plotted nothing moves together.
+    #[test]
+    fn a_construction_without_joints_has_no_joint_errors() {
+        let text = include_str!("../../templates/four-bar.json");
+        let solution = crate::solve(&crate::scene::Scene::read(text).expect("a scene")).expect("it can be solved");
+        let (mut construction, _) = crate::quantity::read_by_hand(&solution, &[]);
+        let scales = crate::construction::SheetScales { per_mm: [1.0; 3] };
+        let exact = construction.run(scales, &[]);
+        assert!(!ways_together(&construction, &exact, &solution.mechanism).is_empty());
+        construction.operations.clear();
+        assert!(ways_together(&construction, &exact, &solution.mechanism).is_empty());
+    }
 }

@@ -35,6 +35,7 @@ pub use message::shown;
 use crate::text;
 use clap::error::ContextValue;
 use clap::{Parser, Subcommand};
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// Velocity and acceleration plans of planar mechanisms, true to scale.
@@ -74,7 +75,13 @@ enum Task {
 /// Runs the command line of this process.
 #[must_use]
 pub fn run() -> ExitCode {
-    let command = match Command::try_parse() {
+    ExitCode::from(run_with(std::env::args_os()))
+}
+
+/// Runs a command line, the program's name first, in this process: its exit code.
+#[must_use]
+pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let command = match Command::try_parse_from(arguments) {
         Ok(command) => command,
         Err(error) => return refused(error),
     };
@@ -92,16 +99,16 @@ pub fn run() -> ExitCode {
         Task::Schema(schema) => schema.run(),
     };
     match done {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => {
             message::show(&failure);
-            ExitCode::from(failure.exit_code())
+            failure.exit_code()
         }
     }
 }
 
 /// Shows help, or why a command line is not understood, without what a terminal would obey in its arguments.
-fn refused(mut error: clap::Error) -> ExitCode {
+fn refused(mut error: clap::Error) -> u8 {
     let given: Vec<_> = error.context().map(|(kind, value)| (kind, value.clone())).collect();
     for (kind, value) in given {
         if let ContextValue::String(value) = value {
@@ -117,5 +124,5 @@ fn refused(mut error: clap::Error) -> ExitCode {
         // Where it cannot be printed nobody reads it.
         let _ = error.print();
     }
-    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+    u8::try_from(error.exit_code()).unwrap_or(2)
 }
