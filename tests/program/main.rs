@@ -20,6 +20,7 @@ mod exercises;
 mod guide;
 mod overlays;
 mod step_sheets;
+mod strangers;
 mod students;
 mod styles;
 mod wording;
