@@ -109,8 +109,9 @@ impl ReportText<'_> {
             let mm = self.words.on_paper(value.difference, mu, signed(2).on(self.medium))?;
             Some(format!("{mm} mm"))
         });
-        let percent = (entry.expected != 0.0).then(|| {
-            let percent = 100.0 * value.difference / entry.expected.abs();
+        let percent = 100.0 * value.difference / entry.expected.abs();
+        // Beside nearly nothing everything is many times as large.
+        let percent = (percent.abs() < 1e6).then(|| {
             let digits = if percent.abs() < 10.0 { 2 } else { 0 };
             let percent = self.words.write(percent, signed(digits).on(self.medium));
             format!("{percent} %")

@@ -132,7 +132,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
             unit: entry.asked.kind().unit(key.solution.scene.units),
             difference: value.difference,
             difference_mm: entry.per_mm.map(|mu| value.difference / mu).filter(|mm| mm.is_finite()),
-            percent: (entry.expected != 0.0).then(|| 100.0 * value.difference / entry.expected.abs()),
+            percent: Some(100.0 * value.difference / entry.expected.abs()).filter(|percent| percent.is_finite()),
             allowed: value.tolerance,
             verdict: match value.verdict {
                 Verdict::Right => "right",

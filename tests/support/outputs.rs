@@ -81,7 +81,7 @@ pub fn html(text: &str, scripts: usize) {
             }
             "svg" => {
                 let after = tag.find("</svg>").expect("it is closed") + "</svg>".len();
-                xml.push_str(&tag[..after]);
+                xml.push_str(&tag[..after].replacen(" hidden aria", " aria", 1));
                 rest = &tag[after..];
             }
             _ => {
