@@ -4,8 +4,9 @@
 //! `Display`: it is opened by saying for what. Texts that are no `Untrusted` are names of points, links and quantities, which
 //! are checked when they are read, and sentences that the program makes of these.
 
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::fmt;
 
 /// A text that somebody else has written: a title, a label, the name of a student, of a file, of an exercise.
@@ -20,9 +21,8 @@ use std::fmt;
 /// assert_eq!(name.for_cell(), "'=1+1 [31m<b>");
 /// assert_eq!(name.for_xml(), "=1+1 [31m&lt;b&gt;");
 /// ```
-#[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize, JsonSchema)]
+#[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize)]
 #[serde(transparent)]
-#[schemars(transparent, inline)]
 pub struct Untrusted(String);
 
 impl Untrusted {
@@ -112,6 +112,21 @@ impl Untrusted {
 impl fmt::Debug for Untrusted {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:?}", shown(&self.0))
+    }
+}
+
+/// In files it is a text like others.
+impl JsonSchema for Untrusted {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        String::schema_name()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        String::json_schema(generator)
     }
 }
 

@@ -75,10 +75,10 @@ fn document(drawing: &Drawing, text: Text, marks: String) -> String {
         root.assign("text-rendering", "geometricPrecision");
     }
     if !drawing.title.is_blank() {
-        root.append(text_element("title", drawing.title.for_xml()));
+        root.append(Blob::new(format!("<title>{}</title>", drawing.title.for_xml())));
     }
     if !drawing.description.is_empty() {
-        root.append(text_element("desc", xml(&drawing.description)));
+        root.append(Blob::new(format!("<desc>{}</desc>", xml(&drawing.description))));
     }
     root.append(element(
         "rect",
@@ -276,13 +276,6 @@ fn element<const N: usize>(name: &str, attributes: [(&str, String); N]) -> Eleme
     for (name, value) in attributes {
         element.assign(name, value);
     }
-    element
-}
-
-/// An element around a text that is escaped.
-fn text_element(name: &str, escaped: String) -> Element {
-    let mut element = Element::new(name);
-    element.append(Blob::new(escaped));
     element
 }
 
