@@ -354,7 +354,7 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
     for (kind, path, teaches) in KINDS {
         let solution = solution(path, |_| ())?;
         let drawing = solution.figure();
-        let title = solution.scene.title.as_deref().unwrap_or(kind);
+        let title = solution.scene.title.map_or_else(|| kind.to_owned(), |title| title.for_terminal());
         let structure = structure(&solution.mechanism);
         let formula = structure.lines().next().unwrap_or_default();
         let _ = write!(

@@ -6,7 +6,8 @@ use std::sync::LazyLock;
 use kinegon::scene::Scene;
 use serde_json::{Value, json};
 
-use crate::random::Random;
+use super::odd;
+use super::random::Random;
 
 /// Numbers at which something may change.
 const NUMBERS: [f64; 20] = [
@@ -55,6 +56,42 @@ fn collect(node: &Value, texts: &mut Vec<String>) {
         }
         _ => {}
     }
+}
+
+/// Lines of a text that is no JSON, changed as lines and cells: doubled, exchanged, emptied, made odd.
+pub fn mutate_lines(data: &mut [u8], size: usize, max_size: usize, seed: u32) -> usize {
+    let mut dice = Random(seed.into());
+    let text = String::from_utf8_lossy(&data[..size]).into_owned();
+    let mut lines: Vec<String> = text.split('\n').map(str::to_owned).collect();
+    for _ in 0..=dice.below(3) {
+        let at = dice.below(lines.len());
+        match dice.below(6) {
+            0 if lines.len() > 1 => _ = lines.remove(at),
+            1 => lines.insert(at, lines[at].clone()),
+            2 => lines[at] = odd::text(&mut dice),
+            3 => {
+                let other = dice.below(lines.len());
+                lines.swap(at, other);
+            }
+            _ => {
+                let mark = *pick(&[',', ';', '\t', '(', ' '], &mut dice).expect("there are some");
+                let mut cells: Vec<String> = lines[at].split(mark).map(str::to_owned).collect();
+                let cell = dice.below(cells.len());
+                cells[cell] = match dice.below(3) {
+                    0 => NUMBERS[dice.below(NUMBERS.len())].to_string(),
+                    1 => cells[dice.below(cells.len())].clone(),
+                    _ => odd::text(&mut dice),
+                };
+                lines[at] = cells.join(&mark.to_string());
+            }
+        }
+    }
+    let text = lines.join("\n");
+    if text.len() > max_size.min(data.len()) {
+        return libfuzzer_sys::fuzzer_mutate(data, size, max_size);
+    }
+    data[..text.len()].copy_from_slice(text.as_bytes());
+    text.len()
 }
 
 /// Changes the scene in `data[..size]` in one to four places; gives its new size. What is no JSON is handed to the fuzzer.
@@ -152,8 +189,9 @@ fn change(scene: &mut Value, dice: &mut Random) {
     let elsewhere = nth(scene, dice.below(count)).expect("it is there").clone();
     let mut texts = Vec::new();
     collect(scene, &mut texts);
-    let text = match dice.below(3) {
+    let text = match dice.below(4) {
         0 => pick(&WORDS, dice).cloned().unwrap_or_default(),
+        1 => odd::text(dice),
         _ => pick(&texts, dice).cloned().unwrap_or_default(),
     };
     let node = nth(scene, dice.below(count)).expect("it is there");

@@ -36,6 +36,7 @@ pub mod motion;
 pub mod position;
 pub mod quantity;
 pub mod scene;
+pub mod text;
 pub mod words;
 
 mod cores;

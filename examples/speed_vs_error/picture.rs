@@ -54,7 +54,7 @@ fn height_of(units: f64) -> f64 {
 /// The picture.
 pub fn picture(survey: &Survey, times: &[f64]) -> Drawing {
     let mut drawing = Drawing::new(SHEET[0], SHEET[1]);
-    drawing.title = "Error against time".to_owned();
+    drawing.title = "Error against time".into();
     drawing.description =
         "Errors of velocities and accelerations of fourth-class groups against the time that they take, \
          both logarithmic: a mark for each method and each family of hard groups."

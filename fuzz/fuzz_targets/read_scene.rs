@@ -2,19 +2,11 @@
 
 #![no_main]
 
-#[path = "../mutations.rs"]
-mod mutations;
-#[allow(dead_code, reason = "not every target uses all of it")]
-#[path = "../../tests/support/random.rs"]
-mod random;
-#[allow(dead_code, reason = "not every target uses all of it")]
-#[path = "../../tests/support/stages.rs"]
-mod stages;
-#[allow(dead_code, reason = "not every target uses all of it")]
-#[path = "../../tests/support/whole_way.rs"]
-mod whole_way;
+#[path = "../support.rs"]
+mod support;
 
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
+use support::{mutations, whole_way};
 
 fuzz_target!(|data: &[u8]| {
     whole_way::reading(&String::from_utf8_lossy(data));

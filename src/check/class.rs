@@ -9,6 +9,7 @@ use super::report::sentences;
 use super::shown::ShownNames;
 use super::verdict::Verdict;
 use crate::scene::schema_of;
+use crate::text::{Untrusted, cell};
 use crate::words::Wording;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -29,13 +30,13 @@ pub struct ClassResult {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ClassRow {
     /// The file's name; of forms of several exercises its path in the folder.
-    pub file: String,
+    pub file: Untrusted,
     /// The exercise that it belongs to, in a report on several.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub exercise: Option<String>,
+    pub exercise: Option<Untrusted>,
     /// Whose drawing it is, as the form says.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub name: Option<String>,
+    pub name: Option<Untrusted>,
     /// Whether the file was understood and no value is off.
     pub passed: bool,
     /// What was found; not there where the file was not understood.
@@ -43,7 +44,7 @@ pub struct ClassRow {
     pub found: Option<ClassFound>,
     /// Why the file was not understood.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub message: Option<String>,
+    pub message: Option<Untrusted>,
 }
 
 /// What was found in a file that was understood.
@@ -105,8 +106,8 @@ impl ClassRow {
     /// The row of a file that was understood; sentences in the wording's language.
     #[must_use]
     pub fn checked(
-        file: String,
-        name: Option<&str>,
+        file: Untrusted,
+        name: Option<&Untrusted>,
         checked: &Checked,
         key: &AnswerKey<'_>,
         words: &Wording,
@@ -125,7 +126,7 @@ impl ClassRow {
         ClassRow {
             file,
             exercise: None,
-            name: name.map(shortened).filter(|name| !name.is_empty()),
+            name: name.map(|name| name.cut(SHOWN)).filter(|name| !name.is_blank()),
             passed: checked.is_passed(),
             found: Some(ClassFound {
                 values: checked.values.len(),
@@ -147,14 +148,21 @@ impl ClassRow {
 
     /// The row of a file that was not understood.
     #[must_use]
-    pub fn broken(file: String, message: &str) -> ClassRow {
-        ClassRow { file, exercise: None, name: None, passed: false, found: None, message: Some(shortened(message)) }
+    pub fn broken(file: Untrusted, message: &str) -> ClassRow {
+        ClassRow {
+            file,
+            exercise: None,
+            name: None,
+            passed: false,
+            found: None,
+            message: Some(Untrusted::from(message).cut(SHOWN)),
+        }
     }
 
     /// The same row in a report on several exercises, with the name of its own.
     #[must_use]
     pub fn of(self, exercise: Option<&str>) -> ClassRow {
-        ClassRow { exercise: exercise.map(str::to_owned), ..self }
+        ClassRow { exercise: exercise.map(Untrusted::from), ..self }
     }
 
     /// The first line of the table: the names of its columns.
@@ -170,7 +178,7 @@ impl ClassRow {
     /// The row as a line of that table.
     #[must_use]
     pub fn csv(&self, columns: ClassColumns) -> String {
-        let text = |text: Option<&str>| spreadsheet_text(text.unwrap_or(""));
+        let text = |text: Option<&Untrusted>| text.map_or_else(String::new, Untrusted::for_cell);
         let found = self.found.as_ref();
         let number = |of: fn(&ClassFound) -> usize| found.map_or_else(String::new, |found| of(found).to_string());
         let first = found.and_then(|f| f.first.as_ref());
@@ -179,46 +187,31 @@ impl ClassRow {
         let probability = found.and_then(|f| f.probability);
         let marks = found.and_then(|f| f.marks);
         let marks = |of: fn(&Awarded) -> f64| marks.map_or_else(String::new, |marks| Awarded::written(of(&marks)));
-        let mut cells = vec![text(Some(&self.file))];
-        cells.extend(columns.exercise.then(|| text(self.exercise.as_deref())));
+        let mut cells = vec![self.file.for_cell()];
+        cells.extend(columns.exercise.then(|| text(self.exercise.as_ref())));
         cells.extend([
-            text(self.name.as_deref()),
+            text(self.name.as_ref()),
             self.passed.to_string(),
             number(|f| f.values),
             number(|f| f.right),
             number(|f| f.within),
             number(|f| f.off),
             first.map_or_else(String::new, |m| m.step.to_string()),
-            text(first.map(|m| m.mistake)),
-            text(found.and_then(|f| f.done.as_deref())),
+            first.map_or_else(String::new, |m| m.mistake.to_owned()),
+            found.and_then(|f| f.done.as_deref()).map_or_else(String::new, cell),
             further.join("; "),
             probability.map_or_else(String::new, |p| format!("{p:.2}")),
-            found.map_or_else(String::new, |f| f.unexplained.join("; ")),
+            found.map_or_else(String::new, |f| cell(&f.unexplained.join("; "))),
         ]);
         if columns.marks {
             cells.extend([marks(|m| m.earned), marks(|m| m.of)]);
         }
-        cells.extend([text(self.message.as_deref()), number(|f| f.sense_missing)]);
+        cells.extend([text(self.message.as_ref()), number(|f| f.sense_missing)]);
         let mut writer = csv::Writer::from_writer(Vec::new());
         let written = writer.write_record(&cells);
         written.expect("writing to memory does not fail");
         let bytes = writer.into_inner().expect("writing to memory does not fail");
         String::from_utf8(bytes).expect("cells are text")
-    }
-}
-
-/// A cell's text with a quote before what a spreadsheet would take for a formula: forms come from anybody.
-fn spreadsheet_text(text: &str) -> String {
-    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("'{text}") } else { text.to_owned() }
-}
-
-/// A text on one line, cut to [`SHOWN`] characters.
-fn shortened(text: &str) -> String {
-    let words: Vec<&str> = text.split_whitespace().take(SHOWN).collect();
-    let line = words.join(" ");
-    match line.char_indices().nth(SHOWN) {
-        Some((end, _)) => format!("{}…", &line[..end]),
-        None => line,
     }
 }
 

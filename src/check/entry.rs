@@ -6,6 +6,7 @@ use super::template::{FormNames, UNDER_SLIDER};
 use super::unit;
 use crate::construction::{Sheet, image_name};
 use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
+use crate::text;
 use indexmap::IndexMap;
 
 /// A written value and the quantity it stands for.
@@ -87,7 +88,12 @@ pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names
         if let Some(other) = entries.iter().find(same) {
             let apart = (other.value - entry.value).abs();
             if apart > (other.rounding + entry.rounding) * 1.001 {
-                let message = format!("`{}` has two values here: {} and {}", given.name, other.text, entry.text);
+                let message = format!(
+                    "`{}` has two values here: {} and {}",
+                    text::shown(&given.name),
+                    text::shown(&other.text),
+                    text::shown(&entry.text)
+                );
                 let error = CheckError::new(message, "keep the one that you mean");
                 faults.push(error.at(&given.place));
             }
@@ -171,7 +177,7 @@ impl Reader<'_> {
         let scales = self.scales();
         if marked && !has_length {
             return Err(CheckError::new(
-                format!("`{name}` is no length on paper, so `/mu` cannot follow it"),
+                format!("`{}` is no length on paper, so `/mu` cannot follow it", text::shown(name)),
                 format!("write it in {}", kind.unit(self.key.solution.scene.units)),
             ));
         }
@@ -221,14 +227,18 @@ impl Reader<'_> {
         let scale = self.measured.mu[sheet as usize].ok_or_else(|| {
             let mu = ["mu_l", "mu_v", "mu_a"][sheet as usize];
             CheckError::new(
-                format!("`{name}` is in millimetres of paper, but your scale {mu} is missing"),
+                format!("`{}` is in millimetres of paper, but your scale {mu} is missing", text::shown(name)),
                 format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(units), sheet.name()),
             )
         })?;
         match &given.unit {
             // Beside millimetres of paper no unit may stand but mm.
             Some(unit) if unit.trim() != "mm" => Err(CheckError::new(
-                format!("`{name}` is in millimetres of paper, but `{unit}` stands beside it"),
+                format!(
+                    "`{}` is in millimetres of paper, but `{}` stands beside it",
+                    text::shown(name),
+                    text::shown(unit)
+                ),
                 "leave the unit out, or the `/mu`",
             )),
             _ => Ok((scale, scale)),
@@ -254,9 +264,10 @@ impl Reader<'_> {
             let all = "`kinegon check SCENE --template` lists the names";
             let names = self.names.order.keys().map(String::as_str);
             let (message, near) = match error {
-                QuantityError::Form(_) => {
-                    (format!("`{name}` is no quantity of this scene"), crate::scene::nearest(name, names))
-                }
+                QuantityError::Form(_) => (
+                    format!("`{}` is no quantity of this scene", text::shown(name)),
+                    crate::scene::nearest(name, names),
+                ),
                 _ => (message, None),
             };
             let near = near.map(|n| format!("the nearest name is `{n}`; {all}"));
@@ -330,7 +341,7 @@ fn lost_pole(name: &str, shown: &ShownNames<'_>, order: &IndexMap<String, usize>
     };
     let was_pole = lost && (is_known(&restored) || reversed().is_some_and(|name| is_known(&name)));
     was_pole.then(|| {
-        let message = format!("the letter π was lost in `{name}`");
+        let message = format!("the letter π was lost in `{}`", text::shown(name));
         CheckError::new(message, "save as CSV UTF-8, or write pi")
     })
 }
@@ -342,13 +353,13 @@ fn number(text: &str) -> Result<f64, CheckError> {
     let number = if has_digits { text.parse::<f64>().ok() } else { None };
     let number = number.ok_or_else(|| {
         CheckError::new(
-            format!("`{text}` is no number"),
+            format!("`{}` is no number", text::shown(text)),
             "write digits with a decimal point, as 61.5; leave blank what you have not measured",
         )
     })?;
     if !(number.is_finite() && number.abs() <= 1e100) {
         let hint = "is a digit or an exponent wrong?";
-        return Err(CheckError::new(format!("`{text}` is too large"), hint));
+        return Err(CheckError::new(format!("`{}` is too large", text::shown(text)), hint));
     }
     Ok(number)
 }

@@ -10,6 +10,7 @@ use crate::construction::Solution;
 use crate::drawing::{Drawing, Overlay, RichText, overlay, overlay_words};
 use crate::format::{FeedbackPage, feedback_html};
 use crate::scene::{Figure, PageSize, Scene};
+use crate::text::Untrusted;
 use crate::words::Wording;
 
 /// What a student gets back.
@@ -18,7 +19,7 @@ pub struct Feedback {
     /// The exercise; `None` where only words are told.
     solution: Option<Solution>,
     figure: Figure,
-    title: String,
+    title: Untrusted,
     overlay: Overlay,
 }
 
@@ -52,9 +53,9 @@ impl Feedback {
 
     /// That for a form that was not understood: the message says why. `scene` is its exercise, where that is known.
     #[must_use]
-    pub fn refused(scene: Option<&Scene>, name: &str, message: &str, words: &Wording) -> Feedback {
+    pub fn refused(scene: Option<&Scene>, name: &Untrusted, message: &str, words: &Wording) -> Feedback {
         let said = [words.language.class_not_understood().to_owned(), message.to_owned()];
-        let overlay = Overlay { name: Some(name.to_owned()), words: said.into(), ..Overlay::default() };
+        let overlay = Overlay { name: Some(name.clone()), words: said.into(), ..Overlay::default() };
         let figure = scene.map(|scene| printed(&scene.figure)).unwrap_or_default();
         Feedback { solution: None, figure, title: titled(scene, words), overlay }
     }
@@ -100,6 +101,6 @@ fn printed(figure: &Figure) -> Figure {
 }
 
 /// The title of an exercise.
-fn titled(scene: Option<&Scene>, words: &Wording) -> String {
-    scene.and_then(|scene| scene.title.clone()).unwrap_or_else(|| words.language.title().to_owned())
+fn titled(scene: Option<&Scene>, words: &Wording) -> Untrusted {
+    scene.and_then(|scene| scene.title.clone()).unwrap_or_else(|| words.language.title().into())
 }

@@ -4,6 +4,7 @@ use super::sheet::{Given, Measured, PointsOf, Positive};
 use super::table::with_point;
 use crate::construction::PlanKind;
 use crate::scene::{FileKind, SceneError, read_as};
+use crate::text::{Untrusted, shown};
 use indexmap::IndexMap;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -18,7 +19,7 @@ struct MeasuredFile {
     _version: u64,
     #[serde(rename = "$schema")]
     _schema: Option<String>,
-    name: Option<String>,
+    name: Option<Untrusted>,
     exercise: Option<String>,
     mu_l: Option<f64>,
     mu_v: Option<f64>,
@@ -117,7 +118,7 @@ impl Measured {
         let file: MeasuredFile = read_as(text, &MEASURED)?;
         let filled = file.values.into_iter().filter(|(_, value)| !value.text.trim().is_empty());
         let given = filled.map(|(name, value)| Given {
-            place: format!("values.{name}"),
+            place: format!("values.{}", shown(&name)),
             text: with_point(value.text.trim()),
             unit: value.unit,
             name,
@@ -127,7 +128,7 @@ impl Measured {
         let points = kinds.into_iter().zip(points.into_iter().flatten());
         Ok(Measured {
             name: file.name,
-            exercise: file.exercise.map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()),
+            exercise: file.exercise.map(|name| Untrusted::from(name.trim())).filter(|name| !name.is_blank()),
             mu: [file.mu_l, file.mu_v, file.mu_a],
             positive: file.positive.map(|sense| match sense {
                 Sense::CounterClockwise => Positive::CounterClockwise,

@@ -7,6 +7,7 @@ use super::sheet::{CheckError, Given, Measured};
 use super::template::{form_name, form_names};
 use super::verdict::Verdict;
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
+use crate::text::shown;
 use crate::words::Wording;
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -102,7 +103,7 @@ impl Marks {
         }
         let mut given: IndexMap<String, &str> = IndexMap::new();
         for (written, value) in &self.values {
-            let place = format!("values.{written}");
+            let place = format!("values.{}", shown(written));
             let value = marks(&place, *value)?;
             let usual = usual_name(written, key)?;
             let row = form_name(construction, &usual);
@@ -110,7 +111,7 @@ impl Marks {
             let has_both = construction.same_rates.contains_key(&usual) && self.values.contains_key(&row);
             let name = if has_both { usual } else { row.clone() };
             if let Some(other) = given.insert(name.clone(), written) {
-                let message = format!("`{other}` is the same quantity and has its marks already");
+                let message = format!("`{}` is the same quantity and has its marks already", shown(other));
                 let error = CheckError::new(message, "keep the one that you mean");
                 return Err(error.at(&place));
             }
@@ -138,7 +139,7 @@ fn usual_name(written: &str, key: &AnswerKey<'_>) -> Result<String, CheckError> 
             name: written.to_owned(),
             text: "0".to_owned(),
             unit: None,
-            place: format!("values.{written}"),
+            place: format!("values.{}", shown(written)),
         }],
         ..Measured::default()
     };

@@ -105,12 +105,13 @@ impl ReportText<'_> {
         let entry = &value.entry;
         let unit = entry.asked.kind().unit(self.key.solution.scene.units);
         let expected = if entry.is_magnitude { entry.expected.abs() } else { entry.expected };
-        let on_paper = entry.per_mm.map(|mu| {
-            let mm = self.words.write(value.difference / mu, signed(2).on(self.medium));
-            format!("{mm} mm")
+        let on_paper = entry.per_mm.and_then(|mu| {
+            let mm = self.words.on_paper(value.difference, mu, signed(2).on(self.medium))?;
+            Some(format!("{mm} mm"))
         });
-        let percent = (entry.expected != 0.0).then(|| {
-            let percent = 100.0 * value.difference / entry.expected.abs();
+        let percent = 100.0 * value.difference / entry.expected.abs();
+        // Beside nearly nothing everything is many times as large.
+        let percent = (percent.abs() < 1e6).then(|| {
             let digits = if percent.abs() < 10.0 { 2 } else { 0 };
             let percent = self.words.write(percent, signed(digits).on(self.medium));
             format!("{percent} %")

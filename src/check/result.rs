@@ -7,6 +7,7 @@ use super::marks::Awarded;
 use super::report::sentences;
 use super::verdict::Verdict;
 use crate::construction::PlanKind;
+use crate::text::Untrusted;
 use crate::words::Wording;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -18,7 +19,7 @@ pub struct CheckResult {
     pub kinegon_check: u64,
     /// Whose drawing it is.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub name: Option<String>,
+    pub name: Option<Untrusted>,
     /// Whether no value is off, and no plan mirrored.
     pub passed: bool,
     /// The values in the order of the construction.
@@ -117,7 +118,7 @@ fn is_false(flag: &bool) -> bool {
 
 /// The result as JSON shows it, sentences in the wording's language.
 #[must_use]
-pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, name: Option<String>) -> CheckResult {
+pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, name: Option<Untrusted>) -> CheckResult {
     let names = |list: &[usize]| -> Vec<String> {
         list.iter().map(|&i| checked.values[i].entry.asked.name().to_owned()).collect()
     };
@@ -130,8 +131,8 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
             expected: entry.expected,
             unit: entry.asked.kind().unit(key.solution.scene.units),
             difference: value.difference,
-            difference_mm: entry.per_mm.map(|mu| value.difference / mu),
-            percent: (entry.expected != 0.0).then(|| 100.0 * value.difference / entry.expected.abs()),
+            difference_mm: entry.per_mm.map(|mu| value.difference / mu).filter(|mm| mm.is_finite()),
+            percent: Some(100.0 * value.difference / entry.expected.abs()).filter(|percent| percent.is_finite()),
             allowed: value.tolerance,
             verdict: match value.verdict {
                 Verdict::Right => "right",

@@ -1,13 +1,14 @@
 use crate::construction::PlanKind;
+use crate::text::Untrusted;
 use indexmap::IndexMap;
 
 /// The values that somebody has read from a drawing, as they were written down.
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
     /// The student's name.
-    pub name: Option<String>,
+    pub name: Option<Untrusted>,
     /// The name of the exercise that the form belongs to, as `four-bar-7-2`: that of its folder.
-    pub exercise: Option<String>,
+    pub exercise: Option<Untrusted>,
     /// The scales of the student's scheme, velocity plan and acceleration plan, in units of the scene per millimetre.
     pub mu: [Option<f64>; 3],
     /// Which sense of rotation counts as positive; a slide is positive along its guide. If `None`, a rate without a sign

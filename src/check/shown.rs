@@ -6,6 +6,7 @@
 use super::template::FormNames;
 use crate::construction::{Plan, Sheet, Solution};
 use crate::quantity::{Asked, Spot, What};
+use crate::text::Untrusted;
 use crate::words::{Notation, Wording, with_prime};
 
 /// Names of a solved scene's quantities in its figure's notation, with its labels.
@@ -153,7 +154,7 @@ impl<'a> ShownNames<'a> {
         let labels = &self.solution.scene.figure.labels;
         let construction = &self.solution.construction;
         let shown = match (labels.get(name), construction.plan_on(sheet)) {
-            (Some(label), _) => plain(label),
+            (Some(label), _) => plain(&label.for_setting()),
             (None, Some(plan)) => plain(&plan.shown(name, name.to_owned(), self.words.notation)),
             (None, None) => name.to_owned(),
         };
@@ -168,9 +169,8 @@ impl<'a> ShownNames<'a> {
             .figure
             .labels
             .get(name)
-            .filter(|label| !label.is_empty())
-            .map_or(name, String::as_str)
-            .to_owned()
+            .filter(|label| !label.is_blank())
+            .map_or_else(|| name.to_owned(), Untrusted::for_setting)
     }
 
     /// The names of the points of the scheme.

@@ -2,6 +2,7 @@
 
 use super::sheet::{CheckError, Given, Measured, PointsOf, Positive};
 use crate::construction::PlanKind;
+use crate::text::shown;
 use indexmap::IndexMap;
 
 impl Measured {
@@ -70,8 +71,8 @@ impl Measured {
     fn line(&mut self, name: &str, written: &str, third: &str, place: &str) -> Result<(), CheckError> {
         let value = with_point(written);
         match name {
-            "name" => self.name = Some(written.to_owned()),
-            "exercise" => self.exercise = Some(written.to_owned()),
+            "name" => self.name = Some(written.into()),
+            "exercise" => self.exercise = Some(written.into()),
             "mu_l" => self.mu[0] = Some(number(name, &value)?),
             "mu_v" => self.mu[1] = Some(number(name, &value)?),
             "mu_a" => self.mu[2] = Some(number(name, &value)?),
@@ -81,7 +82,7 @@ impl Measured {
                     "counter-clockwise" => Positive::CounterClockwise,
                     other => {
                         return Err(CheckError::new(
-                            format!("`{other}` is no sense of rotation"),
+                            format!("`{}` is no sense of rotation", shown(other)),
                             "write `clockwise` or `counter-clockwise`",
                         ));
                     }
@@ -93,7 +94,7 @@ impl Measured {
                     "units" => false,
                     other => {
                         return Err(CheckError::new(
-                            format!("values in `{other}` are not understood"),
+                            format!("values in `{}` are not understood", shown(other)),
                             "write `mm` for millimetres of paper, or `units` for those of the scene",
                         ));
                     }
@@ -139,7 +140,7 @@ fn coordinate(text: &str) -> Result<f64, CheckError> {
     let number = text.parse().ok().filter(|x: &f64| x.is_finite());
     number.ok_or_else(|| {
         CheckError::new(
-            format!("`{text}` is no coordinate"),
+            format!("`{}` is no coordinate", shown(text)),
             "write x and y in millimetres of paper, as velocity:b,114,-2.7",
         )
     })
@@ -164,7 +165,7 @@ fn number(name: &str, text: &str) -> Result<f64, CheckError> {
     let number = text.parse().ok().filter(|x: &f64| x.is_finite());
     number.ok_or_else(|| {
         CheckError::new(
-            format!("{name} is `{text}`, which is no number"),
+            format!("{name} is `{}`, which is no number", shown(text)),
             "write units of the scene per millimetre of paper, as 2 or 0.5",
         )
     })

@@ -3,6 +3,7 @@
 use super::sheet::CheckError;
 use crate::quantity::Kind;
 use crate::scene::{LengthUnit, TimeUnit, Units};
+use crate::text::shown;
 
 /// The factor from the unit `text` to the scene's unit of quantities of this kind.
 pub(super) fn factor(text: &str, kind: Kind, units: Units) -> Result<f64, CheckError> {
@@ -10,7 +11,7 @@ pub(super) fn factor(text: &str, kind: Kind, units: Units) -> Result<f64, CheckE
     let compact = compact.replace("^2", "²").replace("**2", "²");
     let known = || {
         CheckError::new(
-            format!("`{text}` is no unit of {}", said(kind)),
+            format!("`{}` is no unit of {}", shown(text), said(kind)),
             format!("write `{}`, or leave the unit out", kind.unit(units)),
         )
     };

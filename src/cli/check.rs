@@ -5,7 +5,7 @@ use super::exercises::{ExerciseFiles, ExerciseFolder};
 use super::feedback::FeedbackOptions;
 use super::files::{self, Source};
 use super::forms::{forms_below, forms_in};
-use super::message::{Failure, warn};
+use super::message::{Failure, print, warn};
 use super::output::FileSet;
 use super::pencil::Hand;
 use super::wording::Words;
@@ -130,7 +130,8 @@ impl Check {
         let key = self.key(solution);
         let wording = Wording::of(&solution.scene.figure);
         let scheme = marks.map(|marks| GivenMarks::read(marks)?.of(&key, None)).transpose()?;
-        let pages = self.feedback.pages([shown(Path::new(path.file_name().unwrap_or_default()), path).as_str()])?;
+        let pages =
+            self.feedback.pages([shown(Path::new(path.file_name().unwrap_or_default()), path).for_comparing()])?;
         let checked = check::check(measured, &key).map_err(|error| misuse(text, &error))?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
         let printed = if self.json {
@@ -149,7 +150,7 @@ impl Check {
             let feedback = feedback.map_err(|error| misuse(text, &error))?;
             files.add_all(&pages.of(0, &feedback)?)?;
         }
-        files::print(printed.as_bytes())?;
+        print(&printed)?;
         files.finish()?;
         if checked.is_passed() { Ok(()) } else { Err(Failure::NotPassed) }
     }
@@ -173,7 +174,7 @@ impl Check {
             words: &words,
             format,
             output,
-            pages: self.feedback.pages(forms.iter().map(|form| form.file.as_str()))?,
+            pages: self.feedback.pages(forms.iter().map(|form| form.file.for_comparing()))?,
         };
         class.run()
     }
@@ -210,7 +211,7 @@ impl Check {
         self.refuse_table()?;
         let text = files::read_form(path)?;
         let measured = read(path, &text)?;
-        let index = exercises.of_form(measured.exercise.as_deref(), path);
+        let index = exercises.of_form(measured.exercise.as_ref(), path);
         let index = index.map_err(|message| Failure::Misuse(format!("{}: {message}", text.name), None))?;
         let exercise = &exercises.all[index];
         let (solution, marks) = (self.solved(&exercise.scene)?, exercise.marks());
@@ -232,11 +233,11 @@ impl Check {
             let inside = path.strip_prefix(folder).unwrap_or(path);
             // A form that is not understood says so in its row, whatever its exercise.
             let named = measured(path).ok().and_then(|measured| measured.exercise);
-            let exercise = exercises.of_form(named.as_deref(), inside);
+            let exercise = exercises.of_form(named.as_ref(), inside);
             Form { path: path.clone(), file: shown(path, folder), exercise }
         };
         let forms: Vec<Form> = on_all_cores(&paths, form);
-        let pages = self.feedback.pages(forms.iter().map(|form| form.file.as_str()))?;
+        let pages = self.feedback.pages(forms.iter().map(|form| form.file.for_comparing()))?;
         let solved = self.all_solved(exercises, &forms);
         let marks = self.marks.as_deref().map(GivenMarks::read).transpose()?;
         let mut subjects = Vec::new();

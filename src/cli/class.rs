@@ -8,6 +8,8 @@ use super::message::{Failure, note};
 use super::output::{self, FileSet};
 use super::pieces::{Output, Pieces};
 use crate::check::{Checked, ClassColumns, ClassRow, ClassSummary, Feedback, MarkScheme, Measured, Prepared};
+use crate::format;
+use crate::text::Untrusted;
 use crate::words::Wording;
 use std::fs;
 use std::io::Read;
@@ -33,15 +35,15 @@ pub(super) struct Class<'a> {
 pub(super) struct Form {
     pub path: PathBuf,
     /// Its name in the report.
-    pub file: String,
+    pub file: Untrusted,
     /// The index of its exercise, or why that is not known.
     pub exercise: Result<usize, String>,
 }
 
 impl Form {
     /// What stands in place of the student's name: that of the file without its ending.
-    fn title(&self) -> &str {
-        self.file.rsplit_once('.').map_or(&self.file, |(stem, _)| stem)
+    fn title(&self) -> Untrusted {
+        self.file.stem()
     }
 }
 
@@ -123,7 +125,7 @@ impl Class<'_> {
         )?;
         let summary = summary.finished();
         if self.format == ReportFormat::Json && is_wanted {
-            let summary = serde_json::to_string(&summary).expect("text keys");
+            let summary = format::json_line(&summary);
             out.put(&format!("\n  ],\n  \"summary\": {summary}\n}}\n"))?;
         }
         out.end()?;
@@ -138,7 +140,7 @@ impl Class<'_> {
 
     /// A row of the report as text.
     fn written(&self, row: &ClassRow, is_first: bool) -> String {
-        let json = || serde_json::to_string(row).expect("a row has text keys");
+        let json = || format::json_line(row);
         match self.format {
             ReportFormat::Csv => row.csv(self.columns),
             ReportFormat::Json if is_first => format!("\n    {}", json()),
@@ -177,7 +179,7 @@ impl Class<'_> {
         let subject = self.exercises[exercise].as_ref().map_err(String::clone)?;
         let checked = subject.key.check(&measured);
         let checked = checked.map_err(|error| Failure::Misuse(error.to_string(), error.hint).line(""))?;
-        let (name, file) = (measured.name.as_deref(), form.file.clone());
+        let (name, file) = (measured.name.as_ref(), form.file.clone());
         let row = ClassRow::checked(file, name, &checked, subject.key.key(), &subject.words, subject.scheme.as_ref());
         let page = self.page(index, subject, &measured, &checked);
         let page = page.map_err(|failure| format!("its page cannot be made: {}", failure.line("")))?;
@@ -194,10 +196,10 @@ impl Class<'_> {
                 return Ok(Vec::new());
             };
             let measured = measured(&form.path).ok();
-            let name = measured.as_ref().and_then(|measured| measured.name.as_deref()).unwrap_or(form.title());
+            let name = measured.and_then(|measured| measured.name).unwrap_or_else(|| form.title());
             let scene = subject.map(|subject| &subject.key.key().solution.scene);
             let words = subject.map_or(self.words, |subject| &subject.words);
-            pages.of(index, &Feedback::refused(scene, name, &message, words))
+            pages.of(index, &Feedback::refused(scene, &name, &message, words))
         };
         let page = caught(page).and_then(|page| page.map_err(|failure| failure.line("")));
         let page = page.unwrap_or_else(|why| {
@@ -219,10 +221,8 @@ impl Class<'_> {
             return Ok(Vec::new());
         };
         let marks = subject.scheme.as_ref().map(|scheme| scheme.award(checked));
-        let named = Measured {
-            name: measured.name.clone().or_else(|| Some(self.forms[index].title().to_owned())),
-            ..measured.clone()
-        };
+        let named =
+            Measured { name: measured.name.clone().or_else(|| Some(self.forms[index].title())), ..measured.clone() };
         let feedback = Feedback::new(&named, subject.key.key(), checked, marks.as_ref(), &subject.words);
         let feedback = feedback.map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
         pages.of(index, &feedback)
@@ -255,10 +255,10 @@ pub(super) fn measured(path: &Path) -> Result<Measured, String> {
 }
 
 /// A path in a folder as a report shows it; bytes that are not UTF-8 are replaced.
-pub(super) fn shown(path: &Path, folder: &Path) -> String {
+pub(super) fn shown(path: &Path, folder: &Path) -> Untrusted {
     let inside = path.strip_prefix(folder).unwrap_or(path);
     let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
-    parts.join("/")
+    parts.join("/").into()
 }
 
 #[cfg(test)]

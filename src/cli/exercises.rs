@@ -4,6 +4,7 @@ use super::files;
 use super::forms::is_hidden;
 use super::message::Failure;
 use crate::scene::nearest;
+use crate::text::{Untrusted, shown};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -77,7 +78,7 @@ impl ExerciseFolder {
     /// The index of the exercise that a form belongs to: the one that it names, else the one whose name is in the name
     /// of its file, else in that of the nearest folder; `path` is the form's in the folder of forms. A single exercise
     /// has all forms that name none.
-    pub(super) fn of_form(&self, named: Option<&str>, path: &Path) -> Result<usize, String> {
+    pub(super) fn of_form(&self, named: Option<&Untrusted>, path: &Path) -> Result<usize, String> {
         if let Some(name) = named {
             return self.named(name);
         }
@@ -88,10 +89,11 @@ impl ExerciseFolder {
                 [] => {}
                 [one] => return Ok(*one),
                 several => {
-                    let names: Vec<&str> = several.iter().map(|&i| self.all[i].name.as_str()).collect();
+                    let names: Vec<String> = several.iter().map(|&i| shown(&self.all[i].name)).collect();
                     return Err(format!(
-                        "`{text}` has the names of several exercises: {} (write the right one into the form, as \
+                        "`{}` has the names of several exercises: {} (write the right one into the form, as \
                          `exercise`)",
+                        shown(&text),
                         names.join(", ")
                     ));
                 }
@@ -108,13 +110,19 @@ impl ExerciseFolder {
     }
 
     /// The exercise that a form names.
-    fn named(&self, name: &str) -> Result<usize, String> {
+    fn named(&self, named: &Untrusted) -> Result<usize, String> {
+        let name = named.for_comparing();
         let exactly = self.all.iter().position(|e| e.name == name);
         let nearly = || self.all.iter().position(|e| e.name.to_lowercase() == name.trim().to_lowercase());
         exactly.or_else(nearly).ok_or_else(|| {
             let near = nearest(name, self.all.iter().map(|e| e.name.as_str()));
-            let near = near.map_or_else(String::new, |near| format!("did you mean `{near}`? "));
-            format!("its exercise `{name}` is not in {} ({near}{})", self.folder.display(), self.names())
+            let near = near.map_or_else(String::new, |near| format!("did you mean `{}`? ", shown(near)));
+            format!(
+                "its exercise `{}` is not in {} ({near}{})",
+                named.for_message(),
+                self.folder.display(),
+                self.names()
+            )
         })
     }
 
@@ -129,7 +137,7 @@ impl ExerciseFolder {
 
     /// The names of the exercises for a message.
     fn names(&self) -> String {
-        let some: Vec<&str> = self.all.iter().take(NAMED).map(|e| e.name.as_str()).collect();
+        let some: Vec<String> = self.all.iter().take(NAMED).map(|e| shown(&e.name)).collect();
         match self.all.len() - some.len() {
             0 => format!("there are {}", some.join(", ")),
             more => format!("there are {} and {more} more", some.join(", ")),
@@ -189,7 +197,7 @@ mod tests {
     #[test]
     fn a_form_belongs_to_the_exercise_that_it_its_file_or_its_folder_names() {
         let some = folder(&["bar-7-1", "four-bar-7-1", "four-bar-7-12", "four-bar-7-2"]);
-        let of = |named, path: &str| some.of_form(named, Path::new(path));
+        let of = |named: Option<&str>, path: &str| some.of_form(named.map(Untrusted::from).as_ref(), Path::new(path));
         assert_eq!(of(Some("four-bar-7-2"), "four-bar-7-1/four-bar-7-1.csv"), Ok(3));
         assert_eq!(of(Some("Four-Bar-7-2"), "x.csv"), Ok(3));
         assert_eq!(of(None, "four-bar-7-2 Ana.csv"), Ok(3));
@@ -203,7 +211,9 @@ mod tests {
     #[test]
     fn what_is_not_clear_is_said() {
         let some = folder(&["four-bar-7-1", "four-bar-7-2"]);
-        let of = |named, path: &str| some.of_form(named, Path::new(path)).unwrap_err();
+        let of = |named: Option<&str>, path: &str| {
+            some.of_form(named.map(Untrusted::from).as_ref(), Path::new(path)).unwrap_err()
+        };
         let unknown = of(Some("four-bar-7-3"), "four-bar-7-1.csv");
         assert!(unknown.contains("`four-bar-7-3` is not in class"), "{unknown}");
         assert!(unknown.contains("there are four-bar-7-1, four-bar-7-2"), "{unknown}");
@@ -219,6 +229,6 @@ mod tests {
     #[test]
     fn a_single_exercise_has_all_forms_that_name_none() {
         assert_eq!(folder(&["a-1"]).of_form(None, Path::new("Ana.csv")), Ok(0));
-        assert!(folder(&["a-1"]).of_form(Some("a-2"), Path::new("Ana.csv")).is_err());
+        assert!(folder(&["a-1"]).of_form(Some(&"a-2".into()), Path::new("Ana.csv")).is_err());
     }
 }

@@ -1,8 +1,9 @@
-use super::files::Source;
+use super::files::{self, Source};
 use crate::Error;
 use crate::cycle::CycleError;
 use crate::mechanism::StructureError;
 use crate::scene::SceneError;
+use crate::text;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::io::Write;
 
@@ -86,6 +87,11 @@ fn say(report: &str) {
     let _ = writeln!(anstream::stderr(), "{report}");
 }
 
+/// Prints text for people on stdout, without anything in it that a terminal obeys.
+pub(super) fn print(text: &str) -> Result<(), Failure> {
+    files::print(text::on_a_terminal(text).as_bytes())
+}
+
 /// The message that the program shows on stderr for an error of the scene in the file `name`, with the lines of `text`
 /// that are meant, in the colours of a terminal.
 #[must_use]
@@ -98,13 +104,13 @@ pub fn shown(name: &str, text: &str, error: &Error) -> String {
 
 /// Shows a remark on stderr.
 pub(super) fn note(text: &str) {
-    let report = [Group::with_title(Level::NOTE.primary_title(text))];
+    let report = [Group::with_title(Level::NOTE.primary_title(text::message(text)))];
     say(&Renderer::styled().render(&report));
 }
 
 /// Shows a warning on stderr.
 pub(super) fn warn(text: &str) {
-    let report = [Group::with_title(Level::WARNING.primary_title(text))];
+    let report = [Group::with_title(Level::WARNING.primary_title(text::message(text)))];
     say(&Renderer::styled().render(&report));
 }
 
@@ -114,9 +120,9 @@ fn without_place(message: &str, hint: Option<&str>) -> String {
         Some((message, hint)) => (message, Some(hint)),
         None => (message, None),
     };
-    let mut group = Group::with_title(Level::ERROR.primary_title(message));
+    let mut group = Group::with_title(Level::ERROR.primary_title(text::message(message)));
     if let Some(hint) = hint.or(inner_hint) {
-        group = group.element(Level::HELP.message(hint));
+        group = group.element(Level::HELP.message(text::message(hint)));
     }
     Renderer::styled().render(&[group])
 }
@@ -126,11 +132,11 @@ fn with_place(name: &str, text: &str, finding: &SceneError) -> String {
     let Some(place) = &finding.place else {
         return without_place(&format!("{name}: {}", finding.message), finding.hint.as_deref());
     };
-    let annotation = AnnotationKind::Primary.span(place.span.clone()).label(finding.path.as_str());
-    let snippet = Snippet::source(text).path(name).annotation(annotation);
-    let mut group = Group::with_title(Level::ERROR.primary_title(finding.message.as_str())).element(snippet);
+    let annotation = AnnotationKind::Primary.span(place.span.clone()).label(text::message(&finding.path));
+    let snippet = Snippet::source(text::source(text)).path(text::shown(name)).annotation(annotation);
+    let mut group = Group::with_title(Level::ERROR.primary_title(text::message(&finding.message))).element(snippet);
     if let Some(hint) = &finding.hint {
-        group = group.element(Level::HELP.message(hint.as_str()));
+        group = group.element(Level::HELP.message(text::message(hint)));
     }
     Renderer::styled().render(&[group])
 }

@@ -33,7 +33,10 @@ mod work;
 
 pub use message::shown;
 
+use crate::text;
+use clap::error::ContextValue;
 use clap::{Parser, Subcommand};
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// Velocity and acceleration plans of planar mechanisms, true to scale.
@@ -73,7 +76,16 @@ enum Task {
 /// Runs the command line of this process.
 #[must_use]
 pub fn run() -> ExitCode {
-    let command = Command::parse();
+    ExitCode::from(run_with(std::env::args_os()))
+}
+
+/// Runs a command line, the program's name first, in this process: its exit code.
+#[must_use]
+pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let command = match Command::try_parse_from(arguments) {
+        Ok(command) => command,
+        Err(error) => return refused(error),
+    };
     output::survive_size_limits();
     let done = match &command.task {
         Task::New(new) => new.run(),
@@ -89,11 +101,31 @@ pub fn run() -> ExitCode {
         Task::Schema(schema) => schema.run(),
     };
     match done {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => {
             output::wait_if_stopped();
             message::show(&failure);
-            ExitCode::from(failure.exit_code())
+            failure.exit_code()
         }
     }
+}
+
+/// Shows help, or why a command line is not understood, without what a terminal would obey in its arguments.
+fn refused(mut error: clap::Error) -> u8 {
+    let given: Vec<_> = error.context().map(|(kind, value)| (kind, value.clone())).collect();
+    for (kind, value) in given {
+        if let ContextValue::String(value) = value {
+            error.insert(kind, ContextValue::String(text::shown(&value)));
+        }
+    }
+    // What parsers of values say of them is no part of the context.
+    let plain = error.render().to_string();
+    let safe = text::message(&plain);
+    if error.use_stderr() && safe != plain {
+        anstream::eprint!("{safe}");
+    } else {
+        // Where it cannot be printed nobody reads it.
+        let _ = error.print();
+    }
+    u8::try_from(error.exit_code()).unwrap_or(2)
 }

@@ -1,5 +1,5 @@
 use super::files;
-use super::message::Failure;
+use super::message::{Failure, print};
 use super::output::FileSet;
 use crate::scene::Scene;
 use clap::Args;
@@ -59,7 +59,7 @@ impl New {
                     Some("name one of those that `kinegon new --list` shows".into()),
                 ));
             }
-            return files::print(list().as_bytes());
+            return print(&list());
         };
         let (name, text) =
             TEMPLATES.into_iter().find(|(name, _)| name == kind).expect("the command line takes no other name");
@@ -91,7 +91,7 @@ fn list() -> String {
     let width = TEMPLATES.iter().map(|(name, _)| name.len()).max().unwrap_or_default();
     let line = |(name, text): (&str, &str)| {
         let title = Scene::read(text).ok().and_then(|scene| scene.title);
-        format!("{name:width$}  {}\n", title.unwrap_or_default())
+        format!("{name:width$}  {}\n", title.unwrap_or_default().for_terminal())
     };
     TEMPLATES.into_iter().map(line).collect()
 }

@@ -1,5 +1,5 @@
 use super::files;
-use super::message::Failure;
+use super::message::{Failure, print};
 use super::paper::{GivenScales, Paper};
 use super::pencil::Hand;
 use super::wording::Words;
@@ -42,6 +42,6 @@ impl Steps {
         let pencil = self.hand.pencil(&solution, asked);
         let text = solution.steps(&pencil);
         show_warnings(&solution);
-        files::print(text.as_bytes())
+        print(&text)
     }
 }

@@ -1,5 +1,5 @@
 use super::files;
-use super::message::{Failure, warn};
+use super::message::{Failure, print, warn};
 use crate::format;
 use crate::mechanism::mechanism;
 use crate::position::{counted_poses, with_nearest_sides};
@@ -22,7 +22,7 @@ impl Structure {
             Ok(format::structure(&mechanism))
         };
         let text = text().map_err(|error| source.fail(error))?;
-        files::print(text.as_bytes())
+        print(&text)
     }
 }
 
@@ -44,6 +44,6 @@ impl Modes {
         };
         let (text, warnings) = stages().map_err(|error| source.fail(error))?;
         warnings.iter().for_each(|w| warn(w));
-        files::print(text.as_bytes())
+        print(&text)
     }
 }

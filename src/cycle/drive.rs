@@ -29,7 +29,7 @@ impl Drive {
             None => 0,
             Some(name) => names.iter().position(|n| n == name).ok_or_else(|| {
                 let known = names.join(", ");
-                CycleError::NoSuchDrive { name: name.to_owned(), known }
+                CycleError::NoSuchDrive { name: crate::text::shown(name), known }
             })?,
         };
         let name = names[input].clone();

@@ -135,7 +135,7 @@ fn moving_point(path: &Path, name: &str) -> Result<(PointId, BodyId), CycleError
     let mechanism = path.mechanism;
     let point = mechanism.point(name).filter(|point| !mechanism.body(GROUND).points.contains(point));
     let link = point.and_then(|point| mechanism.links().find(|(_, body)| body.points.contains(&point)));
-    point.zip(link.map(|(id, _)| id)).ok_or_else(|| CycleError::NoPath(name.to_owned()))
+    point.zip(link.map(|(id, _)| id)).ok_or_else(|| CycleError::NoPath(crate::text::shown(name)))
 }
 
 /// The place of a point as a function of the drive's value.

@@ -6,6 +6,7 @@ use super::obstacles::Taken;
 use super::shape::{Shape, around, overlap};
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, LABEL, PlacedText, RichText};
+use crate::text::Untrusted;
 use indexmap::IndexMap;
 use kurbo::{Point, Rect, Vec2};
 
@@ -24,7 +25,7 @@ pub(super) struct Canvas<'a> {
     content_start: usize,
     /// The step of the construction with which new marks appear.
     step: u16,
-    renamed: &'a IndexMap<String, String>,
+    renamed: &'a IndexMap<String, Untrusted>,
     dims: Dims,
     /// Enlarged details under an overlay: centre and radius of circles that only labels of points inside may enter.
     reserved_circles: Vec<(Point, f64)>,
@@ -58,7 +59,7 @@ impl<'a> Canvas<'a> {
         drawing: &'a mut Drawing,
         prefix: &'static str,
         frame: Rect,
-        renamed: &'a IndexMap<String, String>,
+        renamed: &'a IndexMap<String, Untrusted>,
         dims: Dims,
     ) -> Self {
         Self {
@@ -230,8 +231,8 @@ impl<'a> Canvas<'a> {
         prefer: Option<Vec2>,
         priority: u8,
     ) -> &mut Wanted {
-        let markup = self.renamed.get(name).map_or(standard, String::as_str);
-        let request = LabelRequest { text: RichText::math(markup), size: LABEL, anchor, clearance, prefer, priority };
+        let markup = self.shown(name, standard);
+        let request = LabelRequest { text: RichText::math(&markup), size: LABEL, anchor, clearance, prefer, priority };
         self.ask(name, request)
     }
 
@@ -271,7 +272,7 @@ impl<'a> Canvas<'a> {
     /// The text shown for a name: `standard` unless the scene renames it.
     pub(super) fn shown(&self, name: &str, standard: &str) -> String {
         let renamed = self.renamed.get(name);
-        renamed.map_or_else(|| standard.to_owned(), Clone::clone)
+        renamed.map_or_else(|| standard.to_owned(), Untrusted::for_setting)
     }
 
     /// Places and draws the labels, and cuts off marks at the panel's edge. Labels of points outside the panel are left

@@ -10,6 +10,7 @@ use super::style::Style;
 use super::text::{PlacedText, RichText};
 use crate::quantity::Kind;
 use crate::scene::{PanelName, Scene};
+use crate::text::Untrusted;
 use crate::words::Wording;
 use kurbo::{Point, Rect};
 
@@ -23,7 +24,7 @@ pub(super) struct Composition<'a> {
     pub scene: &'a Scene,
     pub dims: Dims,
     pub words: Wording,
-    pub title: String,
+    pub title: Untrusted,
     /// One sentence about the figure, for readers who cannot see it.
     pub description: String,
     /// Captions of the construction's steps.
@@ -102,7 +103,7 @@ impl Composition<'_> {
 }
 
 /// An empty sheet of the scene's size and style, with its title, in units of the layout.
-pub(super) fn titled(scene: &Scene, dims: &Dims, words: &Wording, title: String) -> Drawing {
+pub(super) fn titled(scene: &Scene, dims: &Dims, words: &Wording, title: Untrusted) -> Drawing {
     let [width, height] = dims.page;
     let mut drawing = Drawing::new(width, height);
     drawing.style = Style::named(scene.figure.style);

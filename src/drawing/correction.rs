@@ -14,6 +14,7 @@ use super::style::Style;
 use super::view::Extent;
 use crate::construction::Solution;
 use crate::scene::{Figure, PanelName};
+use crate::text::Untrusted;
 use crate::words::Wording;
 
 /// Widths of a column of words beside the panels, in parts of the page's width.
@@ -60,7 +61,7 @@ pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
 /// The words about a student's drawing and the table of its values without a figure, on sheets in the size and the
 /// style of `figure`.
 #[must_use]
-pub fn overlay_words(figure: &Figure, title: &str, overlay: &Overlay) -> Vec<Drawing> {
+pub fn overlay_words(figure: &Figure, title: &Untrusted, overlay: &Overlay) -> Vec<Drawing> {
     let dims = Dims::of(figure);
     let mut blank = Drawing::new(dims.page[0], dims.page[1]).enlarged(dims.unit);
     blank.style = Style::named(figure.style);

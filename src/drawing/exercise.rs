@@ -87,8 +87,8 @@ fn student_sheet<'a>(scheme: &'a Scheme<'a>, asked: &[Asked], sentences: &[Strin
     let alone = [(PanelName::Scheme, scheme.extent())];
     let panels = panels(scheme, &alone, |panel| vec![content(scheme, panel)]);
     let table: Box<dyn Item> = Box::new(Worksheet::blank(scheme, asked));
-    let title = scheme.scene.title.as_deref().unwrap_or(scheme.words.language.title());
-    let (fields, own_line) = match Fields::new(scheme, title) {
+    let title = scheme.scene.title.clone().unwrap_or_else(|| scheme.words.language.title().into());
+    let (fields, own_line) = match Fields::new(scheme, &title) {
         Ok(fields) => (Some(Box::new(fields) as Box<dyn Item>), None),
         Err(line) => (None, Some(line)),
     };

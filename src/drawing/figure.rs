@@ -102,7 +102,7 @@ impl Solution {
         }
     }
 
-    /// A warning for each panel whose content is cut off at a scale that the scene gives, with a scale that fits.
+    /// A warning for each panel whose content is cut off at a scale that the scene gives, with a scale that fits, if there is one.
     /// Special points far away count as fitting: their cut lines are shown.
     #[must_use]
     pub fn overflow_warnings(&self) -> Vec<String> {
@@ -125,8 +125,10 @@ impl Solution {
                 let placed = &sheet.layout_at(&scales).panels[index];
                 fits_into(extent, placed, placed.area)
             };
-            let coarser = std::iter::successors(Some(next_scale(placed.mu)), |mu| Some(next_scale(1.01 * mu)));
-            let fitting = coarser.take(TRIED).find(holds).unwrap_or(f64::INFINITY);
+            // No sheet is ten metres long.
+            let first = next_scale(placed.mu.max(1e-4 * extent.size().norm()));
+            let coarser = std::iter::successors(Some(first), |mu| Some(next_scale(1.01 * mu)));
+            let fitting = coarser.take(TRIED).find(holds);
             Some(overflow_warning(panel, placed.mu, fitting))
         };
         layout.panels.iter().enumerate().filter_map(warning).collect()
@@ -139,8 +141,8 @@ fn fits_into(extent: Extent, placed: &Placed, area: Rect) -> bool {
     size.x <= area.width() && size.y <= area.height()
 }
 
-/// The warning for a panel whose content is larger than its frame, with a scale that fits.
-fn overflow_warning(panel: PanelName, given: f64, fitting: f64) -> String {
+/// The warning for a panel whose content is larger than its frame, with a scale that fits, if there is one.
+fn overflow_warning(panel: PanelName, given: f64, fitting: Option<f64>) -> String {
     let key = match panel {
         PanelName::Scheme => "mu_l",
         PanelName::Velocity => "mu_v",
@@ -148,7 +150,9 @@ fn overflow_warning(panel: PanelName, given: f64, fitting: f64) -> String {
     };
     let words = Wording::default();
     let panel = name(words.language, panel).to_lowercase();
-    let [fitting, given] = [fitting, given].map(|mu| words.write(mu, legend::SCALE));
+    let written = |mu| words.write(mu, legend::SCALE);
+    let fitting = fitting.map_or_else(|| "none".to_owned(), written);
+    let given = written(given);
     format!(
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
     )
@@ -296,7 +300,7 @@ pub(super) fn composition<'a>(
         scene,
         dims: scheme.dims,
         words,
-        title: scene.title.as_deref().unwrap_or(words.language.title()).to_owned(),
+        title: scene.title.clone().unwrap_or_else(|| words.language.title().into()),
         description: String::new(),
         steps: Vec::new(),
         is_stepwise: false,

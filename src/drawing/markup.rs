@@ -3,6 +3,7 @@
 use kurbo::{Point, Rect};
 
 use super::fonts::{self, Extent};
+use crate::text::printable;
 
 // Proportions of scripts, in em of their base; near those of TeX for a serif font of this x-height.
 const SCRIPT_SCALE: f64 = 0.7;
@@ -62,17 +63,6 @@ enum Kind {
     /// A sign that only some fonts have, in a run of its own: for one missing glyph some viewers replace the font of
     /// the whole run.
     Sign,
-}
-
-/// A letter as it is drawn; none for one that must not reach a file.
-fn printable(letter: char) -> Option<char> {
-    match letter {
-        letter if letter.is_whitespace() => Some(' '),
-        letter if letter.is_control() => None,
-        // Not allowed in XML.
-        '\u{FFFE}' | '\u{FFFF}' => None,
-        letter => Some(letter),
-    }
 }
 
 /// Sets letters one after another; collects runs, pen position and ink.

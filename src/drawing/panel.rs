@@ -10,6 +10,7 @@ use super::text::CAPTION;
 use super::view::{Extent, View};
 use crate::geometry;
 use crate::quantity::Kind;
+use crate::text::Untrusted;
 use indexmap::IndexMap;
 use kurbo::Vec2;
 
@@ -61,7 +62,13 @@ impl<F: Fn(&mut Canvas<'_>, &View)> Layer for F {
 
 impl Panel<'_> {
     /// Draws the panel in its place; `renamed` replaces names of points and links.
-    pub(super) fn draw(&self, drawing: &mut Drawing, placed: &Placed, renamed: &IndexMap<String, String>, dims: &Dims) {
+    pub(super) fn draw(
+        &self,
+        drawing: &mut Drawing,
+        placed: &Placed,
+        renamed: &IndexMap<String, Untrusted>,
+        dims: &Dims,
+    ) {
         drawing.panels.push((self.name.clone(), placed.frame));
         let mut view = View::new(placed.mu * dims.unit, &self.needs.extent, placed.area);
         // The content that fits stays in sight.

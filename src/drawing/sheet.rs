@@ -6,6 +6,7 @@ pub use super::pen::Pen;
 use super::shape::{Shape, overlap};
 use super::style::Style;
 use super::text::{CAPTION, PlacedText, RichText};
+use crate::text::Untrusted;
 
 /// A sheet of paper and everything drawn on it; later marks cover earlier ones.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +16,7 @@ pub struct Drawing {
     /// Height of the sheet in mm.
     pub height: f64,
     /// Title of the figure; written into the file, not drawn.
-    pub title: String,
+    pub title: Untrusted,
     /// Code of the language of its texts, as in `en`; written into the file, not drawn.
     pub language: &'static str,
     /// One sentence about the figure for readers who cannot see it; written into the file, not drawn.
@@ -38,7 +39,7 @@ impl Drawing {
         Self {
             width,
             height,
-            title: String::new(),
+            title: Untrusted::default(),
             language: "en",
             description: String::new(),
             style: Style::default(),

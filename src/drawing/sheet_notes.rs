@@ -10,6 +10,7 @@ use super::text::{CAPTION, RichText};
 use crate::construction::Plan;
 use crate::quantity::{Asked, What};
 use crate::scene::{ConstructionShown, Page, PageSize, PanelName};
+use crate::text::Untrusted;
 use crate::words::NumberStyle;
 use kurbo::Point;
 
@@ -77,8 +78,8 @@ impl Scheme<'_> {
             let size = plan_panel::extent(self.plan(panel)?, ConstructionShown::Whole).size() / mu;
             let (short, long) = (size.x.min(size.y), size.x.max(size.y));
             largest = [largest[0].max(short), largest[1].max(long)];
-            let [x, y] = [size.x, size.y].map(|mm| self.words.write(libm::ceil(mm), NumberStyle::shortest()));
-            Some(format!("{x}\u{a0}×\u{a0}{y}\u{a0}mm"))
+            let [x, y] = [size.x, size.y].map(|mm| self.words.on_paper(libm::ceil(mm), 1.0, NumberStyle::shortest()));
+            Some(format!("{}\u{a0}×\u{a0}{}\u{a0}mm", x?, y?))
         });
         let [velocity, acceleration] = sizes;
         let paper = paper_for(largest, self.figure.page);
@@ -102,7 +103,7 @@ pub(super) struct Fields(RichText);
 
 impl Fields {
     /// The lines beside the title of a sheet, or as a sentence below it.
-    pub(super) fn new(scheme: &Scheme<'_>, title: &str) -> Result<Fields, String> {
+    pub(super) fn new(scheme: &Scheme<'_>, title: &Untrusted) -> Result<Fields, String> {
         let text = scheme.words.language.exercise_name();
         let (fields, title) = (RichText::plain(text), RichText::verbatim(title));
         let room = scheme.dims.page[0] - 2.0 * MARGIN - title.width(TITLE_SIZE);

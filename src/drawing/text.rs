@@ -6,6 +6,7 @@ use kurbo::{BezPath, Point, Rect, Vec2};
 
 use super::fonts;
 use super::markup::{Run, Setter, Style};
+use crate::text::Untrusted;
 
 /// Size of labels, in mm of one em. Lower-case letters of the bundled font are 0.429 em high: 2 mm; scripts are
 /// smaller.
@@ -50,8 +51,8 @@ impl RichText {
     }
 
     /// Upright text taken letter by letter, without markup: for titles and names from outside.
-    pub fn verbatim(source: &str) -> Self {
-        Self::set(source, Style::Plain, false)
+    pub fn verbatim(source: impl Into<Untrusted>) -> Self {
+        Self::set(&source.into().for_setting(), Style::Plain, false)
     }
 
     /// Lines of [`plain`](Self::plain) text, broken at spaces, each at most `width` mm wide at a size, unless a single

@@ -376,9 +376,9 @@ impl Writer<'_> {
         let kind = plan_panel::kind(kind);
         let unit = kind.unit(self.scheme.scene.units);
         let words = &self.scheme.words;
-        let on_paper = self.layout.mu(kind).map(|mu| {
-            let mm = words.write(value / mu, HUNDREDTHS);
-            format!(" ({mm} mm × {})", words.write(mu, SCALE))
+        let on_paper = self.layout.mu(kind).and_then(|mu| {
+            let mm = words.on_paper(value, mu, HUNDREDTHS)?;
+            Some(format!(" ({mm} mm × {})", words.write(mu, SCALE)))
         });
         let value = self.significant(value);
         format!("{value} {unit}{}", on_paper.unwrap_or_default())

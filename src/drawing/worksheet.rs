@@ -151,10 +151,10 @@ pub(super) fn table(name: &str, value: &str, rows: Vec<Cells<CELLS>>) -> Table<C
     Table { foot: (RULER_ROOM, RULER_ROWS), ..Table::new(head, [false, true, false, true, false], names, rows) }
 }
 
-/// A value in millimetres of paper at a scale.
+/// A value in millimetres of paper at a scale; a dash where no paper is long enough.
 fn millimetres(words: &Wording, value: f64, mu: f64) -> RichText {
-    let mm = if mu > 0.0 { value / mu } else { 0.0 };
-    RichText::plain(&words.write(mm, HUNDREDTHS))
+    let mm = if mu > 0.0 { words.on_paper(value, mu, HUNDREDTHS) } else { Some(words.write(0.0, HUNDREDTHS)) };
+    RichText::plain(mm.as_deref().unwrap_or("–"))
 }
 
 /// The measurements between visible points, in the order of the construction: step, plan, ends, value.

@@ -6,6 +6,7 @@ use crate::construction::Construction;
 use crate::geometry::Random;
 use crate::quantity::Quantity;
 use crate::scene::{ConstructionShown, Figure, Page, PageSize, PanelName, SceneError};
+use crate::text::Untrusted;
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -45,7 +46,7 @@ pub enum ExerciseError {
 pub struct Exercises {
     base: Value,
     on_guides: Vec<OnGuide>,
-    title: String,
+    title: Untrusted,
     figure: Figure,
     seed: u64,
     random: Random,
@@ -198,10 +199,6 @@ impl Exercises {
         file.shift_remove("$schema");
         file.insert("figure".into(), Value::Object(figure));
         let number = format!("{}-{}", self.seed, self.number);
-        let title = match self.title.as_str() {
-            "" => number,
-            title => format!("{title} ({number})"),
-        };
-        file.insert("title".into(), json!(title));
+        file.insert("title".into(), json!(self.title.numbered(&number)));
     }
 }

@@ -6,6 +6,7 @@ use crate::construction::Solution;
 use crate::drawing::{Drawing, KeyRow, key_sheet};
 use crate::quantity::{Asked, Pencil};
 use crate::scene::schema_of;
+use crate::text::Untrusted;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -17,7 +18,7 @@ pub struct KeyResult {
     pub kinegon_key: u64,
     /// The title of the scene.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub title: Option<String>,
+    pub title: Option<Untrusted>,
     /// The scales of the sheets.
     pub scales: KeyScales,
     /// The values by the names of their quantities, in the order of the form.

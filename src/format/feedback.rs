@@ -1,6 +1,7 @@
-use super::svg::{Text, clean, escape, svg_with};
+use super::svg;
 use super::template::filled;
 use crate::drawing::{Drawing, RichText, Script};
+use crate::text::{Untrusted, xml};
 
 /// The template of the page, with `{{name}}` for its contents.
 const PAGE: &str = include_str!("../../templates/feedback.html");
@@ -12,7 +13,7 @@ pub const FEEDBACK_MARK: &str = "kinegon-feedback";
 #[derive(Clone, Copy, Debug)]
 pub struct FeedbackPage<'a> {
     /// The exercise's title, with the student's name.
-    pub title: &'a str,
+    pub title: &'a Untrusted,
     /// Code of the page's language, as in `en`.
     pub language: &'a str,
     /// The sentences, by paragraph.
@@ -32,7 +33,7 @@ pub fn feedback_html(page: &FeedbackPage<'_>) -> String {
     let words: String = page.words.iter().map(|text| format!("<p>{}</p>\n", letters(text))).collect();
     let figures = page.figures.iter().map(|drawing| {
         // What stands before the picture belongs to a file of its own.
-        let svg = svg_with(drawing, Text::Outlines);
+        let svg = svg::svg_with(drawing, svg::Text::Outlines);
         let start = svg.find("<svg").unwrap_or(0);
         format!("<figure>\n{}</figure>\n", &svg[start..])
     });
@@ -52,8 +53,8 @@ pub fn feedback_html(page: &FeedbackPage<'_>) -> String {
     };
     let contents = [
         ("mark", FEEDBACK_MARK.to_owned()),
-        ("title", escape(&clean(page.title))),
-        ("language", escape(page.language)),
+        ("title", page.title.for_xml()),
+        ("language", xml(page.language)),
         ("words", words),
         ("figures", figures.collect()),
         ("table", table),
@@ -73,7 +74,7 @@ fn letters(text: &RichText) -> String {
             Script::Super => "sup",
         };
         run.scripts.iter().for_each(|script| written.push_str(&format!("<{}>", tag(script))));
-        written.push_str(&escape(&clean(&run.content)));
+        written.push_str(&xml(&run.content));
         run.scripts.iter().rev().for_each(|script| written.push_str(&format!("</{}>", tag(script))));
     }
     written

@@ -1,7 +1,8 @@
 use super::number::number;
-use super::svg::{FONTS, Text, clean, escape, layers};
+use super::svg::{FONTS, Text, layers};
 use super::template::filled;
 use crate::drawing::{Drawing, ITALIC, Pen, REGULAR, Rect};
+use crate::text::xml;
 use crate::words::Language;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -46,7 +47,7 @@ pub fn html(page: &WebPage<'_>) -> String {
     };
     let finished = first.after_step(first.steps.len() + 1);
     let sheet: String = layers(&finished, page.text).into_iter().map(|layer| layer.svg).collect();
-    let title = if first.title.is_empty() { "Kinegon" } else { &first.title };
+    let title = if first.title.is_blank() { "Kinegon".into() } else { first.title.for_xml() };
     let words = page.language;
     let said = [
         ("figure", words.page_figure()),
@@ -70,20 +71,20 @@ pub fn html(page: &WebPage<'_>) -> String {
     ];
     let hint = first.style.look(Pen::Hint, None).stroke;
     let contents = [
-        ("title", escape(&clean(title))),
+        ("title", title),
         ("width", number(first.width)),
         ("height", number(first.height)),
         ("fonts", FONTS.to_owned()),
         ("background", first.style.background().to_string()),
         ("accent", first.style.accent().to_string()),
         ("class", (if first.style.is_dark() { "dark board" } else { "" }).to_owned()),
-        ("quantity", escape(&clean(page.quantity))),
+        ("quantity", xml(page.quantity)),
         ("sheet", sheet),
         ("data", packed(script_data(page, first).to_string().as_bytes())),
         ("font_data", if page.text == Text::Letters { packed(&font_data()) } else { String::new() }),
         ("hint", hint.map(|colour| colour.to_string()).unwrap_or_default()),
     ];
-    let said = said.map(|(name, text)| (name, escape(text)));
+    let said = said.map(|(name, text)| (name, xml(text)));
     let contents: Vec<(&str, String)> = contents.into_iter().chain(said).collect();
     filled(PAGE, &contents)
 }

@@ -29,7 +29,7 @@ pub use self::columns::{Columns, ColumnsError};
 pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html};
 #[cfg(feature = "html")]
 pub use self::html::{WebPage, html};
-pub use self::json::json;
+pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]
 pub use self::pdf::PdfError;
 #[cfg(feature = "pdf")]

@@ -22,8 +22,8 @@ impl Solution {
         let language = words.language;
         let teller = Teller::new(self, &words);
         let mut list = StepList { text: String::new(), units: scene.units, words: &words, teller, pencil };
-        if let Some(title) = &scene.title {
-            list.line(title);
+        if let Some(title) = scene.title.as_ref().filter(|title| !title.is_blank()) {
+            list.line(&title.for_terminal());
         }
         list.scales_line();
         list.pencil_lines();
@@ -131,9 +131,9 @@ impl StepList<'_> {
         let Some(band) = self.pencil.band(name) else {
             return String::new();
         };
-        let on_paper = mu.map(|mu| {
-            let mm = self.words.write(band.band / mu, HUNDREDTHS);
-            format!(" ({mm} mm)")
+        let on_paper = mu.and_then(|mu| {
+            let mm = self.words.on_paper(band.band, mu, HUNDREDTHS)?;
+            Some(format!(" ({mm} mm)"))
         });
         let rough = if band.is_rough { self.words.language.only_roughly() } else { "" };
         format!(
@@ -151,9 +151,9 @@ impl StepList<'_> {
 
     /// A value with its unit and its length on paper.
     fn measure(&self, value: f64, kind: Option<PlanKind>) -> String {
-        let on_paper = self.mu(kind).map(|mu| {
-            let mm = self.words.write(value / mu, HUNDREDTHS);
-            format!(" ({})", self.words.language.on_paper(&mm))
+        let on_paper = self.mu(kind).and_then(|mu| {
+            let mm = self.words.on_paper(value, mu, HUNDREDTHS)?;
+            Some(format!(" ({})", self.words.language.on_paper(&mm)))
         });
         format!("{} {}{}", self.digits(value), self.unit(kind), on_paper.unwrap_or_default())
     }

@@ -2,7 +2,7 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MotionError {
     /// The group is in a singular position.
-    #[error("links {links} are in a singular position: {reason} (condition {condition:.1e})\n  try: {hint}")]
+    #[error("links {links} are in a singular position: {reason} ({})\n  try: {hint}", how_singular(*condition))]
     Singular {
         /// The group's links.
         links: String,
@@ -22,4 +22,9 @@ pub enum MotionError {
         /// The group's links.
         links: String,
     },
+}
+
+/// How nearly singular a group is, in words.
+fn how_singular(condition: f64) -> String {
+    if condition.is_finite() { format!("condition {condition:.1e}") } else { "exactly".to_owned() }
 }

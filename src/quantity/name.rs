@@ -2,6 +2,7 @@
 
 use crate::construction::PlanKind;
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::text::shown;
 
 /// Why a quantity has no value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -155,7 +156,9 @@ impl Asked {
             _ => return Err(finder.form()),
         };
         let what = finder.what(head, argument, on_paper)?;
-        let asked = Asked { name: name.to_owned(), needs_accelerations: is_acceleration(name), what, component };
+        // White space is a space: tables and results have the name on one line.
+        let name: String = name.chars().map(|c| if c.is_whitespace() { ' ' } else { c }).collect();
+        let asked = Asked { name: name.clone(), needs_accelerations: is_acceleration(&name), what, component };
         if component.is_some() && !asked.is_of_vectors() {
             return Err(finder.form());
         }
@@ -195,9 +198,9 @@ pub(super) fn unknown<'n>(
 ) -> QuantityError {
     let nearest = crate::scene::nearest_within(name, known, 2);
     QuantityError::Unknown {
-        quantity: quantity.to_owned(),
+        quantity: shown(quantity),
         what,
-        name: name.to_owned(),
+        name: shown(name),
         hint: nearest.map_or_else(String::new, |k| format!("; did you mean `{k}`?")),
     }
 }
@@ -210,7 +213,7 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     fn form(&self) -> QuantityError {
-        QuantityError::Form(self.name.to_owned())
+        QuantityError::Form(shown(self.name))
     }
 
     fn what(&self, head: &str, argument: &str, on_paper: bool) -> Result<What, QuantityError> {

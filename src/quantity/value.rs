@@ -208,6 +208,7 @@ impl<S: State> Reader<'_, S> {
         };
         let mu = scales.and_then(|scales| scales.of(kind.sheet()));
         let mu = mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
-        Ok(length / mu)
+        let mm = length / mu;
+        if mm.is_finite() { Ok(mm) } else { Err(self.none("the scale is too small for it")) }
     }
 }

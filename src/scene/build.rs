@@ -67,7 +67,7 @@ impl Builder {
 
     /// Gives the scene a title.
     pub fn title(mut self, title: &str) -> Builder {
-        self.file.title = Some(title.to_owned());
+        self.file.title = Some(title.into());
         self
     }
 

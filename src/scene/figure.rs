@@ -16,6 +16,7 @@ use super::values::ValuesShown;
 use super::words::{number, shortened, suggestion};
 use super::write::{write_forms, write_keys};
 use super::wrong::Wrong;
+use crate::text::Untrusted;
 
 /// What the figure shows, and how large. The scale `mu` of a panel is in units per millimetre of paper; `None` stands
 /// for the next round scale at which the panel fits.
@@ -58,7 +59,7 @@ pub struct Figure {
     #[schemars(with = "Option<DecimalMark>")]
     pub decimal: DecimalMark,
     /// Text to show in place of a name: { "B'": "B₁" }.
-    pub labels: IndexMap<String, String>,
+    pub labels: IndexMap<String, Untrusted>,
     /// Whether special points are shown; left out: true.
     pub special_points: bool,
     /// Whether construction lines are shown; "paper": shown, and the plans end where the source paper's end; left out: true.

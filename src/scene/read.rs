@@ -22,6 +22,7 @@ use super::units::Units;
 use super::value::{Entries, NearValue, Vector};
 use super::write::write_keys;
 use super::wrong::Wrong;
+use crate::text::Untrusted;
 
 /// Most links of a scene, so that it is read and solved in seconds.
 const MOST_LINKS: usize = 10_000;
@@ -37,7 +38,7 @@ pub(super) struct SceneFile {
     #[schemars(schema_with = "version")]
     pub kinegon: u64,
     /// Title of the mechanism, for example the publication it is from.
-    pub title: Option<String>,
+    pub title: Option<Untrusted>,
     /// Units of every length and time of the scene. They are labels; nothing is converted.
     pub units: Units,
     /// The frame's points with their coordinates; in a drawn configuration their names are enough.
@@ -91,7 +92,7 @@ write_keys!(SceneFile { kinegon, title, units, ground, points, known, links, sli
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     /// The title, if any.
-    pub title: Option<String>,
+    pub title: Option<Untrusted>,
     /// The units of every length and time of the scene.
     pub units: Units,
     /// Whether the scene is given by lengths or by a drawing.

@@ -1,12 +1,6 @@
 //! Names and numbers as messages show them, and suggestions for misspelt names.
 
-/// The text on one line, cut after 80 characters; control characters are replaced, so that none reaches a terminal.
-pub(super) fn shortened(text: &str) -> String {
-    let end = text.char_indices().nth(80).map_or(text.len(), |(end, _)| end);
-    let shown = text[..end].chars().map(|c| if c.is_control() { '\u{fffd}' } else { c });
-    let more = if end < text.len() { "…" } else { "" };
-    shown.chain(more.chars()).collect()
-}
+pub(super) use crate::text::shown as shortened;
 
 /// A number as a person would write it, very small and large ones with a power of ten.
 pub(super) fn number(value: f64) -> String {

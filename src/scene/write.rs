@@ -6,6 +6,7 @@
 use indexmap::IndexMap;
 
 use super::words::number;
+use crate::text::Untrusted;
 
 /// A value of the file; `Nothing` for a key that is left out.
 #[derive(Debug, PartialEq)]
@@ -50,6 +51,12 @@ fn laid_out(value: &Written, depth: usize) -> String {
         (true, _) => format!("{open}{line}  {}{line}{close}", parts.join(&format!(",{line}  "))),
         (false, "[") => format!("[{}]", parts.join(", ")),
         (false, _) => format!("{{ {} }}", parts.join(", ")),
+    }
+}
+
+impl Write for Untrusted {
+    fn written(&self) -> Written {
+        Written::Bare(serde_json::json!(self).to_string())
     }
 }
 

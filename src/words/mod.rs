@@ -61,6 +61,14 @@ impl Wording {
         style.write(x, self.decimal)
     }
 
+    /// A length in millimetres of paper at the scale `mu`, in units per millimetre; `None` for one of a kilometre and
+    /// more, which no paper has.
+    #[must_use]
+    pub fn on_paper(&self, length: f64, mu: f64, style: NumberStyle) -> Option<String> {
+        let mm = length / mu;
+        (mm.abs() < 1e6).then(|| self.write(mm, style))
+    }
+
     /// A number that was written with a decimal point, with the wording's decimal mark.
     #[must_use]
     pub fn number(&self, written: String) -> String {

@@ -53,10 +53,11 @@ impl NumberStyle {
         NumberStyle::new(Digits::Decimals(decimals), [i32::MIN, i32::MAX])
     }
 
-    /// With the fewest digits from which the same number is read back, as `0.25`; never with a power of ten.
+    /// With the fewest digits from which the same number is read back, as `0.25`; with a power of ten outside of 10⁻⁹ to
+    /// 10¹⁶.
     #[must_use]
     pub const fn shortest() -> NumberStyle {
-        NumberStyle::new(Digits::Shortest, [i32::MIN, i32::MAX])
+        NumberStyle::new(Digits::Shortest, [-9, 16])
     }
 
     /// A bound: one digit, rounded away from 0, with a power of ten, as `3e-17`.

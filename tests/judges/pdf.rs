@@ -171,7 +171,7 @@ fn title_language_and_description_are_written_in() {
     let about = document.trailer.get(b"Info").and_then(Object::as_reference).expect("it is there");
     let about = document.get_dictionary(about).expect("it is a dictionary");
     let said = |key: &[u8]| lopdf::decode_text_string(about.get(key).expect("it is said")).expect("a text");
-    assert_eq!(said(b"Title"), drawing.title);
+    assert_eq!(said(b"Title"), drawing.title.for_pdf());
     assert_eq!(said(b"Subject"), drawing.description);
     let catalog = document.catalog().expect("it has one");
     assert_eq!(lopdf::decode_text_string(catalog.get(b"Lang").expect("it is said")).expect("a text"), "en");

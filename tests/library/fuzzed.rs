@@ -1,21 +1,42 @@
-//! Inputs that once broke something, found by the fuzzer and made small: each goes the whole way.
-//! A new one is a new file in `tests/fuzzed`.
+//! Inputs that once broke something, found by the fuzzers and made small: each goes the whole way.
+//! A new one is a new file in `tests/fuzzed`, in the folder of its kind; scenes stand there without one.
 
 use crate::support::files::{list, path};
-use crate::support::whole_way;
+use crate::support::{read_back, whole_way};
+
+/// Takes all files of a folder the whole way.
+fn holds(folder: &str, whole_way: impl Fn(&str) + std::panic::RefUnwindSafe) {
+    let files: Vec<String> =
+        list(folder).into_iter().filter(|name| path(&format!("{folder}/{name}")).is_file()).collect();
+    let broken = files.iter().filter(|name| {
+        let bytes = std::fs::read(path(&format!("{folder}/{name}"))).expect("it can be read");
+        let text = String::from_utf8_lossy(&bytes);
+        std::panic::catch_unwind(|| whole_way(&text)).is_err()
+    });
+    let broken: Vec<_> = broken.collect();
+    assert!(broken.is_empty() && !files.is_empty(), "{broken:?}");
+}
 
 #[test]
 fn what_once_broke_something_goes_the_whole_way() {
-    let names = list("tests/fuzzed");
-    let broken = names.iter().filter(|name| {
-        let bytes = std::fs::read(path(&format!("tests/fuzzed/{name}"))).expect("it can be read");
-        let text = String::from_utf8_lossy(&bytes);
-        let outcome = std::panic::catch_unwind(|| {
-            whole_way::reading(&text);
-            _ = whole_way::whole_way(&text);
-        });
-        outcome.is_err()
+    holds("tests/fuzzed", |text| {
+        whole_way::reading(text);
+        _ = whole_way::whole_way(text);
     });
-    let broken: Vec<_> = broken.collect();
-    assert!(broken.is_empty() && !names.is_empty(), "{broken:?}");
+}
+
+#[test]
+fn forms_can_be_checked_and_read_back() {
+    holds("tests/fuzzed/forms", read_back::form);
+}
+
+#[test]
+fn texts_of_strangers_are_shown_and_not_obeyed() {
+    holds("tests/fuzzed/texts", read_back::texts);
+}
+
+#[test]
+fn marks_and_styles_are_read_or_refused() {
+    holds("fuzz/seeds/marks", read_back::marks);
+    holds("tests/fuzzed/styles", read_back::style);
 }

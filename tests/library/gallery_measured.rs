@@ -11,13 +11,14 @@ use kinegon::construction::{Construction, Plan, PlanKind, PointRole};
 use kinegon::cycle::Animation;
 use kinegon::drawing::{Drawing, Shape, Style};
 use kinegon::scene::StyleName;
+use kinegon::text::Untrusted;
 use std::path::PathBuf;
 
 /// Positions of each scene: where the crank turns all the way round, every 30°.
 const POSITIONS: usize = 12;
 
 /// Each figure with what it is called and what it shows.
-fn figures() -> Vec<(String, Drawing, Construction, IndexMap<String, String>)> {
+fn figures() -> Vec<(String, Drawing, Construction, IndexMap<String, Untrusted>)> {
     let mut all = Vec::new();
     let examples = [1, 2].map(|number| {
         let name = format!("figure-{number}");
@@ -39,7 +40,7 @@ fn figures() -> Vec<(String, Drawing, Construction, IndexMap<String, String>)> {
 }
 
 /// How many names a plan's points should show: no point of the ground under a slider, which is the pole, and no vanished normal part.
-fn names_of(plan: &Plan, labels: &IndexMap<String, String>) -> usize {
+fn names_of(plan: &Plan, labels: &IndexMap<String, Untrusted>) -> usize {
     let is_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
     let vanished = |name: &str| {
         let own = &plan.points[name];
@@ -47,7 +48,7 @@ fn names_of(plan: &Plan, labels: &IndexMap<String, String>) -> usize {
         own.role == PointRole::Normal && others.any(|p| p.role != PointRole::Normal && p.vector == own.vector)
     };
     let names = plan.points.keys();
-    let is_blank = |name: &str| labels.get(name).is_some_and(String::is_empty);
+    let is_blank = |name: &str| labels.get(name).is_some_and(Untrusted::is_blank);
     names.filter(|name| !is_pole(name) && !vanished(name) && !is_blank(name)).count()
 }
 

@@ -131,7 +131,7 @@ fn the_papers_mechanism_with_labels_of_its_own() {
         .near("E", [406.0, 428.0])
         .near("F", [338.0, 136.0])
         .figure(Figure {
-            labels: labels.map(|(name, label)| (name.to_owned(), label.to_owned())).into(),
+            labels: labels.map(|(name, label)| (name.to_owned(), label.into())).into(),
             construction: ConstructionShown::Paper,
             scales: ScalesFor::Sheet,
             ..Figure::default()

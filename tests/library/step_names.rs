@@ -6,6 +6,7 @@ use crate::support::files;
 use crate::support::stages::solved;
 use kinegon::construction::{Action, Plan, PointRole};
 use kinegon::drawing::{Drawing, Pen, Rect, Shape};
+use kinegon::text::Untrusted;
 use kinegon::{Scene, Solution};
 
 /// The scenes: their names and texts.
@@ -67,7 +68,8 @@ fn is_unnamed(plan: &Plan, name: &str) -> bool {
 /// What differs on the sheet after a step.
 fn wrong_names(solution: &Solution, all: &Drawing, step: usize) -> Vec<String> {
     let (drawing, construction) = (all.after_step(step), &solution.construction);
-    let renamed = |name: &str| solution.scene.figure.labels.get(name).cloned().unwrap_or_else(|| name.to_owned());
+    let renamed =
+        |name: &str| solution.scene.figure.labels.get(name).map_or_else(|| name.to_owned(), Untrusted::for_terminal);
     let mut wrong = Vec::new();
     for (plan, panel) in construction.plans().zip(&drawing.panels[1..]) {
         let steps = construction.numbered_steps().filter(|one| one.plan.is_some_and(|of| of.kind == plan.kind));

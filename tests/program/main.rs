@@ -25,6 +25,7 @@ mod overlays;
 #[cfg(unix)]
 mod signals;
 mod step_sheets;
+mod strangers;
 mod students;
 mod styles;
 mod wording;

@@ -47,7 +47,7 @@ fn said(drawing: &Drawing) -> Vec<String> {
         Shape::Text(text) => Some(text.text.content()),
         _ => None,
     });
-    let others = [drawing.title.clone(), drawing.description.clone()];
+    let others = [drawing.title.for_terminal(), drawing.description.clone()];
     texts.chain(others).chain(drawing.steps.clone()).collect()
 }
 

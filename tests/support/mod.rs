@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "not every program uses all of it")]
 
 pub mod browser;
+pub mod case;
 pub mod changes;
 pub mod comparison;
 pub mod exact;
@@ -10,9 +11,11 @@ pub mod files;
 pub mod groups;
 pub mod images;
 pub mod later;
+pub mod outputs;
 pub mod planted;
 pub mod program;
 pub mod random;
+pub mod read_back;
 pub mod stages;
 pub mod students;
 pub mod survey;

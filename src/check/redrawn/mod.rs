@@ -64,7 +64,7 @@ pub fn redrawn(
 
     let text = ReportText::new(checked, key, words, Medium::Figure);
     Ok(Overlay {
-        name: measured.name.clone().filter(|name| !name.trim().is_empty()),
+        name: measured.name.clone().filter(|name| !name.is_blank()),
         points,
         lines,
         steps: wrong_steps(key, &found, words.language),

@@ -9,6 +9,7 @@ use crate::drawing::text::{CAPTION, RichText};
 use crate::mechanism::{Role, SliderId};
 use crate::quantity::{Asked, Kind};
 use crate::scene::Scene;
+use crate::text::Untrusted;
 use crate::words::Wording;
 use kurbo::Point;
 
@@ -26,9 +27,9 @@ pub(super) struct Course<'a> {
 impl Course<'_> {
     /// A sheet with its title and, if there is room up to `right`, the rates of the drives.
     pub fn titled(&self, right: f64) -> Drawing {
-        let title = self.scene.title.as_deref().unwrap_or(self.words.language.curves());
-        let mut drawing = titled(self.scene, &self.dims, &self.words, title.to_owned());
-        let free = right - RichText::verbatim(title).width(TITLE_SIZE) - MARGIN - 6.0;
+        let title = self.scene.title.clone().unwrap_or_else(|| self.words.language.curves().into());
+        let mut drawing = titled(self.scene, &self.dims, &self.words, title.clone());
+        let free = right - RichText::verbatim(&title).width(TITLE_SIZE) - MARGIN - 6.0;
         let speeds = self.speeds();
         if speeds.width(CAPTION) <= free {
             speeds.ending(&mut drawing, Point::new(right, TITLE_LINE));
@@ -39,7 +40,7 @@ impl Course<'_> {
     /// The markup shown for a name.
     pub fn shown(&self, name: &str) -> String {
         let renamed = self.scene.figure.labels.get(name);
-        renamed.map_or_else(|| crate::construction::display(name), Clone::clone)
+        renamed.map_or_else(|| crate::construction::display(name), Untrusted::for_setting)
     }
 
     /// The symbol of a quantity.

@@ -3,6 +3,7 @@
 use crate::drawing::view::Extent;
 use crate::geometry;
 use crate::scene::PanelName;
+use crate::text::Untrusted;
 
 /// Largest size of a panel with the student's points over that of its own content: where the scale follows the size,
 /// and where the scale is given.
@@ -12,7 +13,7 @@ const REACH: [f64; 2] = [1.6, 4.0];
 #[derive(Clone, Debug, Default)]
 pub struct Overlay {
     /// The student's name.
-    pub name: Option<String>,
+    pub name: Option<Untrusted>,
     /// Points, marked with crosses.
     pub points: Vec<OwnPoint>,
     /// Lines and vectors.
@@ -92,8 +93,8 @@ pub struct OwnValue {
 impl Overlay {
     /// A title with the student's name.
     #[must_use]
-    pub fn titled(&self, title: &str) -> String {
-        self.name.as_ref().map_or_else(|| title.to_owned(), |name| format!("{title} – {name}"))
+    pub fn titled(&self, title: &Untrusted) -> Untrusted {
+        self.name.as_ref().map_or_else(|| title.clone(), |name| title.with(name))
     }
 
     /// A panel's extent with those of the student's points that do not enlarge it too much; `is_given` where the scene

@@ -242,7 +242,7 @@ impl<'a> Scheme<'a> {
     /// notation.
     pub(super) fn shown(&self, name: &str, plan: Option<&Plan>) -> String {
         if let Some(renamed) = self.figure.labels.get(name) {
-            return renamed.clone();
+            return renamed.for_setting();
         }
         let written = self.names.markup(name);
         match plan {

@@ -9,6 +9,7 @@ use super::Scheme;
 use super::links::LinkShape;
 use crate::cycle::Times;
 use crate::geometry;
+use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
@@ -82,14 +83,14 @@ impl Scheme<'_> {
             true => format!("{}°", number(*step)),
             false => format!("{} {}", number(*step), units.length.as_str()),
         };
-        let drive = self.figure.labels.get(&drive.name).unwrap_or(&drive.name);
+        let drive = self.figure.labels.get(&drive.name).map_or_else(|| drive.name.clone(), Untrusted::for_setting);
         let points = points.join(", ");
         let mut sentence = match time {
             Some(time) => {
                 let time = format!("{} {}", number(*time), units.time.as_str());
-                language.paths_in_time(&points, &step, drive, &time)
+                language.paths_in_time(&points, &step, &drive, &time)
             }
-            None => language.paths(&points, &step, drive),
+            None => language.paths(&points, &step, &drive),
         };
         if self.traces.paths.iter().any(|path| !path.beyond.is_empty()) {
             sentence = format!("{sentence} {}", language.paths_beyond());

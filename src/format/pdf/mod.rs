@@ -112,7 +112,10 @@ pub fn pdf_pages(sheets: &[Drawing], keyword: Option<&str>) -> Result<Vec<u8>, P
         tags.push(sheet.draw_page(&mut document, &fonts)?);
     }
     document.set_tag_tree(tags);
-    let about = Metadata::new().title(first.title.clone()).language(first.language.into());
+    let mut about = Metadata::new().language(first.language.into());
+    if !first.title.is_blank() {
+        about = about.title(first.title.for_pdf());
+    }
     let about = about.description(first.description.clone()).creator("Kinegon".into());
     let keywords = keyword.map(|keyword| vec![keyword.to_owned()]);
     document.set_metadata(match keywords {

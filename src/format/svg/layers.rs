@@ -1,7 +1,8 @@
 //! Marks in layers by the step that draws them.
 
-use super::{Drawn, Text, attribute, clean, drawn, escape, write_marks};
+use super::{Drawn, Text, attribute, drawn, write_marks};
 use crate::drawing::{Drawing, Mark, Pen};
+use crate::text::xml;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -54,7 +55,7 @@ pub(super) fn groups(drawing: &Drawing, text: Text) -> String {
         written.push_str(">\n");
         let words = drawing.steps.get(usize::from(layer.step) - 1);
         if let (false, None, Some(words)) = (layer.below, layer.until, words) {
-            let _ = writeln!(written, "<title>{}</title>", escape(&clean(words)));
+            let _ = writeln!(written, "<title>{}</title>", xml(words));
         }
         written.push_str(&layer.svg);
         written.push_str("</g>\n");

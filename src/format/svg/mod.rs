@@ -1,6 +1,6 @@
 use svg::Node;
+use svg::node::Blob;
 use svg::node::element::Element;
-use svg::node::{Blob, Text as TextNode};
 
 #[cfg(test)]
 mod ink;
@@ -13,6 +13,7 @@ pub(crate) use ink::ink_in;
 use super::number::{number, push_number};
 use super::outline::{FINEST, IN_FINEST, Tracer};
 use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Shape};
+use crate::text::xml;
 #[cfg(feature = "html")]
 pub(super) use layers::layers;
 use shapes::{write_path, write_shape};
@@ -73,9 +74,11 @@ fn document(drawing: &Drawing, text: Text, marks: String) -> String {
         root.assign("font-family", FONTS);
         root.assign("text-rendering", "geometricPrecision");
     }
-    root.append(text_element("title", &drawing.title));
+    if !drawing.title.is_blank() {
+        root.append(Blob::new(format!("<title>{}</title>", drawing.title.for_xml())));
+    }
     if !drawing.description.is_empty() {
-        root.append(text_element("desc", &drawing.description));
+        root.append(Blob::new(format!("<desc>{}</desc>", xml(&drawing.description))));
     }
     root.append(element(
         "rect",
@@ -208,7 +211,7 @@ fn write_id(written: &mut String, id: Option<&str>) {
     if id.bytes().all(plain) {
         attribute(written, "id", id);
     } else {
-        attribute(written, "id", &escape(&clean(id)));
+        attribute(written, "id", &xml(id));
     }
 }
 
@@ -254,7 +257,7 @@ fn write_text(written: &mut String, text: &PlacedText, id: Option<&str>) {
         length(written, "x", run.origin.x);
         length(written, "y", run.origin.y);
         written.push('>');
-        written.push_str(&escape(run.content));
+        written.push_str(&xml(run.content));
         if several {
             written.push_str("</tspan>");
         }
@@ -274,39 +277,6 @@ fn element<const N: usize>(name: &str, attributes: [(&str, String); N]) -> Eleme
         element.assign(name, value);
     }
     element
-}
-
-/// An element around a user's text.
-fn text_element(name: &str, content: &str) -> Element {
-    let mut element = Element::new(name);
-    element.append(TextNode::new(clean(content)));
-    element
-}
-
-/// The text without the characters that XML does not allow.
-pub(super) fn clean(text: &str) -> String {
-    text.chars()
-        .filter_map(|letter| match letter {
-            '\t' | '\n' | '\r' => Some(' '),
-            '\u{FFFE}' | '\u{FFFF}' => None,
-            letter if letter.is_control() => None,
-            letter => Some(letter),
-        })
-        .collect()
-}
-
-pub(super) fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            letter => escaped.push(letter),
-        }
-    }
-    escaped
 }
 
 #[cfg(test)]

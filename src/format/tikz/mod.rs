@@ -1,5 +1,6 @@
 use super::number::number;
 use crate::drawing::{Anchor, Colour, Drawing, Look, Mark, PlacedText, Shape};
+use crate::text::tex_comment;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -67,9 +68,9 @@ fn fits(shape: &Shape) -> bool {
 /// all figures.
 fn head(drawing: &Drawing) -> String {
     let mut head = String::new();
-    for text in [&drawing.title, &drawing.description] {
-        if !text.is_empty() {
-            let _ = writeln!(head, "% {}", comment(text));
+    for text in [drawing.title.for_tex_comment(), tex_comment(&drawing.description)] {
+        if !text.trim().is_empty() {
+            let _ = writeln!(head, "% {text}");
         }
     }
     head.push_str(ABOUT);
@@ -124,12 +125,6 @@ const SHARED: &str = r"\providecommand\kinegonstyle[2]{\pgfkeysifdefined{/tikz/k
 /// label, which is kept free.
 const SLACK: f64 = 0.15;
 
-/// A text on one line, for a comment.
-fn comment(text: &str) -> String {
-    let plain = |letter: char| if letter.is_control() { ' ' } else { letter };
-    text.chars().map(plain).collect()
-}
-
 /// Writes a mark; or, with `halo`, the line in the background's colour around the letters of a text.
 fn write_mark(file: &mut String, drawing: &Drawing, mark: &Mark, halo: bool) {
     let (name, look) = (name(drawing, mark), drawing.look(mark));
@@ -148,7 +143,7 @@ fn write_mark(file: &mut String, drawing: &Drawing, mark: &Mark, halo: bool) {
         shape => write_line(file, &name, &look, shape),
     }
     if let (Some(id), false) = (&mark.id, halo) {
-        let _ = write!(file, " % {}", comment(id));
+        let _ = write!(file, " % {}", tex_comment(id));
     }
     file.push('\n');
 }
