@@ -1,7 +1,7 @@
 use super::start::{stands, start};
 use super::{CycleError, Position};
 use crate::geometry::{OneByOne, Pair, UNIT_ROUNDOFF};
-use crate::kernel::{InputKind, Kernel, Single, Unknown, unit};
+use crate::kernel::{InputKind, Kernel, Single, Unknown};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 
@@ -43,9 +43,6 @@ pub struct Mover<'a> {
     block: Single,
     /// The drives' values at the present position.
     drives: Vec<f64>,
-    /// The same during a move, and at its start.
-    goal: Vec<f64>,
-    from: Vec<f64>,
     /// Directions of classes and positions of sliders at the start of a move.
     turns: Vec<[[f64; 1]; 2]>,
     slides: Vec<[f64; 1]>,
@@ -74,8 +71,6 @@ impl<'a> Mover<'a> {
         }
         let mut mover = Mover {
             mechanism,
-            goal: drives.clone(),
-            from: drives.clone(),
             drives,
             turns: block.turns.clone(),
             slides: block.slides.clone(),
@@ -84,6 +79,9 @@ impl<'a> Mover<'a> {
             block,
             kernel,
         };
+        for (index, input) in mover.kernel.inputs.iter().enumerate() {
+            mover.kernel.set_rates(&mut mover.block, index, input.rate, input.second);
+        }
         mover.rates();
         mover.refresh();
         Ok(mover)
@@ -104,8 +102,9 @@ impl<'a> Mover<'a> {
 
     /// Moves the drives to these values, all in proportion, and gives the position there as [`Self::position`] does.
     ///
-    /// A crank goes the shorter way round. `None` where the way leads through a singular position (a limit or a change
-    /// point) or nearer to one than can be told, or where a value is no number: the mechanism then stays where it was.
+    /// A crank goes the shorter way round, or if that is barred the other one, as the numbers say. `None` where the way
+    /// leads through a singular position (a limit or a change point) or nearer to one than can be told, or where a
+    /// value is no number: the mechanism then stays where it was.
     ///
     /// # Panics
     /// There are not as many values as drives.
@@ -114,25 +113,35 @@ impl<'a> Mover<'a> {
         assert_eq!(values.len(), self.drives.len(), "each drive needs its value");
         self.turns.copy_from_slice(&self.block.turns);
         self.slides.copy_from_slice(&self.block.slides);
-        self.from.copy_from_slice(&self.drives);
-        let found = PIECES.into_iter().any(|pieces| self.go(values, pieces));
-        found.then(|| self.position())
+        let reached = PIECES.into_iter().any(|pieces| self.go(values, pieces, shorter))
+            || PIECES.into_iter().any(|pieces| self.go(values, pieces, |degrees| degrees));
+        if !reached {
+            return None;
+        }
+        for (drive, value) in self.drives.iter_mut().zip(values) {
+            *drive = *value;
+        }
+        Some(self.position())
     }
 
-    /// Goes to these values in so many pieces; if one fails, back to the start of the move.
+    /// Goes to these values in so many pieces, cranks by the angles that `way` makes of differences; if a piece fails,
+    /// back to the start of the move.
     #[inline]
-    fn go(&mut self, values: &[f64], pieces: u32) -> bool {
+    fn go(&mut self, values: &[f64], pieces: u32, way: impl Fn(f64) -> f64) -> bool {
         for piece in 1..=pieces {
             let part = f64::from(piece) / f64::from(pieces);
+            let mut last = 0.0;
             for (drive, value) in values.iter().enumerate() {
-                let from = self.from[drive];
+                let from = self.drives[drive];
                 let whole = match self.kernel.inputs[drive].kind {
-                    InputKind::Turning { .. } => shorter(value - from),
+                    InputKind::Turning { .. } => way(value - from),
                     InputKind::Sliding { .. } => value - from,
                 };
-                self.goal[drive] = if piece == pieces { *value } else { from + part * whole };
+                last = whole / f64::from(pieces);
+                let now = if piece == pieces { *value } else { from + part * whole };
+                self.kernel.set_input(OneByOne, &mut self.block, drive, &[now]);
             }
-            if !self.step() {
+            if !self.step(last) {
                 self.go_back();
                 return false;
             }
@@ -140,19 +149,16 @@ impl<'a> Mover<'a> {
         true
     }
 
-    /// One step to the goal, in which no group may come to another branch.
+    /// One step to where the drives have been set, of which the last has changed by so much; no group may come to another
+    /// branch.
     #[inline]
-    fn step(&mut self) -> bool {
-        self.carry_on();
-        for (input, value) in self.goal.iter().enumerate() {
-            self.kernel.set_input(OneByOne, &mut self.block, input, &[*value]);
-        }
+    fn step(&mut self, change: f64) -> bool {
+        self.carry_on(change);
         let found = self.kernel.assemble(OneByOne, &mut self.block, self.sure);
         if !(found.closed && found.first <= OFF) {
             return false;
         }
         self.rates();
-        self.drives.copy_from_slice(&self.goal);
         let is_on_branch = self.is_on_branch();
         if is_on_branch && self.has_changed() {
             // Equations less sharp than they were want a smaller last correction.
@@ -164,18 +170,17 @@ impl<'a> Mover<'a> {
         is_on_branch
     }
 
-    /// Carries the unknowns on to the goal by their rates, to second order: x + x' q + x'' q²/2 with the drive's change
+    /// Carries the unknowns on by their rates, to second order: x + x' q + x'' q²/2 with the drive's change
     /// q and derivatives by the drive. Only where a single drive moves in the scene; else Newton's method starts at the
     /// present position.
     #[inline]
-    fn carry_on(&mut self) {
+    fn carry_on(&mut self, change: f64) {
         let [input] = &self.kernel.inputs[..] else { return };
         if input.rate == 0.0 {
             return;
         }
-        let change = self.goal[0] - self.drives[0];
         let change = match input.kind {
-            InputKind::Turning { .. } => shorter(change).to_radians(),
+            InputKind::Turning { .. } => change.to_radians(),
             InputKind::Sliding { .. } => change,
         };
         let (time, lag) = (change / input.rate, input.second / input.rate);
@@ -187,7 +192,7 @@ impl<'a> Mover<'a> {
                     let angle = time * (omega + 0.5 * time * (alpha - omega * lag));
                     let [[x], [y]] = block.turns[class];
                     let turned = Pair { x, y }.plus_turned(Pair { x, y }, angle);
-                    let turned = unit(turned * (1.0 / turned.dot(turned).sqrt()));
+                    let turned = turned * (1.0 / turned.dot(turned).sqrt());
                     block.turns[class] = [[turned.x], [turned.y]];
                 }
                 Unknown::Slide(slider) => {
@@ -200,9 +205,6 @@ impl<'a> Mover<'a> {
 
     #[inline]
     fn rates(&mut self) {
-        for (index, input) in self.kernel.inputs.iter().enumerate() {
-            self.kernel.set_rates(&mut self.block, index, input.rate, input.second);
-        }
         self.kernel.rates(OneByOne, &mut self.block);
     }
 
@@ -241,7 +243,9 @@ impl<'a> Mover<'a> {
     /// Goes back to the start of the move.
     #[cold]
     fn go_back(&mut self) {
-        self.drives.copy_from_slice(&self.from);
+        for (input, value) in self.drives.iter().enumerate() {
+            self.kernel.set_input(OneByOne, &mut self.block, input, &[*value]);
+        }
         self.block.turns.copy_from_slice(&self.turns);
         self.block.slides.copy_from_slice(&self.slides);
         self.kernel.assemble(OneByOne, &mut self.block, 0.0);
