@@ -46,6 +46,9 @@ pub struct Mover<'a> {
     /// Directions of classes and positions of sliders at the start of a move.
     turns: Vec<[[f64; 1]; 2]>,
     slides: Vec<[f64; 1]>,
+    /// Second derivatives of the unknowns by time at the step before, and that step's time; zero if there was none.
+    seconds: Vec<f64>,
+    time: f64,
     /// By group: the determinant for which `sure` holds.
     determinants: Vec<f64>,
     /// Largest correction after which a Newton step leaves only rounding.
@@ -74,6 +77,8 @@ impl<'a> Mover<'a> {
             drives,
             turns: block.turns.clone(),
             slides: block.slides.clone(),
+            seconds: vec![0.0; kernel.unknowns.iter().flatten().count()],
+            time: 0.0,
             determinants: vec![f64::NAN; determinants.len()],
             sure: 0.0,
             block,
@@ -170,9 +175,10 @@ impl<'a> Mover<'a> {
         is_on_branch
     }
 
-    /// Carries the unknowns on by their rates, to second order: x + x' q + x'' q²/2 with the drive's change
-    /// q and derivatives by the drive. Only where a single drive moves in the scene; else Newton's method starts at the
-    /// present position.
+    /// Carries the unknowns on by their rates, to third order in the time that the drive takes at its speed in the scene:
+    /// the third derivative is the second one's difference since the step before. So small steps along one way need a
+    /// single Newton step. Only where a single drive moves in the scene; else Newton's method starts at the present
+    /// position.
     #[inline]
     fn carry_on(&mut self, change: f64) {
         let [input] = &self.kernel.inputs[..] else { return };
@@ -184,21 +190,31 @@ impl<'a> Mover<'a> {
             InputKind::Sliding { .. } => change,
         };
         let (time, lag) = (change / input.rate, input.second / input.rate);
+        // After a step that was much shorter the difference would be rounding.
+        let is_like = self.time != 0.0 && time.abs() <= 4.0 * self.time.abs();
+        let third = if is_like { time / (3.0 * self.time) } else { 0.0 };
+        self.time = time;
         let block = &mut self.block;
-        for unknown in self.kernel.unknowns.iter().flatten() {
+        let unknowns = self.kernel.unknowns.iter().flatten();
+        for (unknown, before) in unknowns.zip(&mut self.seconds) {
+            let (rate, second) = match *unknown {
+                Unknown::Spin(class) => (block.omegas[class][0], block.alphas[class][0]),
+                Unknown::Slide(slider) => (block.speeds[slider][0], block.accelerations[slider][0]),
+            };
+            // As for a drive without acceleration.
+            let second = second - rate * lag;
+            let step = time * (rate + 0.5 * time * (second + third * (second - *before)));
+            *before = second;
             match *unknown {
                 Unknown::Spin(class) => {
-                    let ([omega], [alpha]) = (block.omegas[class], block.alphas[class]);
-                    let angle = time * (omega + 0.5 * time * (alpha - omega * lag));
                     let [[x], [y]] = block.turns[class];
-                    let turned = Pair { x, y }.plus_turned(Pair { x, y }, angle);
+                    // The tangent, to third order.
+                    let tangent = step * (1.0 + step * step / 3.0);
+                    let turned = Pair { x, y }.plus_turned(Pair { x, y }, tangent);
                     let turned = turned * (1.0 / turned.dot(turned).sqrt());
                     block.turns[class] = [[turned.x], [turned.y]];
                 }
-                Unknown::Slide(slider) => {
-                    let ([speed], [second]) = (block.speeds[slider], block.accelerations[slider]);
-                    block.slides[slider][0] += time * (speed + 0.5 * time * (second - speed * lag));
-                }
+                Unknown::Slide(slider) => block.slides[slider][0] += step,
             }
         }
     }
@@ -248,6 +264,7 @@ impl<'a> Mover<'a> {
         }
         self.block.turns.copy_from_slice(&self.turns);
         self.block.slides.copy_from_slice(&self.slides);
+        self.time = 0.0;
         self.kernel.assemble(OneByOne, &mut self.block, 0.0);
         self.rates();
         self.refresh();
