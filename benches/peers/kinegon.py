@@ -11,6 +11,8 @@ BENCHES = [
     ("paper", "Kinegon: many, all links", "batch_of_links/2/paper", 32_000),
     ("paper", "Kinegon: many, with all joints", "batch_with_joints/2/paper", 32_000),
     ("paper", "Kinegon: one by one", "thousand/2/paper", 1000),
+    ("paper", "Kinegon: one after another, wherever the drive goes", "one_after_another/mover", 2000),
+    ("paper", "Rust, for this mechanism alone: one after another", "one_after_another/by-hand", 2000),
     ("paper, v and a alone", "Kinegon: many, all links", "batch_of_links/1/paper", 32_000),
     ("paper, v and a alone", "Kinegon: one by one", "thousand/1/paper", 1000),
     ("four-bar", "Kinegon: many, all links", "batch_of_links/2/four-bar", 32_000),

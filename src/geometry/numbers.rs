@@ -88,10 +88,11 @@ pub fn direction_near<T: Number>(degrees: T, quarters: f64) -> Pair<T> {
     let (one, half) = (number(1.0), z * number(0.5));
     let whole = one - half;
     let cosine = whole + ((one - whole) - half).plus_product(z * z, tail);
-    let (x, y) = match quarters.rem_euclid(4.0) {
-        0.0 => (cosine, sine),
-        1.0 => (-sine, cosine),
-        2.0 => (-cosine, -sine),
+    // Whole turns are taken off as in two's complement.
+    let (x, y) = match quarters as i64 & 3 {
+        0 => (cosine, sine),
+        1 => (-sine, cosine),
+        2 => (-cosine, -sine),
         _ => (sine, -cosine),
     };
     Pair { x, y }

@@ -53,6 +53,10 @@ pub(super) struct Chain {
     pub members: Vec<Member>,
     /// The sliders in the loop.
     pub rails: Vec<Rail>,
+    /// Its first column. Those of the members stand first, then those of the rails, in the same order as these.
+    pub first: usize,
+    /// Whether it has a member whose rotation is known, or a driven slider.
+    pub has_known: bool,
     /// By unknown: its column; [`ZERO`] where the loop does not contain it.
     pub columns: Vec<usize>,
 }
@@ -140,6 +144,14 @@ impl ReducedColumns {
             }
             _ => None,
         }
+    }
+}
+
+impl Chain {
+    /// The columns of the loop's members, and those of its rails.
+    #[inline(always)]
+    pub fn own<'a, T>(&self, columns: &'a [T]) -> (&'a [T], &'a [T]) {
+        columns[self.first..].split_at(self.members.len())
     }
 }
 

@@ -20,9 +20,12 @@ const SMALL: f64 = 1e-3;
 pub struct Correction {
     /// The largest first correction, in radians or parts of the group's size: the error of the start.
     pub first: f64,
+    /// The largest last one: what was left before the last step.
+    pub last: f64,
     /// Whether every loop closed to rounding.
     pub closed: bool,
-    /// The error estimated to remain after the first correction, in units of rounding.
+    /// The error estimated to remain after the first correction, in units of rounding; only where nothing is `sure`,
+    /// else zero.
     pub doubt: f64,
 }
 
@@ -56,17 +59,18 @@ impl Kernel {
     ///
     /// The matrix is that of the velocity equations, so a position is as exact as the condition of its velocities
     /// allows. The start must be near: where a first correction exceeds half a radian or half the group's size, or
-    /// corrections do not decrease, the loops count as not closed. After a first correction of at most `sure`, in
-    /// radians or parts of a group's size, no further step is made.
+    /// corrections do not decrease, the loops count as not closed. After a correction of at most `sure`, in radians or
+    /// parts of a group's size, no further step is made; with zero, what a step leaves is estimated each time.
     #[inline(always)]
     pub fn assemble<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, sure: f64) -> Correction {
-        let mut worst = Correction { first: 0.0, closed: true, doubt: 0.0 };
+        let mut worst = Correction { first: 0.0, last: 0.0, closed: true, doubt: 0.0 };
         for action in &self.actions {
             match action {
                 Action::Place(placing) => place(lanes, block, placing),
                 Action::Close(closing) => {
                     let found = close(lanes, block, closing, sure);
                     worst.first = worst.first.max(found.first);
+                    worst.last = worst.last.max(found.last);
                     worst.doubt = worst.doubt.max(found.doubt);
                     worst.closed &= found.closed;
                     if !worst.closed {
@@ -121,6 +125,21 @@ impl Kernel {
         })
     }
 
+    /// 1 over the determinant of a group's equations as they have been factored last.
+    #[inline(always)]
+    pub(crate) fn inverse_determinant(&self, block: &Single, group: usize) -> f64 {
+        let system = &block.systems[group];
+        match system.general.first() {
+            Some(general) => general.as_ref().map_or(f64::INFINITY, |general| 1.0 / general.determinant()),
+            None => system.inverse_determinant[0],
+        }
+    }
+
+    /// A group's determinant and the square of Hadamard's ratio, as in [`Self::determinants`].
+    pub(crate) fn determinant(&self, block: &Single, group: usize) -> [f64; 2] {
+        self.closing(group).map_or([0.0; 2], |closing| determinant(block, closing, 0))
+    }
+
     /// By group: the determinant of its equations, which changes its sign where two branches meet, and the square of
     /// Hadamard's ratio, between 0 in a singular position and 1.
     #[must_use]
@@ -167,47 +186,45 @@ fn larger_or_nan(a: f64, b: f64) -> f64 {
     if b <= a || a.is_nan() { a } else { b }
 }
 
-/// Closes one group by Newton's method.
+/// Closes one group by Newton's method, until only rounding remains.
 #[inline(always)]
 fn close<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, sure: f64) -> Correction {
-    turn_columns(lanes, block, closing);
-    solve::<_, _, true>(lanes, block, closing);
-    let first = longest_correction(lanes, block, closing);
-    if first <= sure {
-        correct(lanes, block, closing, Size::Tiny);
-        correct_columns(lanes, block, closing);
-        return Correction { first, closed: true, doubt: 0.0 };
-    }
-    close_by_steps(lanes, block, closing)
-}
-
-/// Further Newton steps until only rounding remains; the first correction has been computed.
-#[inline(always)]
-fn close_by_steps<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) -> Correction {
     let mut before = f64::INFINITY;
     let mut start: Option<[f64; 2]> = None;
     for _ in 0..STEPS {
+        turn_columns(lanes, block, closing);
+        solve::<_, _, true>(lanes, block, closing);
+        let longest = longest_correction(lanes, block, closing);
+        if longest <= sure {
+            correct(lanes, block, closing, Size::Tiny);
+            correct_columns(lanes, block, closing);
+            let [first, doubt] = start.unwrap_or([longest, 0.0]);
+            return Correction { first, last: longest, closed: true, doubt };
+        }
+        if sure > 0.0 && longest <= 0.5 * before.min(2.0 * NEAR_START) {
+            start.get_or_insert([longest, 0.0]);
+            correct(lanes, block, closing, Size::of(longest));
+            before = longest;
+            continue;
+        }
         let largest = largest_correction(block, closing);
         // A Newton step leaves the square of the error divided by the sharpness; compared with rounding.
         let doubt = largest * largest / (least_squared_sharpness(block, closing).sqrt() * UNIT_ROUNDOFF);
-        let [first, first_doubt] = start.unwrap_or([largest, doubt]);
-        let found = |closed| Correction { first, closed, doubt: first_doubt };
         let is_far = start.is_none() && largest > NEAR_START;
         let is_stuck = largest > 0.5 * before;
+        let [first, first_doubt] = *start.get_or_insert([largest, doubt]);
+        let found = |closed| Correction { first, last: largest, closed, doubt: first_doubt };
         if doubt.is_nan() || is_far || (is_stuck && doubt > 1e3) {
             return found(false);
         }
-        let size = if largest < SMALL { Size::Small } else { Size::Large };
-        correct(lanes, block, closing, size);
-        turn_columns(lanes, block, closing);
+        correct(lanes, block, closing, Size::of(largest));
         if doubt <= 0.25 || is_stuck {
+            turn_columns(lanes, block, closing);
             return found(true);
         }
-        start = Some([first, first_doubt]);
         before = largest;
-        solve::<_, _, true>(lanes, block, closing);
     }
-    Correction { first: f64::INFINITY, closed: false, doubt: f64::INFINITY }
+    Correction { first: f64::INFINITY, last: f64::INFINITY, closed: false, doubt: f64::INFINITY }
 }
 
 /// The largest norm of a position's correction, as a vector of angles in radians and slides in parts of the group's
@@ -238,23 +255,25 @@ fn longest_correction<L: Lanes, R: Row>(lanes: L, block: &Block<R>, closing: &Cl
 }
 
 /// The largest component of a correction in the block, in radians or parts of the group's largest vector.
+#[inline(always)]
 fn largest_correction<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
+    let largest = |largest: f64, row: &R| row.as_ref().iter().fold(largest, |l, x| larger_or_nan(l, x.abs()));
     let (mut turns, mut slides): (f64, f64) = (0.0, 0.0);
     for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
-        let largest = match unknown {
-            Unknown::Spin(_) => &mut turns,
-            Unknown::Slide(_) => &mut slides,
-        };
-        let steps = steps.as_ref().iter().map(|step| step.abs());
-        *largest = steps.fold(*largest, larger_or_nan);
+        match unknown {
+            Unknown::Spin(_) => turns = largest(turns, steps),
+            Unknown::Slide(_) => slides = largest(slides, steps),
+        }
     }
     if slides == 0.0 {
         return turns;
     }
-    let members = closing.chains.iter().flat_map(|c| &c.members);
-    let members = members.map(|m| &block.columns[m.column]);
-    let components = members.flatten().flat_map(|row| row.as_ref());
-    let size = components.fold(closing.size, |size, x| size.max(x.abs()));
+    let mut size = closing.size;
+    for member in closing.chains.iter().flat_map(|c| &c.members) {
+        for row in &block.columns[member.column] {
+            size = row.as_ref().iter().fold(size, |size, x| size.max(x.abs()));
+        }
+    }
     larger_or_nan(turns, slides / size)
 }
 
@@ -272,6 +291,13 @@ pub(super) enum Size {
     /// Less than [`SMALL`].
     Small,
     Large,
+}
+
+impl Size {
+    #[inline(always)]
+    fn of(largest: f64) -> Size {
+        if largest < SMALL { Size::Small } else { Size::Large }
+    }
 }
 
 /// Adds the corrections to the unknowns.

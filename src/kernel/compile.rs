@@ -404,6 +404,7 @@ impl<'a> Compiler<'a> {
         // loop's end.
         let slides = |m: &Member| rails.iter().any(|r| r.class == m.class);
         members.retain(|m| m.local != Vector::zeros() || slides(m));
+        let first = self.kernel.columns;
         for member in &mut members {
             member.column = self.kernel.columns;
             self.kernel.columns += 1;
@@ -426,7 +427,8 @@ impl<'a> Compiler<'a> {
             }
         };
         let columns = closing.unknowns.iter().map(column).collect();
-        closing.chains.push(Chain { ends, members, rails, columns });
+        let has_known = members.iter().any(|m| m.spin.is_none()) || rails.iter().any(|r| r.slide.is_none());
+        closing.chains.push(Chain { ends, members, rails, first, has_known, columns });
     }
 
     /// Continues the walk over the driven sliders of a compound link to its body `to`.

@@ -95,17 +95,8 @@ fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closi
 fn velocity_sides<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     for (chain, rows) in closing.chains.iter().zip(&mut block.sides) {
         let mut side = Side::new(lanes, chain, &block.point_velocities);
-        for member in chain.members.iter() {
-            if member.spin.is_none() {
-                let omegas = &block.omegas[member.class];
-                side.subtract(&block.columns[member.column], omegas);
-            }
-        }
-        for rail in chain.rails.iter() {
-            if rail.slide.is_none() {
-                let speeds = &block.speeds[rail.slider];
-                side.subtract(&block.columns[rail.column], speeds);
-            }
+        if chain.has_known {
+            side.subtract_known(chain, &block.columns, &block.omegas, &block.speeds);
         }
         side.store(rows);
     }
@@ -116,17 +107,15 @@ fn velocity_sides<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Cl
 fn acceleration_sides<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     for (chain, rows) in closing.chains.iter().zip(&mut block.sides) {
         let mut side = Side::new(lanes, chain, &block.point_accelerations);
-        for member in chain.members.iter() {
-            let column = &block.columns[member.column];
-            side.add_normal(column, &block.omegas[member.class]);
+        let (arms, guides) = chain.own(&block.columns);
+        for (member, arm) in chain.members.iter().zip(arms) {
+            side.add_normal(arm, &block.omegas[member.class]);
             if member.spin.is_none() {
-                side.subtract(column, &block.alphas[member.class]);
+                side.subtract(arm, &block.alphas[member.class]);
             }
         }
-        for rail in chain.rails.iter() {
-            let guide = &block.columns[rail.column];
-            let omegas = &block.omegas[rail.class];
-            side.subtract_coriolis(guide, omegas, &block.speeds[rail.slider]);
+        for (rail, guide) in chain.rails.iter().zip(guides) {
+            side.subtract_coriolis(guide, &block.omegas[rail.class], &block.speeds[rail.slider]);
             if rail.slide.is_none() {
                 side.subtract(guide, &block.accelerations[rail.slider]);
             }
@@ -169,6 +158,22 @@ impl<L: Lanes, R: Row> Side<L, R> {
         for k in portions::<L, R>() {
             let column = self.lanes.pair(column, k);
             self.sums[k] = self.sums[k].minus_scaled(column, self.lanes.load(rates, k));
+        }
+    }
+
+    /// − c x of the members whose rotation is known and of the known slides.
+    #[inline(always)]
+    fn subtract_known(&mut self, chain: &Chain, columns: &[[R; 2]], omegas: &[R], speeds: &[R]) {
+        let (arms, guides) = chain.own(columns);
+        for (member, arm) in chain.members.iter().zip(arms) {
+            if member.spin.is_none() {
+                self.subtract(arm, &omegas[member.class]);
+            }
+        }
+        for (rail, guide) in chain.rails.iter().zip(guides) {
+            if rail.slide.is_none() {
+                self.subtract(guide, &speeds[rail.slider]);
+            }
         }
     }
 

@@ -6,6 +6,7 @@ mod drives;
 mod ends;
 mod four_bars;
 mod many;
+mod mover;
 mod paper;
 mod rates;
 mod table;

@@ -1,9 +1,12 @@
 //! Times of the stages: `cargo bench`. Times differ between machines; quote ratios of one run.
 
+mod by_hand;
+
+use by_hand::ByHand;
 use divan::{Bencher, black_box};
 use kinegon::check::{AnswerKey, LATITUDE, Measured, check};
 use kinegon::construction::{Extent, SheetScales, Tolerance, construct};
-use kinegon::cycle::{Drive, Path, Steps, Sweep, Walker};
+use kinegon::cycle::{Drive, Mover, Path, Steps, Sweep, Walker};
 use kinegon::geometry::{MANY, Many};
 use kinegon::mechanism::Mechanism;
 use kinegon::motion::{Order, motion};
@@ -12,8 +15,8 @@ use kinegon::quantity::{Asked, pencil, read_by_hand, readable_names};
 use kinegon::scene::Scene;
 use kinegon::{Solution, solve};
 
-const FIGURE_1: &str = include_str!("../examples/figure-1.json");
-const FIGURE_2: &str = include_str!("../examples/figure-2.json");
+const FIGURE_1: &str = include_str!("../../examples/figure-1.json");
+const FIGURE_2: &str = include_str!("../../examples/figure-2.json");
 
 fn main() {
     divan::main();
@@ -29,8 +32,8 @@ fn solved(text: &str) -> Solution {
 
 /// Mechanisms of which many positions are computed: scene, and a range of the crank.
 const MOVED: [(&str, &str, [f64; 2]); 3] = [
-    ("four-bar", include_str!("../templates/four-bar.json"), [0.0, 360.0]),
-    ("six-bar", include_str!("../templates/watt-1.json"), [0.0, 360.0]),
+    ("four-bar", include_str!("../../templates/four-bar.json"), [0.0, 360.0]),
+    ("six-bar", include_str!("../../templates/watt-1.json"), [0.0, 360.0]),
     ("paper", FIGURE_2, [-135.0, 135.0]),
 ];
 
@@ -64,6 +67,36 @@ fn thousand<const WHICH: usize>(bencher: Bencher, which: &str) {
                 "position" => _ = black_box(walker.positions(value)),
                 "rates" => _ = black_box(walker.rates()),
                 _ => _ = black_box(walker.motions(value)),
+            }
+        }
+    });
+}
+
+/// Two thousand positions of the paper's mechanism with rates of all links, each from the one before: along a path that has been
+/// followed, wherever the drive goes, and by a program for this mechanism alone. Kinegon's have all joints, too.
+#[divan::bench(args = ["path", "mover", "by-hand"])]
+fn one_after_another(bencher: Bencher, who: &str) {
+    let Solution { mechanism, pose, .. } = solved(FIGURE_2);
+    let path = path(&mechanism, &pose, [-135.0, 135.0]);
+    let there_and_back = (0..1000).chain((0..1000).rev());
+    let values: Vec<[f64; 1]> = there_and_back.map(|i| [-135.0 + 0.27 * f64::from(i)]).collect();
+    let mut walker = path.walker();
+    let mut mover = Mover::new(&mechanism, &pose).expect("it is not singular");
+    let mut by_hand = ByHand::new();
+    by_hand.check();
+    for i in 0..2050 {
+        by_hand.go_to(70.0 - 0.1 * f64::from(i));
+        mover.move_to(&[by_hand.degrees]).expect("it goes there");
+    }
+    bencher.bench_local(|| {
+        for value in black_box(&values) {
+            match who {
+                "path" => _ = black_box(walker.motions(value)),
+                "mover" => _ = black_box(mover.move_to(value)),
+                _ => {
+                    by_hand.go_to(value[0]);
+                    _ = black_box(&by_hand);
+                }
             }
         }
     });
@@ -251,7 +284,7 @@ fn step_sheets_to_svg(bencher: Bencher) {
 #[divan::bench(args = [1, 2, 5])]
 fn check_a_drawing(bencher: Bencher, depth: usize) {
     let solution = solved(FIGURE_2);
-    let values = include_str!("../examples/paper-as-student.json");
+    let values = include_str!("../../examples/paper-as-student.json");
     let measured = Measured::read_json(values).expect("a good form");
     let key = AnswerKey {
         solution: &solution,
