@@ -14,7 +14,7 @@ use crate::scene::{GivenBy, Near};
 const MOST_LISTED: usize = 4096;
 
 /// Most work, as [`Tree::work`] counts it, for the number of all assemblies: that of a chain of 18 dyads or more.
-const MOST_WORK: usize = 40_000_000;
+const MOST_WORK: usize = 20_000_000;
 
 /// The same for a number that only stands in a warning.
 const LITTLE_WORK: usize = 2_000_000;

@@ -7,7 +7,7 @@ use crate::mechanism::{BodyId, PointId};
 
 /// Most work, as [`Tree::work`] counts it, before the nearest assembly found so far is taken without a proof: that of
 /// trying all assemblies of a chain of 18 dyads.
-const MOST_WORK: usize = 30_000_000;
+const MOST_WORK: usize = 12_000_000;
 
 /// The assembly nearest to the rough places.
 pub(super) struct Nearest {
