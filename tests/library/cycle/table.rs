@@ -5,6 +5,7 @@ use super::{followed, path, posed, scenes};
 use kinegon::cycle::{CycleError, Path, Steps, Sweep};
 use kinegon::format;
 use kinegon::quantity::{QuantityError, State};
+use kinegon::scene::Scene;
 
 const FIGURE_2: &str = include_str!("../../../examples/figure-2.json");
 
