@@ -33,7 +33,7 @@ fn place(panel: usize, condition: f64, error: f64) -> Point {
 /// The picture.
 pub fn picture(survey: &Survey, lengths: &Lengths) -> Drawing {
     let mut drawing = Drawing::new(SHEET[0], SHEET[1]);
-    drawing.title = "Error against condition".to_owned();
+    drawing.title = "Error against condition".into();
     drawing.description = "Errors of velocities and accelerations against the condition number, both logarithmic: \
                            where positions are given, and where they are found from lengths."
         .to_owned();

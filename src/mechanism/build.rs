@@ -5,7 +5,7 @@ use super::placing::placing;
 use super::radians::radians_warnings;
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
-use super::{Body, BodyId, Group, JointId, Mechanism, PointId, Role, StructureError};
+use super::{Body, BodyId, Group, JointId, LoopEquations, Mechanism, PointId, Role, StructureError};
 use crate::geometry::Point;
 use crate::scene::{GivenBy, Scene};
 use indexmap::IndexMap;
@@ -87,7 +87,7 @@ pub(super) fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>,
         let links: Vec<BodyId> = component.links.iter().map(|&i| members[i]).collect();
         let joints: Vec<JointId> = component.joints.iter().map(|&j| JointId(j)).collect();
         let group = group(mechanism, &links, &joints);
-        if group.is_singular_by_structure(mechanism) {
+        if group.is_singular_by_structure(mechanism) || !LoopEquations::new(mechanism, &group).is_square() {
             return Err(StructureError::Singular {
                 links: group.link_names(mechanism),
                 class: group.class.numeral(),

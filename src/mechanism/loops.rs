@@ -195,6 +195,12 @@ impl LoopEquations {
         2 * self.loops.len() + self.ties.len()
     }
 
+    /// Whether there are as many equations as unknowns; else the group is singular in every position.
+    #[must_use]
+    pub fn is_square(&self) -> bool {
+        self.count() == self.unknowns
+    }
+
     /// The matrix for these places of the points and unit directions of the guides, in the fixed frame.
     #[must_use]
     pub fn matrix(&self, points: &[Point], guides: &[Vector]) -> DMatrix<f64> {
@@ -220,8 +226,7 @@ impl LoopEquations {
     /// That matrix, factored; `None` if it is exactly singular, or not square as in a group singular by structure.
     #[must_use]
     pub fn factored(&self, points: &[Point], guides: &[Vector]) -> Option<LinearSystem> {
-        let square = self.count() == self.unknowns;
-        LinearSystem::new(square.then(|| self.matrix(points, guides))?)
+        LinearSystem::new(self.is_square().then(|| self.matrix(points, guides))?)
     }
 }
 

@@ -23,6 +23,7 @@ impl Random {
     }
 
     /// From `low` to `high`.
+    #[allow(dead_code, reason = "the example speed_vs_error needs no such number")]
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
