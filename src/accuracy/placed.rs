@@ -33,8 +33,8 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    /// The true places near `pose`; `None` where they cannot be bounded: next to a limit position, or where numbers
-    /// leave the range of f64.
+    /// The true places near `pose`; with infinite bounds for groups where none can be given: next to a limit position,
+    /// or where numbers leave the range of f64. `None` where a drive has no position.
     pub fn new(given: &Given<'_>, pose: &Pose) -> Option<Placed> {
         if given.is_by_lengths() { Finder::new(*given, pose).placed() } else { Some(Placed::drawn(given)) }
     }
@@ -102,7 +102,9 @@ impl<'a> Finder<'a> {
             self.settle((id, frame), id, &mut Vec::new());
         }
         for group in &self.mechanism.groups {
-            self.find(group)?;
+            if self.find(group).is_none() {
+                self.give_up(group);
+            }
         }
         let points = self.points();
         Some(Placed {
@@ -186,6 +188,20 @@ impl<'a> Finder<'a> {
             self.correct(&equations, &mut spins, &correction);
         }
         None
+    }
+
+    /// Leaves a group, and all that hangs on it, without bounds.
+    fn give_up(&mut self, group: &Group) {
+        let equations = LoopEquations::new(self.mechanism, group);
+        let unknown = Pair::default().widened(f64::INFINITY);
+        for body in &group.bodies {
+            self.frames[body.0] = Some(Frame { turn: unknown, origin: unknown });
+        }
+        for id in self.mechanism.slider_ids() {
+            if equations.slide_unknown(id).is_some() {
+                self.slides[id.0] = self.slides[id.0].widened(f64::INFINITY);
+            }
+        }
     }
 
     /// Cosine and sine of an unknown angle in the pose; none for a slide.

@@ -50,14 +50,24 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
     }
 }
 
-/// All motions with bounds of their errors, before rounding; `None` where a group is singular within the bounds of the
-/// places, or numbers leave the range of f64.
-pub(crate) fn bounded_motion(mechanism: &Mechanism, places: &impl Places, order: Order) -> Option<State> {
+/// All motions with bounds of their errors, before rounding; with infinite bounds for a group that is singular within
+/// the bounds of the places, or whose numbers leave the range of f64.
+pub(crate) fn bounded_motion(mechanism: &Mechanism, places: &impl Places, order: Order) -> State {
     let mut state = known_state(mechanism, places);
     for group in &mechanism.groups {
-        move_group(mechanism, group, places, order, &mut state).ok()?;
+        if move_group(mechanism, group, places, order, &mut state).is_err() {
+            let equations = LoopEquations::new(mechanism, group);
+            let unknown = Ball::default().widened(f64::INFINITY);
+            for body in &group.bodies {
+                (state.bodies[body.0].omega, state.bodies[body.0].alpha) = (unknown, unknown);
+            }
+            for id in mechanism.slider_ids().filter(|&id| equations.slide_unknown(id).is_some()) {
+                state.slides[id.0] = BoundedSlide { velocity: unknown, acceleration: unknown };
+            }
+            set_reference_motions(mechanism, group, places, &mut state);
+        }
     }
-    Some(state)
+    state
 }
 
 /// The motions that the scene gives; rest for all others.

@@ -326,7 +326,7 @@ mod tests {
         Scene::read(&scene.to_string()).expect("a scene")
     }
 
-    /// Each group is put down once: two modes, each closed from one start.
+    /// Each group is put down once: two modes, each closed from one start. Where `near` is rough, some again.
     #[test]
     fn the_work_grows_with_the_number_of_groups() {
         for (dyads, noise) in [(20, 0.0), (200, 0.0), (200, 4.0)] {
@@ -337,7 +337,8 @@ mod tests {
             let found = nearest(&mut tree, &rough).expect("it can be assembled");
             assert!(found.is_proven);
             let starts = tree.work() / mechanism.bodies.len();
-            assert!(starts <= 3 * dyads, "{starts} starts for {dyads} dyads");
+            let most = if noise == 0.0 { 3 } else { 8 };
+            assert!(starts <= most * dyads, "{starts} starts for {dyads} dyads");
         }
     }
 }

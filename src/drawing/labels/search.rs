@@ -20,9 +20,9 @@ const CLEARLY: f64 = 0.6;
 /// Most lines, and most other anchors, that count for a label: among more it cannot be read anyway.
 const MOST_AROUND: usize = 400;
 
-/// How many things each stage of a search may look at: some hundred times as many as any figure of a textbook needs,
-/// and less than a tenth of a second.
-const ENOUGH: usize = 500_000;
+/// How many things each stage of a search may look at: far more than a figure of a textbook needs, and less than three
+/// tenths of a second.
+const ENOUGH: usize = 2_000_000;
 
 /// All labels with their present places.
 pub(super) struct Search<'a> {
