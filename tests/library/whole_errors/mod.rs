@@ -28,6 +28,9 @@ fn count() -> u64 {
 /// The stated bound is at most this many errors, in the middle of all numbers.
 const WASTEFUL: f64 = 30.0;
 
+/// The two routes may differ by so many times as much as they do, in the middle of all groups.
+const GENEROUS: f64 = 2000.0;
+
 #[derive(Default)]
 struct Seen {
     /// Solved from lengths, and as drawn.
@@ -44,6 +47,8 @@ struct Seen {
     /// Bound over error.
     shares: Vec<f64>,
     digits: usize,
+    /// Difference that the two routes to a group's rates may have, over the difference that they have.
+    routes: Vec<f64>,
     failures: Vec<String>,
 }
 
@@ -60,6 +65,7 @@ impl Seen {
         self.exact += other.exact;
         self.shares.extend(other.shares);
         self.digits += other.digits;
+        self.routes.extend(other.routes);
         self.failures.extend(other.failures);
     }
 
@@ -113,10 +119,14 @@ impl Seen {
             self.digits,
             self.failures.len(),
         );
+        self.routes.sort_by(f64::total_cmp);
+        let routes = self.routes[self.routes.len() / 2];
+        println!("allowed over actual difference of the two routes: least {:.1}, median {routes:.0}", self.routes[0]);
         let failures = self.failures.len();
         self.failures.truncate(20);
         assert!(failures == 0, "{failures} failures\n{}", self.failures.join("\n"));
         assert!(median < WASTEFUL, "the bounds say too little: {median}");
+        assert!(self.routes[0] >= 1.0 && routes < GENEROUS, "the routes may differ by too much: {routes}");
         assert!(self.unbounded * 200 < self.numbers, "{} of {} numbers have no bound", self.unbounded, self.numbers);
     }
 }
@@ -258,6 +268,15 @@ fn compare(name: &str, scene: &Value, solution: &Solution, form: usize, seen: &m
         return;
     };
     seen.solved[form] += 1;
+    seen.routes.extend(
+        solution
+            .construction
+            .agreement
+            .iter()
+            .flatten()
+            .filter(|a| a.difference > 0.0)
+            .map(|a| a.allowed / a.difference),
+    );
     for group in &mechanism.groups {
         *seen.classes.entry(group.class.numeral().to_owned()).or_default() += 1;
     }
