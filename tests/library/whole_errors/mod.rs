@@ -28,6 +28,12 @@ fn count() -> u64 {
 /// The stated bound is at most this many errors, in the middle of all numbers.
 const WASTEFUL: f64 = 30.0;
 
+/// Few numbers are off by more than this part of themselves …
+const COARSE: f64 = 1e-9;
+
+/// … and none by this.
+const WRONG: f64 = 1e-3;
+
 /// The two routes may differ by so many times as much as they do, in the middle of all groups.
 const GENEROUS: f64 = 2000.0;
 
@@ -41,6 +47,8 @@ struct Seen {
     /// By class of group.
     classes: BTreeMap<String, usize>,
     numbers: usize,
+    /// Off by more than [`COARSE`].
+    coarse: usize,
     /// Without a bound.
     unbounded: usize,
     exact: usize,
@@ -61,6 +69,7 @@ impl Seen {
             *self.classes.entry(class).or_default() += count;
         }
         self.numbers += other.numbers;
+        self.coarse += other.coarse;
         self.unbounded += other.unbounded;
         self.exact += other.exact;
         self.shares.extend(other.shares);
@@ -77,6 +86,12 @@ impl Seen {
         }
         for (index, truth) in truths.iter().enumerate() {
             let error = error(value, truth);
+            // A stated error may be large, but not so large that the number is another one.
+            let part = error / (1.0 + rounded(truth).abs());
+            self.coarse += usize::from(part > COARSE);
+            if part > WRONG {
+                self.failures.push(format!("{} = {value:e}: truly {:e}", name(), rounded(truth)));
+            }
             // A number that the scene gives is printed as it is written: only its decimal is right.
             if bound == 0.0 && index == 1 {
                 continue;
@@ -110,9 +125,10 @@ impl Seen {
             self.solved, self.refused, self.untold, self.classes,
         );
         println!(
-            "{} numbers, {} without a bound, {} comparisons exact; bound / error: least {:.3}, median {median:.1}, 90 % below {:.0}; {} printed digits compared; {} failures",
+            "{} numbers, {} without a bound, {} coarse, {} comparisons exact; bound / error: least {:.3}, median {median:.1}, 90 % below {:.0}; {} printed digits compared; {} failures",
             self.numbers,
             self.unbounded,
+            self.coarse,
             self.exact,
             self.shares[0],
             self.shares[self.shares.len() * 9 / 10],
@@ -127,6 +143,7 @@ impl Seen {
         assert!(failures == 0, "{failures} failures\n{}", self.failures.join("\n"));
         assert!(median < WASTEFUL, "the bounds say too little: {median}");
         assert!(self.routes[0] >= 1.0 && routes < GENEROUS, "the routes may differ by too much: {routes}");
+        assert!(self.coarse * 1000 < self.numbers, "{} of {} numbers are coarse", self.coarse, self.numbers);
         assert!(self.unbounded * 200 < self.numbers, "{} of {} numbers have no bound", self.unbounded, self.numbers);
     }
 }
