@@ -75,7 +75,7 @@ impl ByHand {
     /// Near the position with the crank at 70°.
     pub fn new() -> ByHand {
         let unit = |degrees: f64| {
-            let (sine, cosine) = degrees.to_radians().sin_cos();
+            let (sine, cosine) = libm::sincos(degrees.to_radians());
             [cosine, sine]
         };
         let cosine = (GD * GD + GF * GF - DF * DF) / (2.0 * GD * GF);
@@ -99,7 +99,7 @@ impl ByHand {
         let ahead = |i: usize| time * (self.rates[i] + 0.5 * time * self.seconds[i]);
         let steps = [ahead(0), ahead(1), ahead(2), ahead(3)];
         self.carry(steps);
-        let (sine, cosine) = degrees.to_radians().sin_cos();
+        let (sine, cosine) = libm::sincos(degrees.to_radians());
         let b = [AB * cosine, AB * sine];
         loop {
             let equations = self.equations(b);

@@ -43,7 +43,8 @@ struct Seen {
 impl Grid {
     /// A grid without things over an area.
     pub(super) fn new(area: Rect) -> Self {
-        let count = |length: f64| (length / CELL).ceil().max(1.0).min(MOST);
+        // One for a length that is no number.
+        let count = |length: f64| if length.is_nan() { 1.0 } else { (length / CELL).ceil().clamp(1.0, MOST) };
         let (columns, rows) = (count(area.width()), count(area.height()));
         let cell = [(area.width() / columns).max(CELL), (area.height() / rows).max(CELL)];
         let (columns, rows) = (columns as usize, rows as usize);

@@ -12,7 +12,7 @@ pub const RADIANS_PER_SECOND: Ball =
 
 /// 2π in the same way.
 pub const RADIANS_PER_TURN: Ball =
-    Ball { high: 6.283_185_307_179_586, low: 2.449_293_598_294_706_4e-16, radius: 6e-33 };
+    Ball { high: std::f64::consts::TAU, low: 2.449_293_598_294_706_4e-16, radius: 6e-33 };
 
 /// Below this the rests of numbers lose digits.
 const SMALLEST: f64 = 1e-270;

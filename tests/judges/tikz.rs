@@ -216,7 +216,7 @@ fn every_figure_compiles_alone() {
 fn every_letter_that_is_no_outline_compiles() {
     let latin = ('!'..='~').chain('¡'..='ɏ');
     let others = "′″−×·±÷°²³¹⊥∥∠≈≠≤≥→←↔√∞∈¬“”‘’–—…".chars().chain('Ͱ'..='Ͽ');
-    let set = latin.chain(others).filter(|letter| latex(RichText::verbatim(&letter.to_string())) != "outlines");
+    let set = latin.chain(others).filter(|letter| latex(RichText::verbatim(letter.to_string())) != "outlines");
     let letters: Vec<char> = set.collect();
     assert!(letters.len() > 300, "{}", letters.len());
     let mut drawing = Drawing::new(297.0, 420.0);
