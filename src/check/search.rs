@@ -277,7 +277,7 @@ impl<'a> Search<'a> {
     /// The further mistakes at a candidate's place that concern a wanted value, each with its cost.
     fn further(&self, parent: &Parent<'_>, index: usize) -> Vec<(f64, New)> {
         let candidate = &self.pool[index];
-        let is_wanted = self.changed[index].iter().any(|&datum| parent.wanted[datum]);
+        let is_wanted = self.changed[index].iter().any(|&datum| parent.wanted.get(datum).is_some_and(|wanted| *wanted));
         if !is_wanted || !self.go_together(parent.indices, index) {
             return Vec::new();
         }

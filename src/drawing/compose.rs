@@ -113,8 +113,11 @@ pub(super) fn titled(scene: &Scene, dims: &Dims, words: &Wording, title: Untrust
     drawing
 }
 
-/// Writes the title above the panels, in a smaller size if it is too wide.
+/// Writes the title above the panels, in a smaller size if it is too wide; none where it is blank.
 pub(super) fn draw_title(drawing: &mut Drawing) {
+    if drawing.title.is_blank() {
+        return;
+    }
     let title = RichText::verbatim(&drawing.title);
     let room = drawing.width - MARGIN - MARGIN;
     let size = TITLE_SIZE * (room / title.width(TITLE_SIZE)).min(1.0);

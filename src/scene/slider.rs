@@ -15,6 +15,7 @@ use super::shape::Shape;
 use super::value::{At, Direction};
 use super::write::write_keys;
 use super::wrong::Wrong;
+use crate::text::shown;
 
 /// A link, by its point `at`, slides on a guide of `on`; or a pin rides in a slot of `on`.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -187,7 +188,7 @@ fn check_sliding(carrier: &Carrier<'_>, link: Option<&str>, at: Option<&str>, pi
             Err(Wrong::key(&["pin"], message).hint("keep `link` and `at` for a block, `pin` for a bare pin"))
         }
         (Some(link), None, None) => {
-            let hint = format!(r#"add "at", the point of link {link} that is on the guide"#);
+            let hint = format!(r#"add "at", the point of link {} that is on the guide"#, shown(link));
             Err(Wrong::value(&[], "`at` is missing").hint(hint))
         }
         (None, Some(at), None) => {

@@ -179,7 +179,9 @@ pub fn csv(text: &str) {
     }
     // Opened where a semicolon or a tab separates cells.
     for line in text.lines() {
-        line.split([';', '\t']).for_each(no_formula);
+        // Of a number with what follows behind commas the number counts.
+        let number = |cell: &&str| cell.split(',').next().is_none_or(|first| first.trim().parse::<f64>().is_err());
+        line.split([';', '\t']).filter(number).for_each(no_formula);
     }
 }
 

@@ -3,6 +3,7 @@
 
 use super::outputs;
 use super::stages::{answer_key, solved};
+use kinegon::Solution;
 use kinegon::check::{self, AnswerKey, ClassColumns, ClassRow, Feedback, MarkScheme, Marks, Measured, Prepared};
 use kinegon::drawing::{Drawing, Style};
 use kinegon::format::{self, Text};
@@ -10,7 +11,6 @@ use kinegon::quantity::{Asked, pencil, step_names};
 use kinegon::scene::{Figure, SceneError};
 use kinegon::text::Untrusted;
 use kinegon::words::Wording;
-use kinegon::{Error, Solution};
 use std::sync::LazyLock;
 
 /// A mechanism, solved, with its answers made ready for many forms.
@@ -180,11 +180,12 @@ fn said(message: &str) {
     outputs::terminal(message.as_bytes());
 }
 
+#[cfg_attr(not(feature = "cli"), expect(unused_variables, reason = "only the program shows the text"))]
 fn refused(text: &str, error: &SceneError) {
     said(&error.to_string());
     #[cfg(feature = "cli")]
     {
-        let shown = kinegon::cli::shown("file\u{1b}[31m.json", text, &Error::Scene(error.clone()));
+        let shown = kinegon::cli::shown("file\u{1b}[31m.json", text, &kinegon::Error::Scene(error.clone()));
         // The program's own colours are no part of what strangers write.
         let plain =
             shown.split("\u{1b}[").map(|part| part.split_once('m').map_or(part, |(_, rest)| rest)).collect::<String>();
