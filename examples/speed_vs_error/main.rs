@@ -29,7 +29,8 @@ mod survey;
 #[expect(dead_code, reason = "tests use more of it")]
 mod truth;
 
-use kinegon::format;
+use kinegon::drawing::Drawing;
+use kinegon::format::{self, Text};
 use lengths::Lengths;
 use std::error::Error;
 use std::fs;
@@ -47,10 +48,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let drawing = picture::picture(&survey, &times);
     fs::write(out.join("speed-vs-error.svg"), drawing.svg())?;
     // The guide's pictures lie beside its pages.
-    fs::write(root.join("docs/accuracy.svg"), drawing.svg())?;
+    // Running text in another font would overlap: letters are outlines there.
+    let outlined = |drawing: &Drawing| format::svg_with(drawing, Text::Outlines);
+    fs::write(root.join("docs/accuracy.svg"), outlined(&drawing))?;
     #[cfg(feature = "png")]
     fs::write(out.join("speed-vs-error.png"), drawing.png(200.0)?)?;
-    fs::write(root.join("docs/accuracy-condition.svg"), condition::picture(&survey, &lengths).svg())?;
+    fs::write(root.join("docs/accuracy-condition.svg"), outlined(&condition::picture(&survey, &lengths)))?;
     let numbers = document::numbers(&survey, &times, &machine);
     fs::write(out.join("speed-vs-error.json"), format::json(&numbers))?;
     let page = document::accuracy(&survey) + &document::from_lengths(&lengths) + &document::speed(&times, &machine);
