@@ -46,11 +46,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = root.join("out");
     fs::create_dir_all(&out)?;
     let drawing = picture::picture(&survey, &times);
-    fs::write(out.join("speed-vs-error.svg"), drawing.svg())?;
     // The guide's pictures lie beside its pages.
     // Running text in another font would overlap: letters are outlines there.
     let outlined = |drawing: &Drawing| format::svg_with(drawing, Text::Outlines);
     fs::write(root.join("docs/accuracy.svg"), outlined(&drawing))?;
+    fs::write(out.join("speed-vs-error.svg"), outlined(&drawing))?;
     #[cfg(feature = "png")]
     fs::write(out.join("speed-vs-error.png"), drawing.png(200.0)?)?;
     fs::write(root.join("docs/accuracy-condition.svg"), outlined(&condition::picture(&survey, &lengths)))?;
