@@ -1,7 +1,7 @@
 use super::enclosure::Enclosure;
 use crate::construction::Special;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, Vector, degrees_of};
-use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::{Motion, Order};
 use crate::position::Pose;
 use crate::scene::Scene;
@@ -54,6 +54,13 @@ impl Bounds<'_> {
     #[must_use]
     pub fn angle(&self, body: BodyId) -> Option<f64> {
         let axis = self.pose.axes[body.0]?;
+        let given = match self.mechanism.body(body).role {
+            Role::Driver { angle, .. } => angle,
+            _ => self.mechanism.placing.as_ref().filter(|p| p.link == body).map(|p| p.angle),
+        };
+        if given == Some(degrees_of(axis)) {
+            return Some(0.0);
+        }
         // Roundings of the arctangent and of the degrees.
         let rounding = 4.0 * UNIT_ROUNDOFF * degrees_of(axis).abs();
         let off = |e: &Enclosure| e.angle_from(self.mechanism, body, axis);
