@@ -28,6 +28,7 @@ mod sweep;
 mod tip;
 mod trace;
 mod traces;
+mod usual;
 mod variants;
 mod walker;
 
