@@ -41,7 +41,7 @@ pub(super) struct Sheet {
 
 /// How finely a construction is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Steps {
+pub enum Steps {
     /// Every step by itself.
     Fine,
     /// Steps that belong together at once.
