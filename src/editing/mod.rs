@@ -7,15 +7,18 @@
 
 mod add;
 mod document;
+mod drive;
 mod drop;
 mod edit;
 mod layout;
 mod measure;
 mod names;
+mod near;
 mod number;
 mod present;
 mod quantity_names;
 mod rename;
 
 pub use add::blank;
+pub use drive::{with_drive, with_mode};
 pub use edit::{Along, Edit, Key, Named, NewLink, NewPoint, NewSlider, PlacedPoint, apply};
