@@ -50,6 +50,8 @@ mod traced;
 
 mod read;
 
+mod tree;
+
 mod build_parts;
 
 mod build;
@@ -78,5 +80,6 @@ pub use values::ValuesShown;
 
 pub(crate) use kind::FileKind;
 pub(crate) use schema::schema_of;
+pub(crate) use tree::{SceneTree, pair, why_not};
 pub(crate) use typed::read_as;
 pub(crate) use words::{nearest, nearest_within};
