@@ -8,7 +8,7 @@ use super::redrawn::redrawn;
 use super::sheet::{CheckError, Measured};
 use crate::construction::Solution;
 use crate::drawing::{Drawing, Overlay, RichText, overlay, overlay_words};
-use crate::format::{FeedbackPage, feedback_html, html_letters};
+use crate::format::{FeedbackPage, feedback_html};
 use crate::scene::{Figure, PageSize, Scene};
 use crate::text::Untrusted;
 use crate::words::Wording;
@@ -67,12 +67,6 @@ impl Feedback {
             Some(solution) => overlay(solution, &self.overlay),
             None => overlay_words(&self.figure, &self.title, &self.overlay),
         }
-    }
-
-    /// What is told, sentence by sentence, as HTML of `<sub>`, `<sup>` and letters alone.
-    #[must_use]
-    pub fn said(&self) -> Vec<String> {
-        self.overlay.words.iter().map(|text| html_letters(&Overlay::set(text))).collect()
     }
 
     /// The same as a page for a browser.

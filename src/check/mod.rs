@@ -64,5 +64,5 @@ pub use result::{CheckResult, check_result, check_schema};
 
 pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};
 pub use student::Student;
-pub use template::{AskedFor, EmptyForm, form_name, form_names};
+pub use template::{EmptyForm, form_name, form_names};
 pub use verdict::{Judged, Verdict};

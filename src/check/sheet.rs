@@ -33,12 +33,6 @@ impl Measured {
         figure.mu_v = mu_v.or(figure.mu_v);
         figure.mu_a = mu_a.or(figure.mu_a);
     }
-
-    /// Whether the text of a form is JSON; else it is a table.
-    #[must_use]
-    pub fn is_json(text: &str) -> bool {
-        text.trim_start_matches(['\u{feff}', ' ', '\n', '\r', '\t']).starts_with(['{', '['])
-    }
 }
 
 /// A value as it was written down.

@@ -2,8 +2,7 @@
 
 use super::shown::ShownNames;
 use crate::construction::{Construction, PlaceId, Sheet, Solution};
-use crate::drawing::{Overlay, RichText};
-use crate::quantity::{Asked, Scales};
+use crate::quantity::Scales;
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -54,25 +53,10 @@ impl FormNames {
     }
 }
 
-/// A quantity that a form asks for.
-#[derive(Clone, Debug)]
-pub struct AskedFor {
-    /// The name under which its value stands in the form, in the notation of the figure.
-    pub name: String,
-    /// Its name as the sheets show it.
-    pub label: RichText,
-    /// The quantity.
-    pub asked: Asked,
-    /// The number of the step that gives it.
-    pub step: usize,
-}
-
 /// A row of a form.
 #[derive(Debug)]
 struct FormRow {
     name: String,
-    /// The number of the step that gives it.
-    step: usize,
     segment: Option<Segment>,
     is_measured: bool,
 }
@@ -116,7 +100,7 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
                 Some(_) => continue,
                 None => {}
             }
-            rows.push(FormRow { name, step: step.number, segment, is_measured });
+            rows.push(FormRow { name, segment, is_measured });
         }
     }
     rows
@@ -188,19 +172,6 @@ impl EmptyForm<'_> {
             text.push_str(&format!("{},,\n", quoted(&name)));
         }
         text
-    }
-
-    /// The quantities that it asks for, in its order.
-    #[must_use]
-    pub fn asked_for(&self) -> Vec<AskedFor> {
-        let shown = ShownNames::of(self.solution);
-        let rows = FormNames::new(&self.solution.construction);
-        let asked_for = |row: &FormRow| {
-            let asked = Asked::new(&row.name, &self.solution.mechanism).ok()?;
-            let label = Overlay::set_name(&shown.quantity(&asked));
-            Some(AskedFor { name: shown.in_form(&row.name, &rows), label, asked, step: row.step })
-        };
-        rows.0.iter().filter_map(asked_for).collect()
     }
 
     /// The names of the quantities, in the notation of the figure.

@@ -123,12 +123,6 @@ impl Overlay {
         RichText::plain(&typeset(text))
     }
 
-    /// The name of a quantity with its letters slanted, the part after an underscore low.
-    #[must_use]
-    pub fn set_name(name: &str) -> RichText {
-        RichText::math(&typeset(name))
-    }
-
     /// The table of values.
     pub(in crate::drawing) fn table(&self) -> Table<6> {
         let set = |texts: &[String; 6]| texts.each_ref().map(|text| Overlay::set(text));
