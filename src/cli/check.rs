@@ -328,7 +328,7 @@ impl Check {
 /// The values of a form: JSON if it begins with a bracket and the file's name does not end in `.csv`, else CSV.
 pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
     let is_table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-    if !is_table && text.text.trim_start_matches(['\u{feff}', ' ', '\n', '\r', '\t']).starts_with(['{', '[']) {
+    if !is_table && Measured::is_json(&text.text) {
         Measured::read_json(&text.text).map_err(|error| text.fail(error))
     } else {
         Measured::read_csv(&text.text).map_err(|error| misuse(text, &error))

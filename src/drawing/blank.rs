@@ -5,6 +5,7 @@ use super::scheme::Scheme;
 use super::table::Cells;
 use super::text::RichText;
 use super::worksheet::{CELLS, TablePlace, Worksheet, table};
+use crate::construction::Solution;
 use crate::quantity::{Asked, What};
 
 /// Widths of the boxes for millimetres and values, in mm.
@@ -39,6 +40,12 @@ fn blank_row(scheme: &Scheme<'_>, asked: &Asked, number: usize) -> Cells<CELLS> 
         stands_out: false,
         boxes: [false, is_length, false, true, false],
     }
+}
+
+/// How the sheets of a scene write a quantity.
+#[must_use]
+pub fn quantity_label(solution: &Solution, asked: &Asked) -> RichText {
+    RichText::math(&Scheme::new(solution).quantity(asked))
 }
 
 impl Scheme<'_> {
