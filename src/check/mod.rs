@@ -52,7 +52,7 @@ mod verdict;
 mod walk;
 
 pub use answer_key::AnswerKey;
-pub use boxes::{FormBox, form_boxes, further_boxes};
+pub use boxes::{FormBox, form_boxes, further_boxes, plan_points};
 pub use checked::{Accuracy, BANDS, Checked, LATITUDE, check};
 pub use class::{ClassColumns, ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
 pub use entry::{Entry, entries, faults};
@@ -63,7 +63,7 @@ pub use marks::{Awarded, MarkScheme, Marks};
 pub use mistakes::{Candidate, Mistake};
 pub use parts::{Cause, ReportParts, ReportRow, report_parts};
 pub use precision::Precision;
-pub use prepared::Prepared;
+pub use prepared::{DEPTH, Prepared};
 pub use redrawn::redrawn;
 pub use report::report;
 pub use result::{CheckResult, check_result, check_schema};

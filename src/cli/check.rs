@@ -62,7 +62,7 @@ pub(super) struct Check {
     #[arg(long, value_name = "FILE", conflicts_with = "template")]
     marks: Option<PathBuf>,
     /// How many mistakes at once are looked for.
-    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u8).range(1..=6))]
+    #[arg(long, default_value_t = check::DEPTH as u8, value_parser = clap::value_parser!(u8).range(1..=6))]
     depth: u8,
     #[command(flatten)]
     mode: Mode,

@@ -5,7 +5,7 @@ use super::scheme::Scheme;
 use super::table::Cells;
 use super::text::RichText;
 use super::worksheet::{CELLS, TablePlace, Worksheet, table};
-use crate::construction::Solution;
+use crate::construction::{Plan, Solution};
 use crate::quantity::{Asked, What};
 
 /// Widths of the boxes for millimetres and values, in mm.
@@ -42,10 +42,27 @@ fn blank_row(scheme: &Scheme<'_>, asked: &Asked, number: usize) -> Cells<CELLS> 
     }
 }
 
-/// How the sheets of a scene write a quantity.
-#[must_use]
-pub fn quantity_label(solution: &Solution, asked: &Asked) -> RichText {
-    RichText::math(&Scheme::new(solution).quantity(asked))
+/// How the sheets of a scene write quantities and plan points.
+pub struct SheetLabels<'a>(Scheme<'a>);
+
+impl<'a> SheetLabels<'a> {
+    /// The labels of a scene.
+    #[must_use]
+    pub fn of(solution: &'a Solution) -> SheetLabels<'a> {
+        SheetLabels(Scheme::new(solution))
+    }
+
+    /// A quantity: a segment or length by its ends, a rate by its symbol.
+    #[must_use]
+    pub fn quantity(&self, asked: &Asked) -> RichText {
+        RichText::math(&self.0.quantity(asked))
+    }
+
+    /// A point of a plan.
+    #[must_use]
+    pub fn plan_point(&self, plan: &Plan, name: &str) -> RichText {
+        RichText::math(&self.0.shown(name, Some(plan)))
+    }
 }
 
 impl Scheme<'_> {
