@@ -12,7 +12,6 @@ use crate::drawing::{Drawing, frames_with};
 use crate::format::{WebPage, html};
 use crate::order_of_figure;
 use crate::scene::{Figure, LengthUnit, PanelName, Scene, SizeLimit, ValuesShown};
-use crate::words::{Medium, NumberStyle, Wording};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
@@ -181,7 +180,7 @@ impl Draw {
             .map_err(|error| source.fail(error))?;
         let value = |value: &f64| {
             let drive = animation.drive.as_ref();
-            drive.map_or_else(String::new, |drive| drive_value(drive, *value, &words))
+            drive.map_or_else(String::new, |drive| drive.shown(*value, &words))
         };
         let values: Vec<String> = animation.values.iter().map(value).collect();
         let quantity = animation.drive.as_ref().map(Drive::quantity);
@@ -279,14 +278,4 @@ fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
         }
         _ => construction.numbered_steps().map(|step| is_shown(&step)).collect(),
     }
-}
-
-/// A drive's value on a page: an angle with one decimal of a degree, a length with four significant digits.
-fn drive_value(drive: &Drive, value: f64, words: &Wording) -> String {
-    let decimals = |count: usize| words.write(value, NumberStyle::decimals(count).on(Medium::Figure));
-    if drive.is_angle() {
-        return format!("{}°", decimals(1));
-    }
-    let digits = 3.0 - libm::floor(libm::log10(value.abs().max(1e-3)));
-    decimals(digits.max(0.0) as usize)
 }

@@ -28,7 +28,7 @@ mod wanted;
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
 pub use self::digits::DigitRow;
-pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html};
+pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html, html_text};
 #[cfg(feature = "html")]
 pub use self::html::{WebPage, html};
 pub use self::json::{json, json_line};
