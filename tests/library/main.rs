@@ -35,6 +35,7 @@ mod point_paths;
 mod properties;
 mod published_numbers;
 mod published_sets;
+mod pull;
 mod reference;
 mod scene_build;
 mod scene_read;
