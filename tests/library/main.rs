@@ -40,6 +40,7 @@ mod reference;
 mod scene_build;
 mod scene_read;
 mod sizes;
+mod stage;
 mod step_names;
 mod students;
 mod templates;
