@@ -114,9 +114,10 @@ impl<'a> Document<'a> {
         let tree = self.tree()?;
         let layout = Layout::of(tree.body);
         let (around, key, rest) = (&path[..known], path[known], &path[known + 1..]);
-        let nested = rest.iter().rev().fold(value.clone(), |inner, key| {
-            Json::Object(std::iter::once(((*key).to_owned(), inner)).collect())
-        });
+        let nested = rest
+            .iter()
+            .rev()
+            .fold(value.clone(), |inner, key| Json::Object(std::iter::once(((*key).to_owned(), inner)).collect()));
         let splice = match find(&tree.root, around) {
             Some(Value::Object(object)) => {
                 let text = layout.entry(key, &nested);
@@ -239,7 +240,8 @@ fn replaced(node: &Value<'_>, value: &Json, layout: Layout, splices: &mut Vec<Sp
         }
         (Value::Array(array), Json::Array(values)) if array.elements.len() == values.len() => {
             let mut pairs = array.elements.iter().zip(values);
-            let are_numbers = |(node, value): (&Value<'_>, &Json)| matches!(node, Value::NumberLit(_)) && value.is_number();
+            let are_numbers =
+                |(node, value): (&Value<'_>, &Json)| matches!(node, Value::NumberLit(_)) && value.is_number();
             let is_plain = pairs.clone().all(are_numbers);
             is_plain && pairs.all(|(node, value)| replaced(node, value, layout, splices))
         }
@@ -305,7 +307,8 @@ fn added(
             (after.range().start..after.range().start, text.to_owned() + &gap)
         }
         (None, None) => {
-            let top = first_indent(tree).filter(|_| path.len() == 1 && matches!(path[0], "links" | "sliders" | "known"));
+            let top =
+                first_indent(tree).filter(|_| path.len() == 1 && matches!(path[0], "links" | "sliders" | "known"));
             let is_list = body[range.start..].starts_with('[');
             let (open, close) = if is_list { ("[", "]") } else { ("{", "}") };
             let inside = match (top, is_list) {
