@@ -28,8 +28,9 @@ const FURTHER: [i32; 5] = [0, 1, 2, 4, 8];
 pub fn with_drive(text: &str, drive: &str, value: f64, now: &Pose) -> Result<String, SceneError> {
     let before = Solved::of(text)?;
     let document = Document::new(text)?;
-    let place = Place::of(&document, &before.mechanism, drive, value, now)
-        .ok_or_else(|| document.error(&["links"], format!("there is no drive {} that can be moved", crate::text::shown(drive)), None))?;
+    let place = Place::of(&document, &before.mechanism, drive, value, now).ok_or_else(|| {
+        document.error(&["links"], format!("there is no drive {} that can be moved", crate::text::shown(drive)), None)
+    })?;
     let mut failure = None;
     for further in FURTHER {
         let mut trial = document.clone();
@@ -106,13 +107,13 @@ fn of_position(value: f64, now: &Pose) -> Decimals {
     Decimals::of_size(value.abs().clamp(0.1 * size, size))
 }
 
-/// The angle plus the number of whole turns that brings it nearest to another one.
-fn near_to(degrees: f64, other: f64) -> f64 {
+/// The angle plus the number of whole turns that brings it nearest to another one, all in degrees.
+pub(super) fn near_to(degrees: f64, other: f64) -> f64 {
     degrees + 360.0 * libm::round((other - degrees) / 360.0)
 }
 
 /// Where a link's drive or the link itself gives the angle; `None` where neither does.
-fn turning(scene: &Json, link: &str) -> Option<Vec<String>> {
+pub(super) fn turning(scene: &Json, link: &str) -> Option<Vec<String>> {
     let entry = &scene["links"][link];
     let path: &[&str] = match (entry["drive"]["angle"].is_number(), entry["angle"].is_number()) {
         (true, _) => &["links", link, "drive", "angle"],
@@ -124,7 +125,7 @@ fn turning(scene: &Json, link: &str) -> Option<Vec<String>> {
 
 /// Where a slider's drive gives its position, in the entry of the slider or in the sliding link; `None` where neither
 /// does.
-pub(super) fn pushing(scene: &Json, mechanism: &Mechanism, drive: &str) -> Option<Vec<String>> {
+fn pushing(scene: &Json, mechanism: &Mechanism, drive: &str) -> Option<Vec<String>> {
     let is_meant = |id: &SliderId| mechanism.slider(*id).drive.is_some() && mechanism.push_name(*id) == drive;
     let SliderId(index) = (0..mechanism.sliders.len()).map(SliderId).find(is_meant)?;
     position_of(scene, index)

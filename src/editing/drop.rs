@@ -68,7 +68,8 @@ fn take_from_link(document: &mut Document<'_>, link: &str, points: &[String], na
     for key in lengths.filter(|key| pair(key, points).is_some_and(|(from, to)| from == name || to == name)) {
         document.remove(&["links", link, "lengths", key])?;
     }
-    if entry["lengths"].as_object().is_some_and(|lengths| lengths.keys().all(|key| key != "note") && points.len() <= 2) {
+    if entry["lengths"].as_object().is_some_and(|lengths| lengths.keys().all(|key| key != "note") && points.len() <= 2)
+    {
         document.remove(&["links", link, "lengths"])?;
     }
     document.remove(&["links", link, "shape", name])?;
@@ -94,7 +95,8 @@ fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), 
     for table in ["near", "points", "known"] {
         document.remove(&[table, name])?;
     }
-    let trace = document.json()["figure"]["trace"].as_array().map(|trace| trace.iter().position(|point| *point == *name));
+    let trace =
+        document.json()["figure"]["trace"].as_array().map(|trace| trace.iter().position(|point| *point == *name));
     if let Some(index) = trace.flatten() {
         document.remove(&["figure", "trace", &index.to_string()])?;
     }
@@ -117,8 +119,14 @@ fn remove_guides(document: &mut Document<'_>, names: &Names, name: &str) -> Resu
     };
     for (index, slider) in scene["sliders"].as_array().into_iter().flatten().enumerate() {
         let index = index.to_string();
-        if slider["through"] == *name {
-            document.remove(&["sliders", &index, "through"])?;
+        let is_first = names.ground.first().is_some_and(|first| first == name);
+        let is_usual =
+            slider["on"] == *"ground" && slider["through"].is_null() && !slider["along"].is_string() && is_first;
+        if slider["through"] == *name || (is_usual && names.drawn.is_none()) {
+            match place(name).filter(|_| slider["on"] == *"ground") {
+                Some(place) => document.set(&["sliders", &index, "through"], &json!(place.map(super::number::json)))?,
+                None => document.remove(&["sliders", &index, "through"])?,
+            }
         }
         let ends = slider["along"].as_str().and_then(|key| pair(key, names.of_carrier(names.carrier(&index))));
         let Some((from, to)) = ends.filter(|(from, to)| from == name || to == name) else {
@@ -127,7 +135,9 @@ fn remove_guides(document: &mut Document<'_>, names: &Names, name: &str) -> Resu
         let is_fixed = names.drawn.is_some() || slider["on"] == *"ground";
         let direction = place(&from).zip(place(&to)).filter(|_| is_fixed);
         match direction.map(|(a, b)| [b[0] - a[0], b[1] - a[1]]).filter(|direction| *direction != [0.0, 0.0]) {
-            Some(direction) => document.set(&["sliders", &index, "along"], &json!(direction.map(super::number::json)))?,
+            Some(direction) => {
+                document.set(&["sliders", &index, "along"], &json!(direction.map(super::number::json)))?
+            }
             None => document.remove(&["sliders", &index, "along"])?,
         }
     }
@@ -145,6 +155,7 @@ fn remove_named(document: &mut Document<'_>, names: &Names, what: Named, name: &
     }
     let wanted = scene["want"].as_array().into_iter().flatten().enumerate();
     let is_gone = |quantity: &Json| quantity.as_str().is_some_and(|quantity| renamer.quantity(quantity).is_some());
-    let gone: Vec<String> = wanted.filter(|(_, quantity)| is_gone(quantity)).map(|(index, _)| index.to_string()).collect();
+    let gone: Vec<String> =
+        wanted.filter(|(_, quantity)| is_gone(quantity)).map(|(index, _)| index.to_string()).collect();
     gone.iter().rev().try_for_each(|index| document.remove(&["want", index]))
 }

@@ -70,7 +70,8 @@ pub(super) fn not_assembled(scene: &Scene, error: &AssemblyError) -> SceneError 
 
 /// An error of a stage as one of the scene; its hint stands on a line of its own.
 fn refused(scene: &Scene, path: &[&str], message: &str) -> SceneError {
-    let (message, hint) = message.split_once("\n  try: ").map_or((message, None), |(message, hint)| (message, Some(hint)));
+    let (message, hint) =
+        message.split_once("\n  try: ").map_or((message, None), |(message, hint)| (message, Some(hint)));
     scene.error_at(path, message, hint.map(str::to_owned))
 }
 

@@ -120,7 +120,8 @@ impl<'a> Renamer<'a> {
 
     /// A part of a plan, as `n_b3`: its mark, the point from whose image it is laid off, and its link.
     fn part<'n>(&self, name: &'n str) -> Option<(&'n str, &str, &'n str)> {
-        let (mark, rest) = ["n_", "r_", "k_"].iter().find_map(|mark| name.strip_prefix(mark).map(|rest| (&name[..2], rest)))?;
+        let (mark, rest) =
+            ["n_", "r_", "k_"].iter().find_map(|mark| name.strip_prefix(mark).map(|rest| (&name[..2], rest)))?;
         let of = |point: &'_ String| rest.strip_prefix(&image_name(point)).filter(|tail| !tail.is_empty());
         let found = self.points.iter().filter_map(|point| Some((point, of(point)?)));
         let (point, tail) = found.min_by_key(|(_, tail)| tail.len())?;
