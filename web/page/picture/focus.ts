@@ -15,6 +15,9 @@ export interface Focus {
   swipe(by: 1 | -1): void;
 }
 
+/** Panels that have a short name here. */
+const SHORT = { scheme: true, velocity: true, acceleration: true } as const;
+
 /** Screens narrower than this show one panel at a time. */
 const NARROW = 600;
 
@@ -51,8 +54,7 @@ export function focus(app: App, view: Viewport): Focus {
   }
 
   function build(): void {
-    // A name is "(a) Scheme"; its letter says nothing here.
-    const plain = panels().map(({ key, name }) => choice(key, name.replace(/^\(\w\)\s*/, "")));
+    const plain = panels().map(({ key, name }) => choice(key, key in SHORT ? say(key as keyof typeof SHORT) : name));
     bar.replaceChildren(choice("", say("all")), ...plain);
     bar.hidden = plain.length < 2;
     mark();

@@ -32,8 +32,9 @@ export interface Viewport {
   toPane(mm: readonly [number, number]): [number, number];
 }
 
-/** Room around what is fitted, in pixels. */
+/** Room around what is fitted, in pixels; above it stand the buttons. */
 const MARGIN = 10;
+const ABOVE = 56;
 /** How much larger than fitting, and how much smaller. */
 const [LEAST, MOST] = [0.5, 40];
 
@@ -44,11 +45,12 @@ export function viewport(): Viewport {
   let isOwn = false;
 
   const fitting = (): number =>
-    Math.max(1e-3, Math.min((size.width - 2 * MARGIN) / box[2], (size.height - 2 * MARGIN) / box[3]));
+    Math.max(1e-3, Math.min((size.width - 2 * MARGIN) / box[2], (size.height - MARGIN - ABOVE) / box[3]));
 
   function refit(): void {
     isOwn = false;
-    const next = { x: box[0] + box[2] / 2, y: box[1] + box[3] / 2, scale: fitting() };
+    const whole = fitting();
+    const next = { x: box[0] + box[2] / 2, y: box[1] + box[3] / 2 - (ABOVE - MARGIN) / 2 / whole, scale: whole };
     const { x, y, scale } = now.value;
     if (next.x !== x || next.y !== y || next.scale !== scale) now.set(next);
   }
