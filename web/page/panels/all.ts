@@ -1,5 +1,6 @@
 import type { Panel } from "../app.ts";
 import { checkPanel } from "./check/panel.ts";
+import { exercisePanel } from "./exercise/panel.ts";
 
 /** The panels in their order. */
-export const PANELS: Panel[] = [checkPanel];
+export const PANELS: Panel[] = [checkPanel, exercisePanel];
