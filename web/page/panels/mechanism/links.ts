@@ -61,6 +61,7 @@ function pointChips(link: string, points: string[]): Field {
     kind: "points",
     path: ["links", link, "points"],
     label: say("points"),
+    quiet: true,
     points: points.map((name) => ({
       name,
       label: say("point_name", { name }),

@@ -2,7 +2,7 @@ import type { App } from "../../app.ts";
 import type { Edit } from "../../engine/types.ts";
 import { edit } from "./edits.ts";
 import { h, icon } from "./element.ts";
-import type { Adder, Ask, ChecksField, ChoiceField, Field, NameField, PointsField, TextField } from "./form.ts";
+import type { Adder, Ask, ChecksField, ChoiceField, Field, NameField, PointsField, SwitchField, TextField } from "./form.ts";
 import { numberInput } from "./number_input.ts";
 import { pinButton } from "./pin.ts";
 import { at, dotted, type Path } from "./scene.ts";
@@ -46,6 +46,8 @@ export function fieldOf(desk: Desk, field: Field): Live {
       return field.open === true ? openChoice(desk, field) : select(desk, field);
     case "checks":
       return checks(app, field);
+    case "switch":
+      return onOff(app, field);
     case "points":
       return pointNames(desk, field);
     case "adder":
@@ -65,7 +67,7 @@ function textInput(app: App, field: TextField): Live {
   let gesture = newId();
   input.addEventListener("focus", () => (gesture = newId()));
   input.addEventListener("input", () => {
-    void edit(app, [put(field.path, input.value === "" ? undefined : input.value)], gesture);
+    void edit(app, [put(field.path, input.value === "" && field.keepsEmpty !== true ? undefined : input.value)], gesture);
   });
   const root = labelled(field, input);
   root.classList.add("wide");
@@ -119,8 +121,10 @@ function openChoice(desk: Desk, field: ChoiceField): Live {
 
 function checks(app: App, field: ChecksField): Live {
   let given: string[] = [];
+  const mark = (): void => field.options.forEach(({ value }, index) => (inputs[index]!.checked = given.includes(value)));
   const toggled = (name: string, on: boolean): void => {
     const next = field.options.map(({ value }) => value).filter((value) => (value === name ? on : given.includes(value)));
+    if (next.length === 0 && field.needed === true) return mark();
     const isUsual = JSON.stringify(next) === JSON.stringify(field.usual ?? []);
     void edit(app, [put(field.path, isUsual ? undefined : next)]);
   };
@@ -137,8 +141,18 @@ function checks(app: App, field: ChecksField): Live {
     show(scene) {
       const value = at(scene, field.path);
       given = Array.isArray(value) ? (value as string[]) : (field.usual ?? []);
-      field.options.forEach(({ value }, index) => (inputs[index]!.checked = given.includes(value)));
+      mark();
     },
+  };
+}
+
+function onOff(app: App, field: SwitchField): Live {
+  const input = h("input", { type: "checkbox" });
+  input.addEventListener("change", () => void edit(app, [put(field.path, input.checked === field.usual ? undefined : input.checked)]));
+  const label = h("label", { class: "check" }, input, h("span", {}, field.label));
+  return {
+    root: h("div", { class: "field", "data-path": dotted(field.path) }, label),
+    show: (scene) => (input.checked = (at(scene, field.path) ?? field.usual) === true),
   };
 }
 

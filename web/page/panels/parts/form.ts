@@ -41,7 +41,7 @@ export interface Row {
   buttons?: Button[];
 }
 
-export type Field = NumberField | TextField | ChoiceField | ChecksField | PointsField | Adder;
+export type Field = NumberField | TextField | ChoiceField | ChecksField | SwitchField | PointsField | Adder;
 
 /** What the owner of the form is asked to do: a name, and what with. */
 export interface Ask {
@@ -74,6 +74,14 @@ export interface NumberField extends Named {
 export interface TextField extends Named {
   kind: "text";
   usual?: string;
+  /** Whether an empty text is one, in place of none. */
+  keepsEmpty?: boolean;
+}
+
+/** Yes or no; what is usual is not written. */
+export interface SwitchField extends Named {
+  kind: "switch";
+  usual: boolean;
 }
 
 /** One of several values; `undefined` as the value removes the key. */
@@ -116,6 +124,8 @@ export interface ChecksField extends Named {
   options: { value: string; text: string }[];
   /** What holds where nothing is given. */
   usual?: string[];
+  /** Whether one must stay. */
+  needed?: boolean;
 }
 
 /** The name of a point or link, changed everywhere. */
@@ -128,7 +138,9 @@ export interface NameField {
 /** A button that changes the scene. */
 export interface Button {
   text: string;
-  icon?: "add" | "remove";
+  icon?: "add" | "remove" | "pin";
+  /** Whether it is on, of a button that is on or off. */
+  pressed?: boolean;
   /** Changes that it makes. */
   edits?: Edit[];
   /** Or what it asks for in the form's owner. */

@@ -6,7 +6,7 @@ import { edit } from "./edits.ts";
 import { h, icon } from "./element.ts";
 import { fieldOf, nameInput, newId, type Live } from "./fields.ts";
 import type { Ask, Button, Card, Form, Group, Row } from "./form.ts";
-import { dotted, parsed, type Path } from "./scene.ts";
+import { dotted, parsed } from "./scene.ts";
 import { say } from "./words.ts";
 
 /** What the owner of a form does. */
@@ -17,8 +17,8 @@ export interface Owner {
   asked?(ask: Ask): void;
 }
 
-/** Keeps a form of the scene in `root`. */
-export function keepForm(root: HTMLElement, app: App, owner: Owner): void {
+/** Keeps a form of the scene in `root`; `again` describes it anew, for what is not in the scene. */
+export function keepForm(root: HTMLElement, app: App, owner: Owner): { again(): void } {
   const state: State = { app, owner, live: [], open: new Map() };
   const body = h("div", { class: "form" });
   const waits = h("div", { class: "waits", role: "status", hidden: true }, h("p", {}, ""), h("button", { type: "button" }, ""));
@@ -45,6 +45,7 @@ export function keepForm(root: HTMLElement, app: App, owner: Owner): void {
     const isPresent = text === app.history.now.value.text;
     placeMessage(body, isPresent ? refused : null);
   });
+  return { again: current };
 }
 
 interface State {
@@ -80,8 +81,8 @@ function groupOf(state: State, group: Group): HTMLElement {
     "div",
     { class: "inner" },
     group.help !== undefined && h("p", { class: "help" }, group.help),
-    ...(group.rows ?? []).map((row) => rowOf(state, row)),
     ...(group.cards ?? []).map((card) => cardOf(state, card)),
+    ...(group.rows ?? []).map((row) => rowOf(state, row)),
     buttonsOf(state, group.buttons),
   );
   const given = { class: "group", "data-path": group.path === undefined ? null : dotted(group.path) };
@@ -121,11 +122,11 @@ function buttonsOf(state: State, buttons: Button[] | undefined): HTMLElement | n
   return h("div", { class: "buttons" }, ...buttons.map((button) => buttonOf(state, button)));
 }
 
-function buttonOf({ app, owner }: State, { text, icon: drawn, edits, ask }: Button): HTMLElement {
-  const isIcon = drawn === "remove";
+function buttonOf({ app, owner }: State, { text, icon: drawn, edits, ask, pressed }: Button): HTMLElement {
+  const isIcon = drawn === "remove" || drawn === "pin";
   const button = h(
     "button",
-    { type: "button", class: isIcon ? "bare" : "small", "aria-label": isIcon ? text : null, title: isIcon ? text : null },
+    { type: "button", class: drawn === "pin" ? "pin" : isIcon ? "bare" : "small", "aria-pressed": pressed === undefined ? null : String(pressed), "aria-label": isIcon ? text : null, title: isIcon ? text : null },
     drawn !== undefined && icon(drawn),
     isIcon ? null : text,
   );
@@ -154,9 +155,4 @@ function placeMessage(body: HTMLElement, refused: Refused | null): void {
   const input = about.matches(".field") ? about.querySelector("input, select") : null;
   input?.setAttribute("aria-invalid", "true");
   input?.setAttribute("aria-errormessage", message.id);
-}
-
-/** The path of a value beside another. */
-export function beside(path: Path, key: string | number): Path {
-  return [...path.slice(0, -1), key];
 }
