@@ -29,6 +29,8 @@ export interface Engine {
   /** The scene's text after the gesture. */
   drop(): string;
   edit(text: string, edits: Edit[]): string;
+  /** Where the points are in the scene's own coordinates: as solved; of a scene that cannot be solved, those that its text says. */
+  places(text: string): { name: string; at: [number, number] }[];
   modes(text: string): Mode[];
   /** The scene in another assembly mode: its text with `near` changed. */
   choose_mode(text: string, number: number): string;
