@@ -10,8 +10,10 @@ import type {
   Kind,
   Mode,
   Opened,
+  OverCycle,
   Picture,
   Pull,
+  Value,
   View,
 } from "./types.ts";
 
@@ -29,10 +31,12 @@ export interface Engine {
   modes(text: string): Mode[];
   /** The scene in another assembly mode: its text with `near` changed. */
   choose_mode(text: string, number: number): string;
-  curves(text: string, of: { curves: string[] } | { path: string[] } | { hodograph: string[] }): Curves;
+  curves(text: string, of: OverCycle): Curves;
   /** Values with certain digits: what `kinegon solve --digits` prints, by rows. */
-  values(text: string): { name: string; label: string; value: string; unit: string }[];
+  values(text: string): Value[];
   file(text: string, request: FileRequest): Uint8Array;
+  /** How many sheets of paper a drawing takes: a work sheet's table may stand on a second one. */
+  pages(text: string, of: FileRequest["of"]): number;
   form(text: string): Form;
   check(text: string, form: string, options: CheckOptions): Checked;
   exercise(text: string, name: string, seed: number, number: number): Exercise;
