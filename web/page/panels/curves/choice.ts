@@ -1,4 +1,5 @@
 import type { Opened, OverCycle } from "../../engine/types.ts";
+import { subjectOf } from "../output/subject.ts";
 
 /** What can be drawn over the cycle. */
 export const KINDS = ["curves", "hodograph", "path"] as const;
@@ -13,9 +14,15 @@ export interface Choice {
   beyond: boolean;
 }
 
-/** All names that can be chosen of each kind. */
+/** All names that can be chosen of each kind; points that never move are left out. */
 export function offered({ quantities, vectors, traceable, scene }: Opened): Record<Kind, string[]> {
-  return { curves: [...new Set([...quantities, ...wantedBy(scene)])], hodograph: vectors, path: traceable };
+  const fixed = new Set(Object.keys((scene["ground"] ?? {}) as object));
+  const moving = (name: string): boolean => {
+    const { kind, name: subject } = subjectOf(name);
+    return kind !== "point" || !fixed.has(subject);
+  };
+  const curves = [...new Set([...quantities.filter(moving), ...wantedBy(scene)])];
+  return { curves, hodograph: vectors.filter(moving), path: traceable };
 }
 
 /** The quantities that a scene wants by itself. */

@@ -5,8 +5,9 @@ import { language } from "../../words.ts";
 import { keepCurrent, said } from "../output/current.ts";
 import { download, fileName, TYPES } from "../output/download.ts";
 import { button, element, tick, worded } from "../output/element.ts";
+import { oneOf } from "../output/one_of.ts";
 import { sheet } from "../output/sheet.ts";
-import { type Choice, columnsOf, fitted, KINDS, offered, wantedOf } from "./choice.ts";
+import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, wantedOf } from "./choice.ts";
 import { choices, points } from "./chooser.ts";
 import { large } from "./large.ts";
 import { say } from "./words.ts";
@@ -34,19 +35,16 @@ type Chosen = Signal<Choice>;
 
 /** What to draw: its kind, and names to tick. */
 function chooser(app: App, choice: Chosen): HTMLElement {
-  const kinds = KINDS.map((kind) => {
-    const set = (): void => choice.set({ ...choice.value, kind });
-    const radio = element("input", { type: "radio", name: "curves-kind", value: kind, checked: kind === "curves", onchange: set });
-    return element("label", {}, radio, worded(element("span"), () => say(kind)));
-  });
-  const legend = worded(element("legend"), () => say("what"));
+  const kind = signal<Kind>("curves");
+  kind.on((now) => choice.set({ ...choice.value, kind: now }));
+  const kinds = oneOf(kind, KINDS, () => say("what"), (value) => say(value));
   const names = element("div");
   const beyond = tick(() => say("beyond"), (on) => choice.set({ ...choice.value, beyond: on }));
   const clear = button(() => say("clear"), () => {
     const { kind } = choice.value;
     choice.set({ ...choice.value, names: { ...choice.value.names, [kind]: [] } });
     list(true);
-  });
+  }, { class: "framed" });
   const summary = element("summary");
   const fold = element("details", { open: true }, summary, names, clear);
 
@@ -71,7 +69,7 @@ function chooser(app: App, choice: Chosen): HTMLElement {
   }
   choice.on(() => list());
   language.on(() => list());
-  return element("div", {}, element("fieldset", { class: "segments" }, legend, ...kinds), fold, beyond.label);
+  return element("div", { class: "chooser" }, kinds.root, fold, beyond.label);
 }
 
 /** The picture with its events, and ways to save it. */

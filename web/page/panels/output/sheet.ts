@@ -18,7 +18,11 @@ export function sheet(attributes: Record<string, string> = {}): Sheet {
     root,
     show(svg, part) {
       tree.innerHTML = `<style>svg { display: block; width: 100%; height: auto; }</style>${svg}`;
-      if (part !== undefined) tree.querySelector("svg")?.setAttribute("viewBox", part.join(" "));
+      const picture = tree.querySelector("svg");
+      if (part === undefined || picture === null) return;
+      picture.setAttribute("viewBox", part.join(" "));
+      picture.removeAttribute("width");
+      picture.removeAttribute("height");
     },
   };
 }

@@ -14,9 +14,9 @@ export function construction(app: App): HTMLElement {
     const opened = app.solved.value.opened;
     return (coarse.box.checked ? opened?.passages : opened?.steps)?.length ?? 0;
   };
+  const title = (format: string): string => say("sheets", { count: count(), format: format.toUpperCase() });
   const formats = ["svg", "pdf"] as const;
   const buttons = formats.map((format) => button(() => title(format), () => void pack(format)));
-  const title = (format: string): string => say("sheets", { count: count(), format: format.toUpperCase() });
   function name(): void {
     buttons.forEach((made, index) => {
       made.textContent = title(formats[index]!);

@@ -10,11 +10,11 @@ const loaded = `<!DOCTYPE html>\n${document.documentElement.outerHTML}`
 
 /** The page as a file with this scene inside, as `kinegon draw SCENE -o page.html` writes it; null where it was not loaded whole. */
 export function pageWith(text: string, step: number | null): string | null {
-  const from = loaded.indexOf(MARK);
-  const plainPage = from < 0 ? loaded : loaded.slice(0, from) + loaded.slice(loaded.indexOf(END, from) + END.length);
-  const head = plainPage.indexOf("</head>");
-  if (head < 0) return null;
-  return `${plainPage.slice(0, head)}${MARK}${inert(JSON.stringify({ text, step }))}${END}${plainPage.slice(head)}`;
+  const end = loaded.indexOf("</head>");
+  if (end < 0) return null;
+  const scene = loaded.lastIndexOf(MARK, end);
+  const head = loaded.slice(0, scene < 0 ? end : scene);
+  return `${head}${MARK}${inert(JSON.stringify({ text, step }))}${END}${loaded.slice(end)}`;
 }
 
 /** JSON in letters that nothing obeys: whatever a stranger has written, it ends no element. */

@@ -4,11 +4,13 @@ import { signal, type Signal } from "../../state/signal.ts";
 import { language } from "../../words.ts";
 import { keepCurrent, said } from "../output/current.ts";
 import { button, element, worded } from "../output/element.ts";
+import { oneOf } from "../output/one_of.ts";
 import { sheet, sizeOf } from "../output/sheet.ts";
 import { pagesOf } from "./files.ts";
 import { say } from "./words.ts";
 
-type What = "figure" | "worksheet" | "step";
+const WHAT = ["figure", "worksheet", "step"] as const;
+type What = (typeof WHAT)[number];
 
 /** Papers by their sides in mm, the shorter one first. */
 const PAPERS: Record<string, string> = { "210 297": "A4", "297 420": "A3", "215.9 279.4": "Letter" };
@@ -23,7 +25,7 @@ export function print(app: App): HTMLElement {
   const press = button(() => say("print_now"), () => {
     const [width, height] = sizeOf(sheets[0] ?? "");
     app.print(sheets, width, height);
-  });
+  }, { class: "main" });
   keepCurrent(app, "save", [app.solved, app.view, what, language], async () => {
     const { good, opened } = app.solved.value;
     if (opened === null) return;
@@ -52,21 +54,13 @@ export function print(app: App): HTMLElement {
 
 /** What is to be printed. */
 function choice(app: App, what: Signal<What>): HTMLElement {
-  const option = (value: What, title: () => string): HTMLLabelElement => {
-    const radio = element("input", { type: "radio", name: "print-what", checked: value === "figure", onchange: () => what.set(value) });
-    const name = worded(element("span"), title);
-    app.view.on(() => (name.textContent = title()));
-    what.on((now) => (radio.checked = now === value));
-    return element("label", {}, radio, name);
-  };
-  const ofStep = option("step", () => say("this_step", { number: app.view.value.step ?? "" }));
+  const step = (): string | null => (app.view.value.step === null ? null : say("this_step", { number: app.view.value.step }));
+  const options = oneOf(what, WHAT, () => say("print"), (value) => (value === "step" ? step() : say(value)));
   app.view.on((view) => {
-    ofStep.hidden = view.step === null;
+    options.rename();
     if (view.step === null && what.value === "step") what.set("figure");
   });
-  const group = element("div", { class: "segments", role: "radiogroup" });
-  group.append(option("figure", () => say("figure")), option("worksheet", () => say("worksheet")), ofStep);
-  return worded(group, () => say("print"), "aria-label");
+  return options.root;
 }
 
 function requested(what: What, app: App): FileRequest["of"] {

@@ -30,7 +30,7 @@ function cover(contents: HTMLElement, app: App): void {
     covering.remove();
     contents.hidden = false;
     contents.querySelector("input")?.focus();
-  });
+  }, { class: "framed" });
   const covering = element("div", { class: "covering" }, sentence, reveal);
   contents.before(covering);
   app.student.on((student) => {
