@@ -1,18 +1,19 @@
-// Makes one file of the page: node bundle.mjs FOLDER_OF_WASM OUTPUT.html [HASH OF THE SOURCES]
+// Makes one file of the page: node bundle.mjs FOLDER_OF_THE_ENGINE OUTPUT.html
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 import { gzipSync } from "node:zlib";
 import { build } from "esbuild";
+import { sources } from "./sources.mjs";
 
 const here = import.meta.dirname;
-const [wasm, output, sources = ""] = process.argv.slice(2);
+const [engine, output] = process.argv.slice(2).map((path) => resolve(path));
 
 /** A bundle of TypeScript or CSS as text. */
 async function bundled(entry) {
   const made = await build({
     entryPoints: [join(here, "page", entry)],
-    alias: { "kinegon-wasm": join(wasm, "kinegon_web.js") },
+    alias: { "kinegon-wasm": join(engine, "kinegon_web.js") },
     bundle: true,
     minify: true,
     write: false,
@@ -25,10 +26,11 @@ async function bundled(entry) {
   return made.outputFiles[0].text;
 }
 
+/** Bytes as the browser unpacks them by itself. */
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
+
 const [script, worker, style] = await Promise.all(["main.ts", "engine/worker.ts", "style.css"].map(bundled));
-if (/<\/script|<!--/i.test(script)) throw new Error("the script would end its element");
-const font = (name) => readFileSync(join(here, "../src/drawing/fonts", name)).toString("base64");
+if (/<\/script|<!--/i.test(script) || /<\/style/i.test(style)) throw new Error("the script or the style would end its element");
 const policy = [
   "default-src 'none'",
   `script-src 'sha256-${createHash("sha256").update(script).digest("base64")}' 'wasm-unsafe-eval' blob:`,
@@ -36,19 +38,24 @@ const policy = [
   "style-src 'unsafe-inline'",
   "img-src data: blob:",
   "font-src data: blob:",
+  "frame-src blob:",
   "connect-src 'none'",
   "form-action 'none'",
   "base-uri 'none'",
 ].join("; ");
 const contents = {
   policy,
-  sources,
+  sources: sources(),
   style,
   script,
   worker: packed(worker),
-  engine: packed(readFileSync(join(wasm, "kinegon_web_bg.wasm"))),
-  fonts: "",
+  engine: packed(readFileSync(join(engine, "kinegon_web_bg.wasm"))),
 };
-const page = readFileSync(join(here, "page/index.html"), "utf8").replace(/\{\{(\w+)\}\}/g, (_, name) => contents[name]);
+const filled = (_, name) => {
+  if (!(name in contents)) throw new Error(`index.html asks for ${name}`);
+  return contents[name];
+};
+const page = readFileSync(join(here, "page/index.html"), "utf8").replace(/\{\{(\w+)\}\}/g, filled);
 writeFileSync(output, page);
-console.log(`${output}: ${page.length} bytes`);
+const kB = (text) => `${Math.round(Buffer.byteLength(text) / 1000)} kB`;
+console.log(`${output}: ${kB(page)}, of it engine ${kB(contents.engine)}, script ${kB(script)}, style ${kB(style)}`);

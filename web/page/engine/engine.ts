@@ -20,6 +20,8 @@ import type {
 /** The engine: what the worker does. Every function takes the scene's text; the last one is kept solved. A refusal rejects with {@link Refused}. */
 export interface Engine {
   kinds(): Kind[];
+  /** A face of the letters that drawings are set with, as OpenType. */
+  font(is_italic: boolean): Uint8Array;
   open(text: string): Opened;
   picture(text: string, view: View): Picture;
   /** Takes hold; the sheet's layout stays until `drop`. */
