@@ -1,5 +1,6 @@
 use super::figures::{Figures, GivenStyle, stem};
 use super::files::{self, Source};
+use super::lesson;
 use super::message::{Failure, note, warn};
 use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
@@ -7,12 +8,11 @@ use super::sweep::{refuse_nothing, split_names};
 use super::wording::{Words, one_of};
 use super::work::{FIGURE, Mode, STEPS, show_warnings, solve};
 use crate::construction::{NumberedStep, PlanKind, Solution};
-use crate::cycle::{Animation, Drive, Traces};
-use crate::drawing::{Drawing, frames_with};
-use crate::format::{WebPage, html};
+use crate::cycle::Traces;
+use crate::drawing::Drawing;
+use crate::format::{OpenScene, workbench};
 use crate::motion::Order;
-use crate::scene::{Figure, LengthUnit, PanelName, Scene, ValuesShown};
-use crate::words::{Medium, NumberStyle, Wording};
+use crate::scene::{Figure, LengthUnit, PanelName, Scene, StyleName, ValuesShown};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
@@ -68,11 +68,10 @@ pub(super) struct Draw {
     /// The panel that takes most of the sheet; a plan has the scheme as a small companion.
     #[arg(long, value_name = "PANEL", value_parser = one_of(PanelName::ALL, PanelName::as_str))]
     focus: Option<PanelName>,
-    /// Positions over the whole range of the drive that a page (`--format html`) can show.
-    #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u16).range(1..=1440))]
-    positions: u16,
-    /// The drive that a page moves, and that its paths follow; without it the first.
-    #[arg(long, value_name = "NAME")]
+    // A page was once a film of so many positions of one drive; it now moves all drives to any position.
+    #[arg(long, value_name = "N", hide = true)]
+    positions: Option<String>,
+    #[arg(long, value_name = "NAME", hide = true)]
     drive: Option<String>,
     #[command(flatten)]
     figures: Figures,
@@ -100,6 +99,9 @@ impl Draw {
         };
         let style = self.figures.style()?;
         let is_stepwise = steps.is_some() || self.layered || self.figures.has_page();
+        if self.figures.has_page() {
+            self.check_page(&style)?;
+        }
         let most = if is_stepwise { STEPS } else { FIGURE };
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
@@ -126,7 +128,7 @@ impl Draw {
         }
         let are_finished = drawings.len() == solved.len();
         let page = |index: usize| match solved.get(index) {
-            Some((source, solution)) if are_finished => self.page(source, solution, &style),
+            Some((source, solution)) if are_finished => self.page(source, solution),
             _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
         self.figures.write(&mut files, &inputs, drawings, page)?;
@@ -174,29 +176,29 @@ impl Draw {
         })
     }
 
-    /// The web page of a scene: its figure with all steps, in all positions of the drive.
-    fn page(&self, source: &Source, solution: &Solution, style: &GivenStyle) -> Result<String, Failure> {
-        let words = solution.wording();
-        let animation = Animation::new(solution, self.drive.as_deref(), self.positions.into())
-            .map_err(|error| source.fail(error))?;
-        let value = |value: &f64| {
-            let drive = animation.drive.as_ref();
-            drive.map_or_else(String::new, |drive| drive_value(drive, *value, &words))
-        };
-        let values: Vec<String> = animation.values.iter().map(value).collect();
-        let quantity = animation.drive.as_ref().map(Drive::quantity);
-        let traces = Traces::new(solution, self.drive.as_deref()).map_err(|error| source.fail(error))?;
-        let mut frames = frames_with(&animation.positions, animation.own, traces);
-        style.put_on(&mut frames);
-        Ok(html(&WebPage {
-            frames: &frames,
-            values: &values,
-            own: animation.own,
-            is_round: animation.is_round,
-            quantity: &quantity.unwrap_or_default(),
-            language: words.language,
-            text: self.figures.text(),
-        }))
+    /// The workbench with a scene open and its steps shown, from the first or from the one that is asked for.
+    fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
+        let own = Scene::read(&source.text).map_err(|error| source.fail(error))?;
+        let step = solution.scene.figure.step.unwrap_or(1);
+        let figure = Figure { step: own.figure.step, ..solution.scene.figure.clone() };
+        let text = lesson::text(source, &own, solution, &figure, self.mode.number)?;
+        Ok(workbench(Some(OpenScene { text: &text, step: Some(step) })))
+    }
+
+    /// Refuses or tells what has no place on a page.
+    fn check_page(&self, style: &GivenStyle) -> Result<(), Failure> {
+        if let GivenStyle::File(_) = style {
+            return Err(Failure::Misuse(
+                "a page has the styles that a scene can name, not that of a file".into(),
+                Some(format!("--style is one of {}", StyleName::ALL.map(StyleName::as_str).join(", "))),
+            ));
+        }
+        for (option, is_given) in [("--positions", self.positions.is_some()), ("--drive", self.drive.is_some())] {
+            if is_given {
+                note(&format!("{option} does nothing: a page moves every drive to any position"));
+            }
+        }
+        Ok(())
     }
 
     /// Adds the sheets of the finished figure to `drawings`, or those of the steps that were asked for, each under its
@@ -284,16 +286,6 @@ fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
         }
         _ => construction.numbered_steps().map(|step| is_shown(&step)).collect(),
     }
-}
-
-/// A drive's value on a page: an angle with one decimal of a degree, a length with four significant digits.
-fn drive_value(drive: &Drive, value: f64, words: &Wording) -> String {
-    let decimals = |count: usize| words.write(value, NumberStyle::decimals(count).on(Medium::Figure));
-    if drive.is_angle() {
-        return format!("{}°", decimals(1));
-    }
-    let digits = 3.0 - libm::floor(libm::log10(value.abs().max(1e-3)));
-    decimals(digits.max(0.0) as usize)
 }
 
 /// The order of the motion to be computed: accelerations only if the figure shows them.

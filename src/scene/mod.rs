@@ -5,7 +5,7 @@
 //! In reading order: `text` makes JSON of the text and `typed` makes typed values of it, for any file that is read
 //! strictly; `wrong`, `place` and `words` are errors, their places and their words. Then come the parts of a scene, a
 //! file each, with the types of the scene file, the types of a `Scene`, and the checks. `read` lists the parts key by
-//! key, and joins all stages. `build` fills the same types in Rust, and `write` makes their text.
+//! key, and joins all stages. `build` fills the same types in Rust, and `write` makes their text; `rewritten` changes a text.
 //!
 //! To add a kind of joint: a file like `slider`; its key, its field and its line in `read`. CONTRIBUTING.md has the
 //! whole list.
@@ -47,6 +47,8 @@ mod traced;
 
 mod read;
 
+mod rewritten;
+
 mod build_parts;
 
 mod build;
@@ -63,6 +65,7 @@ pub use link::Link;
 pub use motion::{LinkMotion, PointMotion};
 pub use points::Near;
 pub use read::Scene;
+pub use rewritten::{with_figure, with_near};
 pub use shape::{Length, Shape};
 pub use sizes::{Measure, Sizes};
 pub use slider::{Along, On, Slider};
