@@ -27,6 +27,7 @@ pub mod cli;
 pub mod construction;
 pub mod cycle;
 pub mod drawing;
+pub mod editing;
 pub mod exercise;
 pub mod format;
 pub mod geometry;

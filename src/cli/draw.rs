@@ -1,6 +1,5 @@
 use super::figures::{Figures, GivenStyle, stem};
 use super::files::{self, Source};
-use super::lesson;
 use super::message::{Failure, note, warn};
 use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
@@ -10,6 +9,7 @@ use super::work::{FIGURE, Mode, STEPS, show_warnings, solve};
 use crate::construction::{NumberedStep, PlanKind, Solution};
 use crate::cycle::Traces;
 use crate::drawing::Drawing;
+use crate::editing::{with_figure, with_mode};
 use crate::format::{OpenScene, workbench};
 use crate::motion::Order;
 use crate::scene::{Figure, LengthUnit, PanelName, Scene, StyleName, ValuesShown};
@@ -176,12 +176,17 @@ impl Draw {
         })
     }
 
-    /// The workbench with a scene open and its steps shown, from the first or from the one that is asked for.
+    /// The workbench with a scene open, with what the command line asks for written into it, and its steps shown, from
+    /// the first or from the one that is asked for.
     fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
         let own = Scene::read(&source.text).map_err(|error| source.fail(error))?;
         let step = solution.scene.figure.step.unwrap_or(1);
         let figure = Figure { step: own.figure.step, ..solution.scene.figure.clone() };
-        let text = lesson::text(source, &own, solution, &figure, self.mode.number)?;
+        let asked = || match self.mode.number {
+            Some(mode) => with_mode(&with_figure(&source.text, &figure)?, mode),
+            None => with_figure(&source.text, &figure),
+        };
+        let text = asked().map_err(|error| source.fail(error))?;
         Ok(workbench(Some(OpenScene { text: &text, step: Some(step) })))
     }
 

@@ -18,7 +18,6 @@ mod feedback;
 mod figures;
 mod files;
 mod forms;
-mod lesson;
 mod message;
 mod new;
 mod output;

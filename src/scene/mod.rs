@@ -47,7 +47,7 @@ mod traced;
 
 mod read;
 
-mod rewritten;
+mod tree;
 
 mod build_parts;
 
@@ -65,7 +65,6 @@ pub use link::Link;
 pub use motion::{LinkMotion, PointMotion};
 pub use points::Near;
 pub use read::Scene;
-pub use rewritten::{with_figure, with_near};
 pub use shape::{Length, Shape};
 pub use sizes::{Measure, Sizes};
 pub use slider::{Along, On, Slider};
@@ -76,5 +75,7 @@ pub use values::ValuesShown;
 
 pub(crate) use kind::FileKind;
 pub(crate) use schema::schema_of;
+pub(crate) use tree::{SceneTree, pair, why_not};
 pub(crate) use typed::read_as;
 pub(crate) use words::{nearest, nearest_within};
+pub(crate) use write::figure_keys;
