@@ -49,7 +49,7 @@ mod ties;
 pub use construction::Solution;
 pub use error::Error;
 pub use scene::Scene;
-pub use solve::solve;
+pub use solve::{order_of_figure, order_of_result, posed, solve};
 
 // The Rust of README.md and of the guide is run as it stands there.
 #[cfg(doctest)]

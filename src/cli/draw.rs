@@ -5,14 +5,14 @@ use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
 use super::sweep::{refuse_nothing, split_names};
 use super::wording::{Words, one_of};
-use super::work::{FIGURE, Mode, STEPS, show_warnings, solve};
-use crate::construction::{NumberedStep, PlanKind, Solution};
+use super::work::{Mode, show_warnings, solve};
+use crate::construction::{NumberedStep, Solution};
 use crate::cycle::Traces;
 use crate::drawing::Drawing;
 use crate::editing::{with_figure, with_mode};
 use crate::format::{OpenScene, workbench};
-use crate::motion::Order;
-use crate::scene::{Figure, LengthUnit, PanelName, Scene, StyleName, ValuesShown};
+use crate::order_of_figure;
+use crate::scene::{Figure, LengthUnit, PanelName, Scene, SizeLimit, StyleName, ValuesShown};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
@@ -102,10 +102,10 @@ impl Draw {
         if self.figures.has_page() {
             self.check_page(&style)?;
         }
-        let most = if is_stepwise { STEPS } else { FIGURE };
+        let most = if is_stepwise { SizeLimit::STEPS } else { SizeLimit::FIGURE };
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
-            let solution = solve(&source, most, self.mode.number, |f| self.put_into(f, &style), needed_order)?;
+            let solution = solve(&source, most, self.mode.number, |f| self.put_into(f, &style), order_of_figure)?;
             self.check_traced(&solution.scene)?;
             let traces = Traces::new(&solution, None).map_err(|error| source.fail(error))?;
             note_limits(&traces, &solution.scene.figure);
@@ -277,13 +277,8 @@ fn note_limits(traces: &Traces, figure: &Figure) {
 fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
     let construction = &solution.construction;
     let panels = solution.scene.figure.shown_panels();
-    let is_shown = |step: &NumberedStep<'_>| {
-        let panel = step.plan.map_or(PanelName::Scheme, |plan| match plan.kind {
-            PlanKind::Velocity => PanelName::Velocity,
-            PlanKind::Acceleration => PanelName::Acceleration,
-        });
-        solution.scene.figure.focus.is_none() || panels.contains(&panel)
-    };
+    let is_shown =
+        |step: &NumberedStep<'_>| solution.scene.figure.focus.is_none() || panels.contains(&step.sheet().panel());
     match steps {
         Some(Steps::Coarse) => {
             let passages = construction.passages();
@@ -291,9 +286,4 @@ fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
         }
         _ => construction.numbered_steps().map(|step| is_shown(&step)).collect(),
     }
-}
-
-/// The order of the motion to be computed: accelerations only if the figure shows them.
-fn needed_order(scene: &Scene) -> Order {
-    if scene.figure.shown_panels().contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
 }

@@ -29,7 +29,7 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// A name is no quantity of this mechanism.
     pub fn new(path: &'a Path<'a>, steps: Steps, names: Option<&[String]>) -> Result<Self, QuantityError> {
-        let mechanism = path.mechanism;
+        let mechanism = &path.mechanism;
         let mut names = names.map_or_else(|| every_name(mechanism), <[String]>::to_vec);
         // Each name once; the drive's value is the first column already.
         let mut seen = BTreeSet::from([path.drive.quantity()]);

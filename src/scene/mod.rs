@@ -43,6 +43,9 @@ mod slider;
 
 mod known;
 
+mod kinds;
+mod size;
+
 mod traced;
 
 mod read;
@@ -61,11 +64,13 @@ pub use figure::{
     ConstructionShown, DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, ScalesFor, StyleName,
 };
 pub use given_by::GivenBy;
+pub use kinds::Kind;
 pub use link::Link;
 pub use motion::{LinkMotion, PointMotion};
 pub use points::Near;
 pub use read::Scene;
 pub use shape::{Length, Shape};
+pub use size::SizeLimit;
 pub use sizes::{Measure, Sizes};
 pub use slider::{Along, On, Slider};
 pub use text::MAX_BYTES;

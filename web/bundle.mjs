@@ -1,0 +1,61 @@
+// Makes one file of the page: node bundle.mjs FOLDER_OF_THE_ENGINE OUTPUT.html
+import { createHash } from "node:crypto";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { gzipSync } from "node:zlib";
+import { build } from "esbuild";
+import { sources } from "./sources.mjs";
+
+const here = import.meta.dirname;
+const [engine, output] = process.argv.slice(2).map((path) => resolve(path));
+
+/** A bundle of TypeScript or CSS as text. */
+async function bundled(entry) {
+  const made = await build({
+    entryPoints: [join(here, "page", entry)],
+    alias: { "kinegon-wasm": join(engine, "kinegon_web.js") },
+    bundle: true,
+    minify: true,
+    write: false,
+    format: "iife",
+    target: "es2022",
+    charset: "utf8",
+    legalComments: "none",
+    logOverride: { "empty-import-meta": "silent" },
+  });
+  return made.outputFiles[0].text;
+}
+
+/** Bytes as the browser unpacks them by itself. */
+const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
+
+const [script, worker, style] = await Promise.all(["main.ts", "engine/worker.ts", "style.css"].map(bundled));
+if (/<\/script|<!--/i.test(script) || /<\/style/i.test(style)) throw new Error("the script or the style would end its element");
+const policy = [
+  "default-src 'none'",
+  `script-src 'sha256-${createHash("sha256").update(script).digest("base64")}' 'wasm-unsafe-eval' blob:`,
+  "worker-src blob:",
+  "style-src 'unsafe-inline'",
+  "img-src data: blob:",
+  "font-src data: blob:",
+  "frame-src blob:",
+  "connect-src 'none'",
+  "form-action 'none'",
+  "base-uri 'none'",
+].join("; ");
+const contents = {
+  policy,
+  sources: sources(),
+  style,
+  script,
+  worker: packed(worker),
+  engine: packed(readFileSync(join(engine, "kinegon_web_bg.wasm"))),
+};
+const filled = (_, name) => {
+  if (!(name in contents)) throw new Error(`index.html asks for ${name}`);
+  return contents[name];
+};
+const page = readFileSync(join(here, "page/index.html"), "utf8").replace(/\{\{(\w+)\}\}/g, filled);
+writeFileSync(output, page);
+const kB = (text) => `${Math.round(Buffer.byteLength(text) / 1000)} kB`;
+console.log(`${output}: ${kB(page)}, of it engine ${kB(contents.engine)}, script ${kB(script)}, style ${kB(style)}`);

@@ -1,0 +1,115 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// What is known of a scene that could be solved.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Opened {
+    /// Its title, or the usual one.
+    pub title: String,
+    /// The scene file as JSON.
+    pub scene: Value,
+    /// Its drives and where they stand.
+    pub drives: Vec<Drive>,
+    /// The steps of the construction.
+    pub steps: Vec<Step>,
+    /// Steps that a lecturer shows together: the numbers of the first and the last of each.
+    pub passages: Vec<[usize; 2]>,
+    /// Names of points whose paths can be drawn.
+    pub traceable: Vec<String>,
+    /// Names of quantities for curves, tables and values.
+    pub quantities: Vec<String>,
+    /// Names of vectors for hodographs.
+    pub vectors: Vec<String>,
+    /// The Assur groups in solving order.
+    pub structure: String,
+    /// Warnings of all stages.
+    pub warnings: Vec<String>,
+    /// Whether it is a drawn configuration, which cannot be moved.
+    pub is_drawn: bool,
+}
+
+/// A drive and where it stands.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Drive {
+    /// A driven link, or a slider on a moving link such as 3/2.
+    pub name: String,
+    /// Whether it turns.
+    pub is_angle: bool,
+    /// In degrees or units of length.
+    pub value: f64,
+    /// In words.
+    pub shown: String,
+    /// The least value that it can reach; none where it turns all the way round or slides without end.
+    pub low: Option<f64>,
+    /// The greatest.
+    pub high: Option<f64>,
+}
+
+/// A step of the construction.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Step {
+    /// Counted from 1.
+    pub number: usize,
+    /// What is done.
+    pub caption: String,
+    /// Its equation in plain text, or empty.
+    pub equation: String,
+    /// `scheme`, `velocity`, `acceleration`.
+    pub panel: &'static str,
+}
+
+/// How a scene is shown besides what its figure says.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+pub struct View {
+    /// The step after which it is shown; none for the finished figure.
+    pub step: Option<usize>,
+    /// Whether steps are the passages.
+    pub coarse: bool,
+    /// Whether all other assembly modes are drawn pale.
+    pub modes: bool,
+}
+
+/// A picture of the scene in one position.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Picture {
+    /// The sheet.
+    pub svg: String,
+    /// Width of the sheet in mm.
+    pub width: f64,
+    /// Height of the sheet in mm.
+    pub height: f64,
+    /// Its panels.
+    pub panels: Vec<Panel>,
+    /// What can be taken hold of.
+    pub handles: Vec<Handle>,
+    /// The drives and where they stand.
+    pub drives: Vec<Drive>,
+    /// What is to be told: a limit that stops the drive, a panel that is cut.
+    pub notes: Vec<String>,
+}
+
+/// A panel of a picture.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Panel {
+    /// Its name in words.
+    pub name: String,
+    /// `scheme`, `velocity`, `acceleration`.
+    pub key: &'static str,
+    /// [x, y, width, height] in mm.
+    #[serde(rename = "box")]
+    pub area: [f64; 4],
+    /// Whether something is cut off at its edge.
+    pub is_cut: bool,
+}
+
+/// A place that can be taken hold of.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Handle {
+    /// The point's name.
+    pub name: String,
+    /// On the sheet, in mm from its upper left corner.
+    pub at: [f64; 2],
+    /// Whether it is a point of the ground.
+    pub is_fixed: bool,
+}

@@ -1,0 +1,60 @@
+use kinegon::Error;
+use kinegon::scene::SceneError;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Why a text is not understood or a scene gives no result.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Refused {
+    /// What is wrong.
+    pub message: String,
+    /// What to try.
+    pub hint: Option<String>,
+    /// The JSON path, as `links.4.lengths.GD`; empty for the text as a whole.
+    pub path: String,
+    /// Where it begins in the text, in UTF-16 units as JavaScript counts; none for the text as a whole.
+    pub from: Option<usize>,
+    /// Where it ends.
+    pub to: Option<usize>,
+    /// Line, counted from 1.
+    pub line: Option<usize>,
+    /// Column in characters, counted from 1.
+    pub column: Option<usize>,
+}
+
+impl Refused {
+    /// About the text as a whole.
+    pub fn whole(message: impl Into<String>) -> Refused {
+        Refused {
+            message: message.into(),
+            hint: None,
+            path: String::new(),
+            from: None,
+            to: None,
+            line: None,
+            column: None,
+        }
+    }
+
+    /// Why a scene with this text gives no result.
+    pub fn of(text: &str, error: impl Into<Error>) -> Refused {
+        match error.into() {
+            Error::Scene(error) => Refused::at(text, error),
+            other => Refused::whole(other.to_string()),
+        }
+    }
+
+    fn at(text: &str, error: SceneError) -> Refused {
+        let units = |byte: usize| text.get(..byte).map_or(0, |before| before.encode_utf16().count());
+        let place = error.place.as_ref();
+        Refused {
+            message: error.message,
+            hint: error.hint,
+            path: error.path,
+            from: place.map(|place| units(place.span.start)),
+            to: place.map(|place| units(place.span.end)),
+            line: place.map(|place| place.line),
+            column: place.map(|place| place.column),
+        }
+    }
+}

@@ -1,0 +1,46 @@
+import type { EngineClient } from "./engine/client.ts";
+import type { Opened, Pins, Refused, View } from "./engine/types.ts";
+import type { History } from "./state/history.ts";
+import type { Signal } from "./state/signal.ts";
+import type { Language } from "./words.ts";
+
+/** What the engine says of the present text. */
+export interface Solved {
+  /** The text that it is about. */
+  text: string;
+  /** What is known of it; of a text that is refused, of the last good one. */
+  opened: Opened | null;
+  /** The last good text, which the picture shows. */
+  good: string;
+  /** Why it is refused; null where it is good. */
+  refused: Refused | null;
+}
+
+/** What all parts of the page share. */
+export interface App {
+  history: History;
+  engine: EngineClient;
+  solved: Signal<Solved>;
+  view: Signal<View>;
+  /** Whether pulling a joint changes lengths in place of moving the mechanism. */
+  shaping: Signal<boolean>;
+  pins: Signal<Pins>;
+  /** Says something aloud and for a moment on the page. */
+  tell(message: string): void;
+  /** Shows the panel of this id. */
+  show(panel: string): void;
+  /**
+   * Lets the person mark a place on the picture: the next presses on it call `picked` with the place on the sheet in mm, until
+   * the answer is called. `markers` are drawn there.
+   */
+  pick(picked: (at: [number, number]) => void): () => void;
+  markers: Signal<{ at: [number, number]; label: string }[]>;
+}
+
+/** A panel beside the picture. */
+export interface Panel {
+  id: string;
+  title: Record<Language, string>;
+  /** Fills the panel once; it keeps itself current through the app's signals. */
+  mount(root: HTMLElement, app: App): void;
+}

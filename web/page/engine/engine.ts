@@ -1,0 +1,41 @@
+import type {
+  CheckOptions,
+  Checked,
+  Curves,
+  Edit,
+  Exercise,
+  FileRequest,
+  Form,
+  Grab,
+  Kind,
+  Mode,
+  Opened,
+  Picture,
+  Pull,
+  View,
+} from "./types.ts";
+
+/** The engine: what the worker does. Every function takes the scene's text; the last one is kept solved. A refusal rejects with {@link Refused}. */
+export interface Engine {
+  kinds(): Kind[];
+  open(text: string): Opened;
+  picture(text: string, view: View): Picture;
+  /** Takes hold; the sheet's layout stays until `drop`. */
+  grab(text: string, view: View, what: Grab): Picture;
+  drag(to: Pull): Picture;
+  /** The scene's text after the gesture. */
+  drop(): string;
+  edit(text: string, edits: Edit[]): string;
+  modes(text: string): Mode[];
+  /** The scene in another assembly mode: its text with `near` changed. */
+  choose_mode(text: string, number: number): string;
+  curves(text: string, of: { curves: string[] } | { path: string[] } | { hodograph: string[] }): Curves;
+  /** Values with certain digits: what `kinegon solve --digits` prints, by rows. */
+  values(text: string): { name: string; label: string; value: string; unit: string }[];
+  file(text: string, request: FileRequest): Uint8Array;
+  form(text: string): Form;
+  check(text: string, form: string, options: CheckOptions): Checked;
+  exercise(text: string, name: string, seed: number, number: number): Exercise;
+  /** A sheet of an exercise as PDF. */
+  exercise_file(text: string, name: string, seed: number, number: number, what: "sheet" | "key"): Uint8Array;
+}

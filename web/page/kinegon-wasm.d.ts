@@ -1,0 +1,5 @@
+/** What wasm-bindgen makes of `web/engine`. */
+declare module "kinegon-wasm" {
+  export default function init(from: { module_or_path: ArrayBuffer }): Promise<unknown>;
+  export class Engine {}
+}

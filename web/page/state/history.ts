@@ -1,0 +1,69 @@
+import { signal, type Signal } from "./signal.ts";
+
+/** What the person makes: everything that undo goes through. */
+export interface Document {
+  /** The scene's text, as a file of the program has it. */
+  readonly text: string;
+  /** The student's form of measured values, as a file of the program has it; empty before anything is written. */
+  readonly form: string;
+}
+
+/** Most entries that are kept. */
+const MOST = 500;
+
+/** The document with all that it was: one entry a gesture. */
+export interface History {
+  readonly now: Signal<Document>;
+  readonly canUndo: Signal<boolean>;
+  readonly canRedo: Signal<boolean>;
+  /** Changes a part. Changes with the same gesture, one after the other, are one entry. */
+  change(part: Partial<Document>, gesture?: string): void;
+  /** Begins anew with another document; the old one can be had back by undo. */
+  undo(): void;
+  redo(): void;
+}
+
+export function history(first: Document): History {
+  const now = signal(first);
+  const canUndo = signal(false);
+  const canRedo = signal(false);
+  let past: Document[] = [];
+  let future: Document[] = [];
+  let last: string | undefined;
+
+  function show(document: Document): void {
+    canUndo.set(past.length > 0);
+    canRedo.set(future.length > 0);
+    now.set(document);
+  }
+
+  return {
+    now,
+    canUndo,
+    canRedo,
+    change(part, gesture) {
+      const next = { ...now.value, ...part };
+      if (next.text === now.value.text && next.form === now.value.form) return;
+      if (gesture === undefined || gesture !== last) past = [...past, now.value].slice(-MOST);
+      last = gesture;
+      future = [];
+      show(next);
+    },
+    undo() {
+      const before = past.at(-1);
+      if (before === undefined) return;
+      past = past.slice(0, -1);
+      future = [now.value, ...future];
+      last = undefined;
+      show(before);
+    },
+    redo() {
+      const [after, ...rest] = future;
+      if (after === undefined) return;
+      past = [...past, now.value];
+      future = rest;
+      last = undefined;
+      show(after);
+    },
+  };
+}
