@@ -54,12 +54,30 @@ fn a_drive_put_into_the_text_stays_on_its_branch() {
                 let off = distance(&now, &there);
                 assert!(off <= 0.02, "{name} {drive} at {value}: {off}\n{moved}");
                 assert_eq!(moved.matches("note").count(), text.matches("note").count());
+                is_nearest(&moved, &now, &there);
                 seen += 1;
                 as_it_was += usize::from(moved.contains("\"near\"") == text.contains("\"near\""));
             }
         }
     }
     assert!(seen > 2000 && as_it_was > seen / 2, "{as_it_was} of {seen}");
+}
+
+/// No other assembly mode is as near to the position that was meant; of a lever turned round, its axis tells.
+fn is_nearest(text: &str, now: &Pose, taken: &Pose) {
+    let (scene, mechanism, _) = position(text).expect("it is solvable");
+    let listed = counted_poses(&mechanism, &scene.near).expect("it has modes");
+    let turned = |pose: &Pose| {
+        let axes = pose
+            .axes
+            .iter()
+            .zip(&now.axes)
+            .filter_map(|(a, b)| Some((a.as_ref()?.normalize() - b.as_ref()?.normalize()).norm()));
+        axes.fold(0.0, f64::max)
+    };
+    let off = |pose: &Pose| distance(now, pose) + turned(pose);
+    let least = listed.poses.iter().take(16).map(off).fold(f64::INFINITY, f64::min);
+    assert!(off(taken) <= least + 1e-6, "{} and {least}\n{text}", off(taken));
 }
 
 #[test]
