@@ -115,6 +115,12 @@ impl Pull {
         &self.path.drive
     }
 
+    /// The drive's value in the scene's own position.
+    #[must_use]
+    pub fn start(&self) -> f64 {
+        self.path.start()
+    }
+
     /// The drive's present value.
     #[must_use]
     pub fn value(&self) -> f64 {
