@@ -9,10 +9,13 @@ import { type Saying, say } from "./words.ts";
 
 /** Opening and saving: the form as a file, a marking scheme. */
 export function formFiles(app: App, scheme: Signal<{ name: string; text: string } | null>, present: () => FormFile): HTMLElement {
-  const button = (saying: Saying, press: () => void): HTMLButtonElement => {
+  const button = (saying: Saying & `${"open" | "save" | "clear" | "marks"}${string}`, press: () => void): HTMLButtonElement => {
     const made = element("button", { type: "button" });
     made.onclick = press;
-    language.on(() => (made.textContent = say(saying)));
+    language.on(() => {
+      made.textContent = say(saying);
+      made.title = say(`${saying}_long` as Saying);
+    });
     return made;
   };
 

@@ -9,7 +9,7 @@ export interface Verdict {
   hint: string | null;
 }
 
-const SIGNS: Record<Verdict["kind"], string> = {
+export const SIGNS: Record<Verdict["kind"], string> = {
   right: "✓",
   "within-tolerance": "≈",
   off: "✗",
