@@ -9,7 +9,7 @@ use super::message::{Failure, print, warn};
 use super::output::FileSet;
 use super::pencil::Hand;
 use super::wording::Words;
-use super::work::{HAND, Mode, show_warnings, solve};
+use super::work::{Mode, show_warnings, solve};
 use crate::check::{
     self, AnswerKey, CheckError, ClassColumns, EmptyForm, Feedback, MarkScheme, Marks, Measured, Prepared,
 };
@@ -17,7 +17,7 @@ use crate::construction::Solution;
 use crate::cores::on_all_cores;
 use crate::format;
 use crate::motion::Order;
-use crate::scene::Figure;
+use crate::scene::{Figure, SizeLimit};
 use crate::words::Wording;
 use clap::{Args, ValueEnum};
 use std::collections::BTreeSet;
@@ -104,7 +104,7 @@ impl Check {
 
     fn solved(&self, scene: &Path) -> Result<Solution, Failure> {
         let source = files::read(scene)?;
-        solve(&source, HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
+        solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
     }
 
     /// Refuses `-o` for one form.
@@ -315,13 +315,8 @@ impl Check {
     }
 
     fn key<'a>(&self, solution: &'a Solution) -> AnswerKey<'a> {
-        AnswerKey {
-            solution,
-            scales: solution.scales(),
-            tolerance: self.hand.tolerance(),
-            latitude: if self.hand.is_given() { 1.0 } else { check::LATITUDE },
-            depth: usize::from(self.depth),
-        }
+        let hand = self.hand.is_given().then(|| self.hand.tolerance());
+        AnswerKey { depth: usize::from(self.depth), ..AnswerKey::new(solution, hand) }
     }
 }
 

@@ -124,10 +124,8 @@ impl CheckOptions {
     fn key<'a>(&self, key: AnswerKey<'a>) -> AnswerKey<'a> {
         let usual = key.tolerance;
         let is_given = self.pencil_mm.is_some() || self.pencil_degrees.is_some();
-        let tolerance = Tolerance {
-            mm: self.pencil_mm.unwrap_or(usual.mm),
-            degrees: self.pencil_degrees.unwrap_or(usual.degrees),
-        };
+        let tolerance =
+            Tolerance { mm: self.pencil_mm.unwrap_or(usual.mm), degrees: self.pencil_degrees.unwrap_or(usual.degrees) };
         AnswerKey { tolerance, latitude: if is_given { 1.0 } else { key.latitude }, ..key }
     }
 }

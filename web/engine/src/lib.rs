@@ -7,13 +7,20 @@ mod answers;
 mod checks;
 mod desk;
 mod exercises;
+mod files;
 mod forms;
+mod gesture;
 mod kinds;
+mod opened;
+mod picture;
 mod refused;
 
 use desk::Desk;
 use exercises::Series;
+use kinegon::drawing::{ITALIC, REGULAR};
+use kinegon::editing::{self, Edit};
 use kinegon::exercise::Exercise;
+use kinegon::scene::SceneError;
 use refused::Refused;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -57,6 +64,93 @@ impl Engine {
     pub fn picture(&mut self, text: &str, view: &str) -> Result<String, String> {
         answer(asked(view).and_then(|view| self.desk.picture(text, &view)))
     }
+
+    /// Takes hold of something: the picture, whose layout stays until it is let go.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn grab(&mut self, text: &str, view: &str, what: &str) -> Result<String, String> {
+        answer(asked(view).and_then(|view| self.desk.grab(text, &view, &asked(what)?)))
+    }
+
+    /// Pulls what is held: the picture of the new position.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn drag(&mut self, to: &str) -> Result<String, String> {
+        answer(asked(to).and_then(|to| self.desk.drag(to)))
+    }
+
+    /// Lets go: the scene's text after the gesture.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    #[wasm_bindgen(js_name = drop)]
+    pub fn let_go(&mut self) -> Result<String, String> {
+        plain(self.desk.let_go())
+    }
+
+    /// The scene's text after some changes.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn edit(&self, text: &str, edits: &str) -> Result<String, String> {
+        plain(asked::<Vec<Edit>>(edits).and_then(|edits| editing::apply(text, &edits).map_err(refused(text))))
+    }
+
+    /// Every way to assemble the scene.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn modes(&mut self, text: &str) -> Result<String, String> {
+        answer(self.desk.modes(text))
+    }
+
+    /// The scene's text with another assembly mode chosen.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn choose_mode(&self, text: &str, number: f64) -> Result<String, String> {
+        plain(editing::with_mode(text, number.max(0.0) as usize).map_err(refused(text)))
+    }
+
+    /// What is drawn over the cycle.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn curves(&mut self, text: &str, of: &str) -> Result<String, String> {
+        answer(asked(of).and_then(|of| self.desk.curves(text, &of)))
+    }
+
+    /// All values of the scene's position with their certain digits.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn values(&mut self, text: &str) -> Result<String, String> {
+        answer(self.desk.values(text))
+    }
+
+    /// A file as the program writes it.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn file(&mut self, text: &str, request: &str) -> Result<Vec<u8>, String> {
+        plain(asked(request).and_then(|request| self.desk.file(text, &request)))
+    }
+
+    /// How many sheets of paper a drawing takes.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn pages(&mut self, text: &str, of: &str) -> Result<String, String> {
+        answer(asked(of).and_then(|of| self.desk.pages(text, &of)))
+    }
+
+    /// A face of the letters that drawings are set with, as OpenType.
+    #[must_use]
+    pub fn font(&self, is_italic: bool) -> Vec<u8> {
+        if is_italic { ITALIC.to_vec() } else { REGULAR.to_vec() }
+    }
 }
 
 /// The student's way.
@@ -75,7 +169,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn read_form(&mut self, text: &str, form: &str) -> Result<String, String> {
-        self.desk.read_form(text, form).map_err(|refused| json(&refused))
+        plain(self.desk.read_form(text, form))
     }
 
     /// A form as a table.
@@ -83,7 +177,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn write_form(&mut self, text: &str, form: &str) -> Result<String, String> {
-        self.desk.write_form(text, form).map_err(|refused| json(&refused))
+        plain(self.desk.write_form(text, form))
     }
 
     /// The verdict on a form.
@@ -98,7 +192,14 @@ impl Engine {
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
-    pub fn exercise(&mut self, text: &str, name: &str, seed: f64, number: f64, options: &str) -> Result<String, String> {
+    pub fn exercise(
+        &mut self,
+        text: &str,
+        name: &str,
+        seed: f64,
+        number: f64,
+        options: &str,
+    ) -> Result<String, String> {
         let name = format!("{name}-{seed}-{number}");
         answer(self.found(text, [seed, number], options).map(|found| exercises::Exercise::of(found, name)))
     }
@@ -136,6 +237,18 @@ impl Engine {
     }
 }
 
+/// Why a change of this text is refused.
+fn refused(text: &str) -> impl Fn(SceneError) -> Refused {
+    |error| Refused::of(text, error)
+}
+
+/// Tells the page why the engine stops, where it has a fault.
+#[cfg(target_arch = "wasm32")]
+#[wasm_bindgen(start)]
+pub fn tell_faults() {
+    std::panic::set_hook(Box::new(|fault| wasm_bindgen::throw_str(&fault.to_string())));
+}
+
 /// A request from its JSON.
 fn asked<T: DeserializeOwned>(json: &str) -> Result<T, Refused> {
     serde_json::from_str(json).map_err(|error| Refused::whole(error.to_string()))
@@ -144,6 +257,11 @@ fn asked<T: DeserializeOwned>(json: &str) -> Result<T, Refused> {
 /// An answer or a refusal as JSON.
 fn answer<T: Serialize>(answer: Result<T, Refused>) -> Result<String, String> {
     answer.map(|answer| json(&answer)).map_err(|refused| json(&refused))
+}
+
+/// A text or the bytes of a file, or a refusal as JSON.
+fn plain<T>(answer: Result<T, Refused>) -> Result<T, String> {
+    answer.map_err(|refused| json(&refused))
 }
 
 fn json<T: Serialize>(value: &T) -> String {
