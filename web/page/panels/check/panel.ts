@@ -8,6 +8,7 @@ import { begun, filledNames, type FormFile, formFile, formText, withoutValue, wi
 import { formFiles } from "./form_files.ts";
 import { saveFile, formName } from "./files.ts";
 import { head } from "./head.ts";
+import { hideAnswers } from "./hidden.ts";
 import { judged } from "./judged.ts";
 import { overlay } from "./overlay.ts";
 import { pointsPart } from "./points.ts";
@@ -38,6 +39,7 @@ function mount(root: HTMLElement, app: App): void {
     check.writing.set(null);
   }
 
+  hideAnswers(app);
   const intro = element("p", { class: "quiet" });
   const top = head(typed, left);
   const boxes = rows({

@@ -74,7 +74,7 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
     const { parts } = checked;
     if (parts === null) return [];
     const kind = checked.result?.["passed"] === true ? "good" : "bad";
-    const more = [...(parts.senses === null ? [] : [parts.senses]), ...parts.further];
+    const more = [...(parts.senses === null ? [] : [say("choose_senses")]), ...parts.further];
     return [
       ...(checked.marks === null ? [] : [fragment("p", checked.marks, "marks")]),
       fragment("p", parts.heading, `heading ${kind}`),
