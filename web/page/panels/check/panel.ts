@@ -1,6 +1,7 @@
 import type { App, Panel } from "../../app.ts";
 import { element } from "../../dom.ts";
 import type { Form, Refused } from "../../engine/types.ts";
+import { redo, undo } from "../../layout/keys.ts";
 import { language } from "../../words.ts";
 import { bar } from "./bar.ts";
 import { checking } from "./checking.ts";
@@ -8,7 +9,6 @@ import { begun, filledNames, type FormFile, formFile, formText, withoutValue, wi
 import { formFiles } from "./form_files.ts";
 import { saveFile, formName } from "./files.ts";
 import { head } from "./head.ts";
-import { hideAnswers } from "./hidden.ts";
 import { judged } from "./judged.ts";
 import { overlay } from "./overlay.ts";
 import { pointsPart } from "./points.ts";
@@ -39,7 +39,6 @@ function mount(root: HTMLElement, app: App): void {
     check.writing.set(null);
   }
 
-  hideAnswers(app);
   const intro = element("p", { class: "quiet" });
   const top = head(typed, left);
   const boxes = rows({
@@ -69,6 +68,16 @@ function mount(root: HTMLElement, app: App): void {
   const all = element("div", { class: "all" }, intro, files, top.root, boxes.root, points.root, whole.root);
   const none = element("p", { class: "quiet" });
   root.append(none, all, foot.root);
+  // The browser's own undo ends at the field's edge; the page's goes through all of the form.
+  root.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    const act = { z: event.shiftKey ? redo : undo, y: redo }[event.key.toLowerCase()];
+    if (act === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    left();
+    act(app);
+  });
 
   /** Shows what the form says now. */
   function show(): void {
