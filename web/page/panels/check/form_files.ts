@@ -4,6 +4,7 @@ import type { Refused } from "../../engine/types.ts";
 import type { Signal } from "../../state/signal.ts";
 import { language } from "../../words.ts";
 import { askedFor, formName, saveFile, textOf } from "./files.ts";
+import { refusal } from "./refusal.ts";
 import { cleared, filledNames, type FormFile, formFile, formText } from "./form.ts";
 import { type Saying, say } from "./words.ts";
 
@@ -19,11 +20,19 @@ export function formFiles(app: App, scheme: Signal<{ name: string; text: string 
     return made;
   };
 
+  const problem = element("p", { class: "problem bad", role: "alert", hidden: "" });
+  /** Why a file was not taken; it stays until another file is. */
+  function refuse(name: string, why: Refused | null): void {
+    problem.hidden = why === null;
+    problem.replaceChildren(...(why === null ? [] : refusal(why, name)));
+  }
+
   async function chosen(accept: string): Promise<{ name: string; text: string } | null> {
     const file = await askedFor(accept);
     if (file === null) return null;
     const text = await textOf(file);
     if (text === null) app.tell(say("too_large", { name: file.name }));
+    refuse("", null);
     return text === null ? null : { name: file.name, text };
   }
 
@@ -36,8 +45,7 @@ export function formFiles(app: App, scheme: Signal<{ name: string; text: string 
       const read = formFile(form);
       app.tell(say("opened", { name: file.name, count: read === null ? 0 : filledNames(read).length }));
     } catch (why) {
-      const { message, hint } = why as Refused;
-      app.tell(`${file.name}: ${[message, hint].filter(Boolean).join(" ")}`);
+      refuse(file.name, why as Refused);
     }
   }
 
@@ -50,6 +58,8 @@ export function formFiles(app: App, scheme: Signal<{ name: string; text: string 
     }
   }
 
+  const marks = button("marks_open", () => void chosen(".json,application/json").then((file) => file !== null && scheme.set(file)));
+  marks.className = "marking";
   const drop = button("marks_drop", () => scheme.set(null));
   const used = element("span", { class: "quiet" });
   scheme.on((now) => {
@@ -66,8 +76,9 @@ export function formFiles(app: App, scheme: Signal<{ name: string; text: string 
       app.history.change({ form: formText(cleared(present())) });
       app.tell(say("cleared"));
     }),
-    button("marks_open", () => void chosen(".json,application/json").then((file) => file !== null && scheme.set(file))),
+    marks,
     drop,
     used,
+    problem,
   );
 }

@@ -52,16 +52,16 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
     fields.set("name", name);
     const own = [...new Set(rows.filter((row) => row.on_paper).map((row) => row.unit))].join(", ");
     units = [];
-    const choice = (value: "mm" | "units", words: string): HTMLElement => {
+    const choice = (value: "mm" | "units", words: string, more = ""): HTMLElement => {
       const input = element("input", { type: "radio", name: "check-in", value });
       input.onchange = () => change((file) => withHead(file, "in", value === "mm" ? "mm" : undefined), "in");
       units.push(input);
-      return element("label", {}, input, element("span", {}, words));
+      return element("label", { title: more }, input, element("span", {}, words));
     };
     root.replaceChildren(
       element("label", { class: "name" }, element("span", {}, say("name")), name),
       element("fieldset", { class: "scales" }, element("legend", {}, say("scales")), ...SCALES.map((scale) => scaleField(scale, rows))),
-      element("fieldset", { class: "in" }, element("legend", {}, say("in")), choice("mm", say("in_mm")), choice("units", `${say("in_units")}: ${own}`)),
+      element("fieldset", { class: "in" }, element("legend", {}, say("in")), choice("mm", say("in_mm")), choice("units", say("in_units"), own)),
     );
   }
 
