@@ -52,12 +52,14 @@ export function choice(changed: () => void): { root: HTMLElement; now(): Choice;
     return made;
   }
 
-  const fields = ([["kind", kind], ["seed", seed], ["number", count], ["page", page]] as const).map(([name, field]) => {
+  const labels: { name: "kind" | "seed" | "number" | "page"; text: HTMLElement }[] = [];
+  const labelled = (name: "kind" | "seed" | "number" | "page", field: HTMLElement): HTMLElement => {
     const text = element("span");
-    return { name, text, root: element("label", { class: name }, text, field) };
-  });
-  const [kindField, seedField, countField, pageField] = fields.map((field) => field.root) as [HTMLElement, HTMLElement, HTMLElement, HTMLElement];
-  const root = element("div", { class: "choice" }, kindField, seedField, element("div", { class: "variant" }, back, countField, forward), pageField);
+    labels.push({ name, text });
+    return element("label", { class: name }, text, field);
+  };
+  const variant = element("div", { class: "variant" }, back, labelled("number", count), forward);
+  const root = element("div", { class: "choice" }, labelled("kind", kind), labelled("seed", seed), variant, labelled("page", page));
 
   return {
     root,
@@ -67,7 +69,7 @@ export function choice(changed: () => void): { root: HTMLElement; now(): Choice;
       return { kind: kind.value, seed: whole(seed, 0, MOST), number: whole(count, 1, 1000), options };
     },
     build(kinds, own) {
-      for (const { name, text } of fields) text.textContent = say(name);
+      for (const { name, text } of labels) text.textContent = say(name);
       for (const [button, name] of [[back, "back"], [forward, "forward"]] as const) {
         button.setAttribute("aria-label", say(name));
         button.title = say(name);

@@ -3,6 +3,7 @@ import { element } from "../../dom.ts";
 import type { Exercise, Kind } from "../../engine/types.ts";
 import { isDark } from "../../layout/theme.ts";
 import { forDark, sheetElement } from "../../picture/sheet.ts";
+import { instead } from "../../picture/instead.ts";
 import { language } from "../../words.ts";
 import { fileName } from "../check/files.ts";
 import { forStudents, forTeacher } from "./actions.ts";
@@ -16,10 +17,17 @@ function mount(root: HTMLElement, app: App): void {
   let kinds: Kind[] = [];
   const fields = choice(ask);
   const intro = element("p", { class: "quiet" });
-  const status = element("p", { role: "status" });
+  const status = element("span", { role: "status" });
   const sheet = element("div", { class: "sheet" });
+  const large = instead(app, "exercise");
+  const largeButton = element("button", { type: "button", class: "large" });
+  largeButton.onclick = () => {
+    const { exercise } = made.value;
+    if (large.isShown.value) large.hide();
+    else if (exercise !== null) large.show({ svg: exercise.sheet, width: exercise.width, height: exercise.height });
+  };
   const actions = element("div", { class: "actions" });
-  root.append(intro, fields.root, status, sheet, actions);
+  root.append(intro, fields.root, element("p", { class: "made" }, status, largeButton), sheet, actions);
 
   /** Asks for the exercise that the fields name, while the panel is seen. */
   function ask(): void {
@@ -50,6 +58,7 @@ function mount(root: HTMLElement, app: App): void {
     status.textContent = isMaking ? say("making") : refused !== null ? [refused.message, refused.hint].filter(Boolean).join(" ") : (exercise?.name ?? "");
     status.classList.toggle("bad", refused !== null && !isMaking);
     sheet.classList.toggle("busy", isMaking);
+    largeButton.hidden = exercise === null;
     if (isMaking) return;
     if (exercise === null || wanted === null) {
       sheet.replaceChildren();
@@ -57,15 +66,21 @@ function mount(root: HTMLElement, app: App): void {
       return;
     }
     sheet.replaceChildren(picture(exercise.sheet, "exercise-sheet", say("sheet_of", { name: exercise.name })));
+    if (large.isShown.value) large.show({ svg: exercise.sheet, width: exercise.width, height: exercise.height });
     actions.replaceChildren(forStudents(app, { exercise, wanted }), forTeacher(app, { exercise, wanted }, keyOf(exercise)));
   }
 
   function build(): void {
     intro.textContent = say("intro");
+    largeButton.textContent = say(large.isShown.value ? "small" : "large");
     fields.build(kinds, app.solved.value.opened?.title ?? "");
   }
 
   made.on(show);
+  large.isShown.on((is) => {
+    largeButton.textContent = say(is ? "small" : "large");
+    largeButton.setAttribute("aria-pressed", String(is));
+  });
   isDark.on(() => show(made.value));
   language.on(() => {
     build();
