@@ -5,14 +5,14 @@ use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
 use super::sweep::{refuse_nothing, split_names};
 use super::wording::{Words, one_of};
-use super::work::{FIGURE, Mode, STEPS, show_warnings, solve};
-use crate::construction::{NumberedStep, PlanKind, Solution};
-use crate::cycle::{Animation, Drive, Traces};
-use crate::drawing::{Drawing, frames_with};
-use crate::format::{WebPage, html};
-use crate::motion::Order;
-use crate::scene::{Figure, LengthUnit, PanelName, Scene, ValuesShown};
-use crate::words::{Medium, NumberStyle, Wording};
+use super::work::{Mode, show_warnings, solve};
+use crate::construction::{NumberedStep, Solution};
+use crate::cycle::Traces;
+use crate::drawing::Drawing;
+use crate::editing::{with_figure, with_mode};
+use crate::format::{OpenScene, workbench};
+use crate::order_of_figure;
+use crate::scene::{Figure, LengthUnit, PanelName, Scene, SizeLimit, StyleName, ValuesShown};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
@@ -68,11 +68,10 @@ pub(super) struct Draw {
     /// The panel that takes most of the sheet; a plan has the scheme as a small companion.
     #[arg(long, value_name = "PANEL", value_parser = one_of(PanelName::ALL, PanelName::as_str))]
     focus: Option<PanelName>,
-    /// Positions over the whole range of the drive that a page (`--format html`) can show.
-    #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u16).range(1..=1440))]
-    positions: u16,
-    /// The drive that a page moves, and that its paths follow; without it the first.
-    #[arg(long, value_name = "NAME")]
+    // A page was once a film of so many positions of one drive; it now moves all drives to any position.
+    #[arg(long, value_name = "N", hide = true)]
+    positions: Option<String>,
+    #[arg(long, value_name = "NAME", hide = true)]
     drive: Option<String>,
     #[command(flatten)]
     figures: Figures,
@@ -100,10 +99,13 @@ impl Draw {
         };
         let style = self.figures.style()?;
         let is_stepwise = steps.is_some() || self.layered || self.figures.has_page();
-        let most = if is_stepwise { STEPS } else { FIGURE };
+        if self.figures.has_page() {
+            self.check_page(&style)?;
+        }
+        let most = if is_stepwise { SizeLimit::STEPS } else { SizeLimit::FIGURE };
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
-            let solution = solve(&source, most, self.mode.number, |f| self.put_into(f, &style), needed_order)?;
+            let solution = solve(&source, most, self.mode.number, |f| self.put_into(f, &style), order_of_figure)?;
             self.check_traced(&solution.scene)?;
             let traces = Traces::new(&solution, None).map_err(|error| source.fail(error))?;
             note_limits(&traces, &solution.scene.figure);
@@ -126,7 +128,7 @@ impl Draw {
         }
         let are_finished = drawings.len() == solved.len();
         let page = |index: usize| match solved.get(index) {
-            Some((source, solution)) if are_finished => self.page(source, solution, &style),
+            Some((source, solution)) if are_finished => self.page(source, solution),
             _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
         self.figures.write(&mut files, &inputs, drawings, page)?;
@@ -174,29 +176,34 @@ impl Draw {
         })
     }
 
-    /// The web page of a scene: its figure with all steps, in all positions of the drive.
-    fn page(&self, source: &Source, solution: &Solution, style: &GivenStyle) -> Result<String, Failure> {
-        let words = solution.wording();
-        let animation = Animation::new(solution, self.drive.as_deref(), self.positions.into())
-            .map_err(|error| source.fail(error))?;
-        let value = |value: &f64| {
-            let drive = animation.drive.as_ref();
-            drive.map_or_else(String::new, |drive| drive_value(drive, *value, &words))
+    /// The workbench with a scene open, with what the command line asks for written into it, and its steps shown, from
+    /// the first or from the one that is asked for.
+    fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
+        let own = Scene::read(&source.text).map_err(|error| source.fail(error))?;
+        let step = solution.scene.figure.step.unwrap_or(1);
+        let figure = Figure { step: own.figure.step, ..solution.scene.figure.clone() };
+        let asked = || match self.mode.number {
+            Some(mode) => with_mode(&with_figure(&source.text, &figure)?, mode),
+            None => with_figure(&source.text, &figure),
         };
-        let values: Vec<String> = animation.values.iter().map(value).collect();
-        let quantity = animation.drive.as_ref().map(Drive::quantity);
-        let traces = Traces::new(solution, self.drive.as_deref()).map_err(|error| source.fail(error))?;
-        let mut frames = frames_with(&animation.positions, animation.own, traces);
-        style.put_on(&mut frames);
-        Ok(html(&WebPage {
-            frames: &frames,
-            values: &values,
-            own: animation.own,
-            is_round: animation.is_round,
-            quantity: &quantity.unwrap_or_default(),
-            language: words.language,
-            text: self.figures.text(),
-        }))
+        let text = asked().map_err(|error| source.fail(error))?;
+        Ok(workbench(Some(OpenScene { text: &text, step: Some(step) })))
+    }
+
+    /// Refuses or tells what has no place on a page.
+    fn check_page(&self, style: &GivenStyle) -> Result<(), Failure> {
+        if let GivenStyle::File(_) = style {
+            return Err(Failure::Misuse(
+                "a page has the styles that a scene can name, not that of a file".into(),
+                Some(format!("--style is one of {}", StyleName::ALL.map(StyleName::as_str).join(", "))),
+            ));
+        }
+        for (option, is_given) in [("--positions", self.positions.is_some()), ("--drive", self.drive.is_some())] {
+            if is_given {
+                note(&format!("{option} does nothing: a page moves every drive to any position"));
+            }
+        }
+        Ok(())
     }
 
     /// Adds the sheets of the finished figure to `drawings`, or those of the steps that were asked for, each under its
@@ -270,13 +277,8 @@ fn note_limits(traces: &Traces, figure: &Figure) {
 fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
     let construction = &solution.construction;
     let panels = solution.scene.figure.shown_panels();
-    let is_shown = |step: &NumberedStep<'_>| {
-        let panel = step.plan.map_or(PanelName::Scheme, |plan| match plan.kind {
-            PlanKind::Velocity => PanelName::Velocity,
-            PlanKind::Acceleration => PanelName::Acceleration,
-        });
-        solution.scene.figure.focus.is_none() || panels.contains(&panel)
-    };
+    let is_shown =
+        |step: &NumberedStep<'_>| solution.scene.figure.focus.is_none() || panels.contains(&step.sheet().panel());
     match steps {
         Some(Steps::Coarse) => {
             let passages = construction.passages();
@@ -284,19 +286,4 @@ fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
         }
         _ => construction.numbered_steps().map(|step| is_shown(&step)).collect(),
     }
-}
-
-/// A drive's value on a page: an angle with one decimal of a degree, a length with four significant digits.
-fn drive_value(drive: &Drive, value: f64, words: &Wording) -> String {
-    let decimals = |count: usize| words.write(value, NumberStyle::decimals(count).on(Medium::Figure));
-    if drive.is_angle() {
-        return format!("{}°", decimals(1));
-    }
-    let digits = 3.0 - libm::floor(libm::log10(value.abs().max(1e-3)));
-    decimals(digits.max(0.0) as usize)
-}
-
-/// The order of the motion to be computed: accelerations only if the figure shows them.
-fn needed_order(scene: &Scene) -> Order {
-    if scene.figure.shown_panels().contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
 }

@@ -5,7 +5,7 @@
 //! In reading order: `text` makes JSON of the text and `typed` makes typed values of it, for any file that is read
 //! strictly; `wrong`, `place` and `words` are errors, their places and their words. Then come the parts of a scene, a
 //! file each, with the types of the scene file, the types of a `Scene`, and the checks. `read` lists the parts key by
-//! key, and joins all stages. `build` fills the same types in Rust, and `write` makes their text.
+//! key, and joins all stages. `build` fills the same types in Rust, and `write` makes their text; `rewritten` changes a text.
 //!
 //! To add a kind of joint: a file like `slider`; its key, its field and its line in `read`. CONTRIBUTING.md has the
 //! whole list.
@@ -43,9 +43,14 @@ mod slider;
 
 mod known;
 
+mod kinds;
+mod size;
+
 mod traced;
 
 mod read;
+
+mod tree;
 
 mod build_parts;
 
@@ -59,11 +64,13 @@ pub use figure::{
     ConstructionShown, DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, ScalesFor, StyleName,
 };
 pub use given_by::GivenBy;
+pub use kinds::Kind;
 pub use link::Link;
 pub use motion::{LinkMotion, PointMotion};
 pub use points::Near;
 pub use read::Scene;
 pub use shape::{Length, Shape};
+pub use size::SizeLimit;
 pub use sizes::{Measure, Sizes};
 pub use slider::{Along, On, Slider};
 pub use text::MAX_BYTES;
@@ -73,5 +80,7 @@ pub use values::ValuesShown;
 
 pub(crate) use kind::FileKind;
 pub(crate) use schema::schema_of;
+pub(crate) use tree::{SceneTree, pair, why_not};
 pub(crate) use typed::read_as;
 pub(crate) use words::{nearest, nearest_within};
+pub(crate) use write::figure_keys;

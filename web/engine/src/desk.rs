@@ -12,7 +12,7 @@ pub struct Desk {
 
 impl Desk {
     /// The scene of this text, solved.
-    fn solution(&mut self, text: &str) -> Result<&Solution, Refused> {
+    pub fn solution(&mut self, text: &str) -> Result<&Solution, Refused> {
         if self.current.as_ref().is_none_or(|(known, _)| known != text) {
             let scene = Scene::read(text).map_err(|error| Refused::of(text, error))?;
             let solution = kinegon::solve(&scene).map_err(|error| Refused::of(text, error))?;
