@@ -37,7 +37,7 @@ export function icon(name: string): SVGSVGElement {
   const space = "http://www.w3.org/2000/svg";
   const image = document.createElementNS(space, "svg");
   image.setAttribute("viewBox", "0 0 24 24");
-  image.setAttribute("class", "icon");
+  image.setAttribute("class", "pictogram");
   image.setAttribute("aria-hidden", "true");
   const path = document.createElementNS(space, "path");
   path.setAttribute("d", ICONS[name] ?? "M12 12m-4 0a4 4 0 1 0 8 0 4 4 0 1 0-8 0");

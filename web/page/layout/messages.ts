@@ -41,6 +41,11 @@ export function messages(app: App): void {
   language.on(both);
 }
 
+/** Says something aloud only, where the page shows it in another way. */
+export function speak(message: string): void {
+  byId("spoken").textContent = message;
+}
+
 /** How long a word stays on the page, in ms for a letter, and at least. */
 const [LETTER, LEAST] = [60, 4000];
 

@@ -1,5 +1,6 @@
 import type { App } from "../app.ts";
 import { byId } from "../dom.ts";
+import { speak } from "../layout/messages.ts";
 import { driveName } from "../motion/drives.ts";
 
 /** What the drives stand at, beside the hand, and what stops them. */
@@ -16,7 +17,7 @@ export function bubble(app: App): { at(pixels: [number, number] | null): void } 
     place.textContent = notes.join("\n");
     place.classList.toggle("stopped", picture.notes.length > 0);
     const note = picture.notes.join(" ");
-    if (note !== told && note !== "") app.tell(note);
+    if (note !== told && note !== "") speak(note);
     told = note;
   }
 
