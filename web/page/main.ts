@@ -31,12 +31,13 @@ import { currentPicture } from "./picture/picture.ts";
 import { pulling } from "./picture/pulling.ts";
 import { viewport } from "./picture/viewport.ts";
 import { documentOf, hashOf, type BadLink, type Shared } from "./state/address.ts";
-import { autosave } from "./state/autosave.ts";
+import { asKept, autosave } from "./state/autosave.ts";
 import { history } from "./state/history.ts";
 import { beginning, type Beginning } from "./state/route.ts";
 import { signal } from "./state/signal.ts";
 import { solving } from "./state/solving.ts";
 import { store as browserStore, type Store } from "./state/storage.ts";
+import { studying } from "./state/studying.ts";
 import { steps } from "./steps/steps.ts";
 import { stepsBar } from "./steps/bar.ts";
 import { unpacked } from "./unpack.ts";
@@ -102,7 +103,7 @@ function badLink(why: BadLink): string {
 }
 
 /** A link that comes while the page is open; and the address is cleaned, so that it never says something old. */
-function watchAddress(app: App): void {
+function watchAddress(app: App, store: Store): void {
   const clean = (): void => window.history.replaceState(null, "", location.href.replace(/#.*/s, ""));
   const read = async (): Promise<void> => {
     const found = await documentOf(location.hash);
@@ -112,6 +113,7 @@ function watchAddress(app: App): void {
     app.history.change({ text: found.text, form: found.form ?? "" });
     app.view.set(found.view ?? FINISHED);
     app.student.set(found.student ?? false);
+    store.keep(asKept(app));
     if (found.panel !== undefined) app.show(found.panel);
   };
   if (location.hash !== "") clean();
@@ -139,18 +141,19 @@ async function start(): Promise<void> {
   });
   busy.on((is) => (byId("busy").textContent = is ? say("busy") : ""));
   const app = application(first.shared ?? (await firstKind(engine)), engine, tell);
+  studying(app);
   wire(app, store);
   solving(app);
   tabs(app, PANELS, store);
   help(store);
   splitter(store);
   firstPanel(app, first, store);
-  watchAddress(app);
+  watchAddress(app, store);
   autosave(app, store);
   if (first.bad !== null) tell(badLink(first.bad));
   else if (!store.works) tell(say("no_storage"));
   else if (first.from === "autosave") tell(say("restored"));
-  if (first.from === "link") store.keep({ ...app.history.now.value, title: "", time: Date.now() });
+  if (first.from === "link") store.keep(asKept(app));
   (window as unknown as { kinegon: object }).kinegon = { app, engine, history: app.history, frames };
   const ready = (is: boolean): void => {
     if (is) document.documentElement.dataset["ready"] = "yes";

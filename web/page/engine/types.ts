@@ -55,6 +55,8 @@ export interface Opened {
   steps: Step[];
   /** Steps that a lecturer shows together: the numbers of the first and the last of each. */
   passages: [number, number][];
+  /** What is done in each of them. */
+  passage_captions: string[];
   /** Names of points whose paths can be drawn. */
   traceable: string[];
   /** Names of quantities for curves, tables and values. */
@@ -76,6 +78,8 @@ export interface View {
   coarse: boolean;
   /** Whether all other assembly modes are drawn pale. */
   modes: boolean;
+  /** The panels that are shown (`scheme`, `velocity`, `acceleration`) in place of the figure's: a student's link shows the scheme alone. */
+  panels?: string[] | null;
 }
 
 /** A place that can be taken hold of. */

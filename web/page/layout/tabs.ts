@@ -2,6 +2,7 @@ import type { App, Panel } from "../app.ts";
 import { byId, element } from "../dom.ts";
 import { language } from "../words.ts";
 import type { Store } from "../state/storage.ts";
+import { STUDENTS_PANEL } from "../state/studying.ts";
 import { icon } from "./icons.ts";
 
 /** The panels beside the picture, one at a time, by tabs. Pressing the shown panel's tab hides it. */
@@ -24,15 +25,21 @@ export function tabs(app: App, panels: Panel[], store: Store): void {
   panels.forEach((panel, index) => panel.mount(buttons[index]!.body, app));
 
   list.onkeydown = (event) => {
-    const at = buttons.findIndex(({ button }) => button === document.activeElement);
-    const next = { ArrowDown: at + 1, ArrowRight: at + 1, ArrowUp: at - 1, ArrowLeft: at - 1, Home: 0, End: buttons.length - 1 }[event.key];
+    const seen = buttons.filter(({ button }) => !button.hidden);
+    const at = seen.findIndex(({ button }) => button === document.activeElement);
+    const next = { ArrowDown: at + 1, ArrowRight: at + 1, ArrowUp: at - 1, ArrowLeft: at - 1, Home: 0, End: seen.length - 1 }[event.key];
     if (next === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    const to = buttons[(next + buttons.length) % buttons.length];
+    const to = seen[(next + seen.length) % seen.length];
     to?.button.focus();
     if (to !== undefined && app.shown.value !== "") app.shown.set(to.id);
   };
+
+  app.student.on((is) => {
+    for (const { id, button } of buttons) button.hidden = is && id !== STUDENTS_PANEL;
+    if (is && app.shown.value !== "") app.show(STUDENTS_PANEL);
+  });
 
   app.shown.on((shown) => {
     byId("side").classList.toggle("folded", shown === "");

@@ -33,7 +33,7 @@ export function bubble(app: App): { at(pixels: [number, number] | null): void } 
       if (wasHidden) write();
       const [x, y] = pixels;
       const isRight = x > pane.clientWidth / 2;
-      place.style.transform = `translate(${x + (isRight ? -28 : 28)}px, ${Math.max(8, y - 44)}px) translateX(${isRight ? "-100%" : "0"})`;
+      place.style.transform = `translate(${x + (isRight ? -28 : 28)}px, ${Math.max(8, y - 60)}px) translateX(${isRight ? "-100%" : "0"})`;
     },
   };
 }
