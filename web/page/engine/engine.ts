@@ -38,7 +38,7 @@ export interface Engine {
   values(text: string): Value[];
   file(text: string, request: FileRequest): Uint8Array;
   /** How many sheets of paper a drawing takes: a work sheet's table may stand on a second one. */
-  pages(text: string, of: FileRequest["of"]): number;
+  pages(text: string, of: Exclude<FileRequest["of"], string>): number;
   form(text: string): Form;
   check(text: string, form: string, options: CheckOptions): Checked;
   exercise(text: string, name: string, seed: number, number: number): Exercise;

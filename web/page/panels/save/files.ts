@@ -27,9 +27,11 @@ export async function saveFile(app: App, request: FileRequest, part: string): Pr
   });
 }
 
-/** How many sheets of paper a drawing takes; figure and work sheet may have their table on a second one. */
+/** How many sheets of paper a drawing takes: the table of a work sheet may stand on a second one. */
 export async function pagesOf(app: App, of: FileRequest["of"]): Promise<number> {
-  return typeof of === "string" ? await app.engine.pages(app.solved.value.good, of) : 1;
+  const { good, opened } = app.solved.value;
+  const isWorksheet = of === "worksheet" || (of === "figure" && opened?.scene["figure"]?.worksheet === true);
+  return isWorksheet ? await app.engine.pages(good, { worksheet: 1 }) : 1;
 }
 
 /** Saves and says so. */
