@@ -104,7 +104,7 @@ impl Stage {
                 own.map(|&(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
             }
         };
-        let sheet = Sheet { steps, ..Sheet::default() };
+        let sheet = Sheet { steps, table: None };
         let own_sheet = composed(&own_scheme, &extents, sheet);
         let heights = schemes.iter().step_by(WORDS_OF).map(|scheme| composed(scheme, &extents, sheet).height_below());
         let below = heights.fold(own_sheet.height_below(), f64::max);
@@ -125,17 +125,11 @@ impl Stage {
     #[must_use]
     pub fn draw(&self, solution: &Solution, modes: Option<&OtherModes>) -> Drawing {
         let scheme = self.scheme_of(solution, modes);
-        let drawing = described(&scheme, self.composed(&scheme, None)).draw(&self.layout);
+        let drawing = described(&scheme, self.composed(&scheme)).draw(&self.layout);
         match self.steps {
             Some(Steps::Coarse) => drawing.in_passages(&scheme, &solution.construction.passages()),
             _ => drawing,
         }
-    }
-
-    /// The scale of a panel, in units per mm of paper.
-    #[must_use]
-    pub fn mu(&self, panel: PanelName) -> Option<f64> {
-        Some(self.placed(panel)?.1.mu)
     }
 
     /// The same while a hand moves the mechanism, quicker: names stay beside their points where they were in the picture
@@ -144,8 +138,17 @@ impl Stage {
     #[must_use]
     pub fn drag(&mut self, solution: &Solution, modes: Option<&OtherModes>, step: Option<usize>) -> Drawing {
         let mut held = std::mem::take(&mut self.held);
-        let scheme = self.scheme_of(solution, modes);
-        let sheet = self.composed(&scheme, step);
+        let count = match self.steps {
+            Some(Steps::Coarse) => solution.construction.passages().len(),
+            _ => solution.construction.step_count(),
+        };
+        let step = step.map(|step| step.clamp(1, count.max(1)));
+        let scheme = Scheme { only_step: step, ..self.scheme_of(solution, modes) };
+        let mut sheet = self.composed(&scheme);
+        sheet.steps = vec![String::new(); scheme.construction.step_count()];
+        if let Some(step) = step.and_then(|number| scheme.construction.numbered_step(number)) {
+            sheet.steps[step.number - 1] = shown_text(&scheme.teller().caption(&step), step.plan, &scheme.words);
+        }
         let mut drawing = sheet.draw_holding(&self.layout, Some(&mut held));
         self.held = held;
         match (self.steps, step) {
@@ -157,6 +160,12 @@ impl Stage {
             }
             _ => drawing,
         }
+    }
+
+    /// The scale of a panel, in units per mm of paper.
+    #[must_use]
+    pub fn mu(&self, panel: PanelName) -> Option<f64> {
+        Some(self.placed(panel)?.1.mu)
     }
 
     /// The panels of one of the stage's drawings.
@@ -224,13 +233,9 @@ impl Stage {
         with_modes(Scheme { mu: self.mu, ..Scheme::with(solution, traces) }, modes)
     }
 
-    fn composed<'a>(&self, scheme: &'a Scheme<'a>, only: Option<usize>) -> Composition<'a> {
-        let sheet = Sheet { steps: self.steps, table: None, only };
+    fn composed<'a>(&self, scheme: &'a Scheme<'a>) -> Composition<'a> {
+        let sheet = Sheet { steps: self.steps, table: None };
         let mut composition = composed(scheme, &self.extents, sheet);
-        composition.steps = vec![String::new(); scheme.construction.step_count()];
-        if let Some(step) = only.and_then(|number| scheme.construction.numbered_step(number)) {
-            composition.steps[step.number - 1] = shown_text(&scheme.teller().caption(&step), step.plan, &scheme.words);
-        }
         for (panel, (name, _)) in composition.panels.iter_mut().zip(&self.extents) {
             // The frame stands still, where the scene's own position is in sight.
             if *name == PanelName::Scheme {

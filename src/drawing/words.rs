@@ -61,8 +61,8 @@ pub(super) struct StepWords<'a> {
 }
 
 impl<'a> StepWords<'a> {
-    /// The words of all steps or, in coarse steps, of all passages; with a number only of that one.
-    pub(super) fn new(scheme: &'a Scheme<'a>, steps: Steps, only: Option<usize>) -> Self {
+    /// The words of all steps or, in coarse steps, of all passages.
+    pub(super) fn new(scheme: &'a Scheme<'a>, steps: Steps) -> Self {
         let passages = (steps == Steps::Coarse).then(|| scheme.construction.passages());
         let mut words = Self { scheme, passages, starts: IndexMap::new(), height: 0.0 };
         let [width, height] = scheme.dims.page;
@@ -77,7 +77,7 @@ impl<'a> StepWords<'a> {
         };
         let scales = extents(scheme).into_iter().map(mu).collect();
         let layout = Layout::of_words(Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0), scales);
-        for number in (0..words.count()).filter(|number| only.is_none_or(|only| only == number + 1)) {
+        for number in (0..words.count()).filter(|number| scheme.only_step.is_none_or(|only| only == number + 1)) {
             let trial = |start: Option<f64>, parts: [bool; 2]| {
                 let mut drawing = Drawing::new(width, height);
                 words.write(&mut drawing, &layout, number, start, parts);
