@@ -75,7 +75,7 @@ fn pins_hold() {
     assert_eq!((pinned.text.as_str(), pinned.note.as_deref()), (text, Some("C is pinned")));
     let one = at(&pins(&["B"], &["2.BC"]), [130.0, 120.0]);
     assert!(one.text.contains("\"BC\": 140") && !one.text.contains("\"CD\": 110"), "{}", one.text);
-    assert_eq!(one.note.as_deref(), Some("the length CB guides C"));
+    assert_eq!(one.note.as_deref(), Some("C moves on a circle: BC is pinned"));
     let off = (c(&one) - Point::new(30.0, 51.96)).norm() - 140.0;
     assert!(off.abs() < 0.01, "{off}");
     let two = at(&pins(&[], &["2.CB", "3.CD"]), [130.0, 120.0]);
@@ -110,7 +110,7 @@ fn guides_go_with_their_blocks_and_stay_where_pivots_go() {
     assert!(pivot.contains("\"through\": [0, 0]"), "{pivot}");
     let lever = include_str!("../../../templates/slotted-lever.json");
     let pin = Reshape::new(lever, "B", &Pins::default()).expect("solvable").to([60.0, 60.0]).expect("it can go there");
-    assert_eq!(pin.note.as_deref(), Some("the guide on link 3 guides B"));
+    assert_eq!(pin.note.as_deref(), Some("B moves on a line: the guide of 2/3"));
     let boom = include_str!("../../../templates/hydraulic-boom.json");
     let piston =
         Reshape::new(boom, "D", &Pins::default()).expect("solvable").to([900.0, 100.0]).expect("it can go there").text;
