@@ -61,7 +61,7 @@ pub struct Reshaped {
     pub mechanism: Mechanism,
     /// Its position.
     pub pose: Pose,
-    /// Why the joint is not where it was pulled to, if something holds it.
+    /// Why the joint may not be where it was pulled to, in the scene's language; `None` where nothing holds it.
     pub note: Option<String>,
 }
 
