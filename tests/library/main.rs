@@ -17,6 +17,7 @@ mod drawing;
 mod driven_cycles;
 mod driven_sliders;
 mod error_bounds;
+mod forms;
 mod fuzzed;
 mod gallery_measured;
 mod given_angle;

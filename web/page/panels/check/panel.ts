@@ -44,6 +44,7 @@ function mount(root: HTMLElement, app: App): void {
   const boxes = rows({
     changed(name, value, isTyping) {
       if (isTyping) check.writing.set(name);
+      else check.unchecked.add(name);
       change((file) => withValue(file, name, value), name);
       if (!isTyping) left();
     },
@@ -85,7 +86,7 @@ function mount(root: HTMLElement, app: App): void {
     const file = present();
     top.show(file);
     points.show(file);
-    boxes.show(file, judged(file, form, check.verdicts.value, check.writing.value));
+    boxes.show(file, judged(file, form, check.verdicts.value, check.unchecked));
     const asked = form.rows.filter((row) => row.is_asked);
     const filled = new Set(filledNames(file));
     const given = new Set(check.verdicts.value.checked?.parts?.rows.map((row) => row.name) ?? []);
