@@ -8,7 +8,7 @@ pub struct Opened {
     /// Its title, or the usual one.
     pub title: String,
     /// The scene file as JSON.
-    #[schemars(extend("tsType" = "Record<string, any>"))]
+    #[schemars(with = "SceneFile")]
     pub scene: Map<String, Value>,
     /// Its drives and where they stand.
     pub drives: Vec<Drive>,
@@ -31,6 +31,12 @@ pub struct Opened {
     /// Whether it is a drawn configuration, which cannot be moved.
     pub is_drawn: bool,
 }
+
+/// A scene file, as docs/scenes.md has it.
+#[derive(JsonSchema)]
+#[schemars(extend("tsType" = "Record<string, any>"))]
+#[expect(dead_code, reason = "it stands for a type of the page")]
+struct SceneFile(Map<String, Value>);
 
 /// A drive and where it stands.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -74,6 +80,7 @@ pub struct View {
     /// The panels that are shown (`scheme`, `velocity`, `acceleration`) in place of the figure's: a student's link shows
     /// the scheme alone.
     #[serde(default)]
+    #[schemars(skip_serializing_if = "Option::is_none")]
     pub panels: Option<Vec<String>>,
 }
 
@@ -147,6 +154,7 @@ pub struct Mode {
 
 /// A value of the scene's own position.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Value")]
 pub struct ValueRow {
     /// Its name, as `v(D).size`.
     pub name: String,
@@ -162,6 +170,7 @@ pub struct ValueRow {
 
 /// What can be drawn over the cycle.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Curves")]
 pub struct Drawn {
     /// The sheet.
     pub svg: String,

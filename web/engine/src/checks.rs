@@ -29,6 +29,7 @@ pub struct CheckOptions {
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Checked {
     /// As `kinegon check --json`; none where no value is understood.
+    #[schemars(with = "Option<CheckFile>")]
     pub result: Option<CheckResult>,
     /// As `kinegon check`.
     pub report: String,
@@ -44,8 +45,15 @@ pub struct Checked {
     pub marks: Option<String>,
 }
 
+/// `kinegon schema check`.
+#[derive(JsonSchema)]
+#[schemars(rename = "CheckResult", extend("tsType" = "Record<string, any>"))]
+#[expect(dead_code, reason = "it stands for a type of the page")]
+struct CheckFile(serde_json::Map<String, serde_json::Value>);
+
 /// A report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "ReportParts")]
 pub struct Parts {
     /// How many values are right, within the tolerance, off.
     pub counts: String,
@@ -134,6 +142,11 @@ impl Desk {
     /// The verdict on the values of a form; those that are not understood are told apart, and the others are checked.
     pub fn check(&mut self, text: &str, form: &str, options: &CheckOptions) -> Result<Checked, Refused> {
         let mut measured = measured(form)?;
+        let given = [options.pencil_mm, options.pencil_degrees];
+        if given.into_iter().flatten().any(|limit| !(0.0..=Tolerance::LARGEST).contains(&limit)) {
+            let message = format!("the tolerance of a pencil is from 0 to {}", Tolerance::LARGEST);
+            return Err(Refused::whole(message));
+        }
         let solution = self.solution(text)?;
         let key = options.key(usual_key(solution));
         let words = solution.wording();

@@ -89,6 +89,7 @@ pub enum OverCycle {
         path: Vec<String>,
         /// Whether the paths go on beyond limits of the drive.
         #[serde(default)]
+        #[schemars(skip_serializing_if = "std::ops::Not::not")]
         beyond_limits: bool,
     },
     /// Ways of the tips of vectors.

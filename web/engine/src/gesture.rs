@@ -37,6 +37,7 @@ pub enum Grab {
 /// Where to.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
+#[schemars(rename = "Pull")]
 pub enum To {
     /// A place on the sheet.
     Place {
