@@ -215,7 +215,9 @@ impl Pull {
                     return self.arrive(lowest, None);
                 }
                 // The end of the slope and the beginning of the next one may both be in between.
-                Some(here) if step > LEAST_STEP * unit && (before.ends_within(to - from) || here.ends_within(from - to)) => {
+                Some(here)
+                    if step > LEAST_STEP * unit && (before.ends_within(to - from) || here.ends_within(from - to)) =>
+                {
                     step *= 0.5;
                 }
                 Some(here) if limit.is_none() => (from, before, step) = (to, here, STEP * unit),

@@ -33,6 +33,8 @@ const TRIED: usize = 120;
 pub(super) struct Sheet {
     /// The steps for whose words it has room.
     pub steps: Option<Steps>,
+    /// The only step that has words, from 1; none for all.
+    pub only: Option<usize>,
     /// The table of measured lengths, on a work sheet.
     pub table: Option<TablePlace>,
 }
@@ -186,7 +188,7 @@ impl Scheme<'_> {
     fn laid_out(&self, steps: Option<Steps>) -> LaidOut<'_> {
         let extents = extents(self);
         let laid_out = |table: Option<TablePlace>| {
-            let sheet = described(self, composed(self, &extents, Sheet { steps, table }));
+            let sheet = described(self, composed(self, &extents, Sheet { steps, table, ..Sheet::default() }));
             LaidOut { layout: sheet.layout(), sheet }
         };
         if !self.figure.worksheet {
@@ -205,7 +207,7 @@ impl Scheme<'_> {
 
 /// A sheet of the scene with panels of these extents.
 pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], sheet: Sheet) -> Composition<'a> {
-    let Sheet { steps, table } = sheet;
+    let Sheet { steps, table, only } = sheet;
     let panels = panels(scheme, extents, |panel| match steps {
         Some(_) => vec![hints(scheme, panel), content(scheme, panel)],
         None => vec![content(scheme, panel)],
@@ -223,7 +225,7 @@ pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent
     let below: Vec<Box<dyn Item + 'a>> = match steps {
         None => std::iter::once(Box::new(agreement) as Box<dyn Item>).chain(ruler).collect(),
         Some(steps) => {
-            let words: Box<dyn Item + 'a> = Box::new(StepWords::new(scheme, steps));
+            let words: Box<dyn Item + 'a> = Box::new(StepWords::new(scheme, steps, only));
             let after = scheme.construction.step_count() as u16 + 1;
             let values = scheme.value_list(Some(after)).map(|list| Box::new(list) as Box<dyn Item>);
             let last = values.unwrap_or_else(|| Box::new(Lines { step: Some(after), ..agreement }));

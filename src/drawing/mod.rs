@@ -21,6 +21,7 @@ mod figure;
 mod fonts;
 mod further;
 mod grid;
+mod held;
 mod inset;
 mod key_table;
 mod labels;

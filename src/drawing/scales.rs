@@ -41,7 +41,7 @@ impl<'a> Scheme<'a> {
             return self.mu;
         }
         let extents = self.extents_to_fit();
-        let sheets = SHEETS.map(|steps| composed(self, &extents, Sheet { steps, table: None }));
+        let sheets = SHEETS.map(|steps| composed(self, &extents, Sheet { steps, ..Sheet::default() }));
         let own: Vec<Layout> = sheets.iter().map(|sheet| sheet.layout()).collect();
         let fits = |scales: &Scales| {
             sheets.iter().all(|sheet| {

@@ -2,12 +2,13 @@
 
 use super::compose::Composition;
 use super::figure::{Sheet, Steps, composed, described, extents, extents_of_images};
+use super::held::Held;
 use super::layout::{Layout, Placed};
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::Drawing;
 use super::view::{Extent, View};
-use crate::construction::Solution;
+use crate::construction::{Solution, shown_text};
 use crate::cycle::{Animation, OtherModes, Traces};
 use crate::geometry;
 use crate::mechanism::{GROUND, Mechanism};
@@ -53,6 +54,7 @@ pub struct Stage {
     /// The paths and ghosts, and the lengths of the mechanism that has them.
     traces: Arc<Traces>,
     mechanism: Mechanism,
+    held: Held,
 }
 
 /// A place that can be taken hold of.
@@ -102,7 +104,7 @@ impl Stage {
                 own.map(|&(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
             }
         };
-        let sheet = Sheet { steps, table: None };
+        let sheet = Sheet { steps, ..Sheet::default() };
         let own_sheet = composed(&own_scheme, &extents, sheet);
         let heights = schemes.iter().step_by(WORDS_OF).map(|scheme| composed(scheme, &extents, sheet).height_below());
         let below = heights.fold(own_sheet.height_below(), f64::max);
@@ -114,7 +116,8 @@ impl Stage {
             false => composed(&own_scheme, &own_extents, sheet).layout_above(below),
         };
         let scheme = own_extents.iter().find(|(panel, _)| *panel == PanelName::Scheme).map(|(_, extent)| *extent);
-        Stage { layout, mu: own_scheme.mu, extents, scheme, steps, traces, mechanism: own.mechanism.clone() }
+        let (mu, mechanism) = (own_scheme.mu, own.mechanism.clone());
+        Stage { layout, mu, extents, scheme, steps, traces, mechanism, held: Held::default() }
     }
 
     /// The figure in a position of the same mechanism, or of one with other lengths; with other modes, pale. With steps
@@ -122,7 +125,7 @@ impl Stage {
     #[must_use]
     pub fn draw(&self, solution: &Solution, modes: Option<&OtherModes>) -> Drawing {
         let scheme = self.scheme_of(solution, modes);
-        let drawing = self.composed(&scheme).draw(&self.layout);
+        let drawing = described(&scheme, self.composed(&scheme, None)).draw(&self.layout);
         match self.steps {
             Some(Steps::Coarse) => drawing.in_passages(&scheme, &solution.construction.passages()),
             _ => drawing,
@@ -133,6 +136,27 @@ impl Stage {
     #[must_use]
     pub fn mu(&self, panel: PanelName) -> Option<f64> {
         Some(self.placed(panel)?.1.mu)
+    }
+
+    /// The same while a hand moves the mechanism, quicker: names stay beside their points where they were in the picture
+    /// before, and only the words of a step are written. It is the sheet after that step; without a step the finished
+    /// figure. The first picture is [`Self::draw`]'s, and so should be the last.
+    #[must_use]
+    pub fn drag(&mut self, solution: &Solution, modes: Option<&OtherModes>, step: Option<usize>) -> Drawing {
+        let mut held = std::mem::take(&mut self.held);
+        let scheme = self.scheme_of(solution, modes);
+        let sheet = self.composed(&scheme, step);
+        let mut drawing = sheet.draw_holding(&self.layout, Some(&mut held));
+        self.held = held;
+        match (self.steps, step) {
+            (Some(steps), Some(step)) => {
+                if steps == Steps::Coarse {
+                    drawing = drawing.in_passages(&scheme, &solution.construction.passages());
+                }
+                drawing.after_step(step)
+            }
+            _ => drawing,
+        }
     }
 
     /// The panels of one of the stage's drawings.
@@ -200,9 +224,13 @@ impl Stage {
         with_modes(Scheme { mu: self.mu, ..Scheme::with(solution, traces) }, modes)
     }
 
-    fn composed<'a>(&self, scheme: &'a Scheme<'a>) -> Composition<'a> {
-        let sheet = Sheet { steps: self.steps, table: None };
-        let mut composition = described(scheme, composed(scheme, &self.extents, sheet));
+    fn composed<'a>(&self, scheme: &'a Scheme<'a>, only: Option<usize>) -> Composition<'a> {
+        let sheet = Sheet { steps: self.steps, table: None, only };
+        let mut composition = composed(scheme, &self.extents, sheet);
+        composition.steps = vec![String::new(); scheme.construction.step_count()];
+        if let Some(step) = only.and_then(|number| scheme.construction.numbered_step(number)) {
+            composition.steps[step.number - 1] = shown_text(&scheme.teller().caption(&step), step.plan, &scheme.words);
+        }
         for (panel, (name, _)) in composition.panels.iter_mut().zip(&self.extents) {
             // The frame stands still, where the scene's own position is in sight.
             if *name == PanelName::Scheme {

@@ -16,6 +16,7 @@ mod cycle;
 mod drawing;
 mod driven_cycles;
 mod driven_sliders;
+mod editing;
 mod error_bounds;
 mod forms;
 mod fuzzed;

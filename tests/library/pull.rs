@@ -90,7 +90,11 @@ fn a_pulled_point_comes_nearest() {
                         continue;
                     }
                     let further = distance(&beside);
-                    assert!(further >= here - 1e-8 * size, "{name}, point {index}: {further} < {here} at {}", pulled.value);
+                    assert!(
+                        further >= here - 1e-8 * size,
+                        "{name}, point {index}: {further} < {here} at {}",
+                        pulled.value
+                    );
                 }
                 met += 1;
             }
@@ -134,7 +138,11 @@ fn after_a_turn_all_is_as_it_was() {
         for step in (1..=200).chain((0..200).rev()) {
             there = pull.to_value(start.value + 18.0 * f64::from(step));
             if step % 20 == 0 {
-                assert!(apart(&start, &there) < 1e-9 * size(&solution), "{name}: {} at step {step}", apart(&start, &there));
+                assert!(
+                    apart(&start, &there) < 1e-9 * size(&solution),
+                    "{name}: {} at step {step}",
+                    apart(&start, &there)
+                );
             }
         }
         assert_eq!(there.value, start.value);
@@ -153,7 +161,11 @@ fn a_piston_turns_its_crank() {
         let at = solution.pose.point(pin);
         let sway = (0.01 * f64::from(step)).sin();
         let pulled = pull.to_place(pin, Point::new(1.5 * size(&solution) * sway, at.y));
-        assert!(pulled.value * pull.value().signum() >= last * pull.value().signum() - 1e-6, "{} after {last}", pulled.value);
+        assert!(
+            pulled.value * pull.value().signum() >= last * pull.value().signum() - 1e-6,
+            "{} after {last}",
+            pulled.value
+        );
         last = pulled.value;
     }
     assert!((last - start).abs() > 360.0 * 5.0, "from {start} to {last}");

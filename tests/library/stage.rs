@@ -98,7 +98,10 @@ fn handles_are_where_points_are_drawn() {
                 same(&handle);
                 let point = moved.mechanism.point(&handle.name).expect("it has that name");
                 let back = stage.place(handle.at).expect("there is a scheme");
-                assert!((back - moved.pose.point(point)).norm() < 1e-11 * size.max(back.coords.norm()), "{name}: {back}");
+                assert!(
+                    (back - moved.pose.point(point)).norm() < 1e-11 * size.max(back.coords.norm()),
+                    "{name}: {back}"
+                );
             }
             for handle in stage.plan_handles(&moved) {
                 same(&handle);

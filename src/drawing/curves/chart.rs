@@ -50,7 +50,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
         let frame = Rect::new(across[0], graph.rows[1], across[1], graph.rows[2]);
         // A graph has different scales in x and y, in its own axes.
         let placed = Placed { kind: graph.kind, frame, area: frame, mu: f64::NAN, unit: course.dims.unit };
-        graph.panel(index, &course, &drive).draw(&mut drawing, &placed, &scene.figure.labels, &course.dims);
+        graph.panel(index, &course, &drive).draw(&mut drawing, &placed, &scene.figure.labels, &course.dims, None);
     }
     if let (Some(first), Some(last)) = (graphs.first(), graphs.last()) {
         name_verticals(&mut drawing, &course, first.rows[1], &drive);

@@ -23,6 +23,8 @@ pub(super) const LEADER_GAP: f64 = 0.4;
 const DEVIATION: f64 = 1.2;
 /// The same for labels without a preference: a slight one for the upper right, where readers look first.
 const HABIT: f64 = 0.25;
+/// Gain of the place where a label was before: so small advantages do not move it.
+pub(super) const STAYING: f64 = 1.0;
 /// The preferred direction of such labels.
 const HABITUAL: Vec2 = Vec2::new(0.6, -0.8);
 /// Of a leader.
@@ -114,6 +116,8 @@ pub(super) struct Label {
     pub(super) anchors: Vec<Point>,
     pub(super) reach: Rect,
     pub(super) has_far: bool,
+    /// Whether its place before is among its places.
+    pub(super) is_kept: bool,
 }
 
 impl Label {
@@ -129,6 +133,7 @@ impl Label {
             anchors: Vec::new(),
             reach: Rect::ZERO,
             has_far: false,
+            is_kept: false,
         };
         label.reach = label.reach_at(NEAR[NEAR.len() - 1]);
         label
@@ -161,6 +166,14 @@ impl Label {
     pub(super) fn dislikes(&self) -> [f64; SIDES.len()] {
         let (wanted, weight) = self.prefer.map_or((HABITUAL, HABIT), |prefer| (prefer, DEVIATION));
         std::array::from_fn(|side| weight * (1.0 - SIDES[side].toward.dot(wanted)))
+    }
+
+    /// The cost of the direction in which the middle of the ink lies from the anchor.
+    pub(super) fn dislike_at(&self, offset: Vec2) -> f64 {
+        let (wanted, weight) = self.prefer.map_or((HABITUAL, HABIT), |prefer| (prefer, DEVIATION));
+        let half = 0.5 * self.ink.size() + kurbo::Size::new(self.clearance, self.clearance);
+        let toward = unit(Vec2::new(offset.x / half.width, offset.y / half.height));
+        toward.map_or(weight, |toward| weight * (1.0 - toward.dot(wanted)))
     }
 
     /// A place of the ink, `distance` beyond the clearance; `dislike` is the cost of its direction.

@@ -1,12 +1,12 @@
 //! The labels of a panel, their free places, and the cost of each place.
 
-use kurbo::Rect;
+use kurbo::{Rect, Vec2};
 use std::cell::Cell;
 
 use super::super::grid::Grid;
 use super::super::obstacles::Taken;
 use super::boxes::{Clipped, gap, inside, touch};
-use super::places::{FAR, LINE_GAP, Label, NEAR, OBSTACLE_GAP, Place, SIDES};
+use super::places::{FAR, LINE_GAP, Label, NEAR, OBSTACLE_GAP, Place, SIDES, STAYING};
 use super::request::LabelRequest;
 
 // Costs, in mm of distance from the anchor.
@@ -24,9 +24,28 @@ const MOST_AROUND: usize = 400;
 /// tenths of a second.
 const ENOUGH: usize = 2_000_000;
 
+/// Least distance from its anchor, beyond the clearance, of a label that stays, in mm: its text may have grown.
+const GROWN: f64 = -0.3;
+
+/// How much is tried to find places for all labels.
+#[derive(Clone, Copy)]
+pub(super) struct Effort {
+    /// Longest chain of labels that make room for one another.
+    pub(super) pushes: usize,
+    /// Most tries of one label, which bounds the time for overfull panels.
+    pub(super) tries: usize,
+}
+
+impl Effort {
+    const WHOLE: Effort = Effort { pushes: 3, tries: 1_000 };
+    /// For a picture that is soon replaced by the next one.
+    const MOVING: Effort = Effort { pushes: 2, tries: 40 };
+}
+
 /// All labels with their present places.
 pub(super) struct Search<'a> {
     pub(super) labels: Vec<Label>,
+    pub(super) effort: Effort,
     lines: Vec<Clipped>,
     pub(super) taken: &'a Taken,
     /// Where the labels' present places and their leaders are.
@@ -39,7 +58,7 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(requests: &[LabelRequest], taken: &'a Taken) -> Self {
+    pub(super) fn new(requests: &[LabelRequest], taken: &'a Taken, before: Option<&[Option<Vec2>]>) -> Self {
         let lines = taken.all().lines.iter().copied().map(Clipped::new).collect();
         let labels: Vec<Label> = requests.iter().map(Label::new).collect();
         let bounds = taken.all().bounds;
@@ -48,11 +67,15 @@ impl<'a> Search<'a> {
             anchors.add(index, Rect::from_points(label.anchor, label.anchor));
         }
         let chosen = Grid::new(bounds);
-        let mut search =
-            Self { labels, lines, taken, chosen, anchors, work: Cell::new(0), is_cut_short: Cell::new(false) };
+        let (work, is_cut_short) = (Cell::new(0), Cell::new(false));
+        let effort = if before.is_some() { Effort::MOVING } else { Effort::WHOLE };
+        let mut search = Self { labels, effort, lines, taken, chosen, anchors, work, is_cut_short };
         for index in 0..search.labels.len() {
             search.find_surroundings(index);
             search.add_places(index, &NEAR);
+            if let Some(offset) = before.and_then(|before| before[index]) {
+                search.add_kept(index, offset);
+            }
         }
         search
     }
@@ -112,6 +135,26 @@ impl<'a> Search<'a> {
         let anchors = anchors.take(MOST_AROUND).collect();
         let label = &mut self.labels[index];
         (label.lines, label.anchors) = (lines, anchors);
+    }
+
+    /// Adds the place where a label was before, if it is free.
+    fn add_kept(&mut self, index: usize, offset: Vec2) {
+        let label = &self.labels[index];
+        let ink = Rect::from_center_size(label.anchor + offset, label.ink.size());
+        let distance = gap(ink, label.anchor) - label.clearance;
+        let bounds = self.taken.all().bounds;
+        if distance < GROWN || ink.union(bounds) != bounds || self.is_on_obstacle(ink) {
+            return;
+        }
+        let place = label.place_at(ink, distance.max(0.0), label.dislike_at(offset) - STAYING);
+        if distance > NEAR[NEAR.len() - 1] {
+            let reach = label.reach_at(distance);
+            self.labels[index].reach = reach;
+            self.find_surroundings(index);
+        }
+        let label = &mut self.labels[index];
+        label.is_kept = true;
+        label.places.push(place);
     }
 
     /// Adds the free places of a label at these distances.

@@ -16,7 +16,8 @@ const SYMBOLS: Record<string, [string, string?]> = {
 export function choices(names: string[], chosen: string[], toggle: (name: string, on: boolean) => void): HTMLElement {
   const groups = bySubject(names, (name) => name).map(([subject, members]) => {
     const boxes = members.map((name) => chip(name, subject.name, chosen.includes(name), toggle));
-    return element("fieldset", {}, element("legend", {}, named(subject)), element("div", { class: "chips" }, ...boxes));
+    const title = named(subject);
+    return element("div", { role: "group", "aria-label": title }, element("span", {}, title), element("div", { class: "chips" }, ...boxes));
   });
   return element("div", { class: "choices" }, ...groups);
 }

@@ -4,7 +4,7 @@ import { say } from "./words.ts";
 
 /** A picture in all the room of the window; `show` opens it. */
 export function large(): { root: HTMLElement; show(svg: string, width: number, height: number): void } {
-  const picture = sheet();
+  const picture = sheet(false);
   const root = element("dialog", { class: "large" }, button(() => say("close"), () => root.close()), picture.root);
   return {
     root,

@@ -76,7 +76,7 @@ function chooser(app: App, choice: Chosen): HTMLElement {
 function picture(app: App, choice: Chosen): HTMLElement {
   let shown: Curves | null = null;
   const message = element("p", { role: "alert", class: "bad" });
-  const drawing = sheet();
+  const drawing = sheet(false);
   const dialog = large();
   const enlarge = (): void => {
     if (shown !== null) dialog.show(shown.svg, shown.width, shown.height);
@@ -98,7 +98,7 @@ function picture(app: App, choice: Chosen): HTMLElement {
     return worded(made, () => say("save", { format: title }), "aria-label");
   });
   const tools = element("div", { class: "tools" }, button(() => say("large"), enlarge), ...saves);
-  tools.append(button(() => say("table"), () => void save("csv", "csv")));
+  tools.append(worded(button(() => "CSV", () => void save("csv", "csv")), () => say("table"), "aria-label"));
 
   keepCurrent(app, curves.id, [app.solved, choice, language], async () => {
     const { good, opened } = app.solved.value;

@@ -27,7 +27,7 @@ export function driveRows(scene: SceneFile, path: Path, remove: Button): Row[] {
   };
   const acceleration: Field = { kind: "number", path: [...path, "alpha"], label: say("acceleration"), unit: alpha, step: 1, usual: "0" };
   const fields = [speed, unit, acceleration];
-  return [{ label: say("drive"), path, fields: isDrawn(scene) ? fields : [angle, ...fields], buttons: [remove] }];
+  return [{ label: say("drive"), titled: true, path, fields: isDrawn(scene) ? fields : [angle, ...fields], buttons: [remove] }];
 }
 
 /** The fields of a drive that pushes along a guide. */

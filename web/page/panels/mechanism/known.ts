@@ -68,13 +68,13 @@ function rates(scene: SceneFile, path: Path): Row[] {
   const velocity: Path = [...path, "velocity"];
   const acceleration: Path = [...path, "acceleration"];
   const step = stepFor(sizeOf(scene));
-  const first: Row = { label: say("velocity"), path: velocity, fields: [...vectorFields(scene, velocity, units.velocity, step), vectorForm(velocity, say("velocity"))] };
+  const first: Row = { label: say("velocity"), titled: true, path: velocity, fields: [...vectorFields(scene, velocity, units.velocity, step), vectorForm(velocity, say("velocity"))] };
   const isGiven = at(scene, acceleration) !== undefined;
   const add: Button = { text: say("add_acceleration"), icon: "add", edits: [{ set: acceleration, value: [0, 0] }] };
   if (!isGiven) return [first, { fields: [], buttons: [add] }];
   const remove: Button = { text: say("drop_acceleration"), icon: "remove", edits: [{ remove: acceleration }] };
   const fields = [...vectorFields(scene, acceleration, units.acceleration, 10 * step), vectorForm(acceleration, say("acceleration"))];
-  return [first, { label: say("acceleration"), path: acceleration, fields, buttons: [remove] }];
+  return [first, { label: say("acceleration"), titled: true, path: acceleration, fields, buttons: [remove] }];
 }
 
 /** Drive or known motion of a link of a drawn scene. */
@@ -85,7 +85,7 @@ export function motionRows(scene: SceneFile, name: string): Row[] {
   if (drive !== undefined) {
     const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: [...path, "drive"] }] };
     const own: Path = [...path, "drive"];
-    return isSlidingDrive(drive) ? [{ label: say("drive"), path: own, fields: slidingDriveFields(scene, own), buttons: [remove] }] : driveRows(scene, own, remove);
+    return isSlidingDrive(drive) ? [{ label: say("drive"), titled: true, path: own, fields: slidingDriveFields(scene, own), buttons: [remove] }] : driveRows(scene, own, remove);
   }
   const motion: Path = [...path, "motion"];
   if (at(scene, motion) !== undefined) return motionFields(scene, motion, points, name);
@@ -106,5 +106,5 @@ function motionFields(scene: SceneFile, path: Path, points: string[], name: stri
     { kind: "number", path: [...path, "omega"], label: "ω", unit: omega, step: 0.5, usual: "0" },
     { kind: "number", path: [...path, "alpha"], label: "α", unit: alpha, step: 1, usual: "0" },
   ];
-  return [{ label: say("known_motion"), path, fields: [...where, ...turning], buttons: [remove] }, ...rates(scene, path)];
+  return [{ label: say("known_motion"), titled: true, path, fields: [...where, ...turning], buttons: [remove] }, ...rates(scene, path)];
 }

@@ -84,7 +84,7 @@ function measureRows(scene: SceneFile, path: Path, points: string[]): Row[] {
   const unit = unitsOf(scene).length;
   const shape = at(scene, [...path, "shape"]);
   if (shape !== undefined) return shapeRows(shape, [...path, "shape"], unit, step);
-  if (points.length > 3) return [{ label: say("unsized"), path: [...path, "shape"], fields: [] }];
+  if (points.length > 3) return [{ label: say("unsized"), titled: true, path: [...path, "shape"], fields: [] }];
   const table = [...path, "lengths"];
   const fields = pairs(points).map(([a, b]): Field => {
     const key = lengthKey(at(scene, table), a, b);
@@ -100,7 +100,7 @@ function shapeRows(shape: unknown, path: Path, unit: string, step: number): Row[
     const fields: Field[] = typeof place === "number" ? [{ kind: "number", path: own, label: "x", unit, step, needed: true }] : placeFields(own, unit, step);
     return { label: name, path: own, fields, buttons: beside };
   });
-  return [{ label: say("places_on_link"), fields: [] }, ...rows];
+  return [{ label: say("places_on_link"), titled: true, fields: [] }, ...rows];
 }
 
 /** Drive or given angle of a link. */
@@ -109,7 +109,7 @@ function motionOf(scene: SceneFile, name: string, points: string[]): Row[] {
   const drive = at(scene, [...path, "drive"]);
   if (drive !== undefined) {
     const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: [...path, "drive"] }] };
-    if (isSlidingDrive(drive)) return [{ label: say("drive"), path: [...path, "drive"], fields: slidingDriveFields(scene, [...path, "drive"]), buttons: [remove] }];
+    if (isSlidingDrive(drive)) return [{ label: say("drive"), titled: true, path: [...path, "drive"], fields: slidingDriveFields(scene, [...path, "drive"]), buttons: [remove] }];
     return driveRows(scene, [...path, "drive"], remove);
   }
   const rows: Row[] = [];

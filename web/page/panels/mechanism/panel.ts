@@ -1,9 +1,10 @@
-import type { App, Panel } from "../../app.ts";
+import type { Panel } from "../../app.ts";
 import type { SceneFile } from "../../engine/types.ts";
 import { h } from "../parts/element.ts";
 import type { Form } from "../parts/form.ts";
 import { at, isDrawn } from "../parts/scene.ts";
 import { keepForm } from "../parts/sheet.ts";
+import { board } from "./board.ts";
 import { command } from "./commands.ts";
 import { gallery } from "./gallery.ts";
 import { about, ground } from "./ground.ts";
@@ -19,10 +20,11 @@ export const mechanism: Panel = {
   title: { en: "Mechanism", es: "Mecanismo" },
   mount(root, app) {
     const places = placesOf(app);
-    root.append(gallery(app, () => undefined));
+    const desk = board(app, places);
+    root.append(gallery(app, desk.open), desk.root);
     const form = h("div", {});
     root.append(form);
-    keepForm(form, app, { describe, asked: (ask) => void command(app as App, places.value, ask) });
+    keepForm(form, app, { describe, asked: (ask) => void command(app, places.value, ask) });
   },
 };
 

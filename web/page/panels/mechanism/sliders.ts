@@ -100,7 +100,7 @@ function turnedRow(scene: SceneFile, path: Path, isPin: boolean): Row[] {
 function driveOf(scene: SceneFile, slider: unknown, path: Path, name: string): Row[] {
   const own: Path = [...path, "drive"];
   const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: own }] };
-  if (at(slider, ["drive"]) !== undefined) return [{ label: say("drive"), path: own, fields: slidingDriveFields(scene, own), buttons: [remove] }];
+  if (at(slider, ["drive"]) !== undefined) return [{ label: say("drive"), titled: true, path: own, fields: slidingDriveFields(scene, own), buttons: [remove] }];
   if (at(scene, ["links", String(at(slider, ["link"])), "drive"]) !== undefined) return [];
   return [{ fields: [], buttons: [{ text: say("drive"), icon: "add", ask: { do: "push", with: path.map(String) } }] }];
 }

@@ -4,17 +4,17 @@ type Key =
   | "about" | "title" | "untitled" | "length_unit" | "time_unit"
   | "ground" | "ground_help" | "fixed_point" | "add_fixed" | "no_longer_there"
   | "links" | "links_help" | "link" | "link_name" | "add_link" | "from" | "to" | "new_point" | "points" | "point_name" | "drop_link" | "take_off"
-  | "add_point" | "lengths" | "length" | "places_on_link" | "along_axis" | "give_place" | "drive_it" | "drop_drive" | "drive" | "angle" | "speed"
+  | "add_point" | "places_on_link" | "give_place" | "drive_it" | "drop_drive" | "drive" | "angle" | "speed"
   | "turns" | "acceleration" | "position" | "axis_angle" | "block" | "driven" | "carries_shape" | "unsized" | "moves_as_known"
   | "sliders" | "sliders_help" | "slider" | "pin_in_slot" | "what_slides" | "sliding_link" | "at" | "pin" | "on" | "ground_word" | "through" | "through_usual" | "through_place" | "along"
   | "along_usual" | "along_degrees" | "along_direction" | "degrees" | "turned" | "drop_slider" | "add_slider" | "new_block" | "link_at" | "pin_at"
   | "near" | "near_help" | "add_near" | "angle_of" | "drop_near"
   | "drawn_points" | "drawn_help" | "fixed" | "known" | "known_help" | "add_known" | "drop_known" | "velocity" | "by_parts" | "by_size" | "size" | "known_motion"
   | "drop_motion" | "add_acceleration" | "drop_acceleration" | "stub" | "moving"
-  | "new" | "change_kind" | "empty" | "open_file" | "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | "groups_drawn" | "groups_paper" | "unread_file"
-  | "board" | "board_help" | "tool_move" | "tool_ground" | "tool_link" | "tool_third" | "tool_block" | "tool_drive" | "tool_drop" | "board_link" | "board_third"
-  | "board_block" | "board_drive" | "board_ground" | "board_drop" | "board_move" | "board_pick_second" | "board_pick_link" | "begin" | "incomplete" | "shape_help" | "unpin" | "turned_usual"
-  | "larger" | "smaller" | "done" | "board_label" | "guide" | "reset_pins" | "places_unknown";
+  | "change_kind" | "empty" | "open_file" | "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | "groups_drawn" | "groups_paper" | "unread_file"
+  | "board" | "tool_ground" | "tool_link" | "tool_third" | "tool_block" | "tool_drive" | "tool_drop" | "board_link" | "board_third"
+  | "board_block" | "board_drive" | "board_ground" | "board_drop" | "board_pick_second" | "board_pick_link" | "board_pick_guide" | "begin" | "incomplete" | "shape_help"
+  | "larger" | "done" | "board_label";
 
 const WORDS: Words<Key> = {
   en: {
@@ -41,10 +41,7 @@ const WORDS: Words<Key> = {
     drop_link: "Remove link {name}",
     take_off: "Take {name} off the link",
     add_point: "Point",
-    lengths: "Lengths",
-    length: "Length {name}",
     places_on_link: "Places on the link itself; x runs along it",
-    along_axis: "x",
     give_place: "Beside the axis",
     drive_it: "Drive this link",
     drop_drive: "Remove the drive of {name}",
@@ -106,7 +103,6 @@ const WORDS: Words<Key> = {
     drop_acceleration: "Remove the acceleration",
     stub: "stub",
     moving: "moving",
-    new: "New",
     change_kind: "Start from another mechanism",
     empty: "New, empty",
     open_file: "Open file…",
@@ -118,35 +114,27 @@ const WORDS: Words<Key> = {
     groups_paper: "From the paper",
     unread_file: "This file cannot be read.",
     board: "Drawing board",
-    board_help: "Put the mechanism together here: choose a tool, then click places or points. Values follow in the form.",
-    tool_move: "Look",
     tool_ground: "Fixed point",
     tool_link: "Link",
     tool_third: "Third point",
     tool_block: "Block",
     tool_drive: "Drive",
     tool_drop: "Remove",
-    board_move: "Click a tool. Arrow keys move the cross, Enter places.",
     board_ground: "Click where a fixed point is to be.",
     board_link: "Click two places, or points that are there already.",
     board_pick_second: "From {name}: now click the other end.",
     board_third: "Click a link, then the place of its further point.",
     board_pick_link: "On link {name}: now click the place.",
-    board_block: "Click the point that slides on a level guide on the ground; turn the guide in the form.",
+    board_block: "Click the point that slides.",
+    board_pick_guide: "{name} slides: now click the link that guides it, or an empty place for a level guide on the ground.",
     board_drive: "Click a link that has a fixed pivot: a drive turns it.",
     board_drop: "Click a point or a link to remove it.",
     begin: "Nothing there yet. Click “Link”, then two points.",
     incomplete: "Not complete yet: {why}",
     shape_help: "Pins hold points and lengths while you pull joints in shape.",
-    unpin: "Release all pins",
-    turned_usual: "0",
     larger: "Larger",
-    smaller: "Smaller",
     done: "Done",
     board_label: "Drawing board with {count} points",
-    guide: "guide",
-    reset_pins: "Release all pins",
-    places_unknown: "unknown",
   },
   es: {
     about: "General",
@@ -172,10 +160,7 @@ const WORDS: Words<Key> = {
     drop_link: "Quitar el eslabón {name}",
     take_off: "Quitar {name} del eslabón",
     add_point: "Punto",
-    lengths: "Longitudes",
-    length: "Longitud {name}",
     places_on_link: "Lugares en el propio eslabón; x va a lo largo de él",
-    along_axis: "x",
     give_place: "Fuera del eje",
     drive_it: "Accionar este eslabón",
     drop_drive: "Quitar el accionamiento de {name}",
@@ -237,7 +222,6 @@ const WORDS: Words<Key> = {
     drop_acceleration: "Quitar la aceleración",
     stub: "tocón",
     moving: "móvil",
-    new: "Nuevo",
     change_kind: "Partir de otro mecanismo",
     empty: "Nuevo, vacío",
     open_file: "Abrir archivo…",
@@ -249,35 +233,27 @@ const WORDS: Words<Key> = {
     groups_paper: "Del artículo",
     unread_file: "Este archivo no se puede leer.",
     board: "Tablero de dibujo",
-    board_help: "Arme aquí el mecanismo: elija una herramienta y pulse lugares o puntos. Los valores siguen en el formulario.",
-    tool_move: "Ver",
     tool_ground: "Punto fijo",
     tool_link: "Eslabón",
     tool_third: "Tercer punto",
     tool_block: "Corredera",
     tool_drive: "Accionar",
     tool_drop: "Quitar",
-    board_move: "Elija una herramienta. Las flechas mueven la cruz, Intro coloca.",
     board_ground: "Pulse donde debe estar un punto fijo.",
     board_link: "Pulse dos lugares, o puntos que ya están.",
     board_pick_second: "Desde {name}: pulse ahora el otro extremo.",
     board_third: "Pulse un eslabón y después el lugar de su nuevo punto.",
     board_pick_link: "En el eslabón {name}: pulse ahora el lugar.",
-    board_block: "Pulse el punto que desliza en una guía horizontal del bastidor; gire la guía en el formulario.",
+    board_block: "Pulse el punto que desliza.",
+    board_pick_guide: "{name} desliza: pulse ahora el eslabón que lo guía, o un lugar vacío para una guía horizontal del bastidor.",
     board_drive: "Pulse un eslabón con un apoyo fijo: un accionamiento lo gira.",
     board_drop: "Pulse un punto o un eslabón para quitarlo.",
     begin: "Aún no hay nada. Pulse «Eslabón» y después dos puntos.",
     incomplete: "Aún incompleto: {why}",
     shape_help: "Los alfileres sujetan puntos y longitudes al dar forma.",
-    unpin: "Soltar todos los alfileres",
-    turned_usual: "0",
     larger: "Mayor",
-    smaller: "Menor",
     done: "Listo",
     board_label: "Tablero de dibujo con {count} puntos",
-    guide: "guía",
-    reset_pins: "Soltar todos los alfileres",
-    places_unknown: "desconocido",
   },
 };
 

@@ -40,7 +40,7 @@ export const modes: Panel = {
 /** Fills the list; the mode that has the focus keeps it. */
 async function show(list: HTMLElement, app: App, text: string, found: Mode[]): Promise<void> {
   const hadFocus = list.contains(document.activeElement);
-  const pictures = found.slice(0, MOST_PICTURES).map(() => sheet({ "aria-hidden": "true" }));
+  const pictures = found.slice(0, MOST_PICTURES).map(() => sheet(false, { "aria-hidden": "true" }));
   list.replaceChildren(...found.map((mode, index) => choice(mode, pictures[index], () => void choose(app, text, mode.number))));
   if (hadFocus) list.querySelector<HTMLInputElement>("input:checked")?.focus();
   for (const [index, picture] of pictures.entries()) {

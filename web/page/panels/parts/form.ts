@@ -35,6 +35,8 @@ export interface Card {
 
 export interface Row {
   label?: string;
+  /** Whether the label stands above its fields, as a title. */
+  titled?: boolean;
   name?: NameField;
   path?: Path;
   fields: Field[];

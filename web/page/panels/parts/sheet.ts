@@ -109,7 +109,7 @@ function rowOf(state: State, row: Row): HTMLElement {
   state.live.push(...fields);
   return h(
     "div",
-    { class: row.label === undefined ? "row" : "row headed", role: "group", "aria-label": row.label ?? row.name?.name, "data-path": row.path === undefined ? null : dotted(row.path) },
+    { class: row.titled === true ? "row titled" : "row", role: "group", "aria-label": row.label ?? row.name?.name, "data-path": row.path === undefined ? null : dotted(row.path) },
     row.label !== undefined && h("span", { class: "of" }, row.label),
     row.name !== undefined && nameInput(state.app, row.name),
     ...fields.map(({ root }) => root),

@@ -17,7 +17,8 @@ export async function saveFile(app: App, request: FileRequest, part: string): Pr
   const { good } = app.solved.value;
   const name = [stem(app), part].filter(Boolean).join("-");
   await orTell(app, async () => {
-    const count = await pagesOf(app, request.of);
+    const isPicture = PICTURES.some(([format]) => format === request.format);
+    const count = isPicture ? await pagesOf(app, request.of) : 1;
     for (let number = 1; number <= count; number += 1) {
       const of = number === 1 ? request.of : { worksheet: number };
       const bytes = await app.engine.file(good, { ...request, of });
@@ -26,9 +27,11 @@ export async function saveFile(app: App, request: FileRequest, part: string): Pr
   });
 }
 
-/** How many sheets of paper a drawing takes. */
+/** How many sheets of paper a drawing takes: the table of a work sheet may stand on a second one. */
 export async function pagesOf(app: App, of: FileRequest["of"]): Promise<number> {
-  return of === "worksheet" ? await app.engine.pages(app.solved.value.good, of) : 1;
+  const { good, opened } = app.solved.value;
+  const isWorksheet = of === "worksheet" || (of === "figure" && opened?.scene["figure"]?.worksheet === true);
+  return isWorksheet ? await app.engine.pages(good, { worksheet: 1 }) : 1;
 }
 
 /** Saves and says so. */

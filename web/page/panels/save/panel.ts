@@ -9,7 +9,7 @@ import { say } from "./words.ts";
 /** All that can be taken along: files, links, prints. */
 export const save: Panel = {
   id: "save",
-  title: { en: "Save & share", es: "Guardar y compartir" },
+  title: { en: "Save", es: "Guardar" },
   mount(root, app) {
     const old = worded(element("p", { class: "notice", role: "status", hidden: true }), () => say("old_text"));
     app.solved.on(({ refused }) => (old.hidden = refused === null));

@@ -80,7 +80,7 @@ async function drawn(app: App, text: string, of: FileRequest["of"]): Promise<str
 
 /** A sheet with its size below. */
 function shown(svg: string, index: number, count: number): HTMLElement {
-  const picture = sheet();
+  const picture = sheet(true);
   picture.show(svg);
   const [width, height] = sizeOf(svg);
   const name = PAPERS[[width, height].sort((a, b) => a - b).join(" ")] ?? "";

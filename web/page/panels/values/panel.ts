@@ -70,8 +70,8 @@ function fill(contents: HTMLElement, app: App): void {
     digits.replaceChildren(...DIGITS.map((n) => element("option", {}, n === null ? say("certain") : say("few", { count: n }))));
     digits.selectedIndex = chosen;
   });
-  const digitsLabel = element("label", {}, worded(element("span"), () => say("digits")), " ", digits);
-  const tools = element("div", { class: "tools" }, search, digitsLabel, button(() => say("copy"), () => void copy()), button(() => say("save"), save));
+  worded(digits, () => say("digits"), "aria-label");
+  const tools = element("div", { class: "tools" }, search, digits, button(() => say("copy"), () => void copy()), button(() => say("save"), save));
   contents.append(
     tools,
     message,

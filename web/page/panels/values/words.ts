@@ -25,7 +25,7 @@ const WORDS: Words<Key> = {
   en: {
     find: "Find a quantity",
     digits: "Digits",
-    certain: "all that are certain",
+    certain: "all certain digits",
     few: "{count} digits",
     copy: "Copy",
     save: "CSV",
@@ -46,7 +46,7 @@ const WORDS: Words<Key> = {
   es: {
     find: "Buscar una magnitud",
     digits: "Cifras",
-    certain: "todas las seguras",
+    certain: "cifras seguras",
     few: "{count} cifras",
     copy: "Copiar",
     save: "CSV",
