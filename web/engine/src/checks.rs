@@ -165,7 +165,7 @@ impl Desk {
         let mut drawn = Drawn::default();
         if options.drawn {
             let overlay = redrawn(&measured, &key, &checked, &words)?;
-            drawn.overlays = sheets(&measured, &key, overlay);
+            drawn.overlays = sheets(&key, overlay);
             drawn.feedback = Feedback::new(&measured, &key, &checked, marks.as_ref(), &words)?.html();
         }
         let line = marks.as_ref().map(|marks| marks.line(&words));
@@ -219,12 +219,11 @@ fn set_faults_apart(measured: &mut Measured, key: &AnswerKey<'_>) -> Vec<Fault> 
     told
 }
 
-/// The student's drawing over the right one at the student's scales; words and table stand on the page.
-fn sheets(measured: &Measured, key: &AnswerKey<'_>, redrawn: Overlay) -> Vec<OverlaySheet> {
+/// The student's drawing over the right one, as large as the sheet allows; words and table stand on the page.
+fn sheets(key: &AnswerKey<'_>, redrawn: Overlay) -> Vec<OverlaySheet> {
     let mut solution = key.solution.clone();
     let figure = &mut solution.scene.figure;
-    let [mu_l, mu_v, mu_a] = measured.mu;
-    (figure.mu_l, figure.mu_v, figure.mu_a) = (mu_l.or(figure.mu_l), mu_v.or(figure.mu_v), mu_a.or(figure.mu_a));
+    (figure.mu_l, figure.mu_v, figure.mu_a) = (None, None, None);
     let drawn = Overlay { words: Vec::new(), values: Vec::new(), ..redrawn };
     let sheets = overlay(&solution, &drawn);
     sheets.iter().map(|sheet| OverlaySheet { svg: sheet.svg(), width: sheet.width, height: sheet.height }).collect()

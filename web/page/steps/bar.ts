@@ -1,0 +1,47 @@
+import type { App } from "../app.ts";
+import { byId } from "../dom.ts";
+import { say } from "../layout/words.ts";
+import { language } from "../words.ts";
+import type { Steps } from "./steps.ts";
+
+/** The bar below the picture: caption and equation, and the controls to go through the steps. */
+export function stepsBar(app: App, steps: Steps): void {
+  const slider = byId<HTMLInputElement>("step-slider");
+  const coarse = byId<HTMLInputElement>("step-coarse");
+  const toggle = byId("steps-toggle");
+
+  function show(): void {
+    const [count, now, said] = [steps.count(), steps.now(), steps.said()];
+    const isFinished = said === null;
+    const place = isFinished ? say("finished", { count }) : say("step_of", { number: now, count });
+    text("step-caption", isFinished ? (app.solved.value.opened?.title ?? "") : said.caption);
+    text("step-equation", isFinished ? "" : said.equation);
+    text("step-number", isFinished ? `${count} / ${count}` : `${now} / ${count}`);
+    slider.max = String(count + 1);
+    slider.value = String(now);
+    slider.setAttribute("aria-valuetext", place);
+    for (const id of ["step-first", "step-back"]) byId<HTMLButtonElement>(id).disabled = now <= 1;
+    for (const id of ["step-last", "step-forward"]) byId<HTMLButtonElement>(id).disabled = isFinished;
+    coarse.checked = app.view.value.coarse;
+    coarse.parentElement!.hidden = (app.solved.value.opened?.passages.length ?? 0) === 0;
+    byId<HTMLButtonElement>("steps-toggle").disabled = count === 0;
+  }
+
+  function text(id: string, words: string): void {
+    const place = byId(id);
+    if (place.textContent !== words) place.textContent = words;
+  }
+
+  const buttons = { "step-first": () => steps.go(1), "step-back": () => steps.by(-1), "step-forward": () => steps.by(1), "step-last": () => steps.go(Infinity) };
+  for (const [id, act] of Object.entries(buttons)) byId(id).onclick = act;
+  slider.oninput = () => steps.go(slider.valueAsNumber);
+  coarse.onchange = () => steps.coarse(coarse.checked);
+  toggle.onclick = () => (steps.on.value ? steps.on.set(false) : steps.go(1));
+  steps.on.on((is) => {
+    byId("steps").hidden = !is;
+    toggle.setAttribute("aria-pressed", String(is));
+  });
+  app.view.on(show);
+  app.solved.on(show);
+  language.on(show);
+}
