@@ -36,7 +36,7 @@ impl Search<'_> {
         let mut order: Vec<usize> = (0..requests.len()).collect();
         order.sort_by_key(|&index| {
             let label = &self.labels[index];
-            (!label.is_kept, u8::MAX - requests[index].priority, label.places.len(), index)
+            (label.before.is_none(), u8::MAX - requests[index].priority, label.places.len(), index)
         });
         for index in order {
             let place = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);

@@ -6,7 +6,7 @@ use std::cell::Cell;
 use super::super::grid::Grid;
 use super::super::obstacles::Taken;
 use super::boxes::{Clipped, gap, inside, touch};
-use super::places::{FAR, LINE_GAP, Label, NEAR, OBSTACLE_GAP, Place, SIDES, STAYING};
+use super::places::{FAR, LINE_GAP, Label, NEAR, OBSTACLE_GAP, Place, SIDES};
 use super::request::LabelRequest;
 
 // Costs, in mm of distance from the anchor.
@@ -72,10 +72,9 @@ impl<'a> Search<'a> {
         let mut search = Self { labels, effort, lines, taken, chosen, anchors, work, is_cut_short };
         for index in 0..search.labels.len() {
             search.find_surroundings(index);
+            search.labels[index].before = before.and_then(|before| before[index]);
             search.add_places(index, &NEAR);
-            if let Some(offset) = before.and_then(|before| before[index]) {
-                search.add_kept(index, offset);
-            }
+            search.add_kept(index);
         }
         search
     }
@@ -138,23 +137,22 @@ impl<'a> Search<'a> {
     }
 
     /// Adds the place where a label was before, if it is free.
-    fn add_kept(&mut self, index: usize, offset: Vec2) {
+    fn add_kept(&mut self, index: usize) {
         let label = &self.labels[index];
+        let Some(offset) = label.before else { return };
         let ink = Rect::from_center_size(label.anchor + offset, label.ink.size());
         let distance = gap(ink, label.anchor) - label.clearance;
         let bounds = self.taken.all().bounds;
         if distance < GROWN || ink.union(bounds) != bounds || self.is_on_obstacle(ink) {
             return;
         }
-        let place = label.place_at(ink, distance.max(0.0), label.dislike_at(offset) - STAYING);
+        let place = label.place_at(ink, distance.max(0.0), label.dislike_at(offset));
         if distance > NEAR[NEAR.len() - 1] {
             let reach = label.reach_at(distance);
             self.labels[index].reach = reach;
             self.find_surroundings(index);
         }
-        let label = &mut self.labels[index];
-        label.is_kept = true;
-        label.places.push(place);
+        self.labels[index].places.push(place);
     }
 
     /// Adds the free places of a label at these distances.
@@ -174,7 +172,7 @@ impl<'a> Search<'a> {
             for (side, dislike) in SIDES.iter().zip(dislikes) {
                 let ink = label.ink_beside(side, label.clearance + distance);
                 if free(ink) {
-                    places.push(label.place_at(ink, distance, dislike));
+                    places.push(label.place_at(ink, distance, dislike + label.elsewhere(ink)));
                 }
             }
         }
