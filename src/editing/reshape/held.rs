@@ -1,6 +1,7 @@
 //! What holds a joint that is pulled: pins, and guides that have to go on through the joints that slide on them.
 
 use super::Pins;
+use super::lever::Lever;
 use super::rule::Rule;
 use crate::editing::names::joined;
 use crate::editing::present::Solved;
@@ -17,6 +18,8 @@ const ON_LINE: f64 = 1e-4;
 pub(super) struct Held {
     pub rules: Vec<Rule>,
     is_pinned: bool,
+    /// Slotted levers that turn when the joint moves.
+    pub levers: Vec<Lever>,
     /// What holds the joint, in words.
     pub note: Option<String>,
 }
@@ -32,8 +35,11 @@ impl Held {
         let mut held = Held::default();
         let mut notes = Vec::new();
         let pinned = pins.lengths.iter().filter_map(|pin| pinned(solved, point, pin));
-        let sliders = solved.scene.sliders.iter().enumerate();
-        let guided = sliders.filter_map(|(index, slider)| guided(solved, point, SliderId(index), slider));
+        let sliders = || (0..).map(SliderId).zip(&solved.scene.sliders);
+        held.levers = sliders().filter_map(|(id, slider)| Lever::of(solved, point, id, slider, pins)).collect();
+        let is_fixed = |id: SliderId| held.levers.iter().all(|lever| lever.slider != id);
+        let fixed = sliders().filter(|(id, _)| is_fixed(*id)).collect::<Vec<_>>();
+        let guided = fixed.into_iter().filter_map(|(id, slider)| guided(solved, point, id, slider));
         for (rule, note) in pinned.chain(guided) {
             if !held.rules.iter().any(|other| other.is(rule)) {
                 held.rules.push(rule);
