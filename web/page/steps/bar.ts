@@ -9,7 +9,7 @@ function equation(plain: string): HTMLElement {
   const pieces = plain.split(/_(?:\{([^}]*)\}|([\p{L}\p{N}']+))/u);
   // By threes: text, mark in braces, mark without.
   const parts = pieces.map((piece, at) => (at % 3 === 0 ? piece : element("sub", {}, piece ?? "")));
-  return element("span", {}, ...parts.filter((part, at) => at % 3 === 0 || pieces[at] !== undefined));
+  return element("span", {}, ...parts.filter((_, at) => at % 3 === 0 || pieces[at] !== undefined));
 }
 
 /** The bar below the picture: caption and equation, and the controls to go through the steps. */
