@@ -31,3 +31,5 @@ mod strangers;
 mod students;
 mod styles;
 mod wording;
+#[cfg(unix)] // it puts programs into folders
+mod workbench;

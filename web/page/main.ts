@@ -9,7 +9,7 @@ import { documents, dropped } from "./layout/documents.ts";
 import { fullScreen } from "./layout/full.ts";
 import { help } from "./layout/help.ts";
 import { keys } from "./layout/keys.ts";
-import { messages, teller } from "./layout/messages.ts";
+import { messages, notice, teller } from "./layout/messages.ts";
 import { printedByBrowser, printer } from "./layout/print.ts";
 import { sayAll } from "./layout/say.ts";
 import { splitter } from "./layout/splitter.ts";
@@ -109,7 +109,7 @@ function watchAddress(app: App, store: Store): void {
     const found = await documentOf(location.hash);
     if (found === null) return;
     clean();
-    if (typeof found === "string") return app.tell(badLink(found));
+    if (typeof found === "string") return notice(badLink(found));
     app.history.change({ text: found.text, form: found.form ?? "" });
     app.view.set(found.view ?? FINISHED);
     app.student.set(found.student ?? false);
@@ -136,7 +136,7 @@ async function start(): Promise<void> {
   const [script, wasm, first] = await Promise.all([unpacked("worker"), unpacked("engine"), beginning(location.hash, store)]);
   const restarted = (why: "fell" | "too_slow"): string => say(why, { seconds: PATIENCE / 1000 });
   const { engine, busy } = startEngine(new TextDecoder().decode(script), await WebAssembly.compile(wasm), (why) => {
-    tell(restarted(why));
+    notice(restarted(why));
     return restarted(why);
   });
   busy.on((is) => (byId("busy").textContent = is ? say("busy") : ""));
@@ -150,8 +150,8 @@ async function start(): Promise<void> {
   firstPanel(app, first, store);
   watchAddress(app, store);
   autosave(app, store);
-  if (first.bad !== null) tell(badLink(first.bad));
-  else if (!store.works) tell(say("no_storage"));
+  if (first.bad !== null) notice(badLink(first.bad));
+  else if (!store.works) notice(say("no_storage"));
   else if (first.from === "autosave") tell(say("restored"));
   if (first.from === "link") store.keep(asKept(app));
   (window as unknown as { kinegon: object }).kinegon = { app, engine, history: app.history, frames };

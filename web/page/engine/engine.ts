@@ -31,6 +31,8 @@ export interface Engine {
   /** The scene's text after the gesture. */
   drop(): string;
   edit(text: string, edits: Edit[]): string;
+  /** Where the points are in the scene's own coordinates: as solved; of a scene that cannot be solved, those that its text says. */
+  places(text: string): { name: string; at: [number, number] }[];
   modes(text: string): Mode[];
   /** The scene in another assembly mode: its text with `near` changed. */
   choose_mode(text: string, number: number): string;
@@ -38,14 +40,14 @@ export interface Engine {
   /** Values with certain digits: what `kinegon solve --digits` prints, by rows. */
   values(text: string): Value[];
   file(text: string, request: FileRequest): Uint8Array;
-  /** How many sheets of paper a drawing takes: a work sheet's table may stand on a second one. */
-  pages(text: string, of: Exclude<FileRequest["of"], string>): number;
   /** The form of a scene; `filled` is a form with values, or empty. */
   form(text: string, filled: string): Form;
   /** A form file, JSON or a table, as JSON with the names by which the scene's form asks. */
   read_form(text: string, form: string): string;
   /** A form as a table. */
   write_form(text: string, form: string): string;
+  /** How many sheets of paper a drawing takes: a work sheet's table may stand on a second one. */
+  pages(text: string, of: Exclude<FileRequest["of"], string>): number;
   check(text: string, form: string, options: CheckOptions): Checked;
   /** The exercise of a number, counted from 1; `name` is that of the kind or of the scene's file. */
   exercise(text: string, name: string, seed: number, number: number, options: ExerciseOptions): Exercise;

@@ -32,12 +32,12 @@ const ICONS: Record<string, string> = {
   save: "M12 3v12m-5-5 5 5 5-5M4 20h16",
 };
 
-/** A pictogram; it says nothing to screen readers. */
+/** A icon; it says nothing to screen readers. */
 export function icon(name: string): SVGSVGElement {
   const space = "http://www.w3.org/2000/svg";
   const image = document.createElementNS(space, "svg");
   image.setAttribute("viewBox", "0 0 24 24");
-  image.setAttribute("class", "pictogram");
+  image.setAttribute("class", "icon");
   image.setAttribute("aria-hidden", "true");
   const path = document.createElementNS(space, "path");
   path.setAttribute("d", ICONS[name] ?? "M12 12m-4 0a4 4 0 1 0 8 0 4 4 0 1 0-8 0");
