@@ -190,4 +190,17 @@ pub struct Drawn {
     pub height: f64,
     /// Extreme positions, change points, limits, in words.
     pub events: Vec<String>,
+    /// The axis of the drive; none where nothing is drawn over it.
+    pub axis: Option<DriveAxis>,
+}
+
+/// Where the values of the drive are in graphs one above the other.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct DriveAxis {
+    /// The value at the left edge of the graphs, in degrees or units of length.
+    pub low: f64,
+    /// At the right edge.
+    pub high: f64,
+    /// The graphs: [x, y, width, height] in mm.
+    pub areas: Vec<[f64; 4]>,
 }

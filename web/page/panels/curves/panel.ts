@@ -9,6 +9,7 @@ import { oneOf } from "../output/one_of.ts";
 import { sheet } from "../output/sheet.ts";
 import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, wantedOf } from "./choice.ts";
 import { choices, points } from "./chooser.ts";
+import { follow } from "./follow.ts";
 import { large } from "./large.ts";
 import { say } from "./words.ts";
 
@@ -78,6 +79,7 @@ function picture(app: App, choice: Chosen): HTMLElement {
   const message = element("p", { role: "alert", class: "bad" });
   const drawing = sheet(false);
   const dialog = large();
+  follow(app, drawing, () => shown?.axis ?? null);
   const enlarge = (): void => {
     if (shown !== null) dialog.show(shown.svg, shown.width, shown.height);
   };
