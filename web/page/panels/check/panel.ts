@@ -17,7 +17,7 @@ import { rows } from "./rows.ts";
 import { say } from "./words.ts";
 
 function mount(root: HTMLElement, app: App): void {
-  root.classList.add("check");
+  root.classList.add("check-panel");
   const check = checking(app);
   const drawing = overlay(app, () => check.scheme.value?.text ?? null);
   let form: Form | null = null;
