@@ -51,7 +51,7 @@ function mount(root: HTMLElement, app: App): void {
     left,
     remove: (name) => change((file) => withoutValue(file, name), `remove ${name}`),
   });
-  const points = pointsPart(app, change, left, present);
+  const points = pointsPart(change, left, present);
   const whole = result(app, drawing, () => {
     void drawing.drawn().then(({ feedback }) => {
       const file = present();
