@@ -17,7 +17,7 @@ import { rows } from "./rows.ts";
 import { say } from "./words.ts";
 
 function mount(root: HTMLElement, app: App): void {
-  root.classList.add("check");
+  root.classList.add("check-panel");
   const check = checking(app);
   const drawing = overlay(app, () => check.scheme.value?.text ?? null);
   let form: Form | null = null;
@@ -51,7 +51,7 @@ function mount(root: HTMLElement, app: App): void {
     left,
     remove: (name) => change((file) => withoutValue(file, name), `remove ${name}`),
   });
-  const points = pointsPart(app, change, left, present);
+  const points = pointsPart(change, left, present);
   const whole = result(app, drawing, () => {
     void drawing.drawn().then(({ feedback }) => {
       const file = present();
