@@ -27,6 +27,7 @@ pub mod cli;
 pub mod construction;
 pub mod cycle;
 pub mod drawing;
+pub mod editing;
 pub mod exercise;
 pub mod format;
 pub mod geometry;
@@ -48,7 +49,7 @@ mod ties;
 pub use construction::Solution;
 pub use error::Error;
 pub use scene::Scene;
-pub use solve::solve;
+pub use solve::{order_of_figure, order_of_result, posed, solve};
 
 // The Rust of README.md and of the guide is run as it stands there.
 #[cfg(doctest)]

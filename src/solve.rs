@@ -1,9 +1,10 @@
 use crate::Error;
 use crate::construction::Solution;
-use crate::mechanism::mechanism;
+use crate::mechanism::{Mechanism, mechanism};
 use crate::motion::Order;
-use crate::position::{pose, with_nearest_sides};
-use crate::scene::Scene;
+use crate::position::{Pose, numbered_pose, pose, with_nearest_sides};
+use crate::quantity::is_acceleration;
+use crate::scene::{PanelName, Scene, SizeLimit};
 
 /// Solves a scene: position, velocities, accelerations and both plans.
 ///
@@ -18,7 +19,35 @@ use crate::scene::Scene;
 /// # Errors
 /// It is no mechanism, cannot be assembled, or is in a singular position.
 pub fn solve(scene: &Scene) -> Result<Solution, Error> {
-    let mechanism = with_nearest_sides(scene, mechanism(scene)?);
-    let pose = pose(&mechanism, &scene.near)?;
+    let (mechanism, pose) = posed(scene, SizeLimit::NUMBERS, None)?;
     Ok(Solution::new(scene.clone(), mechanism, pose, Order::Acceleration)?)
+}
+
+/// The mechanism of a scene in its position: in the assembly mode of that number, else in the one that `near` picks.
+///
+/// # Errors
+/// The scene is too large for what is done with it, is no mechanism, or cannot be assembled.
+pub fn posed(scene: &Scene, limit: SizeLimit, mode: Option<usize>) -> Result<(Mechanism, Pose), Error> {
+    limit.check(scene)?;
+    let mechanism = with_nearest_sides(scene, mechanism(scene)?);
+    let pose = match mode {
+        Some(mode) => numbered_pose(&mechanism, &scene.near, mode)?,
+        None => pose(&mechanism, &scene.near)?,
+    };
+    Ok((mechanism, pose))
+}
+
+/// The order of the motion that a scene's result needs: accelerations unless `want` names only quantities without them.
+#[must_use]
+pub fn order_of_result(scene: &Scene) -> Order {
+    match &scene.want {
+        Some(want) if !want.iter().any(|name| is_acceleration(name)) => Order::Velocity,
+        _ => Order::Acceleration,
+    }
+}
+
+/// The order of the motion that a scene's figure needs: accelerations only if it shows them.
+#[must_use]
+pub fn order_of_figure(scene: &Scene) -> Order {
+    if scene.figure.shown_panels().contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
 }

@@ -1,3 +1,8 @@
+use super::checked::LATITUDE;
+use super::prepared::DEPTH;
+use crate::construction::{Solution, Tolerance};
+use crate::quantity::Scales;
+
 /// What a student's values are compared with: the solved scene, and the accuracy expected of a hand.
 #[derive(Clone, Copy, Debug)]
 pub struct AnswerKey<'a> {
@@ -13,5 +18,18 @@ pub struct AnswerKey<'a> {
     /// Largest number of mistakes that are looked for together.
     pub depth: usize,
 }
-use crate::construction::{Solution, Tolerance};
-use crate::quantity::Scales;
+
+impl<'a> AnswerKey<'a> {
+    /// The key of a scene at the scales of its figure. Without limits of the hand's errors those of a sharp pencil hold,
+    /// and the scatter of all values shows how much larger they may be.
+    #[must_use]
+    pub fn new(solution: &'a Solution, hand: Option<Tolerance>) -> AnswerKey<'a> {
+        AnswerKey {
+            solution,
+            scales: solution.scales(),
+            tolerance: hand.unwrap_or_default(),
+            latitude: if hand.is_some() { 1.0 } else { LATITUDE },
+            depth: DEPTH,
+        }
+    }
+}

@@ -1,4 +1,5 @@
 use crate::construction::PlanKind;
+use crate::scene::Figure;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 
@@ -22,6 +23,16 @@ pub struct Measured {
     pub points: Vec<PointsOf>,
     /// Lines of the file that are not understood; a check tells them together with its own.
     pub faults: Vec<CheckError>,
+}
+
+impl Measured {
+    /// Asks for a figure at the scales of the student's own sheet, as far as the form has them.
+    pub fn put_scales_into(&self, figure: &mut Figure) {
+        let [mu_l, mu_v, mu_a] = self.mu;
+        figure.mu_l = mu_l.or(figure.mu_l);
+        figure.mu_v = mu_v.or(figure.mu_v);
+        figure.mu_a = mu_a.or(figure.mu_a);
+    }
 }
 
 /// A value as it was written down.

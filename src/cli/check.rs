@@ -9,7 +9,7 @@ use super::message::{Failure, print, warn};
 use super::output::FileSet;
 use super::pencil::Hand;
 use super::wording::Words;
-use super::work::{HAND, Mode, show_warnings, solve};
+use super::work::{Mode, show_warnings, solve};
 use crate::check::{
     self, AnswerKey, CheckError, ClassColumns, EmptyForm, Feedback, MarkScheme, Marks, Measured, Prepared,
 };
@@ -17,7 +17,7 @@ use crate::construction::Solution;
 use crate::cores::on_all_cores;
 use crate::format;
 use crate::motion::Order;
-use crate::scene::Figure;
+use crate::scene::{Figure, SizeLimit};
 use crate::words::Wording;
 use clap::{Args, ValueEnum};
 use std::collections::BTreeSet;
@@ -62,7 +62,7 @@ pub(super) struct Check {
     #[arg(long, value_name = "FILE", conflicts_with = "template")]
     marks: Option<PathBuf>,
     /// How many mistakes at once are looked for.
-    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u8).range(1..=6))]
+    #[arg(long, default_value_t = check::DEPTH as u8, value_parser = clap::value_parser!(u8).range(1..=6))]
     depth: u8,
     #[command(flatten)]
     mode: Mode,
@@ -104,7 +104,7 @@ impl Check {
 
     fn solved(&self, scene: &Path) -> Result<Solution, Failure> {
         let source = files::read(scene)?;
-        solve(&source, HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
+        solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
     }
 
     /// Refuses `-o` for one form.
@@ -315,20 +315,15 @@ impl Check {
     }
 
     fn key<'a>(&self, solution: &'a Solution) -> AnswerKey<'a> {
-        AnswerKey {
-            solution,
-            scales: solution.scales(),
-            tolerance: self.hand.tolerance(),
-            latitude: if self.hand.is_given() { 1.0 } else { check::LATITUDE },
-            depth: usize::from(self.depth),
-        }
+        let hand = self.hand.is_given().then(|| self.hand.tolerance());
+        AnswerKey { depth: usize::from(self.depth), ..AnswerKey::new(solution, hand) }
     }
 }
 
 /// The values of a form: JSON if it begins with a bracket and the file's name does not end in `.csv`, else CSV.
 pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
     let is_table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-    if !is_table && text.text.trim_start_matches(['\u{feff}', ' ', '\n', '\r', '\t']).starts_with(['{', '[']) {
+    if !is_table && Measured::is_json(&text.text) {
         Measured::read_json(&text.text).map_err(|error| text.fail(error))
     } else {
         Measured::read_csv(&text.text).map_err(|error| misuse(text, &error))

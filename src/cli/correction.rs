@@ -70,10 +70,7 @@ impl Correction {
         let mut solution = solution.clone();
         let figure = &mut solution.scene.figure;
         // Scales: from the options, else from the form, else from the scene.
-        let [mu_l, mu_v, mu_a] = measured.mu;
-        figure.mu_l = mu_l.or(figure.mu_l);
-        figure.mu_v = mu_v.or(figure.mu_v);
-        figure.mu_a = mu_a.or(figure.mu_a);
+        measured.put_scales_into(figure);
         let style = self.forms.style()?;
         style.put_into(figure);
         self.paper.put_into(figure);

@@ -42,13 +42,8 @@ impl CurvesCommand {
         let style = self.figures.style()?;
         style.put_into(&mut driven.scene.figure);
         let (mut branch, mut range) = driven.follow(&self.range)?;
-        // One full turn is shown from 0° to 360°, if no range is given.
-        if !self.range.is_given() && branch.drive.is_angle() && branch.end(true).is_none() {
-            let turn = 360.0 * (range[0] / 360.0).floor();
-            branch.follow_to(turn);
-            if branch.low() <= turn {
-                range = [turn, turn + 360.0];
-            }
+        if !self.range.is_given() {
+            range = branch.shown_range(range);
         }
         let scene = &self.range.scene;
         let vectors: Vec<String> = self.hodograph.iter().flat_map(|text| split_names(text)).collect();

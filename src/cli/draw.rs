@@ -5,14 +5,13 @@ use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
 use super::sweep::{refuse_nothing, split_names};
 use super::wording::{Words, one_of};
-use super::work::{FIGURE, Mode, STEPS, show_warnings, solve};
-use crate::construction::{NumberedStep, PlanKind, Solution};
+use super::work::{Mode, show_warnings, solve};
+use crate::construction::{NumberedStep, Solution};
 use crate::cycle::{Animation, Drive, Traces};
 use crate::drawing::{Drawing, frames_with};
 use crate::format::{WebPage, html};
-use crate::motion::Order;
-use crate::scene::{Figure, LengthUnit, PanelName, Scene, ValuesShown};
-use crate::words::{Medium, NumberStyle, Wording};
+use crate::order_of_figure;
+use crate::scene::{Figure, LengthUnit, PanelName, Scene, SizeLimit, ValuesShown};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
@@ -100,10 +99,10 @@ impl Draw {
         };
         let style = self.figures.style()?;
         let is_stepwise = steps.is_some() || self.layered || self.figures.has_page();
-        let most = if is_stepwise { STEPS } else { FIGURE };
+        let most = if is_stepwise { SizeLimit::STEPS } else { SizeLimit::FIGURE };
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
-            let solution = solve(&source, most, self.mode.number, |f| self.put_into(f, &style), needed_order)?;
+            let solution = solve(&source, most, self.mode.number, |f| self.put_into(f, &style), order_of_figure)?;
             self.check_traced(&solution.scene)?;
             let traces = Traces::new(&solution, None).map_err(|error| source.fail(error))?;
             note_limits(&traces, &solution.scene.figure);
@@ -181,7 +180,7 @@ impl Draw {
             .map_err(|error| source.fail(error))?;
         let value = |value: &f64| {
             let drive = animation.drive.as_ref();
-            drive.map_or_else(String::new, |drive| drive_value(drive, *value, &words))
+            drive.map_or_else(String::new, |drive| drive.shown(*value, &words))
         };
         let values: Vec<String> = animation.values.iter().map(value).collect();
         let quantity = animation.drive.as_ref().map(Drive::quantity);
@@ -270,13 +269,8 @@ fn note_limits(traces: &Traces, figure: &Figure) {
 fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
     let construction = &solution.construction;
     let panels = solution.scene.figure.shown_panels();
-    let is_shown = |step: &NumberedStep<'_>| {
-        let panel = step.plan.map_or(PanelName::Scheme, |plan| match plan.kind {
-            PlanKind::Velocity => PanelName::Velocity,
-            PlanKind::Acceleration => PanelName::Acceleration,
-        });
-        solution.scene.figure.focus.is_none() || panels.contains(&panel)
-    };
+    let is_shown =
+        |step: &NumberedStep<'_>| solution.scene.figure.focus.is_none() || panels.contains(&step.sheet().panel());
     match steps {
         Some(Steps::Coarse) => {
             let passages = construction.passages();
@@ -284,19 +278,4 @@ fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
         }
         _ => construction.numbered_steps().map(|step| is_shown(&step)).collect(),
     }
-}
-
-/// A drive's value on a page: an angle with one decimal of a degree, a length with four significant digits.
-fn drive_value(drive: &Drive, value: f64, words: &Wording) -> String {
-    let decimals = |count: usize| words.write(value, NumberStyle::decimals(count).on(Medium::Figure));
-    if drive.is_angle() {
-        return format!("{}°", decimals(1));
-    }
-    let digits = 3.0 - libm::floor(libm::log10(value.abs().max(1e-3)));
-    decimals(digits.max(0.0) as usize)
-}
-
-/// The order of the motion to be computed: accelerations only if the figure shows them.
-fn needed_order(scene: &Scene) -> Order {
-    if scene.figure.shown_panels().contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
 }

@@ -1,16 +1,15 @@
 use super::figures::{GivenStyle, stem};
 use super::files::{self, Source};
 use super::message::Failure;
-use super::new;
 use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
 use super::wording::Words;
-use super::work::{HAND, solve};
+use super::work::solve;
 use crate::drawing::Drawing;
 use crate::exercise::{Exercise, ExerciseError, Exercises};
 use crate::format::{self, Text};
 use crate::motion::Order;
-use crate::scene::Figure;
+use crate::scene::{Figure, Kind, SizeLimit};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -61,7 +60,7 @@ impl ExerciseCommand {
             self.scales.put_into(figure);
             style.put_into(figure);
         };
-        let solution = solve(&source, HAND, None, override_figure, |_| Order::Acceleration)?;
+        let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Order::Acceleration)?;
         let (figure, construction) = (&solution.scene.figure, &solution.construction);
         let failed = |error: ExerciseError| Failure::Outside(format!("{}: {error}", source.name));
         let page = self.paper.is_given().then_some(figure.page);
@@ -88,9 +87,8 @@ impl ExerciseCommand {
 
     /// The scene that is varied, and the name of its exercises.
     fn source(&self) -> Result<(String, Source), Failure> {
-        if let Some(text) = new::starting_scene(&self.kind) {
-            let source = Source { name: self.kind.clone(), text };
-            return Ok((self.kind.clone(), source));
+        if let Some(Kind { name, text }) = Kind::named(&self.kind) {
+            return Ok((name.to_owned(), Source { name: name.to_owned(), text }));
         }
         let path = Path::new(&self.kind);
         if !path.is_file() {
@@ -98,7 +96,7 @@ impl ExerciseCommand {
                 format!("`{}` is no kind of mechanism and no file", self.kind),
                 Some(format!(
                     "the nearest kind is `{}`; `kinegon new --list` shows all, or give the path of a scene file",
-                    new::nearest(&self.kind)
+                    Kind::nearest(&self.kind)
                 )),
             ));
         }

@@ -13,13 +13,10 @@ pub(super) struct Hand {
     pub degrees: Option<f64>,
 }
 
-/// Largest limit of a hand's errors, in mm or degrees.
-const LARGEST: f64 = 10.0;
-
 fn limit(text: &str) -> Result<f64, String> {
     match text.parse() {
-        Ok(limit) if (0.0..=LARGEST).contains(&limit) => Ok(limit),
-        _ => Err(format!("not a number from 0 to {LARGEST}")),
+        Ok(limit) if (0.0..=Tolerance::LARGEST).contains(&limit) => Ok(limit),
+        _ => Err(format!("not a number from 0 to {}", Tolerance::LARGEST)),
     }
 }
 

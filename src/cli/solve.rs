@@ -1,13 +1,13 @@
 use super::files;
 use super::message::{Failure, warn};
 use super::pencil::Hand;
-use super::work::{HAND, Mode, NUMBERS, show_warnings, solve};
+use super::work::{Mode, show_warnings, solve};
 use crate::construction::Solution;
 use crate::drawing::Style;
-use crate::format::{self, QuantityResult, ResultFile};
-use crate::motion::Order;
-use crate::quantity::{Asked, Quantity, is_acceleration, measured_names, readable_names};
-use crate::scene::Scene;
+use crate::format;
+use crate::order_of_result;
+use crate::quantity::{Asked, readable_names};
+use crate::scene::{Scene, SizeLimit};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -32,13 +32,12 @@ pub(super) struct Solve {
 impl Solve {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let most = if self.pencil || self.hand.is_given() { HAND } else { NUMBERS };
-        let solution = solve(&source, most, self.mode.number, |_| (), needed_order)?;
+        let most = if self.pencil || self.hand.is_given() { SizeLimit::HAND } else { SizeLimit::NUMBERS };
+        let solution = solve(&source, most, self.mode.number, |_| (), order_of_result)?;
         if self.digits {
             return print_digits(&solution);
         }
-        let mut result = solution.result();
-        add_quantities(&solution, &mut result).map_err(|error| source.fail(error))?;
+        let mut result = solution.whole_result().map_err(|error| source.fail(error))?;
         if self.pencil || self.hand.is_given() {
             let asked = readable_quantities(&solution).map_err(|error| source.fail(error))?;
             let pencil = self.hand.pencil(&solution, asked);
@@ -63,39 +62,6 @@ fn print_digits(solution: &Solution) -> Result<(), Failure> {
         }
     }
     files::print(text.as_bytes())
-}
-
-/// The order of the motion to be computed: accelerations unless `want` names only quantities without them.
-fn needed_order(scene: &Scene) -> Order {
-    match &scene.want {
-        Some(want) if !want.iter().any(|name| is_acceleration(name)) => Order::Velocity,
-        _ => Order::Acceleration,
-    }
-}
-
-/// Adds the quantities that the scene wants to the result, or all that the construction measures if it wants none in
-/// particular.
-fn add_quantities(solution: &Solution, result: &mut ResultFile) -> Result<(), crate::Error> {
-    let names = match &solution.scene.want {
-        Some(want) => want.clone(),
-        None => measured_names(&solution.construction),
-    };
-    let on_paper = names.iter().any(|n| n.ends_with("/mu"));
-    let scales = on_paper.then(|| solution.scales());
-    for (index, name) in names.iter().enumerate() {
-        let value = Asked::new(name, &solution.mechanism)
-            .and_then(|asked| asked.value(&solution.snapshot(), Some(&solution.construction), scales.as_ref()));
-        let value = value.map_err(|error| {
-            let path = ["want", &index.to_string()];
-            solution.scene.error_at(&path, error.to_string(), None)
-        })?;
-        let value = match value {
-            Quantity::Number(x) => QuantityResult::Number(x),
-            Quantity::Vector(v) => QuantityResult::Vector([v.x, v.y]),
-        };
-        result.quantities.insert(name.clone(), value);
-    }
-    Ok(())
 }
 
 /// The quantities that may be read from a hand drawing: those of the result and those that the scene wants; of vectors

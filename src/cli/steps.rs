@@ -3,10 +3,10 @@ use super::message::{Failure, print};
 use super::paper::{GivenScales, Paper};
 use super::pencil::Hand;
 use super::wording::Words;
-use super::work::{HAND, Mode, show_warnings, solve};
+use super::work::{Mode, show_warnings, solve};
 use crate::motion::Order;
-use crate::quantity::{Asked, step_names};
-use crate::scene::Figure;
+use crate::quantity::step_pencil;
+use crate::scene::{Figure, SizeLimit};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -35,11 +35,8 @@ impl Steps {
             self.paper.put_into(figure);
             self.scales.put_into(figure);
         };
-        let solution = solve(&source, HAND, self.mode.number, override_figure, |_| Order::Acceleration)?;
-        let names = step_names(&solution.construction);
-        let asked: Result<Vec<Asked>, _> = names.iter().map(|name| Asked::new(name, &solution.mechanism)).collect();
-        let asked = asked.map_err(|error| source.fail(error))?;
-        let pencil = self.hand.pencil(&solution, asked);
+        let solution = solve(&source, SizeLimit::HAND, self.mode.number, override_figure, |_| Order::Acceleration)?;
+        let pencil = step_pencil(&solution, self.hand.tolerance()).map_err(|error| source.fail(error))?;
         let text = solution.steps(&pencil);
         show_warnings(&solution);
         print(&text)

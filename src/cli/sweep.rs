@@ -108,23 +108,14 @@ impl Range {
     /// # Errors
     /// [`Failure::Partly`] if a given range goes beyond a limit position.
     pub(super) fn report_events(&self, branch: &Branch, range: [f64; 2], product: &str) -> Result<(), Failure> {
-        let inside = range[0].min(range[1])..=range[0].max(range[1]);
-        let mut events = branch.events();
-        events.retain(|event| !event.is_end() && branch.touches(event, range));
-        for event in events.iter().take(NOTES) {
-            note(&event.text(&branch.drive.at(event.at)));
-        }
+        let events = branch.happenings(range);
+        events.iter().take(NOTES).for_each(|event| note(event));
         if events.len() > NOTES {
             let more = events.len() - NOTES;
             note(&format!("{more} more extreme or change points follow"));
         }
         let beyond = |value: f64| !(branch.low()..=branch.high()).contains(&value);
-        let ends: Vec<String> = [false, true]
-            .into_iter()
-            .filter_map(|above| branch.end(above))
-            .filter(|end| inside.contains(&end.at) || !self.is_given())
-            .map(|end| end.text(&branch.drive.at(end.at)))
-            .collect();
+        let ends = branch.limits(self.is_given().then_some(range));
         if self.is_given() && range.into_iter().any(beyond) {
             let [from, to] = range.map(|v| branch.drive.amount(v));
             return Err(Failure::Partly(format!(
@@ -194,10 +185,8 @@ impl SweepCommand {
         let format = self.table_format()?;
         let driven = self.range.driven_scene()?;
         let (branch, [from, to]) = driven.follow(&self.range)?;
-        let step = self.step.unwrap_or_else(|| default_step(&branch, from, to));
-        // Between limit positions, rows are at multiples of the step.
-        let has_ends = branch.end(false).is_some() && !self.range.is_given();
-        let steps = if has_ends { Steps::multiples(from, to, step) } else { Steps::new(from, to, step) };
+        let step = self.step.unwrap_or_else(|| branch.usual_step([from, to]));
+        let steps = if self.range.is_given() { Steps::new(from, to, step) } else { branch.rows([from, to], step) };
         let steps = steps.map_err(|error| driven.fail(error))?;
         let sweep = Sweep::new(&branch, steps, driven.names.as_deref()).map_err(|error| driven.fail(error))?;
         let sweep = if self.errors { with_errors(sweep, &driven.scene) } else { sweep };
@@ -231,19 +220,4 @@ fn with_errors<'a>(sweep: Sweep<'a>, scene: &'a Scene) -> Sweep<'a> {
         warn(&format!("`{name}` has no stated bound of its error, so the table has no column {name}_error"));
     }
     sweep.with_errors(scene)
-}
-
-/// The step of a table: 1° for an angle; for a slider the largest of 1, 2 or 5 times a power of ten that is at most a
-/// two-hundredth of the range.
-fn default_step(branch: &Branch, from: f64, to: f64) -> f64 {
-    if branch.drive.is_angle() {
-        return 1.0;
-    }
-    let rough = (to - from).abs() / 200.0;
-    if rough == 0.0 {
-        return 1.0;
-    }
-    let decade = libm::exp10(libm::floor(libm::log10(rough)));
-    let round = [1.0, 2.0, 5.0, 10.0].map(|k| k * decade);
-    round.into_iter().rfind(|s| *s <= rough).unwrap_or(1.0)
 }

@@ -1,10 +1,11 @@
 use super::files::{self, Source};
 use super::message::{Failure, warn};
 use crate::construction::Solution;
-use crate::mechanism::{Mechanism, mechanism};
+use crate::mechanism::Mechanism;
 use crate::motion::Order;
-use crate::position::{Pose, numbered_pose, pose, with_nearest_sides};
-use crate::scene::{Figure, Scene};
+use crate::posed;
+use crate::position::Pose;
+use crate::scene::{Figure, Scene, SizeLimit};
 use clap::Args;
 use std::path::Path;
 
@@ -24,28 +25,17 @@ fn mode_number(text: &str) -> Result<usize, String> {
     }
 }
 
-/// How large a scene may be for what is done with it: links, points, and what has these limits.
-pub(super) type Most = (usize, usize, &'static str);
-/// For numbers: no more than a scene may have.
-pub(super) const NUMBERS: Most = (usize::MAX, usize::MAX, "a scene");
-/// For a figure, which takes three seconds then.
-pub(super) const FIGURE: Most = (3_000, 10_000, "a figure");
-/// For steps and pages, whose sheets grow as the square of the links.
-pub(super) const STEPS: Most = (150, 1_000, "a figure with steps");
-/// For what is drawn by hand: errors of all lines go through to all later ones.
-pub(super) const HAND: Most = (1_000, 2_000, "a construction by hand");
-
 /// Solves a scene to the given order of motion, after `override_figure` has put the options of the command line into
 /// its figure; in the assembly mode of that number, else in the one that `near` picks.
 pub(super) fn solve(
     source: &Source,
-    most: Most,
+    most: SizeLimit,
     mode: Option<usize>,
     override_figure: impl Fn(&mut Figure),
     order: impl Fn(&Scene) -> Order,
 ) -> Result<Solution, Failure> {
     let stages = || -> Result<Solution, crate::Error> {
-        let (mut scene, mechanism, pose) = posed(source, most, mode)?;
+        let (mut scene, mechanism, pose) = read(source, most, mode)?;
         override_figure(&mut scene.figure);
         let order = order(&scene);
         Ok(Solution::new(scene, mechanism, pose, order)?)
@@ -56,23 +46,14 @@ pub(super) fn solve(
 /// Reads a scene and finds its position; shows their warnings.
 pub(super) fn start(path: &Path, mode: Option<usize>) -> Result<(Source, (Scene, Mechanism, Pose)), Failure> {
     let source = files::read(path)?;
-    let posed = posed(&source, NUMBERS, mode).map_err(|error| source.fail(error))?;
+    let posed = read(&source, SizeLimit::NUMBERS, mode).map_err(|error| source.fail(error))?;
     posed.1.warnings.iter().chain(&posed.2.warnings).for_each(|text| warn(text));
     Ok((source, posed))
 }
 
-fn posed(
-    source: &Source,
-    (links, points, what): Most,
-    mode: Option<usize>,
-) -> Result<(Scene, Mechanism, Pose), crate::Error> {
+fn read(source: &Source, most: SizeLimit, mode: Option<usize>) -> Result<(Scene, Mechanism, Pose), crate::Error> {
     let scene = Scene::read(&source.text)?;
-    scene.check_size(links, points, what)?;
-    let mechanism = with_nearest_sides(&scene, mechanism(&scene)?);
-    let pose = match mode {
-        Some(mode) => numbered_pose(&mechanism, &scene.near, mode)?,
-        None => pose(&mechanism, &scene.near)?,
-    };
+    let (mechanism, pose) = posed(&scene, most, mode)?;
     Ok((scene, mechanism, pose))
 }
 

@@ -1,6 +1,7 @@
 use super::cut::SpecialId;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::scene::PanelName;
 use smallvec::SmallVec;
 
 /// Index of a place marked on a sheet: a joint of the scheme, a point of a plan.
@@ -300,6 +301,16 @@ pub enum ErrorUnit {
 impl Sheet {
     /// All sheets, in the order in which they are drawn.
     pub const ALL: [Sheet; 3] = [Sheet::Scheme, Sheet::Velocity, Sheet::Acceleration];
+
+    /// The panel on which it is drawn.
+    #[must_use]
+    pub fn panel(self) -> PanelName {
+        match self {
+            Sheet::Scheme => PanelName::Scheme,
+            Sheet::Velocity => PanelName::Velocity,
+            Sheet::Acceleration => PanelName::Acceleration,
+        }
+    }
 
     /// Its English name.
     #[must_use]

@@ -23,6 +23,11 @@ pub struct Tolerance {
     pub degrees: f64,
 }
 
+impl Tolerance {
+    /// The largest limit of a hand's errors that makes sense, in mm or degrees.
+    pub const LARGEST: f64 = 10.0;
+}
+
 impl Default for Tolerance {
     /// 0.3 mm and 0.3°: a sharp pencil, a ruler with millimetres, two set squares.
     fn default() -> Self {

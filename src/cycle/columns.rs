@@ -47,7 +47,7 @@ impl<'a> Columns<'a> {
     /// The quantities of these names.
     pub fn new(path: &'a Path<'a>, names: &[String]) -> Result<Self, QuantityError> {
         let column = |name: &String| {
-            let asked = Asked::new(name, path.mechanism)?;
+            let asked = Asked::new(name, &path.mechanism)?;
             Ok(Column { asked })
         };
         let list = names.iter().map(column).collect::<Result<Vec<_>, _>>()?;
@@ -110,7 +110,7 @@ impl<'a> Columns<'a> {
 
     /// The construction at a position; `None` where it is singular.
     fn construct<R: Row>(&self, position: &Position<R>) -> Option<Construction> {
-        let (mechanism, pose) = (self.path.mechanism, position.pose());
+        let (mechanism, pose) = (&self.path.mechanism, position.pose());
         let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
         Some(construct(mechanism, &pose, &motion, Extent::Points))
     }

@@ -114,7 +114,7 @@ impl<'a> Curves<'a> {
     /// The quantity of that name, if it can have a curve.
     fn checked(&self, name: &str) -> Result<Asked, CycleError> {
         let path = self.path;
-        let asked = Asked::new(name, path.mechanism)?;
+        let asked = Asked::new(name, &path.mechanism)?;
         if asked.is_on_paper() {
             let why = "a length on paper belongs to the figure of one position\n  try: the name without `/mu`";
             return Err(QuantityError::NoValue(name.to_owned(), why).into());

@@ -104,7 +104,7 @@ const STEPS: usize = 60;
 
 /// Extreme positions on the path: where a link or slider stops and turns back.
 pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
-    let (mechanism, kernel) = (path.mechanism, &path.kernel);
+    let (mechanism, kernel) = (&path.mechanism, &path.kernel);
     let mut events = Vec::new();
     let mut walker = path.walker();
     let fastest = |unknown: Unknown| path.nodes.iter().map(|n| rate(&n.block, unknown)[0].abs()).fold(0.0, f64::max);

@@ -48,7 +48,7 @@ impl<'a> Hodographs<'a> {
             if names[..index].contains(name) {
                 continue;
             }
-            let asked = Asked::new(name, path.mechanism)?;
+            let asked = Asked::new(name, &path.mechanism)?;
             if !asked.is_vector() {
                 return Err(CycleError::NoVector(name.clone()));
             }

@@ -8,6 +8,7 @@ use crate::geometry::{Lanes, Many, OneByOne, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
 use crate::mechanism::{Mechanism, Role};
 use crate::position::Pose;
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 /// The widest range that is followed, in turns to each side.
@@ -30,7 +31,7 @@ const DELICATE: f64 = 0.1;
 #[derive(Clone, Debug)]
 pub struct Path<'a> {
     /// The mechanism.
-    pub mechanism: &'a Mechanism,
+    pub mechanism: Cow<'a, Mechanism>,
     /// The drive that moves it.
     pub drive: Drive,
     pub(super) kernel: Kernel,
@@ -56,7 +57,12 @@ impl<'a> Path<'a> {
     /// # Errors
     /// The configuration is drawn, or `pose` is singular.
     pub fn new(mechanism: &'a Mechanism, pose: &Pose, drive: Drive) -> Result<Self, CycleError> {
-        let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
+        Self::of(Cow::Borrowed(mechanism), pose, drive)
+    }
+
+    /// The same, of a mechanism that the path may own.
+    pub(super) fn of(mechanism: Cow<'a, Mechanism>, pose: &Pose, drive: Drive) -> Result<Self, CycleError> {
+        let kernel = Kernel::new(&mechanism).ok_or(CycleError::Drawn)?;
         let speed = |input: usize| {
             let input = &kernel.inputs[input];
             match input.kind {
@@ -77,7 +83,7 @@ impl<'a> Path<'a> {
         let inputs: Vec<[f64; 2]> =
             (0..kernel.inputs.len()).map(|i| [stands(&kernel.inputs[i], pose), ratio(i)]).collect();
         let origin = inputs[drive.input][0];
-        let mut block = start(&kernel, mechanism, pose);
+        let mut block = start(&kernel, &mechanism, pose);
         let closed = kernel.assemble(OneByOne, &mut block, 0.0).closed;
         let path = Path {
             mechanism,
@@ -94,9 +100,9 @@ impl<'a> Path<'a> {
         };
         let determinants = path.kernel.determinants(&block);
         let is_singular = |group: &usize| determinants[*group][1] < 1e-18;
-        if let Some(group) = (0..mechanism.groups.len()).find(|g| !closed || is_singular(g)) {
+        if let Some(group) = (0..path.mechanism.groups.len()).find(|g| !closed || is_singular(g)) {
             return Err(CycleError::Singular {
-                links: mechanism.groups[group].link_names(mechanism),
+                links: path.mechanism.groups[group].link_names(&path.mechanism),
                 at: path.drive.at(origin),
             });
         }
@@ -131,7 +137,7 @@ impl<'a> Path<'a> {
 
     /// The mechanism with its drives where they stand at a value of the moved one.
     pub(super) fn mechanism_at(&self, value: f64) -> Mechanism {
-        let mut mechanism = Mechanism { placing: None, ..self.mechanism.clone() };
+        let mut mechanism = Mechanism { placing: None, ..Mechanism::clone(&self.mechanism) };
         for (index, [start, ratio]) in self.inputs.iter().enumerate() {
             let own = if index == self.drive.input { value } else { (value - self.origin) * ratio + start };
             match self.kernel.inputs[index].kind {
@@ -300,6 +306,22 @@ impl<'a> Path<'a> {
         self.segments = self.nodes.windows(2).map(segment).collect();
     }
 
+    /// Forgets what lies outside a range of the drive's value, as far as whole segments do; it is followed anew when it is
+    /// asked for. So a crank may turn for ever.
+    pub(super) fn forget_outside(&mut self, [low, high]: [f64; 2]) {
+        let below = self.segments.partition_point(|s| s.to < low);
+        let above = self.segments.partition_point(|s| s.from <= high);
+        if below >= above || (below == 0 && above == self.segments.len()) {
+            return;
+        }
+        self.ends[0].take_if(|_| below > 0);
+        self.ends[1].take_if(|_| above < self.segments.len());
+        self.segments = self.segments.drain(below..above).collect();
+        self.nodes = self.nodes.drain(below..=above).collect();
+        let (low, high) = (self.low(), self.high());
+        self.changes.retain(|change| (low..=high).contains(&change.at));
+    }
+
     /// Whether rounded gaps of the loops move a link much further than rounding of the drive does, as next to a change
     /// point: the one is u over the sharpness, the other u times the rate.
     fn is_delicate(&self, node: &Node) -> bool {
@@ -387,7 +409,7 @@ impl<'a> Path<'a> {
 
     /// One position of a block.
     pub(super) fn position<'b, R: Row>(&'b self, block: &'b Block<R>, lane: usize) -> Position<'b, R> {
-        Position { mechanism: self.mechanism, kernel: &self.kernel, block, lane }
+        Position { mechanism: &self.mechanism, kernel: &self.kernel, block, lane }
     }
 
     /// The segment that holds a value of the drive, if it has been reached.

@@ -132,7 +132,7 @@ impl PointPath {
 
 /// The point of that name on a link that moves, and the first such link.
 fn moving_point(path: &Path, name: &str) -> Result<(PointId, BodyId), CycleError> {
-    let mechanism = path.mechanism;
+    let mechanism = &path.mechanism;
     let point = mechanism.point(name).filter(|point| !mechanism.body(GROUND).points.contains(point));
     let link = point.and_then(|point| mechanism.links().find(|(_, body)| body.points.contains(&point)));
     point.zip(link.map(|(id, _)| id)).ok_or_else(|| CycleError::NoPath(crate::text::shown(name)))

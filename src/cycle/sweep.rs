@@ -29,7 +29,7 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// A name is no quantity of this mechanism.
     pub fn new(path: &'a Path<'a>, steps: Steps, names: Option<&[String]>) -> Result<Self, QuantityError> {
-        let mechanism = path.mechanism;
+        let mechanism = &path.mechanism;
         let mut names = names.map_or_else(|| every_name(mechanism), <[String]>::to_vec);
         // Each name once; the drive's value is the first column already.
         let mut seen = BTreeSet::from([path.drive.quantity()]);
@@ -152,8 +152,10 @@ fn push(column: &Column, found: Option<Quantity>, numbers: &mut Numbers) {
     }
 }
 
-/// Names of the quantities of a table for which none are asked.
-fn every_name(mechanism: &Mechanism) -> Vec<String> {
+/// Names of the quantities of a table for which none are asked: angles and rates of all links, places and motions of all
+/// points that move, positions and rates of all sliders.
+#[must_use]
+pub fn every_name(mechanism: &Mechanism) -> Vec<String> {
     let links = mechanism.links().map(|(_, body)| &body.name);
     let links = links.flat_map(|l| ["angle", "omega", "alpha"].map(|head| format!("{head}({l})")));
     let fixed = &mechanism.body(GROUND).points;

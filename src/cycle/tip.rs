@@ -19,7 +19,7 @@ pub(super) struct Tip<'a> {
 impl<'a> Tip<'a> {
     /// The point whose coordinates are the quantities of these names.
     pub fn new(path: &'a Path<'a>, [x, y]: [&str; 2]) -> Result<Self, CycleError> {
-        let reading = |name| -> Result<_, CycleError> { Ok(Reading::new(path, Asked::new(name, path.mechanism)?)) };
+        let reading = |name| -> Result<_, CycleError> { Ok(Reading::new(path, Asked::new(name, &path.mechanism)?)) };
         Ok(Tip { parts: [reading(x)?, reading(y)?] })
     }
 

@@ -162,7 +162,7 @@ fn nearest_to_singularity(node: &Node) -> Option<usize> {
 
 /// Names of the links of the group nearest to a singular position.
 fn links_near_singularity(path: &Path, node: &Node) -> String {
-    let name = |group: usize| path.mechanism.groups[group].link_names(path.mechanism);
+    let name = |group: usize| path.mechanism.groups[group].link_names(&path.mechanism);
     nearest_to_singularity(node).map_or_else(String::new, name)
 }
 
@@ -270,7 +270,7 @@ fn leap(path: &Path, nodes: &[Node], forward: f64, within: f64) -> Option<Leap> 
             return None;
         }
         let (node, at) = leap_from(path, &nodes[far..], group, zero)?;
-        let links = path.mechanism.groups[group].link_names(path.mechanism);
+        let links = path.mechanism.groups[group].link_names(&path.mechanism);
         let what = Happening::Change { links };
         Some(Leap { kept: far + 1, node, event: Event { at, what } })
     })

@@ -70,17 +70,7 @@ impl Panel<'_> {
         dims: &Dims,
     ) {
         drawing.panels.push((self.name.clone(), placed.frame));
-        let mut view = View::new(placed.mu * dims.unit, &self.needs.extent, placed.area);
-        // The content that fits stays in sight.
-        if let Some(content) = self.content.filter(|content| placed.holds(content)) {
-            view = view.holding(content.low, placed.area).holding(content.high, placed.area);
-        }
-        if matches!(self.needs.kind, Kind::Velocity | Kind::Acceleration) {
-            let mut room = placed.frame.inset(-AROUND);
-            room.y0 += HEADING;
-            // The pole of a plan always does.
-            view = view.holding(geometry::Point::origin(), room);
-        }
+        let view = placed.view(&self.needs.extent, self.content);
         let before = drawing.marks.len();
         let mut canvas = Canvas::new(drawing, self.prefix, placed.frame, renamed, *dims);
         for layer in &self.layers {
@@ -98,6 +88,22 @@ impl Panel<'_> {
             layer.retouch(&mut marks);
         }
         drawing.marks.append(&mut marks);
+    }
+}
+
+impl Placed {
+    /// The view of a panel of some extent, moved so that a content that fits stays in sight, and always the pole of a plan.
+    pub(super) fn view(&self, extent: &Extent, content: Option<Extent>) -> View {
+        let mut view = View::new(self.mu * self.unit, extent, self.area);
+        if let Some(content) = content.filter(|content| self.holds(content)) {
+            view = view.holding(content.low, self.area).holding(content.high, self.area);
+        }
+        if matches!(self.kind, Kind::Velocity | Kind::Acceleration) {
+            let mut room = self.frame.inset(-AROUND);
+            room.y0 += HEADING;
+            view = view.holding(geometry::Point::origin(), room);
+        }
+        view
     }
 }
 

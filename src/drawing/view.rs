@@ -78,6 +78,13 @@ impl View {
         self.centre + self.along(p - self.origin)
     }
 
+    /// What is at a place of the sheet, in own units.
+    #[must_use]
+    pub fn under(&self, at: Point) -> geometry::Point {
+        let way = at - self.centre;
+        self.origin + geometry::Vector::new(way.x * self.mu, -way.y * self.mu)
+    }
+
     /// Units per millimetre.
     #[must_use]
     pub fn mu(&self) -> f64 {

@@ -16,6 +16,12 @@ impl Solution {
     /// bound 0.
     #[must_use]
     pub fn digits(&self) -> String {
+        text(&self.digit_rows())
+    }
+
+    /// The rows of that table.
+    #[must_use]
+    pub fn digit_rows(&self) -> Vec<DigitRow> {
         let Solution { scene, mechanism, pose, motion, construction } = self;
         let bounds = &bounds(scene, mechanism, pose, motion);
         let mut table = Table { units: scene.units, bounds, motion, lines: Vec::new() };
@@ -59,8 +65,21 @@ impl Solution {
                 table.point(&special.name, special.link, place, [velocity, acceleration]);
             }
         }
-        table.text()
+        table.lines
     }
+}
+
+/// A row of the table of certain digits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DigitRow {
+    /// The name of the quantity.
+    pub name: String,
+    /// Its value with only its certain digits.
+    pub value: String,
+    /// Its unit.
+    pub unit: String,
+    /// The bound of its error, in words.
+    pub bound: String,
 }
 
 /// Of the bodies that have a point the one from which its motion is computed: preferably one of known motion.
@@ -72,7 +91,7 @@ struct Table<'a> {
     units: Units,
     bounds: &'a Bounds<'a>,
     motion: &'a Motion,
-    lines: Vec<[String; 4]>,
+    lines: Vec<DigitRow>,
 }
 
 impl Table<'_> {
@@ -87,8 +106,7 @@ impl Table<'_> {
             Certain::Digits(value) => (value, format!("± {}", written(bound, NumberStyle::bound()))),
             Certain::None(within) => ("0".to_owned(), format!("± {within}, no digit is certain")),
         };
-        let line = [name, value, kind.unit(self.units), bound];
-        self.lines.push(line);
+        self.lines.push(DigitRow { name, value, unit: kind.unit(self.units), bound });
     }
 
     /// Size, direction and components of a vector, whose components are each off by at most `bound`.
@@ -112,23 +130,23 @@ impl Table<'_> {
         self.vector(&format!("v({name})"), v, velocity, Kind::Velocity);
         self.vector(&format!("a({name})"), a, acceleration, Kind::Acceleration);
     }
+}
 
-    /// The table as text: names left-aligned, values with their decimal points aligned.
-    fn text(&self) -> String {
-        let before = |value: &str| value.find(['.', 'e']).unwrap_or(value.len());
-        let wide = |text: &str| text.chars().count();
-        let widest = |of: &dyn Fn(&[String; 4]) -> usize| self.lines.iter().map(of).max();
-        let name = widest(&|l| wide(&l[0])).unwrap_or(0);
-        let left = widest(&|l| before(&l[1])).unwrap_or(0);
-        let value = widest(&|l| left - before(&l[1]) + l[1].len()).unwrap_or(0);
-        let unit = widest(&|l| wide(&l[2])).unwrap_or(0);
-        let text = |line: &[String; 4]| {
-            let shift = " ".repeat(left - before(&line[1]));
-            let shifted = format!("{shift}{}", line[1]);
-            format!("{:name$}  {shifted:value$}  {:unit$}  {}\n", line[0], line[2], line[3])
-        };
-        self.lines.iter().map(text).collect()
-    }
+/// The table as text: names left-aligned, values with their decimal points aligned.
+fn text(rows: &[DigitRow]) -> String {
+    let before = |value: &str| value.find(['.', 'e']).unwrap_or(value.len());
+    let wide = |text: &str| text.chars().count();
+    let widest = |of: &dyn Fn(&DigitRow) -> usize| rows.iter().map(of).max();
+    let name = widest(&|row| wide(&row.name)).unwrap_or(0);
+    let left = widest(&|row| before(&row.value)).unwrap_or(0);
+    let value = widest(&|row| left - before(&row.value) + row.value.len()).unwrap_or(0);
+    let unit = widest(&|row| wide(&row.unit)).unwrap_or(0);
+    let line = |row: &DigitRow| {
+        let shift = " ".repeat(left - before(&row.value));
+        let shifted = format!("{shift}{}", row.value);
+        format!("{:name$}  {shifted:value$}  {:unit$}  {}\n", row.name, row.unit, row.bound)
+    };
+    rows.iter().map(line).collect()
 }
 
 /// The certain digits of a value.

@@ -23,10 +23,12 @@ mod svg;
 mod table;
 mod template;
 mod tikz;
+mod wanted;
 
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
-pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html};
+pub use self::digits::DigitRow;
+pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html, html_text};
 #[cfg(feature = "html")]
 pub use self::html::{WebPage, html};
 pub use self::json::{json, json_line};
@@ -40,7 +42,7 @@ pub use self::png::PngError;
 pub use self::result::{
     GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult, result_schema,
 };
-pub use self::structure::{listed_modes, modes, structure};
+pub use self::structure::{listed_modes, mode, modes, structure};
 pub use self::svg::{Text, layered_svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines};
 

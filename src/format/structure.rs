@@ -109,25 +109,31 @@ fn written(scene: &Scene, mechanism: &Mechanism, poses: &[Pose], count: Count) -
         listed => format!(", listed are the first {listed}"),
     };
     let _ = writeln!(text, "{count} assembly mode{plural}{first}; coordinates in {unit}, angles in degrees");
-    // A driving link without a given angle is one of the links whose positions are sought.
-    let mechanism = mechanism.for_positions();
     for (index, pose) in poses.iter().enumerate() {
-        let points = mechanism.inner_points().into_iter().map(|p| {
-            let q = pose.point(p);
-            format!("{} ({:.6}, {:.6})", mechanism.point_name(p), q.x, q.y)
-        });
-        let members = mechanism.links().filter(|(id, _)| mechanism.is_sought(*id));
-        let angles = members.filter_map(|(id, body)| {
-            let axis = pose.axes[id.0]?;
-            Some(format!("angle({}) {:.6}", body.name, degrees_of(axis)))
-        });
-        let mut lines = [points.collect::<Vec<_>>(), angles.collect()].map(|line| line.join("  ")).to_vec();
-        // A slotted lever and its block have no point whose position is sought.
-        lines.retain(|line| !line.is_empty());
-        let _ = writeln!(text, "{:3}. {}", index + 1, lines.join("\n     "));
+        let _ = writeln!(text, "{:3}. {}", index + 1, mode(mechanism, pose).join("\n     "));
     }
     for remark in poses.iter().take(1).flat_map(|pose| &pose.warnings) {
         let _ = writeln!(text, "{remark}");
     }
     text
+}
+
+/// An assembly mode in words: a line with the places of its inner points and one with the angles of its groups' links.
+#[must_use]
+pub fn mode(mechanism: &Mechanism, pose: &Pose) -> Vec<String> {
+    // A driving link without a given angle is one of the links whose positions are sought.
+    let mechanism = mechanism.for_positions();
+    let points = mechanism.inner_points().into_iter().map(|p| {
+        let q = pose.point(p);
+        format!("{} ({:.6}, {:.6})", mechanism.point_name(p), q.x, q.y)
+    });
+    let members = mechanism.links().filter(|(id, _)| mechanism.is_sought(*id));
+    let angles = members.filter_map(|(id, body)| {
+        let axis = pose.axes[id.0]?;
+        Some(format!("angle({}) {:.6}", body.name, degrees_of(axis)))
+    });
+    let mut lines = [points.collect::<Vec<_>>(), angles.collect()].map(|line| line.join("  ")).to_vec();
+    // A slotted lever and its block have no point whose position is sought.
+    lines.retain(|line| !line.is_empty());
+    lines
 }

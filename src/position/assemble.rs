@@ -92,6 +92,18 @@ pub fn counted_poses(mechanism: &Mechanism, near: &Near) -> Result<Listed, Assem
     Ok(Listed { poses: ways.into_iter().map(|way| way.pose(mechanism)).collect(), count })
 }
 
+/// The first assemblies that [`poses`] lists, `most` at most.
+pub fn first_poses(mechanism: &Mechanism, near: &Near, most: usize) -> Result<Vec<Pose>, AssemblyError> {
+    if mechanism.given_by == GivenBy::Drawing {
+        return Ok(vec![drawn_pose(mechanism)]);
+    }
+    check_size(mechanism)?;
+    let rough = Rough::new(mechanism.for_positions(), near);
+    let mut tree = Tree::new(mechanism.for_positions(), &rough);
+    let (ways, _) = listed(mechanism, &mut tree, most.max(1))?;
+    Ok(ways.into_iter().map(|way| way.pose(mechanism)).collect())
+}
+
 /// The assembly of that number, counted from 1, in the order of [`poses`].
 pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<Pose, AssemblyError> {
     let none = |count, is_exact| match is_exact {

@@ -1,7 +1,8 @@
 //! Lists of the quantities of a solved scene.
 
-use super::name::is_acceleration;
-use crate::construction::{Action, Construction, Solution, coincident_name};
+use super::band::{Pencil, pencil};
+use super::name::{Asked, QuantityError, is_acceleration};
+use crate::construction::{Action, Construction, Solution, Tolerance, coincident_name};
 use crate::mechanism::Role;
 use crate::motion::Order;
 
@@ -50,6 +51,16 @@ pub fn step_names(construction: &Construction) -> Vec<String> {
     let mut all = measured_names(construction);
     all.extend(names(construction, |action| !action.is_measured()));
     all
+}
+
+/// What honest hands find for the quantities of the steps when they draw at the figure's scales.
+///
+/// # Errors
+/// A name that the construction gives is not understood.
+pub fn step_pencil(solution: &Solution, tolerance: Tolerance) -> Result<Pencil, QuantityError> {
+    let names = step_names(&solution.construction);
+    let asked = names.iter().map(|name| Asked::new(name, &solution.mechanism)).collect::<Result<Vec<_>, _>>()?;
+    Ok(pencil(solution, &solution.scales(), tolerance, asked))
 }
 
 /// Names that the steps of some kinds give, in their order.

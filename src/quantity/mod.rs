@@ -12,7 +12,7 @@ mod unit;
 mod value;
 
 pub use band::{Band, Pencil, pencil};
-pub use lists::{measured_names, readable_names, step_names};
+pub use lists::{measured_names, readable_names, step_names, step_pencil};
 pub use name::{Asked, Component, Normality, QuantityError, Spot, What, is_acceleration};
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use state::{Snapshot, State};

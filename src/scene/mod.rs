@@ -43,9 +43,14 @@ mod slider;
 
 mod known;
 
+mod kinds;
+mod size;
+
 mod traced;
 
 mod read;
+
+mod tree;
 
 mod build_parts;
 
@@ -59,11 +64,13 @@ pub use figure::{
     ConstructionShown, DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, ScalesFor, StyleName,
 };
 pub use given_by::GivenBy;
+pub use kinds::Kind;
 pub use link::Link;
 pub use motion::{LinkMotion, PointMotion};
 pub use points::Near;
 pub use read::Scene;
 pub use shape::{Length, Shape};
+pub use size::SizeLimit;
 pub use sizes::{Measure, Sizes};
 pub use slider::{Along, On, Slider};
 pub use text::MAX_BYTES;
@@ -73,5 +80,6 @@ pub use values::ValuesShown;
 
 pub(crate) use kind::FileKind;
 pub(crate) use schema::schema_of;
+pub(crate) use tree::{SceneTree, pair, why_not};
 pub(crate) use typed::read_as;
 pub(crate) use words::{nearest, nearest_within};

@@ -21,6 +21,11 @@ pub(super) const LARGEST: f64 = 1e100;
 
 /// The text as JSON, without its notes and its `$schema`.
 pub(super) fn parse(source: Source<'_>, kind: &FileKind) -> Result<Json, Wrong> {
+    json(source, &tree(source, kind)?, true)
+}
+
+/// The text as a tree of JSON with its ranges of bytes; nothing is asked of its keys and values.
+pub(super) fn tree<'a>(source: Source<'a>, kind: &FileKind) -> Result<Value<'a>, Wrong> {
     let (what, body, bytes) = (kind.what, source.body(), source.0.len());
     if bytes > MAX_BYTES {
         let most = format!("at most {MAX_BYTES} ({} MiB) are read", MAX_BYTES >> 20);
@@ -38,7 +43,7 @@ pub(super) fn parse(source: Source<'_>, kind: &FileKind) -> Result<Json, Wrong> 
         let what = whole.split(" at line ").next().unwrap_or(&whole);
         Wrong::bytes(start..start, format!("this is not JSON: {what}"))
     })?;
-    json(source, &tree.expect("a text that is not blank has a value"), true)
+    Ok(tree.expect("a text that is not blank has a value"))
 }
 
 /// Refuses what the parser would find too late or not at all: brackets nested too deep, and line breaks within strings.

@@ -171,6 +171,10 @@ sentences! {
     paths_in_time(points, step, drive, time);
     /// The path of a point as a chart.
     path_of(point, unit);
+    /// At another assembly mode, by its number.
+    mode(number);
+    /// That not all other assembly modes are drawn.
+    modes_left_out(count);
     /// What is drawn of a path on other branches of the motion.
     paths_beyond;
     /// Relative difference of the rates from construction and loop equations, and the one that crossings allow.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
-const ORDER: [&str; 16] = [
+const ORDER: [&str; 17] = [
     "geometry",
     "scene",
     "words",
@@ -14,6 +14,7 @@ const ORDER: [&str; 16] = [
     "motion",
     "construction",
     "quantity",
+    "editing",
     "accuracy",
     "cycle",
     "drawing",

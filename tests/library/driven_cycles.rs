@@ -62,7 +62,7 @@ fn all(check: impl Fn(&str, &Path<'_>, f64)) {
 #[test]
 fn rates_on_the_way_are_those_of_the_loop_equations() {
     all(|name, path, width| {
-        let mechanism = path.mechanism;
+        let mechanism = &path.mechanism;
         let middle = 0.5 * (path.low() + path.high());
         let mut walker = path.walker();
         for part in -4..=4 {
@@ -141,7 +141,7 @@ fn drive_rates(mechanism: &Mechanism, name: &str) -> [f64; 2] {
 
 /// How far the points' velocities and accelerations are from central differences with this step, in parts of the largest.
 fn differences(path: &Path<'_>, value: f64, step: f64) -> [f64; 2] {
-    let (mechanism, mut walker) = (path.mechanism, path.walker());
+    let (mechanism, mut walker) = (&path.mechanism, path.walker());
     let [rate, second] = drive_rates(mechanism, &path.drive.name);
     let [before, now, after] = [value - step, value, value + step].map(|value| {
         let position = walker.position(value).expect("it is on the path");

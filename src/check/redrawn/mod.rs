@@ -146,19 +146,10 @@ fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -
         };
         wrong.push(WrongStep {
             step: step.number,
-            panel: if solves { PanelName::Scheme } else { panel(step.sheet()) },
+            panel: if solves { PanelName::Scheme } else { step.sheet().panel() },
             label: language.check_step(&step.number.to_string()),
             link: solves.then(|| link.to_owned()),
         });
     }
     wrong
-}
-
-/// The panel on which a sheet is drawn.
-fn panel(sheet: Sheet) -> PanelName {
-    match sheet {
-        Sheet::Scheme => PanelName::Scheme,
-        Sheet::Velocity => PanelName::Velocity,
-        Sheet::Acceleration => PanelName::Acceleration,
-    }
 }

@@ -6,7 +6,6 @@ use super::super::model::{Changes, Edit, Model};
 use super::super::report::significant;
 use super::super::sheet::Measured;
 use super::super::verdict::Judged;
-use super::panel;
 use crate::construction::{Change, Disturbance, LineId, MeasuredAs, OperationKind, PlaceId, Sheet, Values};
 use crate::drawing::{OwnKind, OwnLine, OwnPoint};
 use crate::geometry::{Point, Vector, cross, degrees_of, turn_of_degrees, unit};
@@ -341,7 +340,7 @@ impl<'a> Sheets<'a> {
     fn point(&mut self, sheet: Sheet, name: &str, at: Vector, is_named: bool) {
         if at.norm().is_finite() {
             self.points.push(OwnPoint {
-                panel: panel(sheet),
+                panel: sheet.panel(),
                 name: name.to_owned(),
                 at: self.on_figure(sheet, at),
                 is_named,
@@ -353,7 +352,7 @@ impl<'a> Sheets<'a> {
         let is_drawable = ends.iter().all(|end| end.norm().is_finite()) && ends[0] != ends[1];
         if is_drawable && let Some(name) = self.name(sheet, leads_to) {
             self.lines.push(OwnLine {
-                panel: panel(sheet),
+                panel: sheet.panel(),
                 leads_to: name.to_owned(),
                 ends: ends.map(|end| self.on_figure(sheet, end)),
                 kind,

@@ -45,7 +45,7 @@ impl Course<'_> {
 
     /// The symbol of a quantity.
     pub fn symbol(&self, asked: &Asked) -> String {
-        asked.symbol(self.path.mechanism, self.words.notation, &|name| self.shown(name))
+        asked.symbol(&self.path.mechanism, self.words.notation, &|name| self.shown(name))
     }
 
     /// The vertical lines at marked values of the drive, with their pens.
@@ -85,7 +85,7 @@ impl Course<'_> {
 
     /// The rates of the drives.
     fn speeds(&self) -> Line {
-        let (mechanism, units) = (self.path.mechanism, self.scene.units);
+        let (mechanism, units) = (&self.path.mechanism, self.scene.units);
         let mut parts: Vec<[String; 2]> = Vec::new();
         let mut add = |symbol: String, value: f64, kind: Kind| {
             let value = format!("= {} {}", self.number(value, 4), kind.unit(units));

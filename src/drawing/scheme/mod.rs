@@ -24,7 +24,7 @@ use super::stages::Stages;
 use super::values::{Value, values};
 use super::view::{Extent, View};
 use crate::construction::{Action, Construction, NumberedStep, Plan, Ray, RayOf, Solution, Teller};
-use crate::cycle::Traces;
+use crate::cycle::{OtherModes, Traces};
 use crate::geometry;
 use crate::mechanism::{BodyId, GROUND, Mark, Mechanism, PointId, Role};
 use crate::position::Pose;
@@ -34,6 +34,9 @@ use kurbo::Point;
 use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::sync::Arc;
+
+/// No other modes.
+const NO_MODES: &OtherModes = &OtherModes { shown: Vec::new(), has_more: false, own: None };
 
 /// The solved scene for the scheme, with names and steps.
 pub(super) struct Scheme<'a> {
@@ -47,6 +50,8 @@ pub(super) struct Scheme<'a> {
     pub stages: Stages,
     /// The paths and ghosts that the figure asks for.
     pub traces: Arc<Traces>,
+    /// The other assembly modes to be drawn.
+    pub modes: &'a OtherModes,
     pub words: Wording,
     pub dims: Dims,
     /// The scales of the panels, in units per mm of paper: the scene's, or those chosen for all of its sheets.
@@ -81,6 +86,7 @@ impl<'a> Scheme<'a> {
             names: Names::new(mechanism, construction),
             stages: Stages::new(construction),
             traces,
+            modes: NO_MODES,
             words: solution.wording(),
             dims: Dims::of(&scene.figure),
             mu: PanelName::ALL.map(|panel| scene.figure.mu(panel)),
@@ -121,7 +127,7 @@ impl<'a> Scheme<'a> {
     /// The extent of all points, of paths and ghosts, and of the special points, or of the arrows to those too far away.
     pub(super) fn extent(&self) -> Extent {
         let special = self.special().filter_map(|special| self.reached(special));
-        Extent::of(self.places().chain(special).chain(self.places_of_traces()))
+        Extent::of(self.places().chain(special).chain(self.places_of_traces()).chain(self.places_of_modes()))
     }
 
     /// The extent without special points.
@@ -169,6 +175,7 @@ impl<'a> Scheme<'a> {
     /// Draws the mechanism.
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
         self.ghosts(canvas, view);
+        self.other_modes(canvas, view);
         self.link_areas(canvas, view);
         self.paths(canvas, view);
         for special in self.special() {

@@ -9,9 +9,10 @@ use super::Scheme;
 use super::links::LinkShape;
 use crate::cycle::Times;
 use crate::geometry;
+use crate::position::Pose;
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle};
-use kurbo::{Point, Vec2};
+use kurbo::{Point, Rect, Vec2};
 
 /// Half the length of the stroke across a path at a tick, in mm.
 const TICK: f64 = 0.9;
@@ -31,18 +32,41 @@ impl Scheme<'_> {
     /// Draws the links in other positions; nothing keeps off them.
     pub(super) fn ghosts(&self, canvas: &mut Canvas<'_>, view: &View) {
         for (index, pose) in self.traces.ghosts.iter().enumerate() {
-            let ghost = self.posed(pose);
-            for (link, body) in self.mechanism.links() {
-                let lines = match ghost.shape(view, link) {
-                    LinkShape::Nothing => Vec::new(),
-                    LinkShape::Bars(bars) => bars.into_iter().map(|[a, b]| Shape::Line(a, b)).collect(),
-                    LinkShape::Plate(corners) => vec![Shape::Polygon(corners)],
-                };
-                for (part, line) in lines.into_iter().enumerate() {
-                    let part = if part > 0 { format!("-{}", part + 1) } else { String::new() };
-                    let name = format!("ghost-{}-link-{}{part}", index + 1, body.name);
-                    canvas.draw_below(&name, Pen::Ghost, line).number = self.number(link);
-                }
+            self.ghost(canvas, view, &format!("ghost-{}", index + 1), pose);
+        }
+    }
+
+    /// The places of all other modes.
+    pub(super) fn places_of_modes(&self) -> impl Iterator<Item = geometry::Point> {
+        self.modes.shown.iter().flat_map(|(_, pose)| pose.points.iter().copied())
+    }
+
+    /// Draws the other assembly modes, each with its number beside the point that is farthest from all others.
+    pub(super) fn other_modes(&self, canvas: &mut Canvas<'_>, view: &View) {
+        let apart = self.modes.apart(self.pose);
+        for ((number, pose), point) in self.modes.shown.iter().zip(apart) {
+            let name = format!("mode-{number}");
+            self.ghost(canvas, view, &name, pose);
+            let words = self.words.language.mode(&number.to_string());
+            let anchor = view.at(pose.points[point]);
+            canvas.keep_off(Rect::from_center_size(anchor, (1.0, 1.0)));
+            canvas.words(&name, &words, anchor);
+        }
+    }
+
+    /// Draws the links in another position.
+    fn ghost(&self, canvas: &mut Canvas<'_>, view: &View, name: &str, pose: &Pose) {
+        let ghost = self.posed(pose);
+        for (link, body) in self.mechanism.links() {
+            let lines = match ghost.shape(view, link) {
+                LinkShape::Nothing => Vec::new(),
+                LinkShape::Bars(bars) => bars.into_iter().map(|[a, b]| Shape::Line(a, b)).collect(),
+                LinkShape::Plate(corners) => vec![Shape::Polygon(corners)],
+            };
+            for (part, line) in lines.into_iter().enumerate() {
+                let part = if part > 0 { format!("-{}", part + 1) } else { String::new() };
+                let name = format!("{name}-link-{}{part}", body.name);
+                canvas.draw_below(&name, Pen::Ghost, line).number = self.number(link);
             }
         }
     }

@@ -95,7 +95,7 @@ impl Seen {
             };
             let here = position.pose();
             if let Some(before) = before {
-                let mut all = poses(&standing(path.mechanism, &here), &Near::default()).unwrap_or_default();
+                let mut all = poses(&standing(&path.mechanism, &here), &Near::default()).unwrap_or_default();
                 all.sort_by(|a, b| distance(a, &before).total_cmp(&distance(b, &before)));
                 let away = |i: usize| all.get(i).map_or(f64::INFINITY, |p| distance(p, &before));
                 if away(0) < (away(1) / CLEARLY).min(0.2 * size) {
@@ -124,7 +124,7 @@ impl Seen {
                 self.turns += 1;
                 continue;
             };
-            let [inside, outside] = [-beyond, beyond].map(|by| modes(path.mechanism, end.at + by).len());
+            let [inside, outside] = [-beyond, beyond].map(|by| modes(&path.mechanism, end.at + by).len());
             match end.what {
                 Happening::Limit { .. } if inside == outside + 2 => self.limits += 1,
                 Happening::RunsOff { .. } if inside == outside => self.run_off += 1,
@@ -143,7 +143,7 @@ impl Seen {
         for start in [0.001, 0.4, 0.999].map(at) {
             let mut walker = path.walker();
             let pose = walker.position(start).expect("it is on the path").pose();
-            let mechanism = turned(path.mechanism, start);
+            let mechanism = turned(&path.mechanism, start);
             let mut other = self::path(&mechanism, &pose);
             other.follow_to(low - 1.0);
             other.follow_to(high + 1.0);

@@ -5,7 +5,7 @@ import type { Answer } from "./worker.ts";
 export const PATIENCE = 20_000;
 
 /** Functions whose answers are no JSON. */
-const PLAIN = new Set(["drop", "edit", "choose_mode", "file", "exercise_file", "font"]);
+const PLAIN = new Set(["drop", "edit", "choose_mode", "file", "read_form", "write_form", "exercise_file", "font"]);
 
 interface Waiting {
   name: string;

@@ -30,7 +30,7 @@ function presentScales(app: App): Signal<Scales> {
   const present = signal<Scales>({ mu_l: null, mu_v: null, mu_a: null });
   app.solved.on(({ text, opened, refused }) => {
     if (opened === null || refused !== null) return;
-    app.engine.form(text).then(
+    app.engine.form(text, "").then(
       ({ mu_l, mu_v, mu_a }) => present.set({ mu_l, mu_v, mu_a }),
       () => present.set({ mu_l: null, mu_v: null, mu_a: null }),
     );

@@ -1,0 +1,253 @@
+//! A sheet whose panels and scales are held while its mechanism moves, for a hand on the picture.
+
+use super::compose::Composition;
+use super::figure::{Sheet, Steps, composed, described, extents, extents_of_images};
+use super::layout::{Layout, Placed};
+use super::plan_panel;
+use super::scheme::Scheme;
+use super::sheet::Drawing;
+use super::view::{Extent, View};
+use crate::construction::Solution;
+use crate::cycle::{Animation, OtherModes, Traces};
+use crate::geometry;
+use crate::mechanism::{GROUND, Mechanism};
+use crate::scene::{PanelName, ScalesFor};
+use kurbo::{Affine, Point, Rect};
+use std::sync::Arc;
+
+/// Positions of the cycle for which there is room on the panels.
+const POSITIONS: usize = 24;
+/// Every so many of them is asked for the height of its words.
+const WORDS_OF: usize = 4;
+
+/// The layout of a mechanism's figure, for drawing it in any of its positions.
+///
+/// Scales are those of the figure in the scene's own position. Panels are large enough for its whole content and, as far
+/// as the sheet allows, for the joints and their images in the other positions of the first drive, except for plans
+/// several times as large as most: near a limit position rates and special points go to infinity. Where a position's
+/// content does not fit, the panel says that it is cut at the edge; poles stay in sight. There is no work sheet.
+///
+/// ```
+/// use kinegon::cycle::Pull;
+/// use kinegon::drawing::Stage;
+///
+/// let scene = kinegon::Scene::read(include_str!("../../templates/four-bar.json"))?;
+/// let own = kinegon::solve(&scene)?;
+/// let stage = Stage::new(&own, None, None);
+/// let mut pull = Pull::new(&own, None)?;
+/// for degrees in [60.0, 61.0, 62.0] {
+///     let moved = own.moved(pull.to_value(degrees).pose)?;
+///     let svg = stage.draw(&moved, None).svg();
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Stage {
+    layout: Layout,
+    /// The scales that were chosen, by panel.
+    mu: [Option<f64>; PanelName::ALL.len()],
+    /// By panel: the extent of all positions.
+    extents: Vec<(PanelName, Extent)>,
+    /// The extent of the scheme in the own position, which is held in sight.
+    scheme: Option<Extent>,
+    steps: Option<Steps>,
+    /// The paths and ghosts, and the lengths of the mechanism that has them.
+    traces: Arc<Traces>,
+    mechanism: Mechanism,
+}
+
+/// A place that can be taken hold of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Handle {
+    /// The panel in which it is.
+    pub panel: PanelName,
+    /// The name of a point of the mechanism, or of one of a plan.
+    pub name: String,
+    /// Its place on the sheet.
+    pub at: Point,
+    /// Whether it never moves: a point of the ground, or a pole.
+    pub is_fixed: bool,
+}
+
+/// A panel of a drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StagePanel {
+    /// Its name in the figure's language.
+    pub name: String,
+    /// Which panel it is.
+    pub panel: PanelName,
+    /// Its place on the sheet.
+    pub frame: Rect,
+    /// Whether its content is cut at the edge.
+    pub is_cut: bool,
+}
+
+impl Stage {
+    /// The stage of a scene in its own position: for its finished figure, or with room for the words of steps; with room
+    /// for other modes, if they are to be seen.
+    #[must_use]
+    pub fn new(own: &Solution, steps: Option<Steps>, modes: Option<&OtherModes>) -> Stage {
+        let traces = Arc::new(Traces::of(own));
+        let own_scheme = with_modes(Scheme::with(own, Arc::clone(&traces)).with_scales_of(steps), modes);
+        let animation = Animation::new(own, None, POSITIONS).ok();
+        let positions = animation.as_ref().map_or(&[][..], |animation| &animation.positions);
+        let schemes: Vec<Scheme<'_>> = positions
+            .iter()
+            .map(|solution| Scheme { mu: own_scheme.mu, ..Scheme::with(solution, Arc::clone(&traces)) })
+            .collect();
+        let own_extents = extents(&own_scheme);
+        let extents: Vec<(PanelName, Extent)> = match own.scene.figure.scales {
+            ScalesFor::Cycle => own_scheme.extents_to_fit(),
+            _ => {
+                let own = own_extents.iter();
+                own.map(|&(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
+            }
+        };
+        let sheet = Sheet { steps, table: None };
+        let own_sheet = composed(&own_scheme, &extents, sheet);
+        let heights = schemes.iter().step_by(WORDS_OF).map(|scheme| composed(scheme, &extents, sheet).height_below());
+        let below = heights.fold(own_sheet.height_below(), f64::max);
+        let layout = own_sheet.layout_above(below);
+        let shows_own = own_extents.iter().zip(&layout.panels).all(|((_, extent), placed)| placed.holds(extent));
+        // Else the panels are those of the step sheets.
+        let layout = match shows_own {
+            true => layout,
+            false => composed(&own_scheme, &own_extents, sheet).layout_above(below),
+        };
+        let scheme = own_extents.iter().find(|(panel, _)| *panel == PanelName::Scheme).map(|(_, extent)| *extent);
+        Stage { layout, mu: own_scheme.mu, extents, scheme, steps, traces, mechanism: own.mechanism.clone() }
+    }
+
+    /// The figure in a position of the same mechanism, or of one with other lengths; with other modes, pale. With steps
+    /// [`Drawing::after_step`] gives the sheet after one of them.
+    #[must_use]
+    pub fn draw(&self, solution: &Solution, modes: Option<&OtherModes>) -> Drawing {
+        let scheme = self.scheme_of(solution, modes);
+        let drawing = self.composed(&scheme).draw(&self.layout);
+        match self.steps {
+            Some(Steps::Coarse) => drawing.in_passages(&scheme, &solution.construction.passages()),
+            _ => drawing,
+        }
+    }
+
+    /// The scale of a panel, in units per mm of paper.
+    #[must_use]
+    pub fn mu(&self, panel: PanelName) -> Option<f64> {
+        Some(self.placed(panel)?.1.mu)
+    }
+
+    /// The panels of one of the stage's drawings.
+    #[must_use]
+    pub fn panels(&self, drawing: &Drawing) -> Vec<StagePanel> {
+        let panel = |((panel, _), (name, frame)): (&(PanelName, Extent), &(String, Rect))| {
+            let says = format!("{}-cut", panel.as_str());
+            let is_cut = drawing.marks.iter().any(|mark| mark.id.as_ref() == Some(&says));
+            StagePanel { name: name.clone(), panel: *panel, frame: *frame, is_cut }
+        };
+        self.extents.iter().zip(&drawing.panels).map(panel).collect()
+    }
+
+    /// The points of the mechanism on the sheet.
+    #[must_use]
+    pub fn handles(&self, solution: &Solution) -> Vec<Handle> {
+        let Some(view) = self.scheme_view() else { return Vec::new() };
+        let mechanism = &solution.mechanism;
+        let handle = |point| Handle {
+            panel: PanelName::Scheme,
+            name: mechanism.point_name(point).to_owned(),
+            at: self.enlarged() * view.at(solution.pose.point(point)),
+            is_fixed: mechanism.body(GROUND).has(point),
+        };
+        mechanism.point_ids().map(handle).collect()
+    }
+
+    /// The place in the scene under a place of the sheet; none without a scheme.
+    #[must_use]
+    pub fn place(&self, at: Point) -> Option<geometry::Point> {
+        Some(self.scheme_view()?.under(self.enlarged().inverse() * at))
+    }
+
+    /// The points of the plans on the sheet, without those that the figure does not show.
+    #[must_use]
+    pub fn plan_handles(&self, solution: &Solution) -> Vec<Handle> {
+        let plans = self.plan_views(solution);
+        let handles = plans.into_iter().flat_map(|(panel, plan, view)| {
+            let shown =
+                plan.points.iter().filter(|(name, _)| !plan_panel::is_hidden(&solution.scene.figure, plan, name));
+            shown.map(move |(name, point)| Handle {
+                panel,
+                name: name.clone(),
+                at: self.enlarged() * view.at(point.vector.into()),
+                is_fixed: name == plan.kind.pole(),
+            })
+        });
+        handles.collect()
+    }
+
+    /// A place of the sheet in the plan of a panel: in mm of paper from the pole, x right, y up; none without that panel.
+    #[must_use]
+    pub fn plan_place(&self, solution: &Solution, panel: PanelName, at: Point) -> Option<geometry::Vector> {
+        let (_, _, view) = self.plan_views(solution).into_iter().find(|(own, ..)| *own == panel)?;
+        let off = at - self.enlarged() * view.at(geometry::Point::origin());
+        Some(geometry::Vector::new(off.x, -off.y))
+    }
+
+    /// The scene with the scales of the stage.
+    fn scheme_of<'a>(&self, solution: &'a Solution, modes: Option<&'a OtherModes>) -> Scheme<'a> {
+        let traces = match has_lengths_of(&solution.mechanism, &self.mechanism) {
+            true => Arc::clone(&self.traces),
+            false => Arc::new(Traces::of(solution)),
+        };
+        with_modes(Scheme { mu: self.mu, ..Scheme::with(solution, traces) }, modes)
+    }
+
+    fn composed<'a>(&self, scheme: &'a Scheme<'a>) -> Composition<'a> {
+        let sheet = Sheet { steps: self.steps, table: None };
+        let mut composition = described(scheme, composed(scheme, &self.extents, sheet));
+        for (panel, (name, _)) in composition.panels.iter_mut().zip(&self.extents) {
+            // The frame stands still, where the scene's own position is in sight.
+            if *name == PanelName::Scheme {
+                panel.content = self.scheme;
+            }
+        }
+        composition
+    }
+
+    fn scheme_view(&self) -> Option<View> {
+        let (extent, placed) = self.placed(PanelName::Scheme)?;
+        Some(placed.view(&extent, self.scheme))
+    }
+
+    /// The plans that are shown, with their views.
+    fn plan_views<'a>(&self, solution: &'a Solution) -> Vec<(PanelName, &'a crate::construction::Plan, View)> {
+        let construction = &solution.construction;
+        let plans = [
+            (PanelName::Velocity, Some(&construction.velocity)),
+            (PanelName::Acceleration, construction.acceleration.as_ref()),
+        ];
+        let shown = plans.into_iter().filter_map(|(panel, plan)| {
+            let (plan, (extent, placed)) = (plan?, self.placed(panel)?);
+            let content = plan_panel::extent(plan, solution.scene.figure.construction);
+            Some((panel, plan, placed.view(&extent, Some(content))))
+        });
+        shown.collect()
+    }
+
+    fn placed(&self, panel: PanelName) -> Option<(Extent, &Placed)> {
+        let index = self.extents.iter().position(|(own, _)| *own == panel)?;
+        Some((self.extents[index].1, self.layout.panels.get(index)?))
+    }
+
+    /// From units of the layout to mm of paper.
+    fn enlarged(&self) -> Affine {
+        Affine::scale(self.layout.panels.first().map_or(1.0, |placed| placed.unit))
+    }
+}
+
+fn with_modes<'a>(scheme: Scheme<'a>, modes: Option<&'a OtherModes>) -> Scheme<'a> {
+    Scheme { modes: modes.unwrap_or(scheme.modes), ..scheme }
+}
+
+/// Whether two mechanisms of the same links have the same lengths.
+fn has_lengths_of(a: &Mechanism, b: &Mechanism) -> bool {
+    a.bodies.len() == b.bodies.len() && a.bodies.iter().zip(&b.bodies).all(|(a, b)| a.local == b.local)
+}

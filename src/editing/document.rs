@@ -1,0 +1,402 @@
+//! The text of a scene that is changed value by value; all that is not changed stays as it is, to the byte.
+
+use jsonc_parser::ast::{Object, Value};
+use jsonc_parser::common::Ranged;
+use serde_json::Value as Json;
+use std::ops::Range;
+
+use super::layout::{Layout, indent, order, quoted};
+use crate::scene::{SceneError, SceneTree};
+
+/// A text in the course of changes. Paths are JSON paths; an index of a list is written in digits.
+#[derive(Clone, Debug)]
+pub(super) struct Document<'a> {
+    /// The text that was handed over, for the places of errors.
+    given: &'a str,
+    /// The text as it is now, without a byte order mark.
+    body: String,
+}
+
+impl<'a> Document<'a> {
+    /// The document of a text.
+    ///
+    /// # Errors
+    /// The text is not JSON, or not an object.
+    pub fn new(given: &'a str) -> Result<Self, SceneError> {
+        let tree = SceneTree::read(given)?;
+        match tree.root {
+            Value::Object(_) => Ok(Document { given, body: tree.body.to_owned() }),
+            _ => Err(SceneTree::error(given, &[], "a scene is an object { … }", None)),
+        }
+    }
+
+    /// The text as it is now, with the byte order mark that it had.
+    pub fn text(&self) -> String {
+        let mark = if self.given.starts_with('\u{feff}') { "\u{feff}" } else { "" };
+        format!("{mark}{}", self.body)
+    }
+
+    /// The text as JSON; of a key that stands twice the last value.
+    pub fn json(&self) -> Json {
+        self.tree().map_or(Json::Null, |tree| value_of(&tree.root))
+    }
+
+    /// An error at a path of the text that was handed over.
+    pub fn error(&self, path: &[&str], message: impl Into<String>, hint: Option<&str>) -> SceneError {
+        SceneTree::error(self.given, path, message, hint)
+    }
+
+    fn tree(&self) -> Result<SceneTree<'_>, SceneError> {
+        SceneTree::read(&self.body)
+    }
+
+    /// Puts values in place of numbers and lists of numbers that are there, all at once; what is not there is added.
+    pub fn set_all(&mut self, values: &[(Vec<String>, Json)]) -> Result<(), SceneError> {
+        let tree = self.tree()?;
+        let layout = Layout::of(tree.body);
+        let mut splices = Vec::new();
+        let mut others = Vec::new();
+        for (path, value) in values {
+            let path: Vec<&str> = path.iter().map(String::as_str).collect();
+            let node = find(&tree.root, &path);
+            if !node.is_some_and(|node| replaced(node, value, layout, &mut splices)) {
+                others.push((path, value));
+            }
+        }
+        let body = spliced(&self.body, splices);
+        self.body = body;
+        others.into_iter().try_for_each(|(path, value)| self.set(&path, value))
+    }
+
+    /// Puts a value at a path, in place of what is there; parts of an object or a list that do not change stay as they
+    /// are, and notes stay. `null` removes.
+    pub fn set(&mut self, path: &[&str], value: &Json) -> Result<(), SceneError> {
+        if value.is_null() {
+            return self.remove(path);
+        }
+        let tree = self.tree()?;
+        let layout = Layout::of(tree.body);
+        let known = known_part(&tree.root, path);
+        if known < path.len() {
+            return self.insert(known, path, value);
+        }
+        match (find(&tree.root, path), value) {
+            (Some(Value::Object(object)), Json::Object(entries)) => {
+                let names = object.properties.iter().map(|property| property.name.as_str().to_owned());
+                let gone = names.filter(|name| name != "note" && !entries.contains_key(name)).collect::<Vec<_>>();
+                gone.iter().try_for_each(|name| self.remove(&[path, &[name]].concat()))?;
+                entries.iter().try_for_each(|(name, value)| self.set(&[path, &[name]].concat(), value))
+            }
+            (Some(Value::Array(array)), Json::Array(elements)) => {
+                let gone = (elements.len()..array.elements.len()).rev().map(|index| index.to_string());
+                let gone = gone.collect::<Vec<_>>();
+                gone.iter().try_for_each(|index| self.remove(&[path, &[index]].concat()))?;
+                let mut elements = elements.iter().enumerate();
+                elements.try_for_each(|(index, value)| self.set(&[path, &[&index.to_string()]].concat(), value))
+            }
+            (Some(node), _) if path.is_empty() || same(node, value) => match path {
+                [] => Err(self.error(&[], "a scene is an object { … }", None)),
+                _ => Ok(()),
+            },
+            (Some(node), _) => {
+                let splice = (node.start()..node.end(), layout.one_line(value));
+                self.splice(splice);
+                Ok(())
+            }
+            (None, _) => Ok(()),
+        }
+    }
+
+    /// Adds a value where the text has only the first `known` parts of its path.
+    fn insert(&mut self, known: usize, path: &[&str], value: &Json) -> Result<(), SceneError> {
+        let tree = self.tree()?;
+        let layout = Layout::of(tree.body);
+        let (around, key, rest) = (&path[..known], path[known], &path[known + 1..]);
+        let nested = rest
+            .iter()
+            .rev()
+            .fold(value.clone(), |inner, key| Json::Object(std::iter::once(((*key).to_owned(), inner)).collect()));
+        let splice = match find(&tree.root, around) {
+            Some(Value::Object(object)) => {
+                let text = layout.entry(key, &nested);
+                let index = place(object, key, around);
+                let parts: Vec<&dyn Part> = object.properties.iter().map(|property| property as &dyn Part).collect();
+                added(&tree, layout, object.start()..object.end(), &parts, index, &text, around)
+            }
+            Some(Value::Array(array)) if key.parse() == Ok(array.elements.len()) => {
+                let text = layout.one_line(&nested);
+                let parts: Vec<&dyn Part> = array.elements.iter().map(|element| element as &dyn Part).collect();
+                added(&tree, layout, array.start()..array.end(), &parts, parts.len(), &text, around)
+            }
+            Some(Value::Array(array)) => {
+                let message = format!("this list has {} entries, and no {}", array.elements.len(), shown(key));
+                return Err(self.error(around, message, None));
+            }
+            _ => return Err(self.error(around, format!("there is no place for {} here", shown(key)), None)),
+        };
+        self.splice(splice);
+        Ok(())
+    }
+
+    /// Removes what is at a path, if something is.
+    pub fn remove(&mut self, path: &[&str]) -> Result<(), SceneError> {
+        let Some((last, around)) = path.split_last() else {
+            return Err(self.error(&[], "a scene cannot be removed from its text", None));
+        };
+        let tree = self.tree()?;
+        let cut = match find(&tree.root, around) {
+            Some(Value::Object(object)) => {
+                let index = object.properties.iter().position(|property| property.name.as_str() == *last);
+                let parts: Vec<&dyn Part> = object.properties.iter().map(|property| property as &dyn Part).collect();
+                index.map(|index| cut(&tree, object.start()..object.end(), &parts, index))
+            }
+            Some(Value::Array(array)) => {
+                let index = last.parse().ok().filter(|index| *index < array.elements.len());
+                let parts: Vec<&dyn Part> = array.elements.iter().map(|element| element as &dyn Part).collect();
+                index.map(|index| cut(&tree, array.start()..array.end(), &parts, index))
+            }
+            _ => None,
+        };
+        if let Some(cut) = cut {
+            self.splice((cut, String::new()));
+        }
+        Ok(())
+    }
+
+    /// Gives keys and texts other words, but for notes; `None` where the old one stays.
+    pub fn reword(&mut self, rename: Rename<'_>) -> Result<(), SceneError> {
+        let mut splices = Vec::new();
+        reworded(&self.tree()?.root, &mut Vec::new(), rename, &mut splices);
+        self.body = spliced(&self.body, splices);
+        Ok(())
+    }
+
+    fn splice(&mut self, (range, text): Splice) {
+        self.body.replace_range(range, &text);
+    }
+}
+
+/// Gives a word its new form.
+type Rename<'r> = &'r dyn Fn(Word<'_>) -> Option<String>;
+
+/// Bytes of the text, and what comes in their place.
+type Splice = (Range<usize>, String);
+
+fn spliced(body: &str, mut splices: Vec<Splice>) -> String {
+    splices.sort_by_key(|(range, _)| range.start);
+    let mut text = String::with_capacity(body.len() + 64);
+    let mut end = 0;
+    for (range, new) in splices.into_iter() {
+        // The same value set twice would overlap; the first counts.
+        if range.start >= end {
+            text.push_str(&body[end..range.start]);
+            text.push_str(&new);
+            end = range.end;
+        }
+    }
+    text + &body[end..]
+}
+
+fn shown(key: &str) -> String {
+    format!("`{}`", crate::text::shown(key))
+}
+
+/// The value at a path.
+fn find<'t, 'a>(root: &'t Value<'a>, path: &[&str]) -> Option<&'t Value<'a>> {
+    path.iter().try_fold(root, |node, key| match node {
+        Value::Object(object) => object.get(key).map(|property| &property.value),
+        Value::Array(array) => array.elements.get(key.parse::<usize>().ok()?),
+        _ => None,
+    })
+}
+
+/// How many parts of a path the text has.
+fn known_part(root: &Value<'_>, path: &[&str]) -> usize {
+    (0..=path.len()).rev().find(|&known| find(root, &path[..known]).is_some()).unwrap_or(0)
+}
+
+/// A part of the tree as JSON. Numbers are read to the last bit, which serde_json does not do.
+fn value_of(node: &Value<'_>) -> Json {
+    match node {
+        Value::StringLit(text) => Json::from(text.value.as_ref()),
+        Value::NumberLit(number) => match number.value.parse::<i64>() {
+            Ok(whole) => Json::from(whole),
+            Err(_) => Json::from(number.value.parse::<f64>().unwrap_or(0.0)),
+        },
+        Value::BooleanLit(truth) => Json::from(truth.value),
+        Value::NullKeyword(_) => Json::Null,
+        Value::Array(array) => array.elements.iter().map(value_of).collect(),
+        Value::Object(object) => {
+            let entries = object.properties.iter();
+            entries.map(|property| (property.name.as_str().to_owned(), value_of(&property.value))).collect()
+        }
+    }
+}
+
+/// Whether a part of the text says this.
+fn same(node: &Value<'_>, value: &Json) -> bool {
+    match (node, value) {
+        (Value::StringLit(text), Json::String(other)) => text.value == *other,
+        (Value::NumberLit(number), Json::Number(other)) => {
+            number.value.parse::<f64>().ok().is_some_and(|number| other.as_f64() == Some(number))
+        }
+        (Value::BooleanLit(truth), Json::Bool(other)) => truth.value == *other,
+        _ => false,
+    }
+}
+
+/// Puts a number or a list of numbers in place of one that is there; false where something else is there.
+fn replaced(node: &Value<'_>, value: &Json, layout: Layout, splices: &mut Vec<Splice>) -> bool {
+    match (node, value) {
+        (Value::NumberLit(number), Json::Number(_)) => {
+            if !same(node, value) {
+                splices.push((number.start()..number.end(), layout.one_line(value)));
+            }
+            true
+        }
+        (Value::Array(array), Json::Array(values)) if array.elements.len() == values.len() => {
+            let mut pairs = array.elements.iter().zip(values);
+            let are_numbers =
+                |(node, value): (&Value<'_>, &Json)| matches!(node, Value::NumberLit(_)) && value.is_number();
+            let is_plain = pairs.clone().all(are_numbers);
+            is_plain && pairs.all(|(node, value)| replaced(node, value, layout, splices))
+        }
+        _ => false,
+    }
+}
+
+/// A property of an object or an element of a list.
+trait Part {
+    fn range(&self) -> Range<usize>;
+    fn indent<'t>(&self, body: &'t str) -> Option<&'t str>;
+}
+
+impl<T: Ranged> Part for T {
+    fn range(&self) -> Range<usize> {
+        self.start()..self.end()
+    }
+
+    fn indent<'t>(&self, body: &'t str) -> Option<&'t str> {
+        indent(body, self)
+    }
+}
+
+/// Where a new key belongs: behind those that people write before it, else before those that they write after it, else
+/// last, but before a note.
+fn place(object: &Object<'_>, key: &str, path: &[&str]) -> usize {
+    let order = order(path);
+    let rank = |name: &str| order.iter().position(|known| *known == name);
+    let names: Vec<&str> = object.properties.iter().map(|property| property.name.as_str()).collect();
+    let before = rank(key).and_then(|own| names.iter().rposition(|name| rank(name).is_some_and(|rank| rank < own)));
+    let after = rank(key).and_then(|own| names.iter().position(|name| rank(name).is_some_and(|rank| rank > own)));
+    let last = names.len() - usize::from(names.last() == Some(&"note"));
+    before.map(|index| index + 1).or(after).unwrap_or(last)
+}
+
+/// Adds a part to an object or a list, in `range`, as the part of that index.
+fn added(
+    tree: &SceneTree<'_>,
+    layout: Layout,
+    range: Range<usize>,
+    parts: &[&dyn Part],
+    index: usize,
+    text: &str,
+    path: &[&str],
+) -> Splice {
+    let body = tree.body;
+    let line = |indent: &str| format!("{}{indent}", layout.newline);
+    let (before, after) = (index.checked_sub(1).map(|before| parts[before]), parts.get(index));
+    match (before, after) {
+        (Some(before), after) => {
+            let is_inline = after.is_some_and(|after| after.indent(body).is_none());
+            let gap = match before.indent(body).filter(|_| !is_inline) {
+                Some(indent) => format!(",{}", line(indent)),
+                None => gap_before(body, parts, index - 1).unwrap_or(layout.comma).to_owned(),
+            };
+            (before.range().end..before.range().end, gap + text)
+        }
+        (None, Some(after)) => {
+            let gap = match after.indent(body) {
+                Some(indent) => format!(",{}", line(indent)),
+                None => layout.comma.to_owned(),
+            };
+            (after.range().start..after.range().start, text.to_owned() + &gap)
+        }
+        (None, None) => {
+            let top =
+                first_indent(tree).filter(|_| path.len() == 1 && matches!(path[0], "links" | "sliders" | "known"));
+            let is_list = body[range.start..].starts_with('[');
+            let (open, close) = if is_list { ("[", "]") } else { ("{", "}") };
+            let inside = match (top, is_list) {
+                (Some(indent), _) => format!("{}{text}{}", line(&indent.repeat(2)), line(indent)),
+                (None, true) => text.to_owned(),
+                (None, false) => format!("{pad}{text}{pad}", pad = layout.pad),
+            };
+            (range, format!("{open}{inside}{close}"))
+        }
+    }
+}
+
+/// What stands between a part and the one before it on the same line, unless it is more than a comma and spaces.
+fn gap_before<'t>(body: &'t str, parts: &[&dyn Part], index: usize) -> Option<&'t str> {
+    let before = parts.get(index.checked_sub(1)?)?;
+    let gap = &body[before.range().end..parts[index].range().start];
+    gap.chars().all(|c| c == ' ' || c == ',').then_some(gap)
+}
+
+/// The indentation of the keys of the top, if they have lines of their own.
+fn first_indent<'t>(tree: &SceneTree<'t>) -> Option<&'t str> {
+    let first = tree.root.as_object()?.properties.first()?;
+    indent(tree.body, first)
+}
+
+/// The bytes that go with a part of an object or a list.
+fn cut(tree: &SceneTree<'_>, range: Range<usize>, parts: &[&dyn Part], index: usize) -> Range<usize> {
+    let this = parts[index];
+    let (before, after) = (index.checked_sub(1).map(|before| parts[before]), parts.get(index + 1));
+    let starts_line = |part: &dyn Part| part.indent(tree.body).is_some();
+    match (before, after) {
+        (None, None) => range.start + 1..range.end - 1,
+        (None, Some(after)) => this.range().start..after.range().start,
+        (Some(_), Some(after)) if starts_line(this) && !starts_line(*after) => this.range().start..after.range().start,
+        (Some(before), _) => before.range().end..this.range().end,
+    }
+}
+
+/// A key or a text of the scene.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Word<'w> {
+    /// Where it stands: the path of its value, or of the object whose key it is.
+    pub path: &'w [String],
+    /// Whether it is a key.
+    pub is_key: bool,
+    /// What it says.
+    pub word: &'w str,
+}
+
+fn reworded(node: &Value<'_>, path: &mut Vec<String>, rename: Rename<'_>, splices: &mut Vec<Splice>) {
+    match node {
+        Value::StringLit(text) => {
+            let new = rename(Word { path, is_key: false, word: &text.value });
+            splices.extend(new.map(|word| (text.start()..text.end(), quoted(&word))));
+        }
+        Value::Object(object) => {
+            for property in object.properties.iter().filter(|property| property.name.as_str() != "note") {
+                let name = property.name.as_str();
+                let new = rename(Word { path, is_key: true, word: name });
+                splices.extend(new.map(|word| (property.name.start()..property.name.end(), quoted(&word))));
+                path.push(name.to_owned());
+                reworded(&property.value, path, rename, splices);
+                path.pop();
+            }
+        }
+        Value::Array(array) => {
+            for (index, element) in array.elements.iter().enumerate() {
+                path.push(index.to_string());
+                reworded(element, path, rename, splices);
+                path.pop();
+            }
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,161 @@
+//! Removes links and points with all that names them.
+
+use serde_json::{Value as Json, json};
+
+use super::Named;
+use super::document::Document;
+use super::names::Names;
+use super::quantity_names::Renamer;
+use super::rename::no_such;
+use crate::scene::{SceneError, pair};
+
+/// Removes a link, its sliders, and the points that nothing else has.
+pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneError> {
+    let names = Names::of(&document.json());
+    let Some(points) = names.links.get(name) else {
+        return Err(no_such(document, "link", name, &names.links.keys().cloned().collect::<Vec<_>>()));
+    };
+    document.remove(&["links", name])?;
+    let sliders = |slider: &Json| slider["link"] == *name || slider["on"] == *name;
+    remove_sliders(document, &sliders)?;
+    document.remove(&["near", &format!("angle({name})")])?;
+    remove_named(document, &names, Named::Link, name)?;
+    let is_elsewhere = |point: &String| {
+        names.ground.contains(point) || names.links.iter().any(|(link, points)| link != name && points.contains(point))
+    };
+    for orphan in points.iter().filter(|point| !is_elsewhere(point)) {
+        forget(document, &names, orphan)?;
+    }
+    Ok(())
+}
+
+/// Removes a point from all links; those that are left without a second point go, unless they slide or carry a guide.
+pub(super) fn point(document: &mut Document<'_>, name: &str) -> Result<(), SceneError> {
+    let names = Names::of(&document.json());
+    if !names.has_point(name) {
+        return Err(no_such(document, "point", name, &names.points()));
+    }
+    remove_sliders(document, &|slider| slider["at"] == *name || slider["pin"] == *name)?;
+    remove_guides(document, &names, name)?;
+    for (link, points) in names.links.iter().filter(|(_, points)| points.iter().any(|point| point == name)) {
+        take_from_link(document, link, points, name)?;
+    }
+    document.remove(&["ground", name])?;
+    if let Some(index) = names.ground.iter().position(|point| point == name)
+        && document.json()["ground"].is_array()
+    {
+        document.remove(&["ground", &index.to_string()])?;
+    }
+    forget(document, &names, name)?;
+    let left = Names::of(&document.json());
+    let scene = document.json();
+    let slides = |link: &str| {
+        let mut sliders = scene["sliders"].as_array().into_iter().flatten();
+        sliders.any(|slider| slider["link"] == *link || slider["on"] == *link)
+    };
+    let had = |link: &String| names.links.get(link).is_some_and(|points| points.iter().any(|point| point == name));
+    let short = |(link, points): &(&String, &Vec<String>)| {
+        had(link) && (points.is_empty() || (points.len() == 1 && !slides(link)))
+    };
+    left.links.iter().filter(short).try_for_each(|(name, _)| link(document, name))
+}
+
+/// Removes a point from a link.
+fn take_from_link(document: &mut Document<'_>, link: &str, points: &[String], name: &str) -> Result<(), SceneError> {
+    let scene = document.json();
+    let entry = &scene["links"][link];
+    let lengths = entry["lengths"].as_object().into_iter().flatten().map(|(key, _)| key);
+    for key in lengths.filter(|key| pair(key, points).is_some_and(|(from, to)| from == name || to == name)) {
+        document.remove(&["links", link, "lengths", key])?;
+    }
+    if entry["lengths"].as_object().is_some_and(|lengths| lengths.keys().all(|key| key != "note") && points.len() <= 2)
+    {
+        document.remove(&["links", link, "lengths"])?;
+    }
+    document.remove(&["links", link, "shape", name])?;
+    if entry["motion"]["at"] == *name {
+        let at = match scene["points"].get(name) {
+            Some(place) => document.set(&["links", link, "motion", "at"], place),
+            None => document.remove(&["links", link, "motion"]),
+        };
+        at?;
+    }
+    let list = if entry.is_array() { entry } else { &entry["points"] };
+    let index = list.as_array().and_then(|list| list.iter().position(|point| *point == *name));
+    match index.map(|index| index.to_string()) {
+        Some(index) if entry.is_array() => document.remove(&["links", link, &index]),
+        Some(index) => document.remove(&["links", link, "points", &index]),
+        None => Ok(()),
+    }
+}
+
+/// Removes what only says something of a point: its place, its known motion, its label, its path.
+fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), SceneError> {
+    remove_sliders(document, &|slider| slider["pin"] == *name)?;
+    for table in ["near", "points", "known"] {
+        document.remove(&[table, name])?;
+    }
+    let trace =
+        document.json()["figure"]["trace"].as_array().map(|trace| trace.iter().position(|point| *point == *name));
+    if let Some(index) = trace.flatten() {
+        document.remove(&["figure", "trace", &index.to_string()])?;
+    }
+    remove_named(document, names, Named::Point, name)
+}
+
+fn remove_sliders(document: &mut Document<'_>, is_gone: &dyn Fn(&Json) -> bool) -> Result<(), SceneError> {
+    let scene = document.json();
+    let sliders = scene["sliders"].as_array().into_iter().flatten().enumerate();
+    let gone: Vec<String> = sliders.filter(|(_, slider)| is_gone(slider)).map(|(index, _)| index.to_string()).collect();
+    gone.iter().rev().try_for_each(|index| document.remove(&["sliders", index]))
+}
+
+/// Lets guides that a point defines go on without it: in the direction that coordinates give, else along the axis.
+fn remove_guides(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), SceneError> {
+    let scene = document.json();
+    let place = |point: &str| {
+        let place = [&scene["points"], &scene["ground"]].into_iter().find_map(|table| table.get(point))?;
+        Some([place[0].as_f64()?, place[1].as_f64()?])
+    };
+    for (index, slider) in scene["sliders"].as_array().into_iter().flatten().enumerate() {
+        let index = index.to_string();
+        let is_first = names.ground.first().is_some_and(|first| first == name);
+        let is_usual =
+            slider["on"] == *"ground" && slider["through"].is_null() && !slider["along"].is_string() && is_first;
+        if slider["through"] == *name || (is_usual && names.drawn.is_none()) {
+            match place(name).filter(|_| slider["on"] == *"ground") {
+                Some(place) => document.set(&["sliders", &index, "through"], &json!(place.map(super::number::json)))?,
+                None => document.remove(&["sliders", &index, "through"])?,
+            }
+        }
+        let ends = slider["along"].as_str().and_then(|key| pair(key, names.of_carrier(names.carrier(&index))));
+        let Some((from, to)) = ends.filter(|(from, to)| from == name || to == name) else {
+            continue;
+        };
+        let is_fixed = names.drawn.is_some() || slider["on"] == *"ground";
+        let direction = place(&from).zip(place(&to)).filter(|_| is_fixed);
+        match direction.map(|(a, b)| [b[0] - a[0], b[1] - a[1]]).filter(|direction| *direction != [0.0, 0.0]) {
+            Some(direction) => {
+                document.set(&["sliders", &index, "along"], &json!(direction.map(super::number::json)))?
+            }
+            None => document.remove(&["sliders", &index, "along"])?,
+        }
+    }
+    Ok(())
+}
+
+/// Removes labels and quantities that mean a point or a link.
+fn remove_named(document: &mut Document<'_>, names: &Names, what: Named, name: &str) -> Result<(), SceneError> {
+    let scene = document.json();
+    // What another name would change means this one.
+    let renamer = Renamer::new(names, what, name, "\u{1}");
+    let labels = scene["figure"]["labels"].as_object().into_iter().flatten();
+    for (label, _) in labels.filter(|(label, _)| renamer.plan_name(label).is_some()) {
+        document.remove(&["figure", "labels", label])?;
+    }
+    let wanted = scene["want"].as_array().into_iter().flatten().enumerate();
+    let is_gone = |quantity: &Json| quantity.as_str().is_some_and(|quantity| renamer.quantity(quantity).is_some());
+    let gone: Vec<String> =
+        wanted.filter(|(_, quantity)| is_gone(quantity)).map(|(index, _)| index.to_string()).collect();
+    gone.iter().rev().try_for_each(|index| document.remove(&["want", index]))
+}

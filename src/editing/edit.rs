@@ -1,0 +1,182 @@
+//! What can be changed in a scene's text.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value as Json;
+
+use super::document::Document;
+use super::{add, drop, rename};
+use crate::scene::SceneError;
+
+/// One change of a scene's text.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Edit {
+    /// Puts a value at a JSON path, in place of what is there; `null` removes it.
+    Set {
+        /// The path: keys, and indices of lists.
+        set: Vec<Key>,
+        /// The value.
+        #[serde(default)]
+        value: Json,
+    },
+    /// Removes what is at a JSON path, if something is.
+    Remove {
+        /// The path.
+        remove: Vec<Key>,
+    },
+    /// Gives a point or a link another name everywhere.
+    Rename {
+        /// What is renamed.
+        rename: Named,
+        /// Its name.
+        from: String,
+        /// Its new name.
+        to: String,
+    },
+    /// A new link between points; those that are new get a place.
+    AddLink {
+        /// The link.
+        add_link: NewLink,
+    },
+    /// A further point of a link, or of the ground.
+    AddPoint {
+        /// The point.
+        add_point: NewPoint,
+    },
+    /// A point of a link slides along a guide on the ground or on another link.
+    AddSlider {
+        /// The slider.
+        add_slider: NewSlider,
+    },
+    /// Removes a link with all that names it, and the points that no other link has.
+    DropLink {
+        /// Its name.
+        drop_link: String,
+    },
+    /// Removes a point with all that names it, and the links that it leaves without an end.
+    DropPoint {
+        /// Its name.
+        drop_point: String,
+    },
+}
+
+/// A step of a JSON path.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Key {
+    /// An index of a list, or a name of digits.
+    Index(u64),
+    /// A key of an object.
+    Name(String),
+}
+
+impl From<&str> for Key {
+    fn from(name: &str) -> Key {
+        Key::Name(name.to_owned())
+    }
+}
+
+/// What has a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Named {
+    /// A point.
+    Point,
+    /// A link.
+    Link,
+}
+
+/// A new link.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct NewLink {
+    /// Its points. One that the scene has already becomes a joint.
+    pub points: Vec<PlacedPoint>,
+}
+
+/// A point where it is, or is to be, in the present position.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PlacedPoint {
+    /// Its name.
+    pub name: String,
+    /// Its place in the fixed frame, in units of length.
+    pub at: [f64; 2],
+}
+
+/// A further point of a link.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct NewPoint {
+    /// The link, or `ground`.
+    pub link: String,
+    /// The point's name.
+    pub name: String,
+    /// Its place in the present position, in the fixed frame.
+    pub at: [f64; 2],
+}
+
+/// A new slider.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct NewSlider {
+    /// The sliding link; empty for a pin in a slot.
+    pub link: String,
+    /// The point of it that is on the guide, or the pin.
+    pub at: String,
+    /// What carries the guide: a link, or `ground`.
+    pub on: String,
+    /// The guide's direction: degrees, or two points of its carrier as `BE`.
+    pub along: Along,
+}
+
+/// The direction of a new guide.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Along {
+    /// From +x on the ground, from the carrier's axis otherwise.
+    Degrees(f64),
+    /// Two points of the carrier.
+    Points(String),
+}
+
+/// The text of a scene after some changes, one after the other. It need not be a scene that can be solved, neither before
+/// nor after: it need only be JSON. What is not changed stays as it is, to the byte.
+///
+/// ```
+/// use kinegon::editing::{Edit, Key, apply};
+///
+/// let text = r#"{ "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 60 } } } }"#;
+/// let path = ["links", "1", "lengths", "AB"].map(Key::from);
+/// let edits = [Edit::Set { set: path.to_vec(), value: 65.into() }];
+/// assert_eq!(apply(text, &edits)?, text.replace("60", "65"));
+/// # Ok::<(), kinegon::scene::SceneError>(())
+/// ```
+///
+/// # Errors
+/// The text is not JSON, or a change means something that is not there; the place is in `text`.
+pub fn apply(text: &str, edits: &[Edit]) -> Result<String, SceneError> {
+    let mut document = Document::new(text)?;
+    for edit in edits {
+        match edit {
+            Edit::Set { set, value } => document.set(&parts(&names(set)), value)?,
+            Edit::Remove { remove } => document.remove(&parts(&names(remove)))?,
+            Edit::Rename { rename, from, to } => rename::rename(&mut document, *rename, from, to)?,
+            Edit::AddLink { add_link } => add::link(&mut document, add_link)?,
+            Edit::AddPoint { add_point } => add::point(&mut document, add_point)?,
+            Edit::AddSlider { add_slider } => add::slider(&mut document, add_slider)?,
+            Edit::DropLink { drop_link } => drop::link(&mut document, drop_link)?,
+            Edit::DropPoint { drop_point } => drop::point(&mut document, drop_point)?,
+        }
+    }
+    Ok(document.text())
+}
+
+fn names(path: &[Key]) -> Vec<String> {
+    let name = |key: &Key| match key {
+        Key::Index(index) => index.to_string(),
+        Key::Name(name) => name.clone(),
+    };
+    path.iter().map(name).collect()
+}
+
+fn parts(path: &[String]) -> Vec<&str> {
+    path.iter().map(String::as_str).collect()
+}

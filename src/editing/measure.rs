@@ -1,0 +1,69 @@
+//! Lengths and shapes of links, measured from places.
+
+use serde_json::{Map, Value as Json};
+
+use super::document::Document;
+use super::names::joined;
+use super::number::{Decimals, json};
+use crate::geometry::{Point, cross, unit};
+use crate::scene::SceneError;
+
+/// Height of a triangle, in parts of its longest side, below which rounded lengths would hardly say where its points are.
+const FLAT: f64 = 0.05;
+
+/// A point of a link and its place.
+pub(super) type Placed<'a> = (&'a str, Point);
+
+/// The lengths of a link of up to three points, or its shape where lengths do not fix it well: the key, and what stands
+/// there; `None` for a link of one point.
+///
+/// # Errors
+/// Two points are in one place.
+pub(super) fn measured(
+    document: &Document<'_>,
+    link: &str,
+    points: &[Placed<'_>],
+    decimals: Decimals,
+) -> Result<Option<(&'static str, Json)>, SceneError> {
+    for (index, (second, place)) in points.iter().enumerate() {
+        let is_there = |(_, other): &&Placed<'_>| (place - other).norm() < decimals.step();
+        if let Some((first, _)) = points[..index].iter().find(is_there) {
+            let message = format!("link {link} would have {first} and {second} in one place");
+            return Err(document.error(&["links", link], message, Some("use one name for both, or move one")));
+        }
+    }
+    Ok(match points {
+        [] | [_] => None,
+        [a, b] => Some(("lengths", lengths(&[(a, b)], decimals))),
+        [a, b, c] if !is_flat(a.1, b.1, c.1) => Some(("lengths", lengths(&[(a, b), (b, c), (a, c)], decimals))),
+        _ => Some(("shape", shape(points, decimals))),
+    })
+}
+
+fn lengths(pairs: &[(&Placed<'_>, &Placed<'_>)], decimals: Decimals) -> Json {
+    let length = |(a, b): &(&Placed<'_>, &Placed<'_>)| (joined(a.0, b.0), decimals.json((b.1 - a.1).norm()));
+    Json::Object(pairs.iter().map(length).collect())
+}
+
+/// Coordinates in the frame whose origin is the first point and whose x axis goes to the second.
+fn shape(points: &[Placed<'_>], decimals: Decimals) -> Json {
+    let (origin, second) = (points[0].1, points[1].1);
+    let axis = unit(second - origin).unwrap_or_else(crate::geometry::Vector::x);
+    let local = |(name, place): &Placed<'_>| {
+        let arm = place - origin;
+        let place = decimals.place(Point::new(axis.dot(&arm), cross(axis, arm)));
+        ((*name).to_owned(), shape_place(place))
+    };
+    Json::Object(points.iter().map(local).collect::<Map<_, _>>())
+}
+
+/// A place of a shape: one number on the axis, else two.
+pub(super) fn shape_place(place: Point) -> Json {
+    if place.y == 0.0 { json(place.x) } else { Json::Array(vec![json(place.x), json(place.y)]) }
+}
+
+/// Whether three points lie nearly on a line.
+pub(super) fn is_flat(a: Point, b: Point, c: Point) -> bool {
+    let longest = [b - a, c - b, a - c].map(|side| side.norm()).into_iter().fold(0.0, f64::max);
+    cross(b - a, c - a).abs() < FLAT * longest * longest
+}

@@ -1,0 +1,28 @@
+//! In: the text of a scene, and what a hand does with it: values that are set, names that change, links and points that come and go.
+//! Out: the text with these changes and no others: layout, order of keys and notes stay. The text need only be JSON, except
+//! where a change follows from the mechanism's position. Nothing is drawn here, and nothing is kept between two changes.
+//!
+//! `document` changes a text value by value and `layout` makes what is added look like what is there; `names` reads the names that
+//! a text gives. On these stand the changes of `edit`: `rename`, `add`, `drop`; and those that a hand makes on the picture: `drive` moves
+//! the mechanism, `reshape` pulls a joint to another place; `near` makes the text choose the assembly that was seen.
+
+mod add;
+mod document;
+mod drive;
+mod drop;
+mod edit;
+mod layout;
+mod measure;
+mod names;
+mod near;
+mod number;
+mod present;
+mod quantity_names;
+mod rename;
+mod reshape;
+
+pub use add::blank;
+pub use drive::{with_drive, with_mode};
+pub use edit::{Along, Edit, Key, Named, NewLink, NewPoint, NewSlider, PlacedPoint, apply};
+pub use present::places;
+pub use reshape::{Pins, Reshape, Reshaped};

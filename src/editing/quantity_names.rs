@@ -1,0 +1,130 @@
+//! Names of points and links within names of quantities, of points of the plans and of parts of the construction.
+
+use super::Named;
+use super::names::Names;
+use crate::construction::image_name;
+
+/// Where such names mean one point or one link, and the new name of it.
+pub(super) struct Renamer<'a> {
+    what: Named,
+    from: &'a str,
+    to: &'a str,
+    points: Vec<String>,
+    links: Vec<&'a String>,
+}
+
+impl<'a> Renamer<'a> {
+    /// A new name for a point or a link.
+    pub fn new(names: &'a Names, what: Named, from: &'a str, to: &'a str) -> Renamer<'a> {
+        Renamer { what, from, to, points: names.points(), links: names.links.keys().collect() }
+    }
+
+    /// A name of the construction with the new name, if it means what is renamed: a point, a link, `S3`, `D_2`, `d`,
+    /// `n_b3`, `3/2`.
+    pub fn plan_name(&self, name: &str) -> Option<String> {
+        if let Some((sliding, on)) = name.split_once('/') {
+            return self.slider(sliding, on);
+        }
+        match self.what {
+            Named::Point => self.of_point(name),
+            Named::Link => self.of_link(name),
+        }
+    }
+
+    /// The name of a quantity with the new name, if it means what is renamed.
+    pub fn quantity(&self, name: &str) -> Option<String> {
+        let (head, rest) = name.split_once('(')?;
+        let (arguments, tail) = rest.rsplit_once(')')?;
+        let is_slider = matches!(head.trim(), "position" | "v_r" | "a_r" | "a_c");
+        let new = match arguments.split_once('/') {
+            Some((sliding, on)) if is_slider => self.slider(sliding, on)?,
+            _ => self.list(head.trim(), arguments)?,
+        };
+        Some(format!("{head}({new}){tail}"))
+    }
+
+    /// Names between commas or bars.
+    fn list(&self, head: &str, arguments: &str) -> Option<String> {
+        let is_of_links = matches!(head, "omega" | "alpha" | "angle");
+        let mut is_new = false;
+        let mut new = String::new();
+        for argument in arguments.split_inclusive([',', '/']) {
+            let name = argument.trim_end_matches([',', '/']).trim();
+            let renamed = match (is_of_links, self.what) {
+                (true, Named::Link) => (name == self.from).then(|| self.to.to_owned()),
+                (true, Named::Point) => None,
+                (false, _) => self.plan_name(name),
+            };
+            is_new |= renamed.is_some();
+            new += &renamed.map_or_else(|| argument.to_owned(), |renamed| argument.replacen(name, &renamed, 1));
+        }
+        is_new.then_some(new)
+    }
+
+    /// The name of a slider, as `3/2`, `P/3` or `P/3#2`.
+    fn slider(&self, sliding: &str, on: &str) -> Option<String> {
+        let (on, number) = on.split_at(on.find('#').unwrap_or(on.len()));
+        let new = |name: &str| if name.trim() == self.from { self.to.to_owned() } else { name.to_owned() };
+        let is_link = self.links.iter().any(|link| *link == sliding.trim());
+        let (first, second) = match self.what {
+            Named::Link => (new(sliding), new(on)),
+            Named::Point if is_link => return None,
+            Named::Point => (new(sliding), on.to_owned()),
+        };
+        (first != sliding || second != on).then(|| format!("{first}/{second}{number}"))
+    }
+
+    fn of_point(&self, name: &str) -> Option<String> {
+        let (from, to) = (self.from, self.to);
+        if name == from {
+            return Some(to.to_owned());
+        }
+        if name == image_name(from) {
+            return Some(image_name(to));
+        }
+        for link in &self.links {
+            let [old, new] = [from, to].map(|point| format!("{point}_{link}"));
+            if name == old {
+                return Some(new);
+            }
+            if name == image_name(&old) {
+                return Some(image_name(&new));
+            }
+        }
+        let (mark, image, tail) = self.part(name)?;
+        (image == from).then(|| format!("{mark}{}{tail}", image_name(to)))
+    }
+
+    fn of_link(&self, name: &str) -> Option<String> {
+        let (from, to) = (self.from, self.to);
+        if name == from {
+            return Some(to.to_owned());
+        }
+        for special in ["S", "s"] {
+            if name.strip_prefix(special) == Some(from) {
+                return Some(format!("{special}{to}"));
+            }
+        }
+        for point in &self.points {
+            let [old, new] = [from, to].map(|link| format!("{point}_{link}"));
+            if name == old {
+                return Some(new);
+            }
+            if name == image_name(&old) {
+                return Some(image_name(&new));
+            }
+        }
+        let (mark, image, tail) = self.part(name)?;
+        (tail == from).then(|| format!("{mark}{}{to}", image_name(image)))
+    }
+
+    /// A part of a plan, as `n_b3`: its mark, the point from whose image it is laid off, and its link.
+    fn part<'n>(&self, name: &'n str) -> Option<(&'n str, &str, &'n str)> {
+        let (mark, rest) =
+            ["n_", "r_", "k_"].iter().find_map(|mark| name.strip_prefix(mark).map(|rest| (&name[..2], rest)))?;
+        let of = |point: &'_ String| rest.strip_prefix(&image_name(point)).filter(|tail| !tail.is_empty());
+        let found = self.points.iter().filter_map(|point| Some((point, of(point)?)));
+        let (point, tail) = found.min_by_key(|(_, tail)| tail.len())?;
+        Some((mark, point, tail))
+    }
+}
