@@ -75,6 +75,8 @@ function linkShape(scene: SceneFile, places: Places, name: string, dot: number, 
   const [first] = corners;
   if (first === undefined) return group;
   if (corners.length === 1) {
+    // Of a link with more points, where the others are is not known.
+    if (pointsOn(scene, name).length > 1) return group;
     group.append(s("rect", { x: first[0] - 1.8 * dot, y: -first[1] - 1.1 * dot, width: 3.6 * dot, height: 2.2 * dot }));
     return group;
   }
