@@ -96,7 +96,7 @@ function measureRows(scene: SceneFile, path: Path, points: string[]): Row[] {
 function shapeRows(shape: unknown, path: Path, unit: string, step: number): Row[] {
   const rows = entries(shape).map(([name, place]): Row => {
     const own: Path = [...path, name];
-    const beside: Button[] = typeof place === "number" ? [{ text: say("give_place"), ask: { do: "beside", with: own.map(String) } }] : [];
+    const beside: Button[] = typeof place === "number" ? [{ text: say("give_place"), icon: "add", ask: { do: "beside", with: own.map(String) } }] : [];
     const fields: Field[] = typeof place === "number" ? [{ kind: "number", path: own, label: "x", unit, step, needed: true }] : placeFields(own, unit, step);
     return { label: name, path: own, fields, buttons: beside };
   });

@@ -1,7 +1,7 @@
 import type { App } from "../../app.ts";
 import type { SceneFile } from "../../engine/types.ts";
 import { signal, type Signal } from "../../state/signal.ts";
-import { at, entries, parsed } from "../parts/scene.ts";
+import { allPoints, at, entries, parsed } from "../parts/scene.ts";
 
 /** Places of points in the scene's own coordinates, by name. */
 export type Places = Map<string, [number, number]>;
@@ -12,8 +12,10 @@ export function placesOf(app: App): Signal<Places> {
   app.history.now.on(({ text }) => {
     const scene = parsed(text);
     if (scene === null) return;
+    // Points that a change leaves without a known place stay where they were seen last.
+    const seen = [...places.value].filter(([name]) => allPoints(scene).includes(name));
     const show = (found: Places): void => {
-      if (app.history.now.value.text === text) places.set(found);
+      if (app.history.now.value.text === text) places.set(new Map([...seen, ...found]));
     };
     app.engine.places(text).then(
       (found) => show(new Map(found.map(({ name, at: place }) => [name, place]))),
