@@ -138,8 +138,9 @@ async function start(): Promise<void> {
   const script = unpacked("worker", "text/javascript").text();
   const first = await beginning(location.hash, store);
   const restarted = (why: "fell" | "too_slow"): string => say(why, { seconds: PATIENCE / 1000 });
-  const { engine, busy } = startEngine(await script, await compiled, (why) => {
-    notice(restarted(why));
+  const { engine, busy } = startEngine(await script, await compiled, (why, during) => {
+    // Of a text that cannot be solved the message bar tells.
+    if (during !== "open") notice(restarted(why));
     return restarted(why);
   });
   busy.on((is) => (byId("busy").textContent = is ? say("busy") : ""));
